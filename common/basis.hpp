@@ -1,0 +1,15 @@
+// Three axes at right angles.
+#pragma once
+
+#include "common/real.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// A right-handed orthonormal basis: x × y = z.
+struct Basis {
+    Vec3 x{1, 0, 0};
+    Vec3 y{0, 1, 0};
+    Vec3 z{0, 0, 1};
+};
+
+}  // namespace rt::inline RT_PRECISION

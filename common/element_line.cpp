@@ -1,0 +1,175 @@
+#include "common/element_line.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+std::ptrdiff_t commas(std::string_view text) {
+    return std::count(text.begin(), text.end(), ',');
+}
+
+Token trimmed(Token token) {
+    constexpr std::string_view blanks = " \t\r\v\f";
+    const std::size_t begin = std::min(token.text.find_first_not_of(blanks), token.text.size());
+    token.text.remove_prefix(begin);
+    token.column += static_cast<int>(begin);
+    token.text = token.text.substr(0, token.text.find_last_not_of(blanks) + 1);
+    return token;
+}
+
+/// What stands between the two commas and around them; nothing if there are not two, or if one
+/// part is empty.
+std::optional<std::array<Token, 3>> three_parts(Token token) {
+    if (commas(token.text) != 2) return std::nullopt;
+    std::array<Token, 3> parts;
+    for (Token& part : parts) {
+        const std::size_t comma = std::min(token.text.find(','), token.text.size());
+        part = trimmed({token.text.substr(0, comma), token.column});
+        if (part.text.empty()) return std::nullopt;
+        token.text.remove_prefix(std::min(comma + 1, token.text.size()));
+        token.column += static_cast<int>(comma) + 1;
+    }
+    return parts;
+}
+
+}  // namespace
+
+ElementLine::ElementLine(Line line, const ElementForm& form, SceneReport& report)
+    : line_(std::move(line)), form_(form), report_(report) {}
+
+std::optional<Token> ElementLine::option(std::string_view key) {
+    for (auto token = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+         token != line_.tokens.end(); ++token) {
+        if (!token->text.starts_with(key) || !token->text.substr(key.size()).starts_with(':')) {
+            continue;
+        }
+        const std::size_t start = key.size() + 1;
+        const Token value{token->text.substr(start), token->column + static_cast<int>(start)};
+        line_.tokens.erase(token);
+        return value;
+    }
+    return std::nullopt;
+}
+
+int ElementLine::choice(std::string_view key, std::initializer_list<std::string_view> values) {
+    const auto value = option(key);
+    if (!value) return 0;
+    const auto* const found = std::find(values.begin(), values.end(), value->text);
+    if (found != values.end()) return static_cast<int>(found - values.begin());
+    std::string expected;
+    for (const std::string_view possible : values) {
+        expected.append(expected.empty() ? "" : " or ").append(possible);
+    }
+    refuse(*value, what(key) + " must be " + expected);
+}
+
+bool ElementLine::triple_follows() const {
+    return !at_end() && three_parts(peek_field()).has_value();
+}
+
+void ElementLine::refuse_line(const std::string& message) const {
+    report_.fail(line_.number, line_.tokens.front().column, message);
+}
+
+void ElementLine::finish() {
+    for (; !at_end(); ++next_) {
+        const Token token = line_.tokens[next_];
+        const std::size_t colon = token.text.find(':');
+        const std::string_view key =
+            colon == std::string_view::npos ? "" : token.text.substr(0, colon);
+        doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
+              quoted(token.text) + " is too much for " + std::string(form_.noun) + ": expected \"" +
+                  std::string(form_.layout) + "\"",
+              "it is ignored");
+    }
+}
+
+std::string ElementLine::what(std::string_view field) const {
+    return std::string(form_.noun) + "'s " + std::string(field);
+}
+
+void ElementLine::refuse(Token token, const std::string& message) const {
+    report_.fail(line_.number, token.column, message + ", not " + quoted(token.text));
+}
+
+void ElementLine::doubt(Token token, const std::string& kind, const std::string& message,
+                        const std::string& remedy) {
+    report_.doubt(line_.number, token.column, kind, message, remedy);
+}
+
+void ElementLine::warn(Token token, const std::string& kind, const std::string& message) {
+    report_.warn(line_.number, token.column, kind, message);
+}
+
+Token ElementLine::take_word(std::string_view field) {
+    return take(field, 1);
+}
+
+std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
+    const Token token = take(field, at_end() ? 1 : words_of_field());
+    const auto parts = three_parts(token);
+    const bool blanks = token.text.find_first_of(" \t\r\v\f") != std::string_view::npos;
+    if (parts && blanks) {
+        warn(token, "blank in triple", "blanks around the commas of " + quoted(token.text));
+    }
+    if (parts) return *parts;
+    refuse(token, what(field) + " must be three numbers as in 1,2,3");
+}
+
+void ElementLine::skip_to_triple(std::string_view field) {
+    const auto last_comma = std::find_if(line_.tokens.rbegin(),
+                                         line_.tokens.rend() - static_cast<std::ptrdiff_t>(next_),
+                                         [](Token token) { return commas(token.text) > 0; });
+    const auto end = static_cast<std::size_t>(line_.tokens.rend() - last_comma);
+    for (; next_ < end && commas(peek_field().text) == 0; ++next_) {
+        const Token token = line_.tokens[next_];
+        doubt(token, "before colour " + std::string(form_.keyword),
+              quoted(token.text) + " stands where " + what(field) + " was expected",
+              "it is skipped");
+    }
+}
+
+std::string ElementLine::missing(std::string_view field) const {
+    return what(field) + " is missing: expected \"" + std::string(form_.layout) + "\"";
+}
+
+Token ElementLine::end_of_line() const {
+    const Token last = line_.tokens.back();
+    return {{}, last.column + static_cast<int>(last.text.size())};
+}
+
+/// How many words belong to the next field: more than one if blanks stand around the commas of a
+/// triple. A word that would bring a third comma is a field of its own.
+std::size_t ElementLine::words_of_field() const {
+    std::size_t end = next_ + 1;
+    auto count = commas(line_.tokens[next_].text);
+    while (!strict() && end < line_.tokens.size()) {
+        const std::string_view word = line_.tokens[end].text;
+        const bool touches = line_.tokens[end - 1].text.ends_with(',') || word.starts_with(',');
+        if (!touches || count + commas(word) > 2) break;
+        count += commas(word);
+        ++end;
+    }
+    return end - next_;
+}
+
+Token ElementLine::peek_field() const {
+    return joined(line_.tokens[next_], line_.tokens[next_ + words_of_field() - 1]);
+}
+
+Token ElementLine::take(std::string_view field, std::size_t words) {
+    if (at_end()) {
+        report_.fail(line_.number, end_of_line().column, missing(field));
+    }
+    Token token = joined(line_.tokens[next_], line_.tokens[next_ + words - 1]);
+    next_ += words;
+    if (strict() || token.text.size() < 2 || !token.text.ends_with(',')) return token;
+    doubt(token, "comma", quoted(token.text) + " ends with a comma", "it is left out");
+    token.text.remove_suffix(1);
+    return token;
+}
+
+}  // namespace rt

@@ -1,0 +1,27 @@
+// The one exception of the project: something that came from outside is wrong.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace rt {
+
+/// A place in a file that somebody can open. Line and column count from 1; 0 leaves them out.
+struct Place {
+    std::string file;
+    int line = 0;
+    int column = 0;
+};
+
+/// Bad input: a scene, a mesh, an option, a file that cannot be read or written. Caught once, in
+/// main, which prints what() and ends with status 2.
+class InputError : public std::runtime_error {
+public:
+    /// what() is "file:line:column: error: message"; an empty file leaves the place out.
+    InputError(const Place& place, const std::string& message);
+};
+
+/// "file:line:column: ", or as much of it as is known.
+[[nodiscard]] std::string to_string(const Place& place);
+
+}  // namespace rt

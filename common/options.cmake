@@ -1,0 +1,65 @@
+# How everything is compiled, and what it is compiled with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_FLAGS_RELEASE -O2)  # asserts stay
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+# raysteps_find(<package> <Debian package>)
+#
+# find_package that says which Debian package brings what is missing.
+macro(raysteps_find package debian)
+    find_package(${package} QUIET ${ARGN})
+    if(NOT ${package}_FOUND)
+        message(FATAL_ERROR "${package} is missing: apt-get install ${debian}")
+    endif()
+endmacro()
+
+raysteps_find(glm libglm-dev)
+raysteps_find(PNG libpng-dev)
+raysteps_find(CLI11 libcli11-dev)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads REQUIRED)
+
+add_library(raysteps_options INTERFACE)
+target_include_directories(raysteps_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(raysteps_options INTERFACE glm::glm)
+# A glm::vec of our own making is zero, where GLM's default leaves it as the memory was.
+target_compile_definitions(raysteps_options INTERFACE GLM_FORCE_CTOR_INIT)
+
+if(MSVC)
+    target_compile_options(raysteps_options INTERFACE /W4 /utf-8 /fp:precise)
+else()
+    # compensated.hpp and the watertight triangle are sound only with each operation rounded once.
+    target_compile_options(raysteps_options INTERFACE -ffp-contract=off)
+    target_compile_options(raysteps_options INTERFACE
+        -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+        # Where a GLM or Catch2 macro or an aggregate left short on purpose is at fault:
+        -Wno-missing-field-initializers)
+endif()
+if(RAYSTEPS_WERROR)
+    target_compile_options(raysteps_options INTERFACE $<IF:$<BOOL:${MSVC}>,/WX,-Werror>)
+endif()
+if(RAYSTEPS_SANITIZE)
+    target_compile_options(raysteps_options INTERFACE
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+    target_link_options(raysteps_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# A linker that does not keep a student waiting, if there is one.
+find_program(RAYSTEPS_MOLD mold)
+if(RAYSTEPS_MOLD AND NOT RAYSTEPS_SANITIZE)
+    target_link_options(raysteps_options INTERFACE -fuse-ld=mold)
+endif()
+
+# raysteps_compile_twice(<name> <source>...)
+#
+# Two object libraries of the same sources: <name>_f32, with Real = float, and <name>_f64.
+function(raysteps_compile_twice name)
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${name}_${precision} OBJECT ${ARGN})
+        target_link_libraries(${name}_${precision} PUBLIC raysteps_options)
+    endforeach()
+    target_compile_definitions(${name}_f32 PRIVATE RT_FLOAT)
+endfunction()

@@ -1,0 +1,127 @@
+#include "common/options.hpp"
+
+#include "common/input_error.hpp"
+#include "common/stages.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <iostream>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+constexpr int max_side = 8192;  // as in scenes
+constexpr int max_threads = 1024;
+constexpr int first_stage_with_shapes = 3;
+
+/// Two whole numbers with `separator` between them and nothing around them.
+std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
+    std::array<int, 2> numbers{};
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, numbers[0]);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+    const auto second = std::from_chars(first.ptr + 1, end, numbers[1]);
+    if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+    return numbers;
+}
+
+Resolution parse_size(const std::string& text) {
+    const auto size = two_numbers(text, 'x');
+    const auto fits = [](int side) { return 1 <= side && side <= max_side; };
+    if (!size || !std::all_of(size->begin(), size->end(), fits))
+        throw InputError({}, "--size must be WIDTHxHEIGHT, each 1 to 8192, not \"" + text + "\"");
+    return {.width = (*size)[0], .height = (*size)[1]};
+}
+
+Pixel parse_pixel(const std::string& text) {
+    const auto pixel = two_numbers(text, ',');
+    if (!pixel || (*pixel)[0] < 0 || (*pixel)[1] < 0)
+        throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not \"" + text + "\"");
+    return {.row = (*pixel)[0], .column = (*pixel)[1]};
+}
+
+/// An option whose value is one of two words, the first if it is not given.
+void add_choice(CLI::App& app, const std::string& name, bool& second,
+                const std::array<std::string, 2>& words, const std::string& help) {
+    app.add_option_function<std::string>(
+           name, [&second, last = words[1]](const std::string& word) { second = word == last; },
+           help + "; " + words[0] + " if not given")
+        ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())))
+        ->type_name("");
+}
+
+/// A file in the project's folder, as short as it can be said from here.
+std::string in_project(const Program& program, const std::string& folder, const std::string& name) {
+    const auto file = std::filesystem::path(program.root) / folder / name;
+    return file.lexically_proximate(std::filesystem::current_path()).string();
+}
+
+std::string default_scene(const Program& program) {
+    return in_project(program, "scenes", std::string(stage_name(program.stage)) + ".rt");
+}
+
+std::string default_output(const Program& program, const std::string& scene) {
+    return in_project(program, "renders",
+                      std::filesystem::path(scene).stem().string() + ".png");
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(const Program& program, int argc, const char* const* argv) {
+    const std::string name(stage_name(program.stage));
+    Options options;
+    options.threads = std::max(1, int(std::thread::hardware_concurrency()));
+    bool horizontal = false;
+    bool single = false;
+    bool normal = false;
+
+    CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
+    app.add_option("scene", options.scene, "the scene; scenes/" + name + ".rt if not given")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options.output, "the picture; renders/<scene>.png if not given")
+        ->type_name("PNG");
+    app.add_option_function<std::string>(
+           "--size", [&](const std::string& text) { options.size = parse_size(text); },
+           "the picture's size in pixels, in place of the scene's")
+        ->type_name("WIDTHxHEIGHT");
+    add_choice(app, "--precision", single, {"double", "float"}, "the numbers to compute with");
+    app.add_option("--threads", options.threads, "as many as there are cores if not given")
+        ->check(CLI::Range(1, max_threads))
+        ->type_name("N");
+    app.add_option_function<std::string>(
+           "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },
+           "tell the story of one pixel's ray, and make no picture")
+        ->type_name("ROW,COLUMN");
+    if (program.stage >= first_stage_with_shapes)
+        add_choice(app, "--shade", normal, {"torch", "normal"},
+                   "colour by a torch at the eye, or by abs(normal)");
+    add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
+               "what a scene's field of view spans");
+    add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
+               "what a cylinder's position is");
+    app.add_flag("--strict", options.reading.strict, "read the scene to the letter of the format");
+    app.add_flag("--preview", options.preview, "draw the picture in the terminal as well");
+    app.add_flag("--quiet", options.quiet, "say nothing but errors");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw InputError({}, std::string(error.what()) + " (--help lists the options)");
+    }
+    if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
+    if (single) options.precision = Precision::f32;
+    if (normal) options.shading = Shading::normal;
+    if (options.scene.empty()) options.scene = default_scene(program);
+    if (options.output.empty()) options.output = default_output(program, options.scene);
+    return options;
+}
+
+}  // namespace rt

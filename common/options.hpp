@@ -1,0 +1,39 @@
+// The command line of a stage's program.
+#pragma once
+
+#include "common/context.hpp"
+#include "common/pixel.hpp"
+#include "common/scene_reader.hpp"
+
+#include <optional>
+#include <string>
+
+namespace rt {
+
+/// The program that somebody runs.
+struct Program {
+    int stage = 1;
+    std::string root;  ///< the folder of the project: own scenes and pictures are in there
+};
+
+enum class Precision { f32, f64 };
+
+struct Options {
+    std::string scene;   ///< a file
+    std::string output;  ///< a file
+    SceneReading reading;
+    std::optional<Resolution> size;  ///< instead of the scene's
+    std::optional<Pixel> pixel;      ///< tell its story, and make no picture
+    Precision precision = Precision::f64;
+    Shading shading = Shading::torch;
+    int threads = 1;
+    bool preview = false;
+    bool quiet = false;
+};
+
+/// What the command line asks for; nothing if all it asked for, help, has been printed. Throws
+/// InputError for an option that is unknown, or a value that is none.
+[[nodiscard]] std::optional<Options> parse_options(const Program& program, int argc,
+                                                   const char* const* argv);
+
+}  // namespace rt

@@ -1,0 +1,17 @@
+// Which pixel, of how many.
+#pragma once
+
+namespace rt {
+
+/// Row from the top, column from the left, both from 0: the i and j of MRT §1.
+struct Pixel {
+    int row = 0;
+    int column = 0;
+};
+
+struct Resolution {
+    int width = 640;
+    int height = 480;
+};
+
+}  // namespace rt

@@ -1,0 +1,24 @@
+// PNG files, through libpng.
+#pragma once
+
+#include "common/image.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A text chunk: what a picture says of itself ("Title", "Size", …).
+struct PngText {
+    std::string key;
+    std::string value;
+};
+
+/// Writes the picture, or nothing: it is written beside the file and renamed when it is whole.
+/// Makes the folder if there is none. Throws InputError if that fails.
+void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts);
+
+/// Reads 8-bit colours out of any PNG. Throws InputError if the file is none.
+[[nodiscard]] Image read_png(const std::string& file);
+
+}  // namespace rt

@@ -1,0 +1,81 @@
+#include "common/render.hpp"
+
+#include <cmath>
+#include <thread>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+bool is_number(const Color& color) {
+    return !std::isnan(color.r) && !std::isnan(color.g) && !std::isnan(color.b);
+}
+
+struct Row {
+    std::int64_t rays = 0;
+    int not_a_number = 0;
+    int first_not_a_number = 0;  ///< a column
+};
+
+Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
+               const RenderSettings& settings, int row, Image& image) {
+    Context context{.shading = settings.shading};
+    Row result;
+    for (Pixel pixel{.row = row}; pixel.column < image.resolution.width; ++pixel.column) {
+        const Color color = trace(scene, pixel_ray(pixel), context);
+        image[pixel] = to_rgb(color);
+        if (!is_number(color) && result.not_a_number++ == 0)
+            result.first_not_a_number = pixel.column;
+    }
+    result.rays = context.rays;
+    return result;
+}
+
+Rendering sum(Image image, const std::vector<Row>& rows) {
+    Rendering result;
+    result.image = std::move(image);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (result.not_a_number == 0 && rows[row].not_a_number > 0)
+            result.first_not_a_number = {.row = int(row), .column = rows[row].first_not_a_number};
+        result.rays += rows[row].rays;
+        result.not_a_number += rows[row].not_a_number;
+    }
+    return result;
+}
+
+}  // namespace
+
+Rgb to_rgb(const Color& color) {
+    if (!is_number(color)) return not_a_color;
+    const auto byte = [](Real value) {
+        return static_cast<std::uint8_t>(std::lround(glm::clamp(value, Real(0), Real(1)) * 255));
+    };
+    return {byte(color.r), byte(color.g), byte(color.b)};
+}
+
+std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings) {
+    const std::function<Ray(Pixel)> pixel_ray =
+        pixel_rays(scene.cameras.front(), scene.resolution);
+    Image image(scene.resolution);
+    std::vector<Row> rows(std::size_t(scene.resolution.height));
+    const auto stopped = [&settings] { return settings.stop != nullptr && *settings.stop; };
+
+    // Threads take rows in turn, so that a costly part of the picture is shared.
+    std::atomic<int> next_row = 0;
+    const auto work = [&] {
+        for (int row = next_row++; row < scene.resolution.height && !stopped(); row = next_row++) {
+            rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
+            if (settings.row_done) settings.row_done();
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 1; i < settings.threads; ++i) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+
+    if (stopped()) return std::nullopt;
+    return sum(std::move(image), rows);
+}
+
+}  // namespace rt

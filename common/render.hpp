@@ -1,0 +1,36 @@
+// The whole picture, pixel by pixel, on several threads.
+#pragma once
+
+#include "common/image.hpp"
+#include "common/stage.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace rt {
+
+struct RenderSettings {
+    int threads = 1;
+    Shading shading = Shading::torch;
+    std::function<void()> row_done = nullptr;   ///< called after each row, by any thread
+    const std::atomic<bool>* stop = nullptr;    ///< set to give up
+};
+
+struct Rendering {
+    Image image;
+    std::int64_t rays = 0;
+    std::int64_t not_a_number = 0;  ///< pixels without a colour
+    Pixel first_not_a_number;       ///< the topmost of them
+};
+
+/// The red, green and blue that show a colour: 0 to 1 becomes 0 to 255, and what is beyond is cut
+/// off. A component that is NaN makes the whole not_a_color.
+[[nodiscard]] Rgb to_rgb(const Color& color);
+
+/// The scene through its first camera: nothing if it was stopped. The same bits for any number of
+/// threads, because no pixel depends on another.
+[[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings);
+
+}  // namespace rt

@@ -1,0 +1,131 @@
+#include "common/run.hpp"
+
+#include "common/png.hpp"
+#include "common/render.hpp"
+#include "common/requirements.hpp"
+#include "common/stages.hpp"
+#include "common/story.hpp"
+#include "common/terminal.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+
+namespace rt {
+
+namespace {
+
+constexpr const char* precision_name = sizeof(Real) == sizeof(float) ? "float" : "double";
+
+std::string size_text(Resolution size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+void refuse_later_stages(const Scene& scene, const Program& program, const Options& options) {
+    for (const Requirement& need : requirements(scene)) {
+        if (need.stage <= program.stage) continue;
+        throw InputError({options.scene}, need.what + " in the scene, which " +
+                                              std::string(stage_name(need.stage)) +
+                                              " brings: run that, or a later stage");
+    }
+}
+
+Scene load(const Program& program, const Options& options) {
+    SceneReading reading = options.reading;
+    if (!options.quiet)
+        reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
+    Scene scene = load_scene(options.scene, reading);
+    if (options.size) scene.resolution = *options.size;
+    refuse_later_stages(scene, program, options);
+    return scene;
+}
+
+/// What the picture says of itself: whatever made it what it is. The number of threads did not.
+std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
+    std::string used = options.shading == Shading::normal ? "--shade normal" : "--shade torch";
+    if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
+    if (options.reading.cylinder_from_base) used += " --cyl base";
+    if (options.reading.strict) used += " --strict";
+    return {{"Title", std::filesystem::path(options.scene).filename().string()},
+            {"Software", "Raysteps " + std::string(stage_name(program.stage))},
+            {"Size", size_text(size)},
+            {"Precision", precision_name},
+            {"Options", used}};
+}
+
+/// How wide a terminal is said to be.
+int terminal_columns() {
+    const char* columns = std::getenv("COLUMNS");
+    const int said = columns == nullptr ? 0 : std::atoi(columns);
+    return said > 0 ? said : 80;
+}
+
+void report(const Rendering& rendering, const Options& options, double seconds) {
+    std::printf("%s: %s pixels, %s, %.2f s, %lld rays\n", options.output.c_str(),
+                size_text(rendering.image.resolution).c_str(), precision_name, seconds,
+                static_cast<long long>(rendering.rays));
+    if (rendering.not_a_number == 0) return;
+    const Pixel first = rendering.first_not_a_number;
+    std::printf("%lld pixels are not a number, and shown in magenta: see --pixel %d,%d\n",
+                static_cast<long long>(rendering.not_a_number), first.row, first.column);
+}
+
+bool make_picture(const Program& program, const Options& options, const Scene& scene,
+                  const std::atomic<bool>& stop) {
+    const auto start = std::chrono::steady_clock::now();
+    std::optional<Rendering> rendering;
+    {
+        Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
+        rendering = render(scene, {.threads = options.threads,
+                                   .shading = options.shading,
+                                   .row_done = [&progress] { progress.advance(); },
+                                   .stop = &stop});
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (!rendering) return false;
+    write_png(options.output, rendering->image, texts(program, options, scene.resolution));
+    if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
+    if (!options.quiet) report(*rendering, options, seconds.count());
+    return true;
+}
+
+void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
+    const Resolution size = scene.resolution;
+    if (pixel.row >= size.height || pixel.column >= size.width)
+        throw InputError({}, "--pixel " + std::to_string(pixel.row) + "," +
+                                 std::to_string(pixel.column) + " is outside the picture, which is " +
+                                 size_text(size));
+    const Camera& camera = scene.cameras.front();
+    Story story(std::cout);
+    story.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
+                  size_text(size) + " pixels, " + precision_name);
+    tell_screen(story, pixel, size, vertical_fov(camera, size));
+    if (program.stage >= 2) tell_basis(story, camera);
+    const Ray ray = pixel_rays(camera, size)(pixel);
+    story.heading("The ray");
+    story.line("o_r", text(ray.origin));
+    story.line("d_r", text(ray.direction));
+    Context context{.shading = options.shading, .story = &story};
+    const Color color = trace(scene, ray, context);
+    if (story.misses_left_out() > 0)
+        story.remark(std::to_string(story.misses_left_out()) + " more shapes were missed");
+    const Rgb rgb = to_rgb(color);
+    story.heading("The pixel");
+    story.line("color", text(color));
+    story.line("8-bit", std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
+                            std::to_string(rgb[2]));
+}
+
+}  // namespace
+
+bool RT_PRECISION::run(const Program& program, const Options& options,
+                       const std::atomic<bool>& stop) {
+    const Scene scene = load(program, options);
+    if (!options.pixel) return make_picture(program, options, scene, stop);
+    tell_pixel(program, options, scene, *options.pixel);
+    return true;
+}
+
+}  // namespace rt

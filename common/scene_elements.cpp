@@ -1,0 +1,137 @@
+#include "common/scene_elements.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rt::inline RT_PRECISION {
+
+namespace {
+
+void read_resolution(Fields& fields, const SceneReading&, Scene& scene) {
+    const int width = fields.pixels("width");
+    scene.resolution = {.width = width, .height = fields.pixels("height")};
+}
+
+void read_ambient(Fields& fields, const SceneReading&, Scene& scene) {
+    const Real ratio = fields.ratio("ratio");
+    scene.ambient = Ambient{.ratio = ratio, .color = fields.color_or_white()};
+}
+
+void read_camera(Fields& fields, const SceneReading& reading, Scene& scene) {
+    const Vec3 position = fields.point("position");
+    const Vec3 direction = fields.camera_direction("direction");
+    scene.cameras.push_back({.position = position,
+                             .direction = direction,
+                             .fov = fields.angle("field of view"),
+                             .fov_axis = reading.fov_axis});
+}
+
+void read_light(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 position = fields.point("position");
+    const Real brightness = fields.ratio("brightness");
+    scene.lights.push_back(
+        {.position = position, .brightness = brightness, .color = fields.color_or_white()});
+}
+
+bool is_finite(Vec3 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// The colour, the last field of a shape.
+Material read_material(Fields& fields) {
+    return {.color = fields.color()};
+}
+
+void read_sphere(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 center = fields.point("position");
+    const Real radius = fields.length("diameter") / 2;
+    scene.spheres.push_back(
+        {.shape = {.center = center, .radius = radius}, .material = read_material(fields)});
+}
+
+void read_plane(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 point = fields.point("position");
+    const Vec3 normal = fields.direction("normal");
+    scene.planes.push_back(
+        {.shape = {.point = point, .normal = normal}, .material = read_material(fields)});
+}
+
+void read_triangle(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 a = fields.point("first corner");
+    const Vec3 b = fields.point("second corner");
+    const Vec3 c = fields.point("third corner");
+    scene.triangles.push_back(
+        {.shape = {.a = a, .b = b, .c = c}, .material = read_material(fields)});
+}
+
+void read_square(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 center = fields.point("position");
+    const Basis basis = basis_around(fields.direction("normal"));
+    const Real side = fields.length("side");
+    const Material material = read_material(fields);
+    const bool one_sided = fields.choice("sides", {"2", "1"}) == 1;
+    scene.squares.push_back(
+        {.shape = {.center = center, .basis = basis, .side = side, .one_sided = one_sided},
+         .material = material});
+}
+
+void read_cylinder(Fields& fields, const SceneReading& reading, Scene& scene) {
+    const Vec3 position = fields.point("position");
+    const Vec3 axis = fields.direction("direction");
+    // An early revision of the format has the colour here.
+    const bool early = fields.triple_follows();
+    const Material early_material = early ? read_material(fields) : Material{};
+    const Real radius = fields.length("diameter") / 2;
+    const Real height = fields.length("height");
+    const Material material = early ? early_material : read_material(fields);
+    const Vec3 center = reading.cylinder_from_base ? position + height / 2 * axis : position;
+    if (!is_finite(center)) fields.refuse_line("a cylinder's centre is too far away");
+    scene.cylinders.push_back(
+        {.shape = {.center = center, .axis = axis, .radius = radius, .height = height},
+         .material = material});
+}
+
+void read_cone(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 apex = fields.point("apex");
+    const Vec3 axis = fields.direction("direction");
+    const Real radius = fields.length("diameter") / 2;
+    const Real height = fields.length("height");
+    scene.cones.push_back(
+        {.shape = {.apex = apex, .axis = axis, .radius = radius, .height = height},
+         .material = read_material(fields)});
+}
+
+constexpr const char* last_counts = "the last one counts";
+constexpr const char* all_kept = "all are kept, and pictures use the first";
+
+constexpr auto table = std::to_array<Element>({
+    {{"R", "the resolution", "R width height"}, read_resolution, last_counts},
+    {{"A", "the ambient light", "A ratio colour"}, read_ambient, last_counts},
+    {{"C", "a camera", "C position direction fov"}, read_camera, all_kept},
+    {{"c", "a camera", "c position direction fov"}, read_camera},
+    {{"L", "a light", "L position brightness colour"}, read_light},
+    {{"l", "a light", "l position brightness colour"}, read_light},
+    {{"sp", "a sphere", "sp position diameter colour"}, read_sphere},
+    {{"pl", "a plane", "pl position normal colour"}, read_plane},
+    {{"tr", "a triangle", "tr corner corner corner colour"}, read_triangle},
+    {{"sq", "a square", "sq position normal side colour [sides:1|2]"}, read_square},
+    {{"cy", "a cylinder", "cy position direction diameter height colour"}, read_cylinder},
+    {{"co", "a cone", "co apex direction diameter height colour"}, read_cone},
+});
+
+}  // namespace
+
+std::span<const Element> elements() {
+    return table;
+}
+
+const Element* find_element(std::string_view keyword) {
+    const auto has_keyword = [keyword](const Element& e) { return e.form.keyword == keyword; };
+    const auto found = std::find_if(table.begin(), table.end(), has_keyword);
+    return found == table.end() ? nullptr : &*found;
+}
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,135 @@
+#include "common/scene_fields.hpp"
+
+#include "common/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rt::inline RT_PRECISION {
+
+namespace {
+
+/// Whether 0 ≤ number ≤ bound holds for what is written; −0 is 0.
+bool within(const Decimal& number, int bound) {
+    const bool below = number.negative && exceeds(number, 0);
+    return !below && !exceeds(number, bound);
+}
+
+bool positive(const Decimal& number) {
+    return !number.negative && exceeds(number, 0);
+}
+
+std::string component_of(const std::string& name) {
+    return "each component of " + name;
+}
+
+}  // namespace
+
+Vec3 Fields::point(std::string_view field) {
+    return triple(field).value;
+}
+
+Vec3 Fields::direction(std::string_view field) {
+    const Triple read = triple(field);
+    const auto found = unit_direction(read, field);
+    if (!found) refuse(joined(read.parts[0], read.parts[2]), what(field) + " must point somewhere");
+    return *found;
+}
+
+Vec3 Fields::camera_direction(std::string_view field) {
+    const Triple read = triple(field);
+    const auto found = unit_direction(read, field);
+    if (!found) warn(read.parts[0], "zero", what(field) + " is zero: it looks along 0,0,-1");
+    return found.value_or(Vec3(0, 0, -1));
+}
+
+Real Fields::length(std::string_view field) {
+    const Token token = take_word(field);
+    const Decimal number = decimal(token, what(field));
+    if (!positive(number)) refuse(token, what(field) + " must be positive");
+    const bool vanishes = number.value / 2 == 0;
+    if (vanishes) refuse(token, what(field) + " must be large enough to compute with");
+    return number.value;
+}
+
+Real Fields::ratio(std::string_view field) {
+    return up_to(1, field);
+}
+
+Real Fields::angle(std::string_view field) {
+    // float's π is more than π, and the tangent of its half negative.
+    const Real largest = std::nextafter(pi, Real(0));
+    return std::min(up_to(180, field) * pi / 180, largest);
+}
+
+Color Fields::color() {
+    skip_to_triple("colour");
+    const Triple read = triple("colour");
+    const std::string name = component_of(what("colour"));
+    for (std::size_t i = 0; i < read.parts.size(); ++i) {
+        if (!within(read.numbers[i], 255)) refuse(read.parts[i], name + " must be from 0 to 255");
+        if (read.numbers[i].whole) continue;
+        doubt(read.parts[i], "whole colour",
+              name + " must be a whole number, not " + quoted(read.parts[i].text), "it is kept");
+    }
+    return read.value / Real(255);
+}
+
+Color Fields::color_or_white() {
+    if (!at_end()) return color();
+    doubt(end_of_line(), "no colour", missing("colour"), "it is white");
+    return Color(1);
+}
+
+int Fields::pixels(std::string_view field) {
+    const Token token = take_word(field);
+    const auto number = parse_decimal(token.text);
+    if (!number || !number->whole || !positive(*number)) {
+        refuse(token, what(field) + " must be a positive whole number");
+    }
+    if (!exceeds(*number, largest_side)) return static_cast<int>(number->value);
+    warn(token, "resolution",
+         what(field) + " is clipped from " + quoted(token.text) + " to " +
+             std::to_string(largest_side));
+    return largest_side;
+}
+
+Decimal Fields::decimal(Token token, const std::string& name) {
+    const auto number = parse_decimal(token.text);
+    if (!number) refuse(token, name + " must be a decimal number");
+    if (std::isinf(number->value)) refuse(token, name + " must be small enough to compute with");
+    if (number->scientific) {
+        doubt(token, "exponent", quoted(token.text) + " has an exponent: expected a plain decimal",
+              "it is read");
+    }
+    return *number;
+}
+
+Fields::Triple Fields::triple(std::string_view field) {
+    Triple read{.parts = take_triple(field), .numbers = {}, .value = Vec3(0)};
+    for (std::size_t i = 0; i < read.parts.size(); ++i) {
+        read.numbers[i] = decimal(read.parts[i], component_of(what(field)));
+    }
+    read.value = {read.numbers[0].value, read.numbers[1].value, read.numbers[2].value};
+    return read;
+}
+
+/// Nothing if it is zero. Any length is fine, but the format has components from −1 to 1.
+std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view field) {
+    for (std::size_t i = 0; strict() && i < read.parts.size(); ++i) {
+        if (!exceeds(read.numbers[i], 1)) continue;
+        refuse(read.parts[i], component_of(what(field)) + " must be from -1 to 1");
+    }
+    if (read.value == Vec3(0)) return std::nullopt;
+    return unit(read.value);
+}
+
+/// A number from 0 to the bound.
+Real Fields::up_to(int bound, std::string_view field) {
+    const Token token = take_word(field);
+    const Decimal number = decimal(token, what(field));
+    if (within(number, bound)) return number.value;
+    refuse(token, what(field) + " must be from 0 to " + std::to_string(bound));
+}
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,61 @@
+// The fields of an element as values: checked, and in the units of common/scene.hpp.
+#pragma once
+
+#include "common/decimal.hpp"
+#include "common/element_line.hpp"
+#include "common/scene.hpp"
+
+#include <string_view>
+
+namespace rt::inline RT_PRECISION {
+
+/// Each function takes the next field, whose name it is given. They throw InputError, with the
+/// place of the token, if it is missing or not what it must be.
+class Fields : public ElementLine {
+public:
+    using ElementLine::ElementLine;
+
+    [[nodiscard]] Vec3 point(std::string_view field);
+
+    /// Made unit length. It must not be zero.
+    [[nodiscard]] Vec3 direction(std::string_view field);
+
+    /// Made unit length. Zero looks along (0, 0, −1), with a warning (MRT §2).
+    [[nodiscard]] Vec3 camera_direction(std::string_view field);
+
+    /// A positive number, whose half is positive too.
+    [[nodiscard]] Real length(std::string_view field);
+
+    /// 0 to 1.
+    [[nodiscard]] Real ratio(std::string_view field);
+
+    /// 0 to 180 degrees as radians, less than π.
+    [[nodiscard]] Real angle(std::string_view field);
+
+    /// 0 to 255 as 0 to 1. Lenient reading skips what stands before it, and keeps fractions.
+    [[nodiscard]] Color color();
+
+    /// color(), or white, with a warning, if lenient reading finds nothing at all.
+    [[nodiscard]] Color color_or_white();
+
+    /// A number of pixels, positive, clipped at largest_side with a warning.
+    [[nodiscard]] int pixels(std::string_view field);
+
+private:
+    struct Triple {
+        std::array<Token, 3> parts;
+        std::array<Decimal, 3> numbers;
+        Vec3 value;
+    };
+
+    [[nodiscard]] Decimal decimal(Token token, const std::string& name);
+    [[nodiscard]] Triple triple(std::string_view field);
+    [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
+    [[nodiscard]] Real up_to(int bound, std::string_view field);
+};
+
+/// Of a picture, in pixels. A larger one is more likely a slip than a wish: 8192 × 8192 pixels are
+/// already 1.6 GB of double colours.
+inline constexpr int largest_side = 8192;
+
+}  // namespace rt::inline RT_PRECISION

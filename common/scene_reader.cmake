@@ -1,0 +1,20 @@
+# The scene reader's sources, for the library and for the fuzzer, which builds them with options of
+# its own. They call stage 2's basis_around.
+
+set(raysteps_root ${CMAKE_CURRENT_LIST_DIR}/..)
+
+# Without a Real in them.
+set(RAYSTEPS_SCENE_TEXT_SOURCES
+    ${raysteps_root}/common/element_line.cpp
+    ${raysteps_root}/common/input_error.cpp
+    ${raysteps_root}/common/input_file.cpp
+    ${raysteps_root}/common/scene_lexer.cpp
+    ${raysteps_root}/common/scene_report.cpp)
+
+# Compiled once a precision.
+set(RAYSTEPS_SCENE_REAL_SOURCES
+    ${raysteps_root}/common/decimal.cpp
+    ${raysteps_root}/common/scene.cpp
+    ${raysteps_root}/common/scene_elements.cpp
+    ${raysteps_root}/common/scene_fields.cpp
+    ${raysteps_root}/common/scene_reader.cpp)

@@ -1,0 +1,98 @@
+#include "common/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+// The one question that standard C++ cannot ask.
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace rt {
+
+namespace {
+
+/// The mean colour of a block of the picture.
+Rgb mean(const Image& image, Pixel from, Pixel to) {
+    std::array<int, 3> sum{};
+    for (int row = from.row; row < to.row; ++row)
+        for (int column = from.column; column < to.column; ++column)
+            for (std::size_t i = 0; i < 3; ++i) sum[i] += image[{row, column}][i];
+    const int count = (to.row - from.row) * (to.column - from.column);
+    Rgb color{};
+    for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<std::uint8_t>(sum[i] / count);
+    return color;
+}
+
+/// At most `width` wide and of an even height, of the same shape.
+Image shrunk(const Image& image, int width) {
+    const auto& [full_width, full_height] = image.resolution;
+    width = std::min(width, full_width);
+    const auto scaled = std::int64_t(full_height) * width / full_width / 2 * 2;
+    const int height = std::max(int(scaled), 2);
+    if (full_height < height) return image;
+    Image small(Resolution{width, height});
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const auto place = [&](int i, int j) {
+                return Pixel{int(std::int64_t(i) * full_height / height),
+                             int(std::int64_t(j) * full_width / width)};
+            };
+            small[{row, column}] = mean(image, place(row, column), place(row + 1, column + 1));
+        }
+    }
+    return small;
+}
+
+std::string color_code(const char* ground, Rgb color) {
+    std::string code = std::string("\033[") + ground;
+    for (const std::uint8_t part : color) code += ";" + std::to_string(part);
+    return code + "m";
+}
+
+}  // namespace
+
+bool errors_on_terminal() {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) == 1;
+#endif
+}
+
+std::string preview(const Image& image, int columns) {
+    const Image small = shrunk(image, columns);
+    std::string text;
+    for (int row = 0; row + 1 < small.resolution.height; row += 2) {
+        for (int column = 0; column < small.resolution.width; ++column) {
+            text += color_code("38;2", small[{row, column}]);      // the block's colour
+            text += color_code("48;2", small[{row + 1, column}]);  // what is behind it
+            text += "▀";
+        }
+        text += "\033[0m\n";
+    }
+    return text;
+}
+
+Progress::Progress(bool shown, int total) : shown_(shown), total_(total) {}
+
+Progress::~Progress() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::advance() {
+    if (!shown_) return;
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    const double left = seconds * (total_ - done_) / done_;
+    std::fprintf(stderr, "\r%4d %%, %.0f s left\033[K", 100 * done_ / total_, left);
+    std::fflush(stderr);
+}
+
+}  // namespace rt

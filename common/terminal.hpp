@@ -1,0 +1,41 @@
+// What is known of the terminal.
+#pragma once
+
+#include "common/image.hpp"
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace rt {
+
+/// Whether somebody reads the standard error stream on a terminal.
+[[nodiscard]] bool errors_on_terminal();
+
+/// The picture in 24-bit colour, two pixels a character, at most `columns` characters wide.
+[[nodiscard]] std::string preview(const Image& image, int columns);
+
+/// "  45 %, 3 s left" on the standard error stream, rewritten in place, gone at the end. Any
+/// thread may report.
+class Progress {
+public:
+    /// Silent unless `shown`.
+    Progress(bool shown, int total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void advance();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool shown_;
+    int total_;
+    int done_ = 0;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point last_ = start_;
+    std::mutex mutex_;
+};
+
+}  // namespace rt

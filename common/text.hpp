@@ -1,0 +1,29 @@
+// Values as text, each with enough digits to be read back as the same number.
+#pragma once
+
+#include "common/pixel.hpp"
+#include "common/ray.hpp"
+#include "common/shapes.hpp"
+
+#include <string>
+
+namespace rt {
+
+/// The shortest text that reads back as the same number.
+[[nodiscard]] std::string text(Real value);
+[[nodiscard]] std::string text(Vec2 v);  ///< "(x, y)"
+[[nodiscard]] std::string text(Vec3 v);  ///< "(x, y, z)"
+
+/// C++ that makes the value again, to be pasted into a test: "Sphere{.center = {0, 0, -5}, …}".
+[[nodiscard]] std::string code(Vec3 v);
+[[nodiscard]] std::string code(const Ray& ray);
+[[nodiscard]] std::string code(Interval interval);
+[[nodiscard]] std::string code(const Basis& basis);
+[[nodiscard]] std::string code(const Sphere& sphere);
+[[nodiscard]] std::string code(const Plane& plane);
+[[nodiscard]] std::string code(const Triangle& triangle);
+[[nodiscard]] std::string code(const Square& square);
+[[nodiscard]] std::string code(const Cylinder& cylinder);
+[[nodiscard]] std::string code(const Cone& cone);
+
+}  // namespace rt

@@ -1,0 +1,47 @@
+# raysteps_stage()
+#
+# The stage in whose folder it is called: its reference, the student's file once there is one, and
+# the executable of the stage's name, made of every stage up to this one.
+#
+# stepNN_name_reference_f64   object library of reference/*.cpp (and _f32)
+# stepNN_name_student_f64     object library of student/*.cpp, if there are any
+# stepNN_name_f64             whichever of the two is chosen, by name
+# stepNN_name_main_f64        object library of main.cpp: the stage's picture
+function(raysteps_stage)
+    get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
+
+    file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
+    file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
+    raysteps_compile_twice(${name}_reference ${reference})
+    raysteps_compile_twice(${name}_main main.cpp)
+    set(chosen reference)
+    if(student)
+        raysteps_compile_twice(${name}_student ${student})
+        if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
+            set(chosen student)
+        endif()
+    endif()
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${name}_${precision} INTERFACE)
+        target_sources(${name}_${precision} INTERFACE
+            $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+    endforeach()
+
+    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
+    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
+    list(APPEND stages step02_camera_basis)  # which the scene reader calls, before stage 2 too
+    list(REMOVE_DUPLICATES stages)
+
+    add_executable(${name} ${PROJECT_SOURCE_DIR}/common/main.cpp)
+    target_compile_definitions(${name} PRIVATE
+        RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
+    foreach(precision IN ITEMS f32 f64)
+        target_link_libraries(${name} PRIVATE
+            raysteps_common_${precision} ${name}_main_${precision})
+        foreach(stage IN LISTS stages)
+            target_link_libraries(${name} PRIVATE ${stage}_${precision})
+        endforeach()
+    endforeach()
+    target_link_libraries(${name} PRIVATE raysteps_neutral Threads::Threads)
+endfunction()

@@ -1,0 +1,37 @@
+#include "steps/step01_ray_generation/ray_generation.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+Vec3 divided_by_w(Vec4 point) {
+    return Vec3(point) / point.w;
+}
+
+}  // namespace
+
+Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    // 2 · (j + 0.5) / W − 1 with the subtraction done in whole numbers, where it is exact.
+    const Real x = Real(2 * pixel.column + 1 - resolution.width) / Real(resolution.width);
+    const Real y = Real(resolution.height - 2 * pixel.row - 1) / Real(resolution.height);
+    const Real ratio = Real(resolution.width) / Real(resolution.height);
+    const Real half_height = std::tan(vertical_fov / 2);
+    return {x * ratio * half_height, y * half_height};
+}
+
+Ray camera_ray(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    const Vec2 screen = pixel_on_screen(pixel, resolution, vertical_fov);
+    return {.origin = Vec3(0), .direction = Vec3(screen, -1)};
+}
+
+Ray unprojected_ray(Pixel pixel, const Mat4& camera_to_world, const Mat4& image_to_world) {
+    const Real x = Real(pixel.column) + Real(0.5);
+    const Real y = Real(pixel.row) + Real(0.5);
+    const Vec3 origin = divided_by_w(camera_to_world * Vec4(0, 0, 0, 1));
+    const Vec3 end = divided_by_w(image_to_world * Vec4(x, y, 1, 1));
+    return {.origin = origin, .direction = end - origin};
+}
+
+}  // namespace rt

@@ -1,0 +1,39 @@
+// The camera looks anywhere; the sky has lines of latitude and longitude to tell where.
+#include "common/stage.hpp"
+#include "common/vector.hpp"
+
+#include "steps/step01_ray_generation/ray_generation.hpp"
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// Whether a line that stands every 15 degrees passes within a quarter of a degree.
+bool on_line(Real angle) {
+    constexpr Real degree = pi / 180;
+    return std::abs(std::remainder(angle, 15 * degree)) < degree / 4;
+}
+
+}  // namespace
+
+std::function<Ray(Pixel)> pixel_rays(const Camera& camera, Resolution resolution) {
+    const Real fov = vertical_fov(camera, resolution);
+    const Basis basis = camera_basis(camera.direction);
+    return [=, position = camera.position](Pixel pixel) {
+        return to_world(camera_ray(pixel, resolution, fov), basis, position);
+    };
+}
+
+Color trace(const Scene& /*scene*/, const Ray& ray, Context& context) {
+    ++context.rays;
+    const Vec3 d = unit(ray.direction);
+    const Real latitude = std::asin(glm::clamp(d.y, Real(-1), Real(1)));
+    const Real longitude = std::atan2(d.x, -d.z);
+    const Color sky = (d + Real(1)) / Real(2);
+    return on_line(latitude) || on_line(longitude) ? sky / Real(2) : sky;
+}
+
+}  // namespace rt

@@ -1,0 +1,23 @@
+// Stage 4: planes (MRT §4; M1; PHY, situation A).
+//
+//   documents      here
+//   o_r, d_r       ray.origin, ray.direction (MRT); o, d (M1); r_0, v (PHY)
+//   o, a, r_p      plane.point (MRT; M1; PHY)
+//   n              plane.normal
+#pragma once
+
+#include "common/ray.hpp"
+#include "common/shapes.hpp"
+
+#include <optional>
+
+namespace rt {
+
+/// The t strictly inside the interval at which the ray crosses the plane, from either side;
+/// nothing if there is none, if the ray runs along the plane, or if a coordinate is NaN.
+[[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval);
+
+/// The plane's normal, made unit length, the same at every point.
+[[nodiscard]] Vec3 normal(const Plane& plane, Vec3 point);
+
+}  // namespace rt

@@ -1,0 +1,65 @@
+#include "steps/step05_triangle/triangle.hpp"
+
+#include "common/compensated.hpp"
+#include "common/vector.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// The triangle's vertex as the ray sees it: the ray runs along z from the origin.
+/// A vertex gets the same bits in whichever triangle it stands, which is what closes the cracks.
+Vec3 sheared(Vec3 vertex, const Ray& ray, glm::length_t x, glm::length_t y, glm::length_t z) {
+    const Vec3 p = vertex - ray.origin;
+    const Vec3& d = ray.direction;
+    return {std::fma(-d[x] / d[z], p[z], p[x]), std::fma(-d[y] / d[z], p[z], p[y]), p[z] / d[z]};
+}
+
+/// Twice the signed area of the triangle that the edge from p to q makes with the ray. Its sign
+/// is exactly opposite for the edge from q to p.
+Real edge_function(Vec3 p, Vec3 q) {
+    return difference_of_products(p.x, q.y, p.y, q.x);
+}
+
+}  // namespace
+
+std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
+    // Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the half-planes of MRT §5
+    // after a change of frame in which the ray is the z axis. Left is then left for every
+    // triangle, and a ray through a shared edge or vertex meets at least one of its triangles.
+    const Vec3 size = abs(ray.direction);
+    const glm::length_t z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const glm::length_t x = (z + 1) % 3;
+    const glm::length_t y = (z + 2) % 3;
+    const Vec3 a = sheared(triangle.a, ray, x, y, z);
+    const Vec3 b = sheared(triangle.b, ray, x, y, z);
+    const Vec3 c = sheared(triangle.c, ray, x, y, z);
+
+    const Real alpha = edge_function(b, c);  // opposite to a, hence the weight of a
+    const Real beta = edge_function(c, a);
+    const Real gamma = edge_function(a, b);
+    const bool left = alpha >= 0 && beta >= 0 && gamma >= 0;  // "or on": an edge belongs
+    const bool right = alpha <= 0 && beta <= 0 && gamma <= 0;
+    if (!left && !right) return std::nullopt;  // NaN must miss
+
+    const Real t = (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma);
+    if (!interval.contains(t)) return std::nullopt;  // seen edge-on, 0 / 0
+    return t;
+}
+
+Vec3 barycentric(const Triangle& triangle, Vec3 point) {
+    // Signed areas over the whole: M1's ratios and CR's, but negative outside, so they sum to 1.
+    const auto& [a, b, c] = triangle;
+    const Vec3 n = cross(b - a, c - a);
+    const Vec3 areas(dot(n, cross(c - b, point - b)), dot(n, cross(a - c, point - c)),
+                     dot(n, cross(b - a, point - a)));
+    return areas / dot(n, n);
+}
+
+Vec3 normal(const Triangle& triangle, Vec3 /*point*/) {
+    return unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+}
+
+}  // namespace rt

@@ -1,0 +1,63 @@
+#include "steps/step08_cone/cone.hpp"
+
+#include "common/vector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// h² (x² + y²) − r² z² of a vector, factored: near the cone the two terms almost cancel.
+Real off_cone(const Cone& cone, Vec3 v) {
+    const Real across = cone.height * length(cross(v, cone.axis));
+    const Real along = cone.radius * std::abs(dot(v, cone.axis));
+    return (across - along) * (across + along);
+}
+
+}  // namespace
+
+std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
+    // MRT §8's quadratic, times h², from the point of the line nearest to the apex: far away its
+    // discriminant would cancel to nothing.
+    const Vec3& d = ray.direction;
+    const Vec3 from_apex = ray.origin - cone.apex;
+    const Real t_closest = -dot(from_apex, d) / dot(d, d);
+    const Vec3 p = from_apex + t_closest * d;
+    const Real hh = cone.height * cone.height;
+    const Real rr = cone.radius * cone.radius;
+
+    // b² − ac is h² times this, by Lagrange's identity, m being the moment of the line.
+    const Vec3 m = cross(p, d);
+    const Vec3 m_across = cross(m, cone.axis);
+    const Real m_along = dot(m, cone.axis);
+    const Real discriminant = rr * dot(m_across, m_across) - hh * m_along * m_along;
+    if (!(discriminant >= 0)) return std::nullopt;  // NaN must miss
+
+    const Real a = off_cone(cone, d);
+    const Real b = hh * dot(cross(p, cone.axis), cross(d, cone.axis)) -
+                   rr * dot(p, cone.axis) * dot(d, cone.axis);
+    const Real c = off_cone(cone, p);
+    const Real q = -(b + std::copysign(cone.height * std::sqrt(discriminant), b));
+
+    // q / a and c / q, so that no root is a difference. A ray along the side has a = 0: q / a is
+    // infinite, and c / q is its one root, −c / b with MRT's b. The order depends on a's sign.
+    std::array<Real, 2> roots = {t_closest + q / a, t_closest + c / q};
+    if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
+    for (const Real t : roots) {
+        const Real z = dot(from_apex, cone.axis) + t * dot(d, cone.axis);
+        if (0 <= z && z <= cone.height && interval.contains(t)) return t;
+    }
+    return std::nullopt;
+}
+
+Vec3 normal(const Cone& cone, Vec3 point) {
+    const Vec3 from_apex = point - cone.apex;
+    const Vec3 across = from_apex - dot(from_apex, cone.axis) * cone.axis;
+    if (across == Vec3(0)) return -cone.axis;
+    return unit(cone.height * unit(across) - cone.radius * cone.axis);
+}
+
+}  // namespace rt

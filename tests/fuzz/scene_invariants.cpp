@@ -1,0 +1,172 @@
+#include "common/scene_reader.hpp"
+
+#include "tests/fuzz/scene_invariants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+void require(bool holds, const char* what) {
+    if (holds) return;
+    std::fprintf(stderr, "broken invariant: %s\n", what);
+    std::abort();
+}
+
+/// unit() is good to 4 u and a basis to 10 u a component: this leaves room for a dot product.
+constexpr Real tolerance = 64 * unit_roundoff;
+
+bool near(Real value, Real expected) {
+    return std::abs(value - expected) <= tolerance;  // fails on NaN
+}
+
+bool is_unit(Vec3 v) {
+    return near(dot(v, v), 1);
+}
+
+bool within_one(Vec3 v) {
+    return v.x >= 0 && v.x <= 1 && v.y >= 0 && v.y <= 1 && v.z >= 0 && v.z <= 1;
+}
+
+using Numbers = std::vector<Real>;
+
+void add(Numbers& numbers, Vec3 v) {
+    numbers.insert(numbers.end(), {v.x, v.y, v.z});
+}
+
+void add(Numbers& numbers, const Sphere& sphere) {
+    add(numbers, sphere.center);
+    require(sphere.radius > 0, "a sphere's radius is positive");
+    numbers.push_back(sphere.radius);
+}
+
+void add(Numbers& numbers, const Plane& plane) {
+    add(numbers, plane.point);
+    require(is_unit(plane.normal), "a plane's normal has unit length");
+    add(numbers, plane.normal);
+}
+
+void add(Numbers& numbers, const Triangle& triangle) {
+    for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) add(numbers, corner);
+}
+
+void add(Numbers& numbers, const Square& square) {
+    const auto& [x, y, z] = square.basis;
+    require(is_unit(x) && is_unit(y) && is_unit(z), "a square's axes have unit length");
+    require(near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0),
+            "a square's axes are at right angles");
+    require(near(dot(cross(x, y), z), 1), "a square's basis is right-handed");
+    require(square.side > 0, "a square's side is positive");
+    for (const Vec3& v : {square.center, x, y, z}) add(numbers, v);
+    numbers.insert(numbers.end(), {square.side, Real(square.one_sided)});
+}
+
+/// A cylinder's or a cone's numbers but its position.
+void add_round(Numbers& numbers, Vec3 axis, Real radius, Real height) {
+    require(is_unit(axis), "an axis has unit length");
+    require(radius > 0 && height > 0, "radius and height are positive");
+    add(numbers, axis);
+    numbers.insert(numbers.end(), {radius, height});
+}
+
+void add(Numbers& numbers, const Cylinder& cylinder) {
+    add(numbers, cylinder.center);
+    add_round(numbers, cylinder.axis, cylinder.radius, cylinder.height);
+}
+
+void add(Numbers& numbers, const Cone& cone) {
+    add(numbers, cone.apex);
+    add_round(numbers, cone.axis, cone.radius, cone.height);
+}
+
+template <class Shape>
+void add(Numbers& numbers, const std::vector<Item<Shape>>& items) {
+    numbers.push_back(Real(items.size()));
+    for (const Item<Shape>& item : items) {
+        add(numbers, item.shape);
+        require(within_one(item.material.color), "a colour is from 0 to 1");
+        add(numbers, item.material.color);
+    }
+}
+
+void add(Numbers& numbers, const Camera& camera) {
+    require(is_unit(camera.direction), "a camera's direction has unit length");
+    require(camera.fov >= 0 && std::tan(camera.fov / 2) >= 0, "a field of view is from 0 to pi");
+    add(numbers, camera.position);
+    add(numbers, camera.direction);
+    numbers.insert(numbers.end(), {camera.fov, Real(camera.fov_axis == FovAxis::vertical)});
+}
+
+/// A light's or the ambient light's numbers but its position.
+void add_light(Numbers& numbers, Real ratio, Color color) {
+    require(ratio >= 0 && ratio <= 1, "a ratio is from 0 to 1");
+    require(within_one(color), "a light's colour is from 0 to 1");
+    numbers.push_back(ratio);
+    add(numbers, color);
+}
+
+/// Every number of the scene, each of them checked.
+Numbers checked_numbers(const Scene& scene) {
+    const auto [width, height] = scene.resolution;
+    require(0 < width && width <= 8192 && 0 < height && height <= 8192, "a picture has a size");
+    require(!scene.cameras.empty(), "there is a camera");
+    Numbers numbers = {Real(width), Real(height), Real(scene.cameras.size())};
+    for (const Camera& camera : scene.cameras) add(numbers, camera);
+    numbers.push_back(Real(scene.ambient.has_value()));
+    if (scene.ambient) add_light(numbers, scene.ambient->ratio, scene.ambient->color);
+    numbers.push_back(Real(scene.lights.size()));
+    for (const Light& light : scene.lights) {
+        add(numbers, light.position);
+        add_light(numbers, light.brightness, light.color);
+    }
+    add(numbers, scene.spheres);
+    add(numbers, scene.planes);
+    add(numbers, scene.triangles);
+    add(numbers, scene.squares);
+    add(numbers, scene.cylinders);
+    add(numbers, scene.cones);
+    const auto finite = [](Real number) { return std::isfinite(number); };
+    require(std::all_of(numbers.begin(), numbers.end(), finite), "numbers are finite");
+    return numbers;
+}
+
+void check_message(const std::string& message, const char* kind) {
+    const auto printable = [](char c) { return ' ' <= c && c <= '~'; };
+    require(message.starts_with("fuzz.rt:"), "a message begins with the file");
+    require(message.find(kind) != std::string::npos, "a message says what it is");
+    require(std::all_of(message.begin(), message.end(), printable), "a message is printable");
+    require(message.size() < 400, "a message is short");
+}
+
+/// The numbers of the scene, nothing if it is refused.
+std::optional<Numbers> read(std::string_view text, bool strict) {
+    int warnings = 0;
+    const auto warn = [&warnings](const std::string& message) {
+        check_message(message, "warning: ");
+        require(++warnings <= 21, "the warnings end");
+    };
+    try {
+        return checked_numbers(parse_scene(text, "fuzz.rt", {.strict = strict, .warn = warn}));
+    } catch (const InputError& error) {
+        check_message(error.what(), "error: ");
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+void RT_PRECISION::check_invariants(std::string_view text) {
+    const auto strict = read(text, true);
+    const auto lenient = read(text, false);
+    require(!strict || lenient, "lenient reading accepts what strict reading accepts");
+    require(!strict || *strict == *lenient, "both read the same scene");
+}
+
+}  // namespace rt

@@ -1,0 +1,16 @@
+// What must hold whatever a scene's text is. Aborts, saying why, if it does not.
+#pragma once
+
+#include <string_view>
+
+namespace rt {
+
+/// Compiled twice, as all that reads scenes.
+inline namespace f32 {
+void check_invariants(std::string_view text);
+}
+inline namespace f64 {
+void check_invariants(std::string_view text);
+}
+
+}  // namespace rt
