@@ -21,9 +21,7 @@ struct Hit {
 /// for the winner. A kind of shape is looked for with `intersect` and `normal` of its own stage.
 class Nearest {
 public:
-    Nearest(const Ray& ray, Context& context) : ray_(ray), story_(context.story) {
-        ++context.rays;
-    }
+    Nearest(const Ray& ray, Context& context) : ray_(ray), story_(context.story) { ++context.rays; }
 
     template <class Shape>
     void among(const std::vector<Item<Shape>>& items) {

@@ -67,8 +67,7 @@ std::string default_scene(const Program& program) {
 }
 
 std::string default_output(const Program& program, const std::string& scene) {
-    return in_project(program, "renders",
-                      std::filesystem::path(scene).stem().string() + ".png");
+    return in_project(program, "renders", std::filesystem::path(scene).stem().string() + ".png");
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ private:
         for (const PngText& text : texts) {
             png_text chunk{};
             chunk.compression = PNG_ITXT_COMPRESSION_NONE;  // UTF-8
-            std::string key = text.key;  // libpng takes no const, and copies
+            std::string key = text.key;                     // libpng takes no const, and copies
             std::string value = text.value;
             chunk.key = key.data();
             chunk.text = value.data();

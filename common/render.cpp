@@ -55,8 +55,7 @@ Rgb to_rgb(const Color& color) {
 }
 
 std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings) {
-    const std::function<Ray(Pixel)> pixel_ray =
-        pixel_rays(scene.cameras.front(), scene.resolution);
+    const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
     const auto stopped = [&settings] { return settings.stop != nullptr && *settings.stop; };

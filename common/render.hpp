@@ -14,8 +14,8 @@ namespace rt {
 struct RenderSettings {
     int threads = 1;
     Shading shading = Shading::torch;
-    std::function<void()> row_done = nullptr;   ///< called after each row, by any thread
-    const std::atomic<bool>* stop = nullptr;    ///< set to give up
+    std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
+    const std::atomic<bool>* stop = nullptr;   ///< set to give up
 };
 
 struct Rendering {

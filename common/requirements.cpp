@@ -6,8 +6,8 @@ std::vector<Requirement> requirements(const Scene& scene) {
     std::vector<Requirement> found;
     const auto require = [&found](std::size_t count, const std::string& name, int stage) {
         if (count == 0) return;
-        found.push_back({.what = std::to_string(count) + " " + name + (count > 1 ? "s" : ""),
-                         .stage = stage});
+        found.push_back(
+            {.what = std::to_string(count) + " " + name + (count > 1 ? "s" : ""), .stage = stage});
     };
     require(scene.spheres.size(), "sphere", 3);
     require(scene.planes.size(), "plane", 4);

@@ -95,8 +95,8 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     const Resolution size = scene.resolution;
     if (pixel.row >= size.height || pixel.column >= size.width)
         throw InputError({}, "--pixel " + std::to_string(pixel.row) + "," +
-                                 std::to_string(pixel.column) + " is outside the picture, which is " +
-                                 size_text(size));
+                                 std::to_string(pixel.column) +
+                                 " is outside the picture, which is " + size_text(size));
     const Camera& camera = scene.cameras.front();
     Story story(std::cout);
     story.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +

@@ -8,10 +8,10 @@
 namespace rt {
 
 inline constexpr std::array<std::string_view, 13> stage_names = {
-    "step01_ray_generation", "step02_camera_basis", "step03_sphere",   "step04_plane",
-    "step05_triangle",       "step06_square",       "step07_cylinder", "step08_cone",
-    "step09_phong",          "step10_shadows",      "step11_soft_shadows",
-    "step12_mirror",         "step13_meshes",
+    "step01_ray_generation", "step02_camera_basis", "step03_sphere",       "step04_plane",
+    "step05_triangle",       "step06_square",       "step07_cylinder",     "step08_cone",
+    "step09_phong",          "step10_shadows",      "step11_soft_shadows", "step12_mirror",
+    "step13_meshes",
 };
 
 /// The name of a stage, 1 to 13.

@@ -12,14 +12,6 @@ std::string field(const char* name, const std::string& value) {
     return std::string(".") + name + " = " + value;
 }
 
-std::string literal(Real value) {
-    if (std::isnan(value)) return "std::numeric_limits<Real>::quiet_NaN()";
-    if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
-    const std::string digits = text(value);
-    const bool whole = digits.find_first_of(".e") == std::string::npos;
-    return whole ? digits : "Real(" + digits + ")";
-}
-
 }  // namespace
 
 std::string text(Real value) {
@@ -36,8 +28,16 @@ std::string text(Vec3 v) {
     return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
 }
 
+std::string code(Real value) {
+    if (std::isnan(value)) return "std::numeric_limits<Real>::quiet_NaN()";
+    if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+    const std::string digits = text(value);
+    const bool whole = digits.find_first_of(".e") == std::string::npos;
+    return whole ? digits : "Real(" + digits + ")";
+}
+
 std::string code(Vec3 v) {
-    return "{" + literal(v.x) + ", " + literal(v.y) + ", " + literal(v.z) + "}";
+    return "{" + code(v.x) + ", " + code(v.y) + ", " + code(v.z) + "}";
 }
 
 std::string code(const Ray& ray) {
@@ -46,8 +46,8 @@ std::string code(const Ray& ray) {
 }
 
 std::string code(Interval interval) {
-    return "Interval{" + field("min", literal(interval.min)) + ", " +
-           field("max", literal(interval.max)) + "}";
+    return "Interval{" + field("min", code(interval.min)) + ", " +
+           field("max", code(interval.max)) + "}";
 }
 
 std::string code(const Basis& basis) {
@@ -57,7 +57,7 @@ std::string code(const Basis& basis) {
 
 std::string code(const Sphere& sphere) {
     return "Sphere{" + field("center", code(sphere.center)) + ", " +
-           field("radius", literal(sphere.radius)) + "}";
+           field("radius", code(sphere.radius)) + "}";
 }
 
 std::string code(const Plane& plane) {
@@ -66,26 +66,25 @@ std::string code(const Plane& plane) {
 }
 
 std::string code(const Triangle& triangle) {
-    return "Triangle{" + field("a", code(triangle.a)) + ", " + field("b", code(triangle.b)) +
-           ", " + field("c", code(triangle.c)) + "}";
+    return "Triangle{" + field("a", code(triangle.a)) + ", " + field("b", code(triangle.b)) + ", " +
+           field("c", code(triangle.c)) + "}";
 }
 
 std::string code(const Square& square) {
     return "Square{" + field("center", code(square.center)) + ", " +
-           field("basis", code(square.basis)) + ", " + field("side", literal(square.side)) +
+           field("basis", code(square.basis)) + ", " + field("side", code(square.side)) +
            (square.one_sided ? ", .one_sided = true}" : "}");
 }
 
 std::string code(const Cylinder& cylinder) {
     return "Cylinder{" + field("center", code(cylinder.center)) + ", " +
-           field("axis", code(cylinder.axis)) + ", " + field("radius", literal(cylinder.radius)) +
-           ", " + field("height", literal(cylinder.height)) + "}";
+           field("axis", code(cylinder.axis)) + ", " + field("radius", code(cylinder.radius)) +
+           ", " + field("height", code(cylinder.height)) + "}";
 }
 
 std::string code(const Cone& cone) {
-    return "Cone{" + field("apex", code(cone.apex)) + ", " + field("axis", code(cone.axis)) +
-           ", " + field("radius", literal(cone.radius)) + ", " +
-           field("height", literal(cone.height)) + "}";
+    return "Cone{" + field("apex", code(cone.apex)) + ", " + field("axis", code(cone.axis)) + ", " +
+           field("radius", code(cone.radius)) + ", " + field("height", code(cone.height)) + "}";
 }
 
 }  // namespace rt

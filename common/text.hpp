@@ -15,6 +15,7 @@ namespace rt {
 [[nodiscard]] std::string text(Vec3 v);  ///< "(x, y, z)"
 
 /// C++ that makes the value again, to be pasted into a test: "Sphere{.center = {0, 0, -5}, …}".
+[[nodiscard]] std::string code(Real value);
 [[nodiscard]] std::string code(Vec3 v);
 [[nodiscard]] std::string code(const Ray& ray);
 [[nodiscard]] std::string code(Interval interval);

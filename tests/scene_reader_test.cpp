@@ -2,7 +2,7 @@
 
 #include "tests/scene_reading.hpp"
 
-#include "tests/kit/catch.hpp"
+#include "tests/kit/verdict.hpp"
 
 #include <cmath>
 #include <string>
@@ -12,14 +12,13 @@ using namespace rt;
 
 namespace {
 
-constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-
-bool close(Real value, Real expected) {
+bool nearly(Real value, Real expected) {
     return std::abs(value - expected) <= 4 * epsilon * std::max(std::abs(expected), Real(1));
 }
 
-bool close(Vec3 value, Vec3 expected) {
-    return close(value.x, expected.x) && close(value.y, expected.y) && close(value.z, expected.z);
+bool nearly(Vec3 value, Vec3 expected) {
+    return nearly(value.x, expected.x) && nearly(value.y, expected.y) &&
+           nearly(value.z, expected.z);
 }
 
 const std::string camera = "C 0,0,0 0,0,-1 60\n";
@@ -40,7 +39,7 @@ TEST_CASE("the new dialect: A C L sp pl cy") {
     REQUIRE(scene.cameras.size() == 1);
     CHECK(scene.cameras[0].position == Vec3(-50, 0, 20));
     CHECK(scene.cameras[0].direction == Vec3(0, 0, 1));
-    CHECK(close(scene.cameras[0].fov, pi / 2));
+    CHECK(nearly(scene.cameras[0].fov, pi / 2));
     REQUIRE(scene.lights.size() == 1);
     CHECK(scene.lights[0].position == Vec3(-40, 0, 30));
     CHECK(scene.lights[0].brightness == Real(0.7));
@@ -55,7 +54,7 @@ TEST_CASE("the new dialect: A C L sp pl cy") {
     REQUIRE(scene.cylinders.size() == 1);
     CHECK(scene.cylinders[0].shape.center == Vec3(50, 0, Real(20.6)));
     CHECK(scene.cylinders[0].shape.axis == Vec3(0, 0, 1));
-    CHECK(close(scene.cylinders[0].shape.radius, Real(7.1)));
+    CHECK(nearly(scene.cylinders[0].shape.radius, Real(7.1)));
     CHECK(scene.cylinders[0].shape.height == Real(21.42));
 }
 
@@ -110,7 +109,7 @@ TEST_CASE("a camera alone is a scene: no R, no A, no light") {
     CHECK_FALSE(scene.ambient);
     CHECK(scene.lights.empty());
     CHECK(scene.cameras[0].fov_axis == FovAxis::vertical);
-    CHECK(close(scene.cameras[0].fov, pi / 3));
+    CHECK(nearly(scene.cameras[0].fov, pi / 3));
 }
 
 TEST_CASE("several lights are fine in either dialect") {
@@ -136,8 +135,8 @@ TEST_CASE("the field of view is in degrees, 0 and 180 included, and its half has
         return strict("C 0,0,0 0,0,-1 " + degrees + "\n").cameras.at(0).fov;
     };
     CHECK(fov("0") == 0);
-    CHECK(close(fov("45"), pi / 4));
-    CHECK(close(fov("180"), pi));
+    CHECK(nearly(fov("45"), pi / 4));
+    CHECK(nearly(fov("180"), pi));
     CHECK(std::tan(fov("180") / 2) > 1000);
 }
 
@@ -147,20 +146,20 @@ TEST_CASE("vertical_fov") {
     CHECK(vertical_fov(given, wide) == given.fov);
     // tan 45° = 1 across the width, so 1/2 across the height: 2 · atan(1/2) = atan(4/3).
     given.fov_axis = FovAxis::horizontal;
-    CHECK(close(vertical_fov(given, wide), std::atan2(Real(4), Real(3))));
-    CHECK(close(vertical_fov(given, {.width = 7, .height = 7}), pi / 2));
+    CHECK(nearly(vertical_fov(given, wide), std::atan2(Real(4), Real(3))));
+    CHECK(nearly(vertical_fov(given, {.width = 7, .height = 7}), pi / 2));
 }
 
 TEST_CASE("directions are made unit length") {
     SECTION("3, 4, 5") {
         const Scene scene =
             lenient(camera + "pl 0,0,0 0,3,4 1,2,3\ncy 0,0,0 0,0,-9 1 1 1,2,3\n").scene;
-        CHECK(close(scene.planes[0].shape.normal, Vec3(0, Real(0.6), Real(0.8))));
+        CHECK(nearly(scene.planes[0].shape.normal, Vec3(0, Real(0.6), Real(0.8))));
         CHECK(scene.cylinders[0].shape.axis == Vec3(0, 0, -1));
     }
     SECTION("in strict reading too, with components from -1 to 1") {
         const Scene scene = strict("C 0,0,0 -.03,0,.04 60\n");
-        CHECK(close(scene.cameras[0].direction, Vec3(Real(-0.6), 0, Real(0.8))));
+        CHECK(nearly(scene.cameras[0].direction, Vec3(Real(-0.6), 0, Real(0.8))));
     }
     SECTION("so long or short that a square over- or underflows") {
         const std::string large = "1" + std::string(30, '0');
@@ -169,7 +168,7 @@ TEST_CASE("directions are made unit length") {
         for (const std::string& size : {large, small}) {
             const Scene scene =
                 lenient(camera + "pl 0,0,0 " + size + ",-" + size + ",0 1,2,3\n").scene;
-            CHECK(close(scene.planes[0].shape.normal, diagonal));
+            CHECK(nearly(scene.planes[0].shape.normal, diagonal));
         }
     }
 }

@@ -31,8 +31,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     const std::optional<Hit> hit = nearest.hit();
     if (!hit) return Color(0);
     if (context.shading == Shading::normal) return color_from_normal(hit->normal);
-    return hit->material->color *
-           torch(hit->point, facing(hit->normal, ray.direction), ray.origin);
+    return hit->material->color * torch(hit->point, facing(hit->normal, ray.direction), ray.origin);
 }
 
 }  // namespace rt

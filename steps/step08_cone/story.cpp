@@ -10,9 +10,9 @@ std::string tell(Story& story, const Ray& ray, const Cone& cone) {
         return dot(cross(u, cone.axis), cross(v, cone.axis)) -
                slope * slope * dot(u, cone.axis) * dot(v, cone.axis);
     };
-    const auto roots = tell_quadratic(story, off_cone(ray.direction, ray.direction),
-                                      2 * off_cone(ray.direction, from_apex),
-                                      off_cone(from_apex, from_apex));
+    const auto roots =
+        tell_quadratic(story, off_cone(ray.direction, ray.direction),
+                       2 * off_cone(ray.direction, from_apex), off_cone(from_apex, from_apex));
     if (roots.empty()) return "no t is real: the line passes by (MRT §8)";
     bool within_height = false;
     for (const Real t : roots) {

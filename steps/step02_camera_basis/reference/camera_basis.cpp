@@ -22,17 +22,14 @@ Basis camera_basis(Vec3 direction) {
 }
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
-    const auto turned = [&basis](Vec3 v) {
-        return v.x * basis.x + v.y * basis.y + v.z * basis.z;
-    };
+    const auto turned = [&basis](Vec3 v) { return v.x * basis.x + v.y * basis.y + v.z * basis.z; };
     return {.origin = position + turned(ray.origin), .direction = turned(ray.direction)};
 }
 
 Mat4 view_matrix(const Basis& basis, Vec3 position) {
     const Vec3 back = -Vec3(dot(basis.x, position), dot(basis.y, position), dot(basis.z, position));
     return {Vec4(basis.x.x, basis.y.x, basis.z.x, 0),  // GLM's matrices are lists of columns
-            Vec4(basis.x.y, basis.y.y, basis.z.y, 0),
-            Vec4(basis.x.z, basis.y.z, basis.z.z, 0),
+            Vec4(basis.x.y, basis.y.y, basis.z.y, 0), Vec4(basis.x.z, basis.y.z, basis.z.z, 0),
             Vec4(back, 1)};
 }
 

@@ -21,8 +21,8 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     // t = −o.z / d.z, and |o.x + t d.x| ≤ h/2 multiplied by |d.z|: deciding before dividing
     // needs no epsilon, and a grazing ray is as good as any other.
     const Real limit = square.side / 2 * std::abs(d.z);
-    const bool inside = std::abs(o.x * d.z - o.z * d.x) <= limit &&
-                        std::abs(o.y * d.z - o.z * d.y) <= limit;
+    const bool inside =
+        std::abs(o.x * d.z - o.z * d.x) <= limit && std::abs(o.y * d.z - o.z * d.y) <= limit;
     if (!inside) return std::nullopt;  // NaN must miss
 
     const Real t = -o.z / d.z;

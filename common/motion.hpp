@@ -1,0 +1,75 @@
+// Moving shapes, as values: the shape itself moves, and nothing that was worked out from it before
+// could stay behind (HAI).
+#pragma once
+
+#include "common/ray.hpp"
+#include "common/shapes.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// p ↦ scale · (p turned) + translation. It turns (1, 0, 0), (0, 1, 0), (0, 0, 1) to the rotation's
+/// x, y, z. Every shape keeps its kind, and every angle its size.
+struct Motion {
+    Basis rotation;
+    Real scale = 1;  ///< positive
+    Vec3 translation;
+};
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// A direction after the motion: turned, its length kept.
+[[nodiscard]] inline Vec3 turned(Vec3 v, const Motion& motion) {
+    const auto& [x, y, z] = motion.rotation;
+    return v.x * x + v.y * y + v.z * z;
+}
+
+/// A point after the motion.
+[[nodiscard]] inline Vec3 moved(Vec3 point, const Motion& motion) {
+    return motion.scale * turned(point, motion) + motion.translation;
+}
+
+/// The ray's points keep their t: its direction is scaled too.
+[[nodiscard]] inline Ray moved(const Ray& ray, const Motion& motion) {
+    return {.origin = moved(ray.origin, motion),
+            .direction = motion.scale * turned(ray.direction, motion)};
+}
+
+[[nodiscard]] inline Sphere moved(const Sphere& sphere, const Motion& motion) {
+    return {.center = moved(sphere.center, motion), .radius = motion.scale * sphere.radius};
+}
+
+[[nodiscard]] inline Plane moved(const Plane& plane, const Motion& motion) {
+    return {.point = moved(plane.point, motion), .normal = turned(plane.normal, motion)};
+}
+
+[[nodiscard]] inline Triangle moved(const Triangle& triangle, const Motion& motion) {
+    return {.a = moved(triangle.a, motion),
+            .b = moved(triangle.b, motion),
+            .c = moved(triangle.c, motion)};
+}
+
+[[nodiscard]] inline Square moved(const Square& square, const Motion& motion) {
+    const auto& [x, y, z] = square.basis;
+    return {.center = moved(square.center, motion),
+            .basis = {.x = turned(x, motion), .y = turned(y, motion), .z = turned(z, motion)},
+            .side = motion.scale * square.side,
+            .one_sided = square.one_sided};
+}
+
+[[nodiscard]] inline Cylinder moved(const Cylinder& cylinder, const Motion& motion) {
+    return {.center = moved(cylinder.center, motion),
+            .axis = turned(cylinder.axis, motion),
+            .radius = motion.scale * cylinder.radius,
+            .height = motion.scale * cylinder.height};
+}
+
+[[nodiscard]] inline Cone moved(const Cone& cone, const Motion& motion) {
+    return {.apex = moved(cone.apex, motion),
+            .axis = turned(cone.axis, motion),
+            .radius = motion.scale * cone.radius,
+            .height = motion.scale * cone.height};
+}
+
+}  // namespace rt

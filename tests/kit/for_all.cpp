@@ -1,0 +1,67 @@
+#include "tests/kit/for_all.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace rt {
+
+namespace {
+
+constexpr std::uint64_t default_seed = 2021;
+
+std::uint64_t seed() {
+    const char* said = std::getenv("RAYSTEPS_SEED");
+    return said == nullptr ? default_seed : std::strtoull(said, nullptr, 10);
+}
+
+Verdict replay(const Property& property, const std::vector<double>& choices) {
+    Random random(choices);
+    return property(random);
+}
+
+/// Plainer values for one choice, the plainest first.
+std::array<double, 8> plainer(double choice) {
+    return {0.5,
+            0.75,
+            0.25,
+            1,
+            0,
+            std::round(choice * 8) / 8,
+            std::round(choice * 64) / 64,
+            std::round(choice * 1024) / 1024};
+}
+
+/// Tries to make every choice plainer, as long as the property still fails, until none can be.
+void shrink(const Property& property, std::vector<double>& choices) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (double& choice : choices) {
+            const double before = choice;
+            for (const double candidate : plainer(before)) {
+                if (candidate == before) break;  // the rest is less plain
+                choice = candidate;
+                if (!replay(property, choices).holds) break;
+                choice = before;
+            }
+            changed = changed || choice != before;
+        }
+    }
+}
+
+}  // namespace
+
+Verdict for_all(const Property& property, int cases) {
+    for (int i = 0; i < cases; ++i) {
+        Random random(seed() + std::uint64_t(i));
+        if (property(random).holds) continue;
+        std::vector<double> choices = random.choices();
+        shrink(property, choices);
+        const std::string which = "RAYSTEPS_SEED=" + std::to_string(seed()) + ", case " +
+                                  std::to_string(i + 1) + " of " + std::to_string(cases);
+        return verdict(false, replay(property, choices).sentence + "\n  random:   " + which);
+    }
+    return {};
+}
+
+}  // namespace rt

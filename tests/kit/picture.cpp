@@ -1,0 +1,66 @@
+#include "tests/kit/picture.hpp"
+
+#include "common/png.hpp"
+#include "common/render.hpp"
+#include "common/scene_reader.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+namespace {
+
+constexpr int rounding = 1;
+
+std::string text(Rgb color) {
+    return std::to_string(color[0]) + ", " + std::to_string(color[1]) + ", " +
+           std::to_string(color[2]);
+}
+
+std::string text(Pixel pixel) {
+    return std::to_string(pixel.row) + "," + std::to_string(pixel.column);
+}
+
+/// Whether the colour lies among those of the pixel and its eight neighbours, give or take one.
+bool fits(const Image& reference, Pixel pixel, Rgb color) {
+    const auto [width, height] = reference.resolution;
+    for (std::size_t i = 0; i < 3; ++i) {
+        int low = 255;
+        int high = 0;
+        for (int row = std::max(pixel.row - 1, 0); row <= std::min(pixel.row + 1, height - 1);
+             ++row)
+            for (int column = std::max(pixel.column - 1, 0);
+                 column <= std::min(pixel.column + 1, width - 1); ++column) {
+                low = std::min<int>(low, reference[{row, column}][i]);
+                high = std::max<int>(high, reference[{row, column}][i]);
+            }
+        if (color[i] < low - rounding || color[i] > high + rounding) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Verdict picture_matches(const std::string& name) {
+    const std::string root = RAYSTEPS_ROOT;
+    const Image reference = read_png(root + "/docs/pictures/" + name + ".png");
+    Scene scene = load_scene(root + "/scenes/" + name + ".rt", {.strict = true});
+    scene.resolution = reference.resolution;
+    const Image image = render(scene, {.threads = 2})->image;
+
+    int different = 0;
+    std::string first;
+    for (Pixel pixel; pixel.row < reference.resolution.height; ++pixel.row) {
+        for (pixel.column = 0; pixel.column < reference.resolution.width; ++pixel.column) {
+            if (fits(reference, pixel, image[pixel]) || different++ > 0) continue;
+            first = "\n  first:    row,column " + text(pixel) +
+                    "\n  came:     " + text(image[pixel]) +
+                    "\n  expected: " + text(reference[pixel]) + "\n  see:      ./course run " +
+                    name + " --pixel " + text(pixel);
+        }
+    }
+    return verdict(different == 0, "The picture of scenes/" + name + ".rt differs in " +
+                                       std::to_string(different) + " pixels." + first);
+}
+
+}  // namespace rt

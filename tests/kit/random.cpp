@@ -1,0 +1,54 @@
+#include "tests/kit/random.hpp"
+
+#include "common/vector.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+double Random::choice() {
+    if (!replays_) choices_.push_back(double(engine_() >> 11) * 0x1p-53);
+    const double choice = next_ < choices_.size() ? choices_[next_] : 0.5;
+    ++next_;
+    return choice;
+}
+
+Real Random::between(Real low, Real high) {
+    return low + Real(choice()) * (high - low);
+}
+
+Real Random::power_of_two() {
+    return std::ldexp(Real(1), below(21) - 10);
+}
+
+bool Random::coin() {
+    return choice() < 0.5;
+}
+
+int Random::below(int count) {
+    return std::min(int(choice() * count), count - 1);
+}
+
+Vec3 Random::point(Real reach) {
+    const Real x = between(-reach, reach);
+    const Real y = between(-reach, reach);
+    return {x, y, between(-reach, reach)};
+}
+
+Vec3 Random::direction() {
+    const Vec3 v = point(1);  // denser towards a cube's corners, which does no harm
+    return v == Vec3(0) ? Vec3(0, 0, 1) : unit(v);
+}
+
+Basis Random::basis() {
+    const Vec3 z = direction();
+    const Vec3 aside = std::abs(z.x) < std::abs(z.y) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+    const Vec3 x = unit(cross(aside, z));
+    const Vec3 y = cross(z, x);
+    const Real angle = between(-pi, pi);
+    const Real c = std::cos(angle);
+    const Real s = std::sin(angle);
+    return {.x = c * x + s * y, .y = c * y - s * x, .z = z};
+}
+
+}  // namespace rt

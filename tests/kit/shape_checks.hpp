@@ -1,0 +1,124 @@
+// What must hold of every shape, asked in random cases. A suite says how to draw a shape and a
+// point of it; everything else follows from geometry.
+#pragma once
+
+#include "tests/kit/for_all.hpp"
+
+#include "common/motion.hpp"
+
+#include <array>
+
+namespace rt {
+
+/// A shape, a point of its surface well inside any edge, and the outward unit normal there.
+template <class Shape>
+struct Sample {
+    Shape shape;
+    Vec3 point;
+    Vec3 normal;
+};
+
+/// A ray that meets a shape first at t, and where.
+template <class Shape>
+struct Aimed {
+    Ray ray;
+    Shape shape;
+    Real t;
+    Vec3 point;
+    Vec3 normal;
+};
+
+/// A sample's point, aimed at from the side that its normal points to. Every shape here lies
+/// behind the plane that touches it there, so nothing of it is hit before.
+template <class Shape>
+Aimed<Shape> aimed_from_outside(const Sample<Shape>& sample, Random& random) {
+    Vec3 away = random.direction();
+    if (dot(away, sample.normal) < 0) away = -away;
+    if (dot(away, sample.normal) < Real(0.2)) away += sample.normal;  // not too grazing
+    const Vec3 origin = sample.point + random.between(Real(0.5), 4) * away;
+    const Real t = random.between(Real(0.25), 4);
+    return {.ray = {.origin = origin, .direction = (sample.point - origin) / t},
+            .shape = sample.shape,
+            .t = t,
+            .point = sample.point,
+            .normal = sample.normal};
+}
+
+/// Anything that turns, scales by a power of two, and moves by a few of its sizes.
+inline Motion random_motion(Random& random) {
+    Motion motion;
+    motion.rotation = random.basis();
+    motion.scale = random.power_of_two();
+    motion.translation = motion.scale * random.point(4);
+    return motion;
+}
+
+// Each takes `draw`, which makes a Sample<Shape> of a Random.
+
+/// A ray aimed at a point from outside hits there, whatever the length of its direction.
+template <class Draw>
+Verdict aimed_rays_hit(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto aimed = aimed_from_outside(draw(random), random);
+        const Real length = random.power_of_two();
+        const Ray ray{.origin = aimed.ray.origin, .direction = length * aimed.ray.direction};
+        return hits(ray, aimed.shape, aimed.t / length);
+    });
+}
+
+/// The same ray, turned round, has the shape behind it.
+template <class Draw>
+Verdict nothing_behind_is_hit(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto aimed = aimed_from_outside(draw(random), random);
+        return misses({.origin = aimed.ray.origin, .direction = -aimed.ray.direction}, aimed.shape);
+    });
+}
+
+/// A hit counts strictly inside the interval only.
+template <class Draw>
+Verdict interval_is_kept(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto [ray, shape, t, point, normal] = aimed_from_outside(draw(random), random);
+        const Interval around{.min = t * Real(0.99), .max = t * Real(1.01)};
+        const Interval before{.min = 0, .max = t * Real(0.99)};
+        if (const Verdict kept = hits(ray, shape, t, around); !kept) return kept;
+        return misses(ray, shape, before);
+    });
+}
+
+/// Where a hit found is where it was and nowhere else once everything has moved.
+template <class Draw>
+Verdict motion_changes_nothing(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto aimed = aimed_from_outside(draw(random), random);
+        const Motion motion = random_motion(random);
+        const auto shape = moved(aimed.shape, motion);
+        const Vec3 point = moved(aimed.point, motion);
+        if (const Verdict hit = hits(moved(aimed.ray, motion), shape, aimed.t); !hit) return hit;
+        return normal_is(shape, point, turned(aimed.normal, motion));
+    });
+}
+
+/// The normal at a point is outward and of unit length.
+template <class Draw>
+Verdict normals_point_outward(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto sample = draw(random);
+        return normal_is(sample.shape, sample.point, sample.normal);
+    });
+}
+
+/// A coordinate that is not a number makes a miss.
+template <class Draw>
+Verdict nan_misses(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto aimed = aimed_from_outside(draw(random), random);
+        Ray ray = aimed.ray;
+        Vec3& part = random.coin() ? ray.origin : ray.direction;
+        part[random.below(3)] = std::numeric_limits<Real>::quiet_NaN();
+        return misses(ray, aimed.shape);
+    });
+}
+
+}  // namespace rt

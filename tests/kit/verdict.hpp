@@ -1,0 +1,102 @@
+// Questions to a stage, answered in sentences: CHECK(hits(ray, sphere, 4)).
+#pragma once
+
+#include "tests/kit/catch.hpp"
+
+#include "common/ray.hpp"
+#include "common/text.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace rt {
+
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+
+/// How far an answer may be from the exact one, relative to it, in suites: examples and random
+/// cases stay within ten sizes of a shape and 0.2 of grazing. There the textbook's formulas lose
+/// (10²) / 0.2 = 500 epsilon at most, with a few operations each. Whoever is further off is wrong.
+constexpr Real tolerance = 4096 * epsilon;
+
+/// Whether what was asked for came, and what to tell who wrote it if it did not.
+struct Verdict {
+    bool holds = true;
+    std::string sentence;
+
+    explicit operator bool() const { return holds; }
+};
+
+/// Holds, or says so in a sentence.
+inline Verdict verdict(bool holds, const std::string& sentence) {
+    return {.holds = holds, .sentence = holds ? "" : sentence};
+}
+
+inline bool close(Real came, Real expected, Real scale = 1) {
+    return std::abs(came - expected) <= tolerance * std::max(std::abs(expected), scale);
+}
+
+inline bool close(Vec3 came, Vec3 expected) {
+    const Vec3 size = abs(expected);
+    const Real scale = std::max({size.x, size.y, size.z, Real(1)});
+    return close(came.x, expected.x, scale) && close(came.y, expected.y, scale) &&
+           close(came.z, expected.z, scale);
+}
+
+inline std::string came_text(std::optional<Real> t) {
+    return t ? "a hit at t = " + text(*t) : "no hit";
+}
+
+/// The lines of a failure: what was asked, what came, what was expected, what to paste in a test.
+template <class Shape>
+std::string told(const Ray& ray, const Shape& shape, Interval interval, std::optional<Real> came,
+                 std::optional<Real> expected) {
+    const bool whole = interval.min == 0 && interval.max == infinity;
+    const std::string question =
+        code(ray) + ",\n          " + code(shape) + (whole ? "" : ",\n          " + code(interval));
+    const std::string paste = expected ? "hits(" + code(ray) + ", " + code(shape) + ", " +
+                                             code(*expected) + (whole ? "" : ", " + code(interval))
+                                       : "misses(" + code(ray) + ", " + code(shape) +
+                                             (whole ? "" : ", " + code(interval));
+    return "intersect(" + question + ")\n  came:     " + came_text(came) +
+           "\n  expected: " + came_text(expected) + "\n  paste:    CHECK(" + paste + "));";
+}
+
+/// The ray's first hit inside the interval is at t.
+template <class Shape>
+Verdict hits(const Ray& ray, const Shape& shape, Real t, Interval interval = {}) {
+    const std::optional<Real> came = intersect(ray, shape, interval);
+    return verdict(came && close(*came, t, 0), told(ray, shape, interval, came, t));
+}
+
+/// The ray has no hit inside the interval.
+template <class Shape>
+Verdict misses(const Ray& ray, const Shape& shape, Interval interval = {}) {
+    const std::optional<Real> came = intersect(ray, shape, interval);
+    return verdict(!came, told(ray, shape, interval, came, std::nullopt));
+}
+
+/// A value came out as expected; `what` is the call that gave it.
+template <class Value>
+Verdict gives(const std::string& what, Value came, Value expected) {
+    return verdict(close(came, expected),
+                   what + "\n  came:     " + text(came) + "\n  expected: " + text(expected));
+}
+
+/// normal(shape, point) is unit length and points where it should.
+template <class Shape>
+Verdict normal_is(const Shape& shape, Vec3 point, Vec3 expected) {
+    return gives("normal(" + code(shape) + ", " + code(point) + ")", normal(shape, point),
+                 expected);
+}
+
+}  // namespace rt
+
+namespace Catch {
+
+template <>
+struct StringMaker<rt::Verdict> {
+    static std::string convert(const rt::Verdict& verdict) { return "\n  " + verdict.sentence; }
+};
+
+}  // namespace Catch

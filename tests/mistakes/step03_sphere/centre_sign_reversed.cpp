@@ -1,0 +1,23 @@
+// origin: thought of: o − c where c − o is meant
+// caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
+// sentence: The sign of b belongs to o_r − o, from the centre to the ray's origin: yours is the other one.
+#define intersect correct_intersect
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    const Vec3 from_center = sphere.center - ray.origin;
+    const Real a = dot(ray.direction, ray.direction);
+    const Real b = 2 * dot(from_center, ray.direction);
+    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
+    const Real discriminant = b * b - 4 * a * c;
+    if (!(discriminant >= 0)) return std::nullopt;
+    const Real root = std::sqrt(discriminant);
+    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
+        if (interval.contains(t)) return t;
+    return std::nullopt;
+}
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+// origin: seen in student repositories
+// caught by: from inside, the far side is met (MRT §3, the smallest positive root)
+// sentence: You try the smaller root only. From inside the sphere it is negative, and the larger one counts.
+#define intersect correct_intersect
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    const Vec3 from_center = ray.origin - sphere.center;
+    const Real a = dot(ray.direction, ray.direction);
+    const Real b = 2 * dot(from_center, ray.direction);
+    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
+    const Real discriminant = b * b - 4 * a * c;
+    if (!(discriminant >= 0)) return std::nullopt;
+    const Real t = (-b - std::sqrt(discriminant)) / (2 * a);
+    if (!interval.contains(t)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt

@@ -1,0 +1,14 @@
+// origin: thought of: o − p where p − o is meant
+// caught by: the normal points away from the centre, with unit length (M1)
+// sentence: Your normal points to the centre. It is p − o, from the centre to the point.
+#define normal correct_normal
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef normal
+
+namespace rt {
+
+Vec3 normal(const Sphere& sphere, Vec3 point) {
+    return unit(sphere.center - point);
+}
+
+}  // namespace rt

@@ -1,0 +1,14 @@
+// origin: thought of: the division by the radius forgotten
+// caught by: the normal points away from the centre, with unit length (M1)
+// sentence: Your normal has the length of the radius. Divide by it, or make it a unit vector.
+#define normal correct_normal
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef normal
+
+namespace rt {
+
+Vec3 normal(const Sphere& sphere, Vec3 point) {
+    return point - sphere.center;
+}
+
+}  // namespace rt

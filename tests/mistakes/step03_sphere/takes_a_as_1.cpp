@@ -1,0 +1,23 @@
+// origin: MRT §3, erratum 2
+// caught by: t counts in the length of the direction (PHY, any v)
+// sentence: Your t² has no ‖d‖² before it. MRT §3 drops it, which holds only for a direction of unit length.
+#define intersect correct_intersect
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    const Vec3 from_center = ray.origin - sphere.center;
+    const Real a = 1;
+    const Real b = 2 * dot(from_center, ray.direction);
+    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
+    const Real discriminant = b * b - 4 * a * c;
+    if (!(discriminant >= 0)) return std::nullopt;
+    const Real root = std::sqrt(discriminant);
+    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
+        if (interval.contains(t)) return t;
+    return std::nullopt;
+}
+
+}  // namespace rt

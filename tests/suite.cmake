@@ -1,0 +1,74 @@
+# raysteps_suite(<name> <source>...)
+#
+# The suite <name>_float and <name>_double: the sources, with Real as it is, in a program of one
+# precision, linked to the stages that STAGES names (chosen or _reference) and to what they need.
+function(raysteps_suite name)
+    cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL" "STAGES;SOURCES")
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(program ${name}_test_${word_${precision}})
+        add_library(${program}_objects OBJECT ${suite_SOURCES})
+        target_link_libraries(${program}_objects PRIVATE raysteps_kit_${precision}_options)
+        target_precompile_headers(${program}_objects REUSE_FROM raysteps_kit_${precision})
+        raysteps_link_suite(${program} ${program}_objects ${precision} ${suite_STAGES})
+        add_test(NAME ${name}_${word_${precision}} COMMAND ${program})
+        set_tests_properties(${name}_${word_${precision}} PROPERTIES LABELS "${suite_LABEL}")
+    endforeach()
+endfunction()
+
+# raysteps_link_suite(<program> <objects> <precision> <stage>...)
+function(raysteps_link_suite program objects precision)
+    add_executable(${program} $<TARGET_OBJECTS:${objects}>)
+    target_link_libraries(${program} PRIVATE
+        raysteps_common_${precision} raysteps_kit_${precision} raysteps_kit_main
+        raysteps_neutral Threads::Threads)
+    foreach(stage IN LISTS ARGN)
+        target_link_libraries(${program} PRIVATE ${stage}_${precision})
+    endforeach()
+endfunction()
+
+# raysteps_stage_suite(<stage>)
+#
+# The suite of a stage: the chosen one, on the reference of all the others.
+function(raysteps_stage_suite stage)
+    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
+    list(TRANSFORM stages APPEND _reference)
+    list(REMOVE_ITEM stages ${stage}_reference)
+    raysteps_suite(${stage} LABEL ${stage} SOURCES ${stage}_test.cpp
+        STAGES ${stage} ${stage}_main ${stages})
+    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${stage}/*.cpp)
+    foreach(mistake IN LISTS mistakes)
+        raysteps_mistake(${stage} ${mistake} ${stages} ${stage}_main)
+    endforeach()
+endfunction()
+
+# raysteps_mistake(<stage> <file> <other stages>...)
+#
+# The stage's suite, linked to a known mistake: the case that the file names must fail.
+function(raysteps_mistake stage file)
+    get_filename_component(mistake ${file} NAME_WE)
+    file(STRINGS ${file} case REGEX "^// caught by: " LIMIT_COUNT 1 ENCODING UTF-8)
+    string(REGEX REPLACE "^// caught by: " "" case "${case}")
+    if(case STREQUAL "")
+        message(FATAL_ERROR "${file} does not say \"// caught by: <test case>\"")
+    endif()
+    string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")  # for Catch2, and no ";" for CMake
+    raysteps_compile_twice(${stage}_${mistake} ${file})
+    target_compile_options(${stage}_${mistake}_f32 PRIVATE -w)  # it is meant to be wrong
+    target_compile_options(${stage}_${mistake}_f64 PRIVATE -w)
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        set(name mistake_${stage}_${mistake}_${word})
+        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
+            ${stage}_${mistake} ${ARGN})
+        set_target_properties(${name} PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mistakes)
+        add_test(NAME ${name} COMMAND ${name} "${case}")
+        # By failing an assertion: a case that is not there, or a crash, is not what is meant.
+        set_tests_properties(${name} PROPERTIES
+            LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: 1 \\| 1 failed")
+    endforeach()
+endfunction()
