@@ -1,0 +1,16 @@
+// Other programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// Runs a program, found as a shell finds it, until it ends: its exit status, 128 + the signal's
+/// number if one ended it. Throws InputError if it cannot be started.
+[[nodiscard]] int run_process(const std::vector<std::string>& command);
+
+/// The exit status that waitpid and pclose hide in their answer; 128 + the number of a signal.
+[[nodiscard]] int exit_status(int answer);
+
+}  // namespace rt
