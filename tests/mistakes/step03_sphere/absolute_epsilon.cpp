@@ -1,7 +1,7 @@
 // origin: seen in student repositories
 // caught by: a hit is the same hit after everything has moved, turned and grown (HAI)
 // sentence: You compare Δ with a constant. Δ grows with the fourth power of the scene: a small sphere is lost.
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

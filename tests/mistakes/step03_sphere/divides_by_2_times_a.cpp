@@ -1,7 +1,7 @@
 // origin: seen in student repositories
 // caught by: t counts in the length of the direction (PHY, any v)
 // sentence: You write / 2 * a, which divides by 2 and multiplies by a. Put brackets around (2 * a).
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

@@ -1,7 +1,7 @@
 // origin: CR §2.1 listing, erratum 13
 // caught by: near hits count as much as far ones (CR §2.1)
 // sentence: You drop what is nearer than some distance. Only t ≤ 0 is dropped (PHY).
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

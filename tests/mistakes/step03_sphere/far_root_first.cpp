@@ -1,7 +1,7 @@
 // origin: seen in student repositories
 // caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
 // sentence: You take the larger root first. Of two positive ones the smaller is seen (PHY).
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

@@ -1,7 +1,7 @@
 // origin: thought of: the nearest hit so far is not looked at
 // caught by: only hits strictly inside the interval count (contract)
 // sentence: You compare t with 0 only. The interval says what counts: strictly between its min and its max.
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

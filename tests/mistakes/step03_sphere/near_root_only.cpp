@@ -1,7 +1,7 @@
 // origin: seen in student repositories
 // caught by: from inside, the far side is met (MRT §3, the smallest positive root)
 // sentence: You try the smaller root only. From inside the sphere it is negative, and the larger one counts.
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

@@ -1,7 +1,7 @@
 // origin: thought of: o − p where p − o is meant
 // caught by: the normal points away from the centre, with unit length (M1)
 // sentence: Your normal points to the centre. It is p − o, from the centre to the point.
-#define normal correct_normal
+#define normal(...) correct_normal(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef normal
 

@@ -1,7 +1,7 @@
 // origin: MRT §3, erratum 1
 // caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
 // sentence: Your discriminant subtracts r². MRT §3 is misprinted: ‖o_r − o‖² = r² gives + r².
-#define intersect correct_intersect
+#define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect
 

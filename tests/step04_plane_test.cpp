@@ -1,0 +1,130 @@
+// Stage 4 against MRT §4, M1 and PHY.
+#include "steps/step04_plane/plane.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+using namespace rt;
+
+namespace {
+
+const Plane ground{.point = {0, 0, 0}, .normal = {0, 1, 0}};
+
+Sample<Plane> draw(Random& random) {
+    const Basis basis = random.basis();
+    const Vec3 point = random.point(3);
+    const Vec3 other = point + random.between(-2, 2) * basis.x + random.between(-2, 2) * basis.y;
+    return {.shape = {.point = point, .normal = basis.z}, .point = other, .normal = basis.z};
+}
+
+}  // namespace
+
+TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)") {
+    const Ray ray{.origin = {2, -3, 1}, .direction = {-1, 2, -3}};
+    const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};
+    CHECK(hits(ray, plane, Real(8) / 15));
+    CHECK(hits(ray, Plane{.point = {-2, 2, 2}, .normal = {Real(0.6), 0, Real(0.8)}}, Real(8) / 15));
+    CHECK(gives("at(ray, 8/15)", at(ray, Real(8) / 15),
+                Vec3(Real(22) / 15, Real(-29) / 15, Real(-3) / 5)));
+    CHECK(normal_is(plane, {-2, 2, 2}, {Real(0.6), 0, Real(0.8)}));
+}
+
+TEST_CASE("a plane is met from either side (MRT §4)") {
+    CHECK(hits(Ray{.origin = {3, 2, 1}, .direction = {0, -1, 0}}, ground, 2));
+    CHECK(hits(Ray{.origin = {3, -2, 1}, .direction = {0, 1, 0}}, ground, 2));
+    CHECK(hits(Ray{.origin = {0, 3, 0}, .direction = {1, -1, 1}}, ground, 3));
+}
+
+TEST_CASE("any point of the plane will do (MRT §4)") {
+    const Ray ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
+    CHECK(hits(ray, Plane{.point = {7, 1, -9}, .normal = {0, 1, 0}}, 4));
+    CHECK(hits(ray, Plane{.point = {2, 0, 0}, .normal = {1, 2, 0}}, 4));
+}
+
+TEST_CASE("the length and the sign of the normal do not matter for t (PHY, N and n)") {
+    const Ray ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
+    CHECK(hits(ray, Plane{.point = {0, 1, 0}, .normal = {0, 8, 0}}, 4));
+    CHECK(hits(ray, Plane{.point = {0, 1, 0}, .normal = {0, Real(-0.25), 0}}, 4));
+}
+
+TEST_CASE("behind the origin, nothing is met (MRT §4, t positive)") {
+    CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, ground));
+    CHECK(misses(Ray{.origin = {0, -2, 0}, .direction = {1, -1, 0}}, ground));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a parallel ray misses, above the plane and in it (MRT §4)") {
+    CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {1, 0, 0}}, ground));
+    CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, 0, 0}}, ground));
+    CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {3, 0, -4}}, ground));
+    CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, -1, 0}},
+                 Plane{.point = {4, 0, 0}, .normal = {1, 1, 0}}));
+}
+
+TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)") {
+    const Real slope = std::ldexp(Real(1), -40);  // about 1e-12
+    CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {1, -slope, 0}}, ground, 2 / slope));
+    CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {1, slope, 0}}, ground));
+    CHECK(hits(Ray{.origin = {0, -1, 0}, .direction = {0, slope, -1}}, ground, 1 / slope));
+}
+
+TEST_CASE("the horizon: rays above it miss, rays below it land further and further away (MRT §4)") {
+    const Vec3 eye(0, 1, 0);
+    Real before = 0;
+    for (const Real depth : {Real(1), Real(0.25), Real(0.0625), Real(0.015625)}) {
+        const std::optional<Real> t = intersect({eye, {0, -depth, -1}}, ground, {});
+        REQUIRE(t);
+        CHECK(close(*t, 1 / depth));
+        CHECK(*t > before);
+        before = *t;
+        CHECK(misses(Ray{.origin = eye, .direction = {0, depth, -1}}, ground));
+    }
+}
+
+TEST_CASE("a ray that starts on the plane does not meet it (PHY, t > 0)") {
+    CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, 1, 0}}, ground));
+    CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, -1, 0}}, ground));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {0, 4, 0}, .direction = {0, -8, 0}}, ground, Real(0.5)));
+    CHECK(hits(Ray{.origin = {0, 4, 0}, .direction = {0, Real(-0.125), 0}}, ground, 32));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)") {
+    const Ray ray{.origin = {0, 2, 0}, .direction = {0, -1, 0}};
+    CHECK(hits(ray, ground, 2, Interval{.min = 1, .max = 3}));
+    CHECK(misses(ray, ground, Interval{.min = 0, .max = 2}));
+    CHECK(misses(ray, ground, Interval{.min = 2, .max = 9}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point of the plane meet it there (MRT §4)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed from the other side meet it there too (MRT §4)") {
+    CHECK(for_all([](Random& random) {
+        Sample<Plane> sample = draw(random);
+        sample.normal = -sample.normal;
+        const auto aimed = aimed_from_outside(sample, random);
+        return hits(aimed.ray, aimed.shape, aimed.t);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("what is not a number is missed (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)") {
+    CHECK(normal_is(Plane{.point = {0, 0, 0}, .normal = {0, 0, -5}}, {1, 1, 0}, {0, 0, -1}));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the picture of the stage (MRT §4)") {
+    CHECK(picture_matches("step04_plane"));
+}
