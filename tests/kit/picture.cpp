@@ -41,10 +41,13 @@ bool fits(const Image& reference, Pixel pixel, Rgb color) {
 
 }  // namespace
 
+std::string project_file(const std::string& name) {
+    return RAYSTEPS_ROOT "/" + name;
+}
+
 Verdict picture_matches(const std::string& name) {
-    const std::string root = RAYSTEPS_ROOT;
-    const Image reference = read_png(root + "/docs/pictures/" + name + ".png");
-    Scene scene = load_scene(root + "/scenes/" + name + ".rt", {.strict = true});
+    const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
+    Scene scene = load_scene(project_file("scenes/" + name + ".rt"), {.strict = true});
     scene.resolution = reference.resolution;
     const Image image = render(scene, {.threads = 2})->image;
 

@@ -5,6 +5,9 @@
 
 namespace rt {
 
+/// A file of the project, named from its top: "scenes/cornell_box.rt".
+[[nodiscard]] std::string project_file(const std::string& name);
+
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///
 /// A pixel of the picture may differ by 1 of 255: a colour near n + ½ rounds either way. Beside an

@@ -36,6 +36,10 @@ inline bool close(Real came, Real expected, Real scale = 1) {
     return std::abs(came - expected) <= tolerance * std::max(std::abs(expected), scale);
 }
 
+inline bool close(Vec2 came, Vec2 expected) {
+    return close(came.x, expected.x) && close(came.y, expected.y);
+}
+
 inline bool close(Vec3 came, Vec3 expected) {
     const Vec3 size = abs(expected);
     const Real scale = std::max({size.x, size.y, size.z, Real(1)});

@@ -1,0 +1,22 @@
+// origin: seen in student repositories
+// caught by: behind the origin, nothing is met (MRT §4–5, t positive)
+// sentence: You do not ask whether t is positive: what is behind the eye is seen.
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step05_triangle/reference/triangle.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 n = cross(b - a, c - a);
+    const Real t = dot(a - ray.origin, n) / dot(ray.direction, n);
+    if (!(t < interval.max && t > -infinity)) return std::nullopt;
+    const Vec3 p = at(ray, t);
+    if (!(dot(cross(b - a, p - a), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
+          dot(cross(a - c, p - c), n) >= 0))
+        return std::nullopt;
+    return t;
+}
+
+}  // namespace rt

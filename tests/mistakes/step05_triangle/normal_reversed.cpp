@@ -1,0 +1,14 @@
+// origin: thought of: the factors exchanged
+// caught by: the normal points to who sees a, b, c turn anticlockwise (MRT §5)
+// sentence: Your cross product has its factors exchanged: the normal points the other way.
+#define normal(...) correct_normal(__VA_ARGS__)
+#include "steps/step05_triangle/reference/triangle.cpp"
+#undef normal
+
+namespace rt {
+
+Vec3 normal(const Triangle& triangle, Vec3) {
+    return unit(cross(triangle.c - triangle.a, triangle.b - triangle.a));
+}
+
+}  // namespace rt

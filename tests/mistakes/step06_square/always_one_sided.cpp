@@ -1,0 +1,22 @@
+// origin: HAI: every square seen from its front only
+// caught by: it is met from either side, unless it is one-sided (HAI)
+// sentence: You see every square from its front only. Just those that say one_sided are.
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step06_square/reference/square.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
+    if (dot(ray.direction, square.basis.z) >= 0) return std::nullopt;
+    const Real t =
+        dot(square.center - ray.origin, square.basis.z) / dot(ray.direction, square.basis.z);
+    if (!interval.contains(t)) return std::nullopt;
+    const Vec3 p = at(ray, t) - square.center;
+    const Real x = dot(p, square.basis.x);
+    const Real y = dot(p, square.basis.y);
+    if (!(std::abs(x) <= square.side / 2 && std::abs(y) <= square.side / 2)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+// origin: HAI, CR §2.4: the option not looked at
+// caught by: it is met from either side, unless it is one-sided (HAI)
+// sentence: You do not look at one_sided: one cannot look into the Cornell box.
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step06_square/reference/square.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
+    const Real t =
+        dot(square.center - ray.origin, square.basis.z) / dot(ray.direction, square.basis.z);
+    if (!interval.contains(t)) return std::nullopt;
+    const Vec3 p = at(ray, t) - square.center;
+    const Real x = dot(p, square.basis.x);
+    const Real y = dot(p, square.basis.y);
+    if (!(std::abs(x) <= square.side / 2 && std::abs(y) <= square.side / 2)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+// origin: CR eq. (2)-(3), erratum 11
+// caught by: the side is h, from -h/2 to h/2 (MRT §6)
+// sentence: Your t has the wrong sign: it is ⟨o − o_r, Z⟩ over ⟨d, Z⟩.
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step06_square/reference/square.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
+    if (square.one_sided && dot(ray.direction, square.basis.z) >= 0) return std::nullopt;
+    const Real t =
+        dot(ray.origin - square.center, square.basis.z) / dot(ray.direction, square.basis.z);
+    if (!interval.contains(t)) return std::nullopt;
+    const Vec3 p = at(ray, t) - square.center;
+    const Real x = dot(p, square.basis.x);
+    const Real y = dot(p, square.basis.y);
+    if (!(std::abs(x) <= square.side / 2 && std::abs(y) <= square.side / 2)) return std::nullopt;
+    return t;
+}
+
+}  // namespace rt

@@ -1,0 +1,187 @@
+// Stage 5 against MRT §5, M1 and CR §4.1.
+#include "steps/step05_triangle/triangle.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+using namespace rt;
+
+namespace {
+
+/// Seen from above: a at the origin, b to the right, c upwards; its normal is (0, 0, 1).
+const Triangle right_angled{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
+
+Ray down_at(Real x, Real y) {
+    return {.origin = {x, y, 2}, .direction = {0, 0, -1}};
+}
+
+/// Weights of at least 0.1, so that no formula's rounding decides what is inside.
+Vec3 inner_weights(Random& random) {
+    const Vec3 w(random.between(1, 5), random.between(1, 5), random.between(1, 5));
+    return w / (w.x + w.y + w.z);
+}
+
+/// Two sides of length 1 to 2 at an angle of 30° at least: not a sliver.
+Triangle draw_triangle(Random& random) {
+    const Basis basis = random.basis();
+    const Vec3 a = random.point(3);
+    const Real angle = random.between(pi / 6, 5 * pi / 6);
+    const Vec3 along = std::cos(angle) * basis.x + std::sin(angle) * basis.y;
+    return {.a = a, .b = a + random.between(1, 2) * basis.x, .c = a + random.between(1, 2) * along};
+}
+
+Vec3 weighted(const Triangle& triangle, Vec3 w) {
+    return w.x * triangle.a + w.y * triangle.b + w.z * triangle.c;
+}
+
+Sample<Triangle> draw(Random& random) {
+    const Triangle triangle = draw_triangle(random);
+    const Vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    return {.shape = triangle,
+            .point = weighted(triangle, inner_weights(random)),
+            .normal = n / std::sqrt(dot(n, n))};
+}
+
+}  // namespace
+
+TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)") {
+    CHECK(hits(down_at(1, 1), right_angled, 2));
+    CHECK(misses(down_at(3, 3), right_angled));
+    CHECK(misses(down_at(-1, 1), right_angled));
+    CHECK(misses(down_at(1, -1), right_angled));
+    CHECK(misses(down_at(5, Real(0.5)), right_angled));
+}
+
+TEST_CASE("each half-plane is asked (MRT §5)") {
+    // Just outside one edge, well inside the other two.
+    CHECK(misses(down_at(1, Real(-0.125)), right_angled));
+    CHECK(misses(down_at(Real(2.125), 2), right_angled));
+    CHECK(misses(down_at(Real(-0.125), 1), right_angled));
+}
+
+TEST_CASE("it is met from either side, whichever way its corners turn (MRT §5)") {
+    const Triangle turned{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
+    CHECK(hits(down_at(1, 1), turned, 2));
+    CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, right_angled, 3));
+    CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, turned, 3));
+}
+
+TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)") {
+    const Triangle other{.a = {4, 4, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
+    CHECK(hits(down_at(2, 2), right_angled, 2));
+    CHECK(hits(down_at(2, 2), other, 2));
+    CHECK(hits(down_at(2, 0), right_angled, 2));
+    CHECK(hits(down_at(0, 2), right_angled, 2));
+}
+
+TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)") {
+    CHECK(hits(down_at(0, 0), right_angled, 2));
+    CHECK(hits(down_at(4, 0), right_angled, 2));
+    CHECK(hits(down_at(0, 4), right_angled, 2));
+}
+
+TEST_CASE("behind the origin, nothing is met (MRT §4–5, t positive)") {
+    CHECK(misses(Ray{.origin = {1, 1, 2}, .direction = {0, 0, 1}}, right_angled));
+    CHECK(misses(Ray{.origin = {1, 1, -2}, .direction = {0, 0, -1}}, right_angled));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a ray in the triangle's plane misses (MRT §5, ⟨d, n⟩ = 0)") {
+    CHECK(misses(Ray{.origin = {-1, 1, 0}, .direction = {1, 0, 0}}, right_angled));
+    CHECK(misses(Ray{.origin = {-1, 0, 0}, .direction = {1, 0, 0}}, right_angled));
+    CHECK(misses(Ray{.origin = {-1, 1, 1}, .direction = {1, 0, 0}}, right_angled));
+}
+
+TEST_CASE("a triangle without area is missed (contract)") {
+    const Triangle line{.a = {0, 0, 0}, .b = {2, 0, 0}, .c = {4, 0, 0}};
+    const Triangle point{.a = {1, 1, 0}, .b = {1, 1, 0}, .c = {1, 1, 0}};
+    CHECK(misses(down_at(1, 0), line));
+    CHECK(misses(down_at(1, 1), line));
+    CHECK(misses(down_at(1, 1), point));
+}
+
+TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)") {
+    const Real small = std::ldexp(Real(1), -30);  // about 1e-9
+    const Triangle triangle{.a = {0, 0, 0}, .b = {4 * small, 0, 0}, .c = {0, 4 * small, 0}};
+    CHECK(hits(down_at(small, small), triangle, 2));
+    CHECK(misses(down_at(3 * small, 3 * small), triangle));
+}
+
+TEST_CASE("a grazing ray meets the triangle (MRT §5)") {
+    const Real slope = std::ldexp(Real(1), -12);
+    CHECK(hits(Ray{.origin = {1, -4, 5 * slope}, .direction = {0, 1, -slope}}, right_angled, 5));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {1, 1, 2}, .direction = {0, 0, -4}}, right_angled, Real(0.5)));
+    CHECK(hits(Ray{.origin = {1, 1, 2}, .direction = {0, 0, Real(-0.25)}}, right_angled, 8));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)") {
+    CHECK(hits(down_at(1, 1), right_angled, 2, Interval{.min = 1, .max = 3}));
+    CHECK(misses(down_at(1, 1), right_angled, Interval{.min = 0, .max = 2}));
+    CHECK(misses(down_at(1, 1), right_angled, Interval{.min = 2, .max = 9}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
+    CHECK(for_all([](Random& random) {
+        Sample<Triangle> sample = draw(random);
+        // One weight negative: beyond the edge opposite to that corner.
+        Vec3 w = inner_weights(random);
+        const int beyond = random.below(3);
+        w[beyond] = -random.between(Real(0.1), 1);
+        sample.point = weighted(sample.shape, w / (w.x + w.y + w.z));
+        const auto aimed = aimed_from_outside(sample, random);
+        return w.x + w.y + w.z < Real(0.1) ? Verdict{} : misses(aimed.ray, aimed.shape);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("what is not a number is missed (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("a corner's own weight is 1 there (erratum 7, M1)") {
+    CHECK(gives("the weights at a", barycentric(right_angled, {0, 0, 0}), Vec3(1, 0, 0)));
+    CHECK(gives("the weights at b", barycentric(right_angled, {4, 0, 0}), Vec3(0, 1, 0)));
+    CHECK(gives("the weights at c", barycentric(right_angled, {0, 4, 0}), Vec3(0, 0, 1)));
+}
+
+TEST_CASE("the weights give the point back, and sum to 1 (M1, CR §4.1)") {
+    CHECK(gives("the weights of (1, 2, 0)", barycentric(right_angled, {1, 2, 0}),
+                Vec3(Real(0.25), Real(0.25), Real(0.5))));
+    CHECK(for_all([](Random& random) {
+        const Triangle triangle = draw_triangle(random);
+        const Vec3 w = inner_weights(random);
+        const Vec3 point = weighted(triangle, w);
+        return gives("barycentric(" + code(triangle) + ", " + code(point) + ")",
+                     barycentric(triangle, point), w);
+    }));
+}
+
+TEST_CASE("beyond an edge the opposite corner's weight is negative (M1)") {
+    CHECK(gives("the weights of (4, 4, 0)", barycentric(right_angled, {4, 4, 0}), Vec3(-1, 1, 1)));
+    CHECK(
+        gives("the weights of (-4, 0, 0)", barycentric(right_angled, {-4, 0, 0}), Vec3(2, -1, 0)));
+    CHECK(gives("the weights of (0, -2, 0)", barycentric(right_angled, {0, -2, 0}),
+                Vec3(Real(1.5), 0, Real(-0.5))));
+}
+
+TEST_CASE("the normal points to who sees a, b, c turn anticlockwise (MRT §5)") {
+    CHECK(normal_is(right_angled, {1, 1, 0}, {0, 0, 1}));
+    CHECK(
+        normal_is(Triangle{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}}, {1, 1, 0}, {0, 0, -1}));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the picture of the stage (MRT §5)") {
+    CHECK(picture_matches("step05_triangle"));
+}
