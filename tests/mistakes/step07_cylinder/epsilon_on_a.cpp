@@ -1,0 +1,28 @@
+// origin: seen in student repositories: a < 1e-6
+// caught by: a ray almost along the axis meets the side: there is no epsilon (MRT §7)
+// sentence: You call rays parallel to the axis that are not: only a = 0 is.
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step07_cylinder/reference/cylinder.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
+    const Vec3 from_center = ray.origin - cylinder.center;
+    const Vec3 o = cross(from_center, cylinder.axis);
+    const Vec3 d = cross(ray.direction, cylinder.axis);
+    const Real a = dot(d, d);
+    const Real b = 2 * dot(o, d);
+    const Real c = dot(o, o) - cylinder.radius * cylinder.radius;
+    const Real discriminant = b * b - 4 * a * c;
+    if (a < Real(1e-6)) return std::nullopt;
+    if (a == 0 || !(discriminant >= 0)) return std::nullopt;
+    const Real root = std::sqrt(discriminant);
+    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)}) {
+        const Real z = dot(from_center + t * ray.direction, cylinder.axis);
+        if (std::abs(z) <= cylinder.height / 2 && interval.contains(t)) return t;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rt

@@ -1,0 +1,16 @@
+// origin: thought of: r and h exchanged
+// caught by: the normal leans back by the slope of the side (MRT §8)
+// sentence: Your normal leans by h / r where r / h is meant: it is at right angles to the side.
+#define normal(...) correct_normal(__VA_ARGS__)
+#include "steps/step08_cone/reference/cone.cpp"
+#undef normal
+
+namespace rt {
+
+Vec3 normal(const Cone& cone, Vec3 point) {
+    const Vec3 from_apex = point - cone.apex;
+    const Vec3 across = unit(from_apex - dot(from_apex, cone.axis) * cone.axis);
+    return unit(cone.radius * across - cone.height * cone.axis);
+}
+
+}  // namespace rt

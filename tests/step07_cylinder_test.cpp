@@ -1,0 +1,179 @@
+// Stage 7 against MRT §7.
+#include "steps/step07_cylinder/cylinder.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+using namespace rt;
+
+namespace {
+
+/// Upright, radius 2, from y = -3 to y = 3.
+const Cylinder upright{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2, .height = 6};
+
+Cylinder draw_cylinder(Random& random) {
+    return {.center = random.point(3),
+            .axis = random.direction(),
+            .radius = random.between(Real(0.5), 1),
+            .height = random.between(1, 3)};
+}
+
+/// At most 0.9 of the way to a rim: no formula's rounding decides what is within the height.
+Sample<Cylinder> draw(Random& random) {
+    const Basis basis = random.basis();
+    Cylinder cylinder = draw_cylinder(random);
+    cylinder.axis = basis.z;
+    const Real z = random.between(Real(-0.45), Real(0.45)) * cylinder.height;
+    return {.shape = cylinder,
+            .point = cylinder.center + z * basis.z + cylinder.radius * basis.x,
+            .normal = basis.x};
+}
+
+}  // namespace
+
+TEST_CASE("a ray across meets the near side (MRT §7)") {
+    CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, upright, 3));
+    CHECK(hits(Ray{.origin = {-7, 1, 0}, .direction = {1, 0, 0}}, upright, 5));
+    CHECK(hits(Ray{.origin = {0, 5, 5}, .direction = {0, -1, -1}}, upright, 3));
+    CHECK(misses(Ray{.origin = {3, 0, 5}, .direction = {0, 0, -1}}, upright));
+}
+
+TEST_CASE("the axis may point anywhere (MRT §7)") {
+    const Cylinder along_x{.center = {0, 0, 0}, .axis = {1, 0, 0}, .radius = 1, .height = 4};
+    const Cylinder along_z{.center = {0, 0, 0}, .axis = {0, 0, 1}, .radius = 1, .height = 4};
+    CHECK(hits(Ray{.origin = {Real(1.5), 5, 0}, .direction = {0, -1, 0}}, along_x, 4));
+    CHECK(misses(Ray{.origin = {Real(2.5), 5, 0}, .direction = {0, -1, 0}}, along_x));
+    CHECK(hits(Ray{.origin = {0, 5, Real(-1.5)}, .direction = {0, -1, 0}}, along_z, 4));
+    CHECK(misses(Ray{.origin = {0, 5, Real(-2.5)}, .direction = {0, -1, 0}}, along_z));
+}
+
+TEST_CASE("the axis has no direction: turned round, it is the same cylinder (MRT §7)") {
+    Cylinder turned = upright;
+    turned.axis = {0, -1, 0};
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, turned, 3));
+    CHECK(hits(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, turned, 3));
+}
+
+TEST_CASE("the centre is half-way: from -h/2 to h/2 (MRT §7)") {
+    CHECK(hits(Ray{.origin = {0, Real(2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
+    CHECK(hits(Ray{.origin = {0, Real(-2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
+    CHECK(misses(Ray{.origin = {0, Real(3.25), 5}, .direction = {0, 0, -1}}, upright));
+    CHECK(misses(Ray{.origin = {0, Real(-3.25), 5}, .direction = {0, 0, -1}}, upright));
+    const Cylinder moved{.center = {10, 4, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
+    CHECK(hits(Ray{.origin = {10, Real(4.5), 5}, .direction = {0, 0, -1}}, moved, 4));
+    CHECK(misses(Ray{.origin = {10, Real(5.5), 5}, .direction = {0, 0, -1}}, moved));
+}
+
+TEST_CASE("both rims belong to the side (MRT §7)") {
+    CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upright, 3));
+    CHECK(hits(Ray{.origin = {0, -3, 5}, .direction = {0, 0, -1}}, upright, 3));
+}
+
+TEST_CASE("into the open top, the far inside is met: both roots are tried (MRT §7)") {
+    // At t = 1 it passes over the near side at y = 4, above the rim. At t = 5 it meets the far one.
+    CHECK(hits(Ray{.origin = {0, 5, 3}, .direction = {0, -1, -1}}, upright, 5));
+    CHECK(hits(Ray{.origin = {0, -5, 3}, .direction = {0, 1, -1}}, upright, 5));
+}
+
+TEST_CASE("there are no caps (MRT §7)") {
+    // In through the top, out through the bottom, never near the side.
+    CHECK(misses(Ray{.origin = {1, 9, 0}, .direction = {0, -1, 0}}, upright));
+    CHECK(misses(Ray{.origin = {-1, 8, 0}, .direction = {1, -8, 0}}, upright));
+}
+
+TEST_CASE("a ray along the axis misses: a = 0 (erratum 6, MRT §7)") {
+    CHECK(misses(Ray{.origin = {0, 9, 0}, .direction = {0, -1, 0}}, upright));
+    CHECK(misses(Ray{.origin = {1, 0, 1}, .direction = {0, 1, 0}}, upright));
+    CHECK(misses(Ray{.origin = {3, 0, 0}, .direction = {0, 1, 0}}, upright));
+    CHECK(misses(Ray{.origin = {2, 0, 0}, .direction = {0, 1, 0}}, upright));
+}
+
+TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT §7)") {
+    const Real slope = std::ldexp(Real(1), -20);
+    const Cylinder narrow{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2 * slope, .height = 6};
+    CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {slope, 1, 0}}, narrow, 2));
+}
+
+TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
+    CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
+    CHECK(hits(Ray{.origin = {1, 0, 0}, .direction = {-1, 0, 0}}, upright, 3));
+    CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {0, 2, -1}}, upright));
+    CHECK(for_all([](Random& random) {
+        const Sample<Cylinder> sample = draw(random);
+        const auto& [center, axis, radius, height] = sample.shape;
+        // From the axis: no nearer than 45° to it, or the hit is ill-conditioned.
+        const Real z = dot(sample.point - center, axis) + random.between(-radius, radius);
+        const Vec3 origin = center + z * axis;
+        return hits({.origin = origin, .direction = sample.point - origin}, sample.shape, 1);
+    }));
+}
+
+TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)") {
+    CHECK(hits(Ray{.origin = {2, 1, 5}, .direction = {0, 0, -1}}, upright, 5));
+}
+
+TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+    CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, upright));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)") {
+    CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, upright));
+    CHECK(hits(Ray{.origin = {0, 0, 2}, .direction = {0, 0, -1}}, upright, 4));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -4}}, upright, Real(0.75)));
+    CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.25)}}, upright, 12));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)") {
+    const Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
+    CHECK(hits(ray, upright, 7, Interval{.min = 3, .max = infinity}));
+    CHECK(misses(ray, upright, Interval{.min = 3, .max = 7}));
+    CHECK(misses(ray, upright, Interval{.min = 0, .max = 3}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point of the side meet it there (MRT §7)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed past the side miss (MRT §7)") {
+    CHECK(for_all([](Random& random) {
+        const Sample<Cylinder> sample = draw(random);
+        // At right angles to the axis and to the normal, outside: nothing is nearer.
+        const Vec3 along = cross(sample.shape.axis, sample.normal);
+        const Vec3 passed =
+            sample.point + random.between(Real(0.01), 1) * sample.shape.radius * sample.normal;
+        const Real back = random.between(-4, 4);
+        return misses({.origin = passed - back * along, .direction = along}, sample.shape);
+    }));
+    CHECK(for_all([](Random& random) {
+        Sample<Cylinder> sample = draw(random);
+        // At a point of the tube beyond a rim, from outside and across.
+        const Real beyond = sample.shape.height * random.between(Real(0.05), 1);
+        sample.shape.center += (sample.shape.height + beyond) * sample.shape.axis;
+        const Real back = random.between(1, 4);
+        return misses({.origin = sample.point + back * sample.normal, .direction = -sample.normal},
+                      sample.shape);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("what is not a number is missed (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("the normal points away from the axis, with unit length (MRT §7)") {
+    CHECK(normal_is(upright, {0, 2, 2}, {0, 0, 1}));
+    CHECK(normal_is(upright, {-2, -1, 0}, {-1, 0, 0}));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the picture of the stage (MRT §7)") {
+    CHECK(picture_matches("step07_cylinder"));
+}

@@ -1,0 +1,179 @@
+// Stage 8 against MRT §8, its coefficient put right.
+#include "steps/step08_cone/cone.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+using namespace rt;
+
+namespace {
+
+/// Opens upwards from the origin; at z_p = 4 its radius is 2: (r / h)² = 1/4.
+const Cone upward{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2, .height = 4};
+/// As wide as high: its side is at 45°.
+const Cone right_angled{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 4, .height = 4};
+
+/// Between 0.2 and 0.9 of the height: no formula's rounding decides what is within it, and the
+/// apex, where nothing is smooth, is not near.
+Sample<Cone> draw(Random& random) {
+    const Basis basis = random.basis();
+    const Cone cone{.apex = random.point(3),
+                    .axis = basis.z,
+                    .radius = random.between(Real(0.5), 1),
+                    .height = random.between(1, 2)};
+    const Real z = random.between(Real(0.2), Real(0.9)) * cone.height;
+    const Real slope = cone.radius / cone.height;
+    const Vec3 n = basis.x - slope * basis.z;
+    return {.shape = cone,
+            .point = cone.apex + z * (basis.z + slope * basis.x),
+            .normal = n / std::sqrt(dot(n, n))};
+}
+
+}  // namespace
+
+TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)") {
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
+    CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upward, Real(3.5)));
+    CHECK(hits(Ray{.origin = {-6, 1, 0}, .direction = {1, 0, 0}}, upward, Real(5.5)));
+    CHECK(misses(Ray{.origin = {Real(1.5), 2, 5}, .direction = {0, 0, -1}}, upward));
+}
+
+TEST_CASE("it opens along the axis, from the apex to the height (MRT §8)") {
+    CHECK(hits(Ray{.origin = {0, Real(3.75), 5}, .direction = {0, 0, -1}}, upward, Real(3.125)));
+    CHECK(misses(Ray{.origin = {0, Real(4.25), 5}, .direction = {0, 0, -1}}, upward));
+    const Cone downward{.apex = {0, 4, 0}, .axis = {0, -1, 0}, .radius = 2, .height = 4};
+    CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, downward, Real(3.5)));
+    CHECK(misses(Ray{.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}}, downward));
+}
+
+TEST_CASE("there is one nappe, no hourglass (MRT §8, 0 ≤ z_p)") {
+    CHECK(misses(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, upward));
+    // The near root is on the nappe that is not there, the far one on the one that is.
+    CHECK(hits(Ray{.origin = {Real(0.5), -5, 0}, .direction = {0, 1, 0}}, upward, 6));
+}
+
+TEST_CASE("the axis may point anywhere (MRT §8)") {
+    const Cone along_x{.apex = {1, 0, 0}, .axis = {1, 0, 0}, .radius = 2, .height = 4};
+    CHECK(hits(Ray{.origin = {3, 5, 0}, .direction = {0, -1, 0}}, along_x, 4));
+    CHECK(misses(Ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}}, along_x));
+    const Cone tilted{
+        .apex = {0, 0, 0}, .axis = {Real(0.6), Real(0.8), 0}, .radius = 5, .height = 5};
+    // Four along its axis it is four wide.
+    CHECK(hits(Ray{.origin = {Real(2.4), Real(3.2), 10}, .direction = {0, 0, -3}}, tilted, 2));
+}
+
+TEST_CASE("a ray along the side has one root, -c/b (erratum 6, MRT §8)") {
+    // a = 0: the direction is that of a line of the cone's side.
+    CHECK(hits(Ray{.origin = {0, -1, 2}, .direction = {0, 1, -1}}, right_angled, Real(1.5)));
+    CHECK(hits(Ray{.origin = {0, 0, 4}, .direction = {0, 1, -1}}, right_angled, 2));
+    CHECK(hits(Ray{.origin = {0, 6, 2}, .direction = {0, -1, -1}}, right_angled, 4));
+    CHECK(misses(Ray{.origin = {0, 0, -4}, .direction = {0, 1, -1}}, right_angled));
+    CHECK(misses(Ray{.origin = {0, 0, 9}, .direction = {0, 1, -1}}, right_angled));
+}
+
+TEST_CASE("a ray almost along the side meets it: there is no epsilon (MRT §8)") {
+    const Real slope = std::ldexp(Real(1), -10);
+    // Direction (0, 1, −(1 − s)): z = 4 − (1 − s) t meets y = t at t = 4 / (2 − s).
+    CHECK(hits(Ray{.origin = {0, 0, 4}, .direction = {0, 1, -(1 - slope)}}, right_angled,
+               4 / (2 - slope)));
+}
+
+TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §8)") {
+    // Straight down beside the axis, into the cone: out of the open top, onto the inside.
+    CHECK(hits(Ray{.origin = {1, 9, 0}, .direction = {0, -1, 0}}, upward, 7));
+    CHECK(hits(Ray{.origin = {1, -5, 0}, .direction = {0, 1, 0}}, upward, 7));
+    CHECK(hits(Ray{.origin = {1, 3, 0}, .direction = {0, -1, 0}}, upward, 1));
+    CHECK(misses(Ray{.origin = {1, 3, 0}, .direction = {0, 1, 0}}, upward));
+}
+
+TEST_CASE("a ray along the axis meets the apex only (MRT §8)") {
+    CHECK(hits(Ray{.origin = {0, 9, 0}, .direction = {0, -1, 0}}, upward, 9));
+    CHECK(hits(Ray{.origin = {0, -2, 0}, .direction = {0, 1, 0}}, upward, 2));
+    CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, upward));
+}
+
+TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)") {
+    CHECK(hits(Ray{.origin = {0, 4, 5}, .direction = {0, 0, -1}}, upward, 3));
+}
+
+TEST_CASE("into the open end, the far inside is met: both roots are tried (MRT §8)") {
+    // At t = 2 it passes over the near side at y = 6, above the rim. At t = 6 it meets the far one.
+    CHECK(hits(Ray{.origin = {0, 8, 5}, .direction = {0, -1, -1}}, upward, 6));
+}
+
+TEST_CASE("there is no base (MRT §8)") {
+    // In through the open end at the height, out through the side.
+    CHECK(hits(Ray{.origin = {Real(0.5), 6, 0}, .direction = {0, -1, 0}}, upward, 5));
+    CHECK(misses(Ray{.origin = {Real(1.75), Real(4.5), 0}, .direction = {1, -1, 0}}, upward));
+}
+
+TEST_CASE("from inside, the side is met (MRT §8, PHY)") {
+    CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {0, 0, -1}}, upward, 1));
+    CHECK(misses(Ray{.origin = {0, 3, 0}, .direction = {0, 2, -1}}, upward));
+    CHECK(for_all([](Random& random) {
+        const Sample<Cone> sample = draw(random);
+        const Real z = random.between(Real(0.3), Real(0.8)) * sample.shape.height;
+        const Vec3 origin = sample.shape.apex + z * sample.shape.axis;
+        return hits({.origin = origin, .direction = sample.point - origin}, sample.shape, 1);
+    }));
+}
+
+TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+    CHECK(misses(Ray{.origin = {0, 2, 5}, .direction = {0, 0, 1}}, upward));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)") {
+    CHECK(misses(Ray{.origin = {0, 2, 1}, .direction = {0, 0, 1}}, upward));
+    CHECK(hits(Ray{.origin = {0, 2, 1}, .direction = {0, 0, -1}}, upward, 2));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -4}}, upward, 1));
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, Real(-0.25)}}, upward, 16));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)") {
+    const Ray ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}};
+    CHECK(hits(ray, upward, 6, Interval{.min = 4, .max = infinity}));
+    CHECK(misses(ray, upward, Interval{.min = 4, .max = 6}));
+    CHECK(misses(ray, upward, Interval{.min = 0, .max = 4}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point of the side meet it there (MRT §8)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed past the side miss (MRT §8)") {
+    CHECK(for_all([](Random& random) {
+        const Sample<Cone> sample = draw(random);
+        // Across the cone, in the plane that touches it, moved outwards: nothing is nearer.
+        const Vec3 across = cross(sample.shape.axis, sample.normal);
+        const Vec3 along = across / std::sqrt(dot(across, across));
+        const Vec3 passed =
+            sample.point + random.between(Real(0.01), 1) * sample.shape.radius * sample.normal;
+        const Real back = random.between(-4, 4);
+        return misses({.origin = passed - back * along, .direction = along}, sample.shape);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("what is not a number is missed (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("the normal leans back by the slope of the side (MRT §8)") {
+    const Real half = std::sqrt(Real(0.5));
+    CHECK(normal_is(right_angled, {0, 2, 2}, {0, -half, half}));
+    CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
+    CHECK(normal_is(upward, {0, 2, 1}, Vec3(0, -1, 2) / std::sqrt(Real(5))));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the picture of the stage (MRT §8)") {
+    CHECK(picture_matches("step08_cone"));
+}
