@@ -1,0 +1,28 @@
+// Stage 1, to be written: docs/step01_ray_generation.md.
+#include "steps/step01_ray_generation/ray_generation.hpp"
+
+#include "common/todo.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    // pixFinal of MRT §1.
+    RT_TODO(pixel, resolution, vertical_fov);
+    return Vec2(0);
+}
+
+Ray camera_ray(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    // From the origin through the pixel's centre on the plane z = −1.
+    RT_TODO(pixel, resolution, vertical_fov);
+    return {.origin = Vec3(0), .direction = Vec3(0, 0, -1)};
+}
+
+Ray unprojected_ray(Pixel pixel, const Mat4& camera_to_world, const Mat4& image_to_world) {
+    // The same ray by inverse matrices: both ends, each divided by its w.
+    RT_TODO(pixel, camera_to_world, image_to_world);
+    return {.origin = Vec3(0), .direction = Vec3(0, 0, -1)};
+}
+
+}  // namespace rt

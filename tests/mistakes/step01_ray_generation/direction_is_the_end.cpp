@@ -1,0 +1,15 @@
+// origin: M1: the end point taken for a direction
+// caught by: by inverse matrices the ray starts at the camera and ends on the far plane (M1)
+// sentence: You take the end point for the direction. It is the end less the start.
+#define unprojected_ray(...) correct_unprojected_ray(__VA_ARGS__)
+#include "steps/step01_ray_generation/reference/ray_generation.cpp"
+#undef unprojected_ray
+
+namespace rt {
+
+Ray unprojected_ray(Pixel pixel, const Mat4& camera_to_world, const Mat4& image_to_world) {
+    const Ray ray = correct_unprojected_ray(pixel, camera_to_world, image_to_world);
+    return {.origin = ray.origin, .direction = ray.origin + ray.direction};
+}
+
+}  // namespace rt

@@ -1,0 +1,26 @@
+// origin: seen in student repositories
+// caught by: rays go through the centres of pixels: + 0.5, over W and H (MRT §1)
+// sentence: You divide by W − 1 and H − 1: the outer pixels' centres lie on the picture's edge. Divide by W and H.
+#define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
+#define camera_ray(...) correct_camera_ray(__VA_ARGS__)
+#include "steps/step01_ray_generation/reference/ray_generation.cpp"
+#undef pixel_on_screen
+#undef camera_ray
+
+namespace rt {
+
+Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    const Real w = Real(resolution.width);
+    const Real h = Real(resolution.height);
+    const Real x = w > 1 ? 2 * Real(pixel.column) / (w - 1) - 1 : 0;
+    const Real y = h > 1 ? 1 - 2 * Real(pixel.row) / (h - 1) : 0;
+    const Real tangent = std::tan(vertical_fov / 2);
+    return {x * w / h * tangent, y * tangent};
+}
+
+Ray camera_ray(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    return {.origin = Vec3(0),
+            .direction = Vec3(pixel_on_screen(pixel, resolution, vertical_fov), -1)};
+}
+
+}  // namespace rt

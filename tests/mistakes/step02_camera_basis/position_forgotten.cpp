@@ -1,0 +1,14 @@
+// origin: thought of: the ray turned and not moved
+// caught by: a ray of the camera's frame is carried into the world (MRT §2)
+// sentence: You turn the ray and do not move it: its origin is the camera's position.
+#define to_world(...) correct_to_world(__VA_ARGS__)
+#include "steps/step02_camera_basis/reference/camera_basis.cpp"
+#undef to_world
+
+namespace rt {
+
+Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
+    return correct_to_world(ray, basis, Vec3(0));
+}
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+// origin: thought of: the turn alone
+// caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
+// sentence: Your view matrix only turns. It must take the camera's position to 0.
+#define view_matrix(...) correct_view_matrix(__VA_ARGS__)
+#include "steps/step02_camera_basis/reference/camera_basis.cpp"
+#undef view_matrix
+
+namespace rt {
+
+namespace {
+
+Mat4 view_matrix_of_turn(const Basis& basis) {
+    return correct_view_matrix(basis, Vec3(0));
+}
+
+}  // namespace
+
+Mat4 view_matrix(const Basis& basis, Vec3 position) {
+    return view_matrix_of_turn(basis);
+}
+
+}  // namespace rt
