@@ -19,13 +19,13 @@ void Sketch::arrow(Vec3 from, Vec3 to, const Pen& pen) {
 
 void Sketch::polygon(const std::vector<Vec3>& points, std::string_view fill, const Pen& pen) {
     std::vector<Vec2> placed;
-    for (const Vec3 point : points) placed.push_back(view_(point));
+    for (const Vec3& point : points) placed.push_back(view_(point));
     svg_.polygon(placed, fill, pen);
 }
 
-void Sketch::mark(Vec3 point, Mark mark) {
+void Sketch::mark(Vec3 point, Mark what) {
     const Vec2 place = view_(point);
-    switch (mark) {
+    switch (what) {
         case Mark::hit: return svg_.circle(place, 4.5, red, {.color = white, .width = 1});
         case Mark::refused: return svg_.circle(place, 4, white, {.color = red});
         case Mark::given: return svg_.circle(place, 3.5, ink, {.color = white, .width = 1});

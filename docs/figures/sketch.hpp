@@ -42,7 +42,7 @@ public:
     void line(Vec3 from, Vec3 to, const Pen& pen = {});
     void arrow(Vec3 from, Vec3 to, const Pen& pen = {});
     void polygon(const std::vector<Vec3>& points, std::string_view fill, const Pen& pen = {});
-    void mark(Vec3 point, Mark mark);
+    void mark(Vec3 point, Mark what);
     /// The label's base line begins, is centred or ends so far from the point, in pixels.
     void label(Vec3 point, Vec2 offset, std::string_view text, const TextStyle& style = {});
 

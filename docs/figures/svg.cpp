@@ -43,7 +43,7 @@ std::string paint(std::string_view fill, const Pen& pen) {
 
 std::string list(const std::vector<Vec2>& points) {
     std::string text;
-    for (const Vec2 p : points)
+    for (const Vec2& p : points)
         text += (text.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
     return attribute("points", text);
 }

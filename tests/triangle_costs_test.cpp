@@ -1,0 +1,139 @@
+// What the three ways of stage 5's page cost: the operations on a ray that hits, counted.
+#include "tests/kit/catch.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace {
+
+struct Costs {
+    int multiplications = 0;
+    int additions = 0;  ///< and subtractions
+    int divisions = 0;
+    int roots = 0;
+};
+
+Costs costs;
+
+/// A number that counts what is done with it.
+struct Counted {
+    double value = 0;
+};
+
+Counted operator+(Counted a, Counted b) {
+    ++costs.additions;
+    return {a.value + b.value};
+}
+
+Counted operator-(Counted a, Counted b) {
+    ++costs.additions;
+    return {a.value - b.value};
+}
+
+Counted operator*(Counted a, Counted b) {
+    ++costs.multiplications;
+    return {a.value * b.value};
+}
+
+Counted operator/(Counted a, Counted b) {
+    ++costs.divisions;
+    return {a.value / b.value};
+}
+
+Counted root(Counted a) {
+    ++costs.roots;
+    return {std::sqrt(a.value)};
+}
+
+struct Vector {
+    Counted x;
+    Counted y;
+    Counted z;
+};
+
+Vector operator-(Vector a, Vector b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+Vector operator+(Vector a, Vector b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+Vector operator*(Counted k, Vector v) {
+    return {k * v.x, k * v.y, k * v.z};
+}
+
+Counted dot(Vector a, Vector b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Vector cross(Vector a, Vector b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Counted length(Vector v) {
+    return root(dot(v, v));
+}
+
+Vector vector(double x, double y, double z) {
+    return {{x}, {y}, {z}};
+}
+
+// A right-angled triangle from above; the ray meets it at (1, 1, 0), t = 2.
+const Vector a = vector(0, 0, 0);
+const Vector b = vector(4, 0, 0);
+const Vector c = vector(0, 4, 0);
+const Vector o = vector(1, 1, 2);
+const Vector d = vector(0, 0, -1);
+
+bool half_planes() {
+    const Vector ab = b - a;
+    const Vector ca = a - c;
+    const Vector n = cross(ab, c - a);
+    const Counted t = dot(a - o, n) / dot(d, n);
+    const Vector p = o + t * d;
+    return dot(cross(ab, p - a), n).value >= 0 && dot(cross(c - b, p - b), n).value >= 0 &&
+           dot(cross(ca, p - c), n).value >= 0 && t.value == 2;
+}
+
+bool areas() {
+    const Vector ab = b - a;
+    const Vector ca = a - c;
+    const Vector n = cross(ab, c - a);
+    const Counted t = dot(a - o, n) / dot(d, n);
+    const Vector p = o + t * d;
+    const Counted area = length(n);
+    const Counted w0 = length(cross(c - b, p - b)) / area;
+    const Counted w1 = length(cross(ca, p - c)) / area;
+    const Counted w2 = length(cross(ab, p - a)) / area;
+    return (w0 + w1 + w2).value == 1 && t.value == 2;
+}
+
+bool moller_trumbore() {
+    const Vector ab = b - a;
+    const Vector ac = c - a;
+    const Vector q = cross(d, ac);
+    const Counted inverse = Counted{1} / dot(ab, q);
+    const Vector s = o - a;
+    const Counted beta = dot(s, q) * inverse;
+    const Vector r = cross(s, ab);
+    const Counted gamma = dot(d, r) * inverse;
+    const Counted t = dot(ac, r) * inverse;
+    return beta.value >= 0 && gamma.value >= 0 && (beta + gamma).value <= 1 && t.value == 2;
+}
+
+/// As a row of the page's table.
+std::string counted(bool (*way)()) {
+    costs = {};
+    REQUIRE(way());
+    return std::to_string(costs.multiplications) + " | " + std::to_string(costs.additions) + " | " +
+           std::to_string(costs.divisions) + " | " + std::to_string(costs.roots);
+}
+
+}  // namespace
+
+TEST_CASE("the operations of the three ways are those that stage 5's page tells") {
+    CHECK(counted(half_planes) == "42 | 49 | 1 | 0");
+    CHECK(counted(areas) == "45 | 53 | 4 | 4");
+    CHECK(counted(moller_trumbore) == "27 | 24 | 1 | 0");
+}
