@@ -1,34 +1,26 @@
-// The figures of the pages, each as the text of its SVG file.
+// One function a figure; each asks the project's own functions where things are.
 #pragma once
 
-#include <string>
+#include "docs/figures/svg.hpp"
 
-namespace rt::figures {
+namespace rt {
 
-std::string pixel_grid();
-std::string screen_fov();
+Svg pixel_grid();
+Svg screen_side_view();
+Svg camera_axes();
+Svg unnormalised_x();
+Svg sphere_roots();
+Svg sphere_half_chord();
+Svg plane_lengths();
+Svg plane_horizon();
+Svg triangle_half_planes();
+Svg triangle_areas();
+Svg triangle_shared_edge();
+Svg square_frame();
+Svg cornell_from_above();
+Svg cylinder_section();
+Svg cylinder_both_roots();
+Svg cone_side();
+Svg cone_coefficient();
 
-std::string camera_basis_axes();
-std::string camera_unnormalised();
-
-std::string sphere_roots();
-std::string sphere_half_chord();
-
-std::string plane_steps();
-std::string plane_horizon();
-
-std::string triangle_half_planes();
-std::string triangle_areas();
-std::string triangle_shared_edge();
-
-std::string square_frame();
-std::string square_one_sided();
-
-std::string cylinder_cross_section();
-std::string cylinder_roots();
-
-std::string cone_roots();
-std::string cone_slope();
-std::string cone_erratum();
-
-}  // namespace rt::figures
+}  // namespace rt

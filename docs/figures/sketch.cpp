@@ -26,10 +26,14 @@ void Sketch::polygon(const std::vector<Vec3>& points, std::string_view fill, con
 void Sketch::mark(Vec3 point, Mark what) {
     const Vec2 place = view_(point);
     switch (what) {
-        case Mark::hit: return svg_.circle(place, 4.5, red, {.color = white, .width = 1});
-        case Mark::refused: return svg_.circle(place, 4, white, {.color = red});
-        case Mark::given: return svg_.circle(place, 3.5, ink, {.color = white, .width = 1});
-        case Mark::foot: return svg_.circle(place, 3, gray, {.color = white, .width = 1});
+        case Mark::hit:
+            return svg_.circle(place, 4.5, red, {.color = white, .width = 1});
+        case Mark::refused:
+            return svg_.circle(place, 4, white, {.color = red});
+        case Mark::given:
+            return svg_.circle(place, 3.5, ink, {.color = white, .width = 1});
+        case Mark::foot:
+            return svg_.circle(place, 3, gray, {.color = white, .width = 1});
     }
 }
 

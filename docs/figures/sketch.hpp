@@ -11,8 +11,8 @@ namespace rt::figures {
 
 /// Where the points of space stand on the page. Depth is dropped.
 struct View {
-    Vec2 place;         ///< of `center` on the page
-    Real scale = 100;   ///< pixels a unit
+    Vec2 place;           ///< of `center` on the page
+    Real scale = 100;     ///< pixels a unit
     Vec3 right{1, 0, 0};  ///< the page's own directions, unit length
     Vec3 up{0, 1, 0};
     Vec3 center{0};

@@ -43,7 +43,8 @@ void draw_case(Sketch& sketch, const Sphere& sphere, Vec3 origin, std::string_vi
 }  // namespace
 
 std::string sphere_roots() {
-    Svg svg({640, 350}, "Five rays and a sphere: a miss, a tangent, from outside, from inside, behind");
+    Svg svg({640, 350},
+            "Five rays and a sphere: a miss, a tangent, from outside, from inside, behind");
     Sketch sketch(svg, {.place = {415, 178}, .scale = 106});
     const Sphere sphere{.center = {0, 0, 0}, .radius = 1};
     draw_sphere(svg, sketch, sphere);
@@ -56,7 +57,8 @@ std::string sphere_roots() {
 }
 
 std::string sphere_half_chord() {
-    Svg svg({640, 360}, "Half a chord on either side of the point of the line nearest to the centre");
+    Svg svg({640, 360},
+            "Half a chord on either side of the point of the line nearest to the centre");
     Sketch sketch(svg, {.place = {405, 205}, .scale = 135});
     const Sphere sphere{.center = {0, 0, 0}, .radius = 1};
     const Ray ray{.origin = {-2.6, -0.1, 0}, .direction = {0.9, 0.22, 0}};
