@@ -14,13 +14,14 @@ namespace rt {
 
 namespace {
 
-/// The mean colour of a block of the picture.
+/// The mean colour of a block of the picture, which has one pixel at least.
 Rgb mean(const Image& image, Pixel from, Pixel to) {
-    std::array<int, 3> sum{};
+    to = {.row = std::max(to.row, from.row + 1), .column = std::max(to.column, from.column + 1)};
+    std::array<std::int64_t, 3> sum{};
     for (int row = from.row; row < to.row; ++row)
         for (int column = from.column; column < to.column; ++column)
             for (std::size_t i = 0; i < 3; ++i) sum[i] += image[{row, column}][i];
-    const int count = (to.row - from.row) * (to.column - from.column);
+    const auto count = std::int64_t(to.row - from.row) * (to.column - from.column);
     Rgb color{};
     for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<std::uint8_t>(sum[i] / count);
     return color;
@@ -28,11 +29,11 @@ Rgb mean(const Image& image, Pixel from, Pixel to) {
 
 /// At most `width` wide and of an even height, of the same shape.
 Image shrunk(const Image& image, int width) {
-    const auto& [full_width, full_height] = image.resolution;
+    const int full_width = image.resolution.width;
+    const int full_height = image.resolution.height;
     width = std::min(width, full_width);
     const auto scaled = std::int64_t(full_height) * width / full_width / 2 * 2;
     const int height = std::max(int(scaled), 2);
-    if (full_height < height) return image;
     Image small(Resolution{width, height});
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {

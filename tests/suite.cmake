@@ -41,6 +41,30 @@ function(raysteps_stage_suite stage)
     foreach(mistake IN LISTS mistakes)
         raysteps_mistake(${stage} ${mistake} ${stages} ${stage}_main)
     endforeach()
+    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
+    foreach(alternative IN LISTS alternatives)
+        raysteps_alternative(${stage} ${alternative} ${stages} ${stage}_main)
+    endforeach()
+endfunction()
+
+# raysteps_alternative(<stage> <file> <other stages>...)
+#
+# The stage's suite, linked to another right answer: all of it must pass.
+function(raysteps_alternative stage file)
+    get_filename_component(alternative ${file} NAME_WE)
+    raysteps_compile_twice(${stage}_${alternative} ${file})
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        set(name alternative_${stage}_${alternative}_${word})
+        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
+            ${stage}_${alternative} ${ARGN})
+        set_target_properties(${name} PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/alternatives)
+        add_test(NAME ${name} COMMAND ${name})
+        set_tests_properties(${name} PROPERTIES LABELS "alternatives")
+    endforeach()
 endfunction()
 
 # raysteps_mistake(<stage> <file> <other stages>...)

@@ -1,26 +1,34 @@
-// One function a figure; each asks the project's own functions where things are.
+// The figures of the pages, each as the text of its SVG file.
 #pragma once
 
-#include "docs/figures/svg.hpp"
+#include <string>
 
-namespace rt {
+namespace rt::figures {
 
-Svg pixel_grid();
-Svg screen_side_view();
-Svg camera_axes();
-Svg unnormalised_x();
-Svg sphere_roots();
-Svg sphere_half_chord();
-Svg plane_lengths();
-Svg plane_horizon();
-Svg triangle_half_planes();
-Svg triangle_areas();
-Svg triangle_shared_edge();
-Svg square_frame();
-Svg cornell_from_above();
-Svg cylinder_section();
-Svg cylinder_both_roots();
-Svg cone_side();
-Svg cone_coefficient();
+std::string pixel_grid();
+std::string screen_side_view();
 
-}  // namespace rt
+std::string camera_axes();
+std::string unnormalised_x();
+
+std::string sphere_roots();
+std::string sphere_half_chord();
+
+std::string plane_lengths();
+std::string plane_horizon();
+
+std::string triangle_half_planes();
+std::string triangle_areas();
+std::string triangle_shared_edge();
+
+std::string square_frame();
+std::string cornell_from_above();
+
+std::string cylinder_section();
+std::string cylinder_both_roots();
+
+std::string cone_side();
+std::string cone_slope();
+std::string cone_coefficient();
+
+}  // namespace rt::figures

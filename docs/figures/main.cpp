@@ -1,37 +1,66 @@
-// Writes the figures of the pages: figures FOLDER
+// figures <folder>: writes every figure of the pages as <folder>/<name>.svg.
 #include "docs/figures/figures.hpp"
 
 #include "common/input_error.hpp"
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
-int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: figures FOLDER\n";
+namespace {
+
+struct Figure {
+    const char* name;
+    std::string (*draw)();
+};
+
+using namespace rt::figures;
+
+constexpr std::array all = {
+    Figure{"pixel_grid", pixel_grid},
+    Figure{"screen_side_view", screen_side_view},
+    Figure{"camera_axes", camera_axes},
+    Figure{"unnormalised_x", unnormalised_x},
+    Figure{"sphere_roots", sphere_roots},
+    Figure{"sphere_half_chord", sphere_half_chord},
+    Figure{"plane_lengths", plane_lengths},
+    Figure{"plane_horizon", plane_horizon},
+    Figure{"triangle_half_planes", triangle_half_planes},
+    Figure{"triangle_areas", triangle_areas},
+    Figure{"triangle_shared_edge", triangle_shared_edge},
+    Figure{"square_frame", square_frame},
+    Figure{"cornell_from_above", cornell_from_above},
+    Figure{"cylinder_section", cylinder_section},
+    Figure{"cylinder_both_roots", cylinder_both_roots},
+    Figure{"cone_side", cone_side},
+    Figure{"cone_slope", cone_slope},
+    Figure{"cone_coefficient", cone_coefficient},
+};
+
+/// Throws InputError if a file cannot be written, or a scene cannot be read.
+void write_all(const std::filesystem::path& folder) {
+    std::error_code failed;  // if there is no folder, no file can be written
+    std::filesystem::create_directories(folder, failed);
+    for (const Figure& figure : all) {
+        const std::filesystem::path file = folder / (std::string(figure.name) + ".svg");
+        std::ofstream out(file, std::ios::binary);
+        out << figure.draw() << std::flush;
+        if (!out) throw rt::InputError({.file = file.string()}, "cannot be written");
+    }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    if (count != 2) {
+        std::cerr << "usage: figures <folder>\n";
         return 2;
     }
-    const std::string folder = std::string(argv[1]) + "/";
     try {
-        rt::pixel_grid().write(folder + "pixel_grid.svg");
-        rt::screen_side_view().write(folder + "screen_side_view.svg");
-        rt::camera_axes().write(folder + "camera_axes.svg");
-        rt::unnormalised_x().write(folder + "unnormalised_x.svg");
-        rt::sphere_roots().write(folder + "sphere_roots.svg");
-        rt::sphere_half_chord().write(folder + "sphere_half_chord.svg");
-        rt::plane_lengths().write(folder + "plane_lengths.svg");
-        rt::plane_horizon().write(folder + "plane_horizon.svg");
-        rt::triangle_half_planes().write(folder + "triangle_half_planes.svg");
-        rt::triangle_areas().write(folder + "triangle_areas.svg");
-        rt::triangle_shared_edge().write(folder + "triangle_shared_edge.svg");
-        rt::square_frame().write(folder + "square_frame.svg");
-        rt::cornell_from_above().write(folder + "cornell_from_above.svg");
-        rt::cylinder_section().write(folder + "cylinder_section.svg");
-        rt::cylinder_both_roots().write(folder + "cylinder_both_roots.svg");
-        rt::cone_side().write(folder + "cone_side.svg");
-        rt::cone_coefficient().write(folder + "cone_coefficient.svg");
+        write_all(arguments[1]);
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
         return 2;
     }
-    return 0;
 }

@@ -12,18 +12,21 @@ namespace rt::figures {
 
 namespace {
 
-constexpr Triangle triangle{.a = {-1.05, -0.75, 0}, .b = {1.15, -0.5, 0}, .c = {-0.25, 0.95, 0}};
 constexpr std::string_view pale_blue = "#d5e5f3";
 constexpr std::string_view pale_red = "#f6dcd6";
 constexpr std::string_view pale_green = "#d9ebdf";
 constexpr std::string_view pale_amber = "#f8e3b8";
+constexpr Pen grid{.color = faint, .width = 1};
 
-void draw_vertices(Sketch& sketch) {
+constexpr Triangle triangle{.a = {-1.05, -0.75, 0}, .b = {1.15, -0.5, 0}, .c = {-0.25, 0.95, 0}};
+const std::vector<Vec3> box = {{-1.8, -1.15, 0}, {1.8, -1.15, 0}, {1.8, 1.2, 0}, {-1.8, 1.2, 0}};
+
+void draw_outline(Sketch& sketch) {
     sketch.polygon({triangle.a, triangle.b, triangle.c}, none);
     for (const Vec3& p : {triangle.a, triangle.b, triangle.c}) sketch.mark(p, Mark::given);
-    sketch.label(triangle.a, {-8, 16}, "$a$");
+    sketch.label(triangle.a, {-10, 14}, "$a$");
     sketch.label(triangle.b, {11, 12}, "$b$");
-    sketch.label(triangle.c, {-10, -4}, "$c$");
+    sketch.label(triangle.c, {-12, -2}, "$c$");
 }
 
 /// The part of a convex polygon where the weight of one vertex is not negative: a half-plane.
@@ -40,54 +43,50 @@ std::vector<Vec3> half_plane(const std::vector<Vec3>& polygon, int vertex) {
     return kept;
 }
 
-const std::vector<Vec3> box = {{-1.8, -1.15, 0}, {1.8, -1.15, 0}, {1.8, 1.2, 0}, {-1.8, 1.2, 0}};
-
-/// Points on a lattice over the box.
-std::vector<Vec3> lattice() {
-    std::vector<Vec3> points;
-    for (int row = 0; row < 9; ++row)
-        for (int column = 0; column < 12; ++column)
-            points.emplace_back(-1.65 + 0.3 * column, -1.02 + 0.26 * row, 0);
-    return points;
+/// Points all over the box, filled where `in` says so.
+template <class In>
+void draw_samples(Svg& svg, Sketch& sketch, std::string_view color, In in) {
+    for (int row = 0; row < 7; ++row)
+        for (int column = 0; column < 10; ++column) {
+            const Vec3 p(-1.62 + 0.36 * column, -0.98 + 0.335 * row, 0);
+            const std::string_view fill = in(p) ? color : white;
+            svg.circle(sketch(p), 2.2, fill, {.color = in(p) ? color : gray, .width = 1});
+        }
 }
 
 /// The half-plane on the inner side of the edge from p to q, opposite to the vertex.
 void draw_half_plane(Svg& svg, Vec2 place, Vec3 p, Vec3 q, int vertex, std::string_view name) {
     Sketch sketch(svg, {.place = place, .scale = 78});
     sketch.polygon(half_plane(box, vertex), pale_blue, no_pen);
-    for (const Vec3& point : lattice()) {
-        const bool in = barycentric(triangle, point)[vertex] >= 0;
-        svg.circle(sketch(point), 2, in ? blue : white, {.color = in ? blue : gray, .width = 1});
-    }
-    sketch.polygon(box, none, {.color = faint, .width = 1});
-    draw_vertices(sketch);
+    sketch.polygon(box, none, grid);
+    draw_samples(svg, sketch, blue,
+                 [=](Vec3 point) { return barycentric(triangle, point)[vertex] >= 0; });
+    draw_outline(sketch);
     sketch.arrow(p, q, {.width = 3});
-    svg.text(place - Vec2(0, 104), name);
+    svg.text(place - Vec2(0, 103), name);
 }
 
-void draw_all_three(Svg& svg, Vec2 place) {
+void draw_triangle(Svg& svg, Vec2 place) {
     Sketch sketch(svg, {.place = place, .scale = 78});
     sketch.polygon(half_plane(half_plane(half_plane(box, 0), 1), 2), pale_red, no_pen);
-    for (const Vec3& point : lattice()) {
-        const bool in =
-            intersect({.origin = point + Vec3(0, 0, 1), .direction = {0, 0, -1}}, triangle, {})
-                .has_value();
-        svg.circle(sketch(point), 2, in ? red : white, {.color = in ? red : gray, .width = 1});
-    }
-    sketch.polygon(box, none, {.color = faint, .width = 1});
-    draw_vertices(sketch);
-    svg.text(place - Vec2(0, 104), "all three: what `intersect` meets");
+    sketch.polygon(box, none, grid);
+    draw_samples(svg, sketch, red, [](Vec3 point) {
+        const Ray ray{.origin = point + Vec3(0, 0, 1), .direction = {0, 0, -1}};
+        return intersect(ray, triangle, {}).has_value();
+    });
+    draw_outline(sketch);
+    svg.text(place - Vec2(0, 103), "all three: the triangle");
 }
 
 }  // namespace
 
 std::string triangle_half_planes() {
-    Svg svg({640, 480}, "The three half-planes of a triangle, and what they have in common");
+    Svg svg({640, 470}, "The three half-planes of a triangle, and what they have in common");
     const auto& [a, b, c] = triangle;
-    draw_half_plane(svg, {168, 132}, a, b, 2, "$P_{a,b}$: ⟨$(b − a) ∧ (p − a)$, $n$⟩ ≥ 0");
-    draw_half_plane(svg, {472, 132}, b, c, 0, "$P_{b,c}$: ⟨$(c − b) ∧ (p − b)$, $n$⟩ ≥ 0");
-    draw_half_plane(svg, {168, 364}, c, a, 1, "$P_{c,a}$: ⟨$(a − c) ∧ (p − c)$, $n$⟩ ≥ 0");
-    draw_all_three(svg, {472, 364});
+    draw_half_plane(svg, {168, 134}, a, b, 2, "$P_{a,b}$: ⟨$(b − a) ∧ (p − a)$, $n$⟩ ≥ 0");
+    draw_half_plane(svg, {472, 134}, b, c, 0, "$P_{b,c}$: ⟨$(c − b) ∧ (p − b)$, $n$⟩ ≥ 0");
+    draw_half_plane(svg, {168, 360}, c, a, 1, "$P_{c,a}$: ⟨$(a − c) ∧ (p − c)$, $n$⟩ ≥ 0");
+    draw_triangle(svg, {472, 360});
     return svg.source();
 }
 
@@ -101,28 +100,42 @@ void draw_shares(Sketch& sketch, Vec3 p) {
     sketch.polygon({p, a, b}, pale_green, no_pen);
     sketch.polygon({p, b, c}, weights.x < 0 ? pale_amber : pale_blue, no_pen);
     for (const Vec3& vertex : {a, b, c}) sketch.line(p, vertex, dashed);
-    draw_vertices(sketch);
+    draw_outline(sketch);
     sketch.mark(p, Mark::hit);
-    sketch.label((p + b + c) / Real(3), {0, 5}, "$α$ = " + decimal(weights.x, 2));
-    sketch.label((p + c + a) / Real(3), {0, 5}, "$β$ = " + decimal(weights.y, 2));
-    sketch.label((p + a + b) / Real(3), {0, 5}, "$γ$ = " + decimal(weights.z, 2));
+    const TextStyle style{.size = 13};
+    sketch.label((p + b + c) / Real(3), weights.x < 0 ? Vec2(16, 26) : Vec2(-3, 5),
+                 "$α$ = " + decimal(weights.x, 2), style);
+    sketch.label((p + c + a) / Real(3), {6, 5}, "$β$ = " + decimal(weights.y, 2), style);
+    sketch.label((p + a + b) / Real(3), {0, 5}, "$γ$ = " + decimal(weights.z, 2), style);
 }
 
 }  // namespace
 
 std::string triangle_areas() {
-    Svg svg({640, 320}, "The weights of a, b and c as shares of the triangle's area");
-    Sketch inside(svg, {.place = {150, 150}, .scale = 118});
-    draw_shares(inside, {-0.2, -0.15, 0});
-    Sketch outside(svg, {.place = {460, 150}, .scale = 118});
-    draw_shares(outside, {0.9, 0.6, 0});
+    Svg svg({640, 326}, "The weights of a, b and c as shares of the triangle's area");
+    const Vec3 inside(0, -0.2, 0);
+    const Vec3 outside(1.1, 0.72, 0);
+    const Vec3 unsigned_shares = abs(barycentric(triangle, outside));
+    const Real sum = unsigned_shares.x + unsigned_shares.y + unsigned_shares.z;
+    const TextStyle note{.color = gray, .size = 13};
+    Sketch left(svg, {.place = {160, 142}, .scale = 118});
+    draw_shares(left, inside);
+    left.label(inside, {12, -8}, "$p$", {.color = red});
+    Sketch right(svg, {.place = {466, 142}, .scale = 118});
+    draw_shares(right, outside);
+    right.label(outside, {12, -6}, "$p$", {.color = red});
+    svg.text({160, 282}, "$p$ = $α a$ + $β b$ + $γ c$, and $α$ + $β$ + $γ$ = 1");
+    svg.text({160, 304}, "the weight of a vertex: the part opposite to it", note);
+    svg.text({480, 282}, "$α$ < 0: beyond the edge from $b$ to $c$");
+    svg.text({480, 304}, "without their signs they sum to " + decimal(sum, 2), note);
     return svg.source();
 }
 
 namespace {
 
-constexpr int pixels = 10;
-const Real quad_fov = 2 * std::atan(Real(0.625));
+constexpr Resolution picture{.width = 10, .height = 10};
+constexpr Real pixel_size = 24;
+const Real fov = 2 * std::atan(Real(0.625));
 /// A square of side 2 at z = −2, cut along a diagonal on which pixel centres lie.
 constexpr std::array quad = {Triangle{{-1, 1, -2}, {-1, -1, -2}, {1, -1, -2}},
                              Triangle{{-1, 1, -2}, {1, -1, -2}, {1, 1, -2}}};
@@ -135,27 +148,51 @@ bool meets(const Ray& ray, const Triangle& half, bool strict) {
     return !strict || (weights.x > 0 && weights.y > 0 && weights.z > 0);
 }
 
+/// Both triangles, on the screen, over the picture.
+void draw_quad_outline(Svg& svg, Vec2 corner) {
+    const Vec2 step = pixel_on_screen({1, 1}, picture, fov) - pixel_on_screen({0, 0}, picture, fov);
+    Sketch sketch(svg, {.place = corner + pixel_size * Vec2(5, 5), .scale = pixel_size / step.x});
+    for (const auto& [a, b, c] : quad)
+        sketch.polygon({a / -a.z, b / -b.z, c / -c.z}, none, {.width = 1.2});
+}
+
+/// Which triangle each pixel shows, and a ring where none is met though the ray meets both.
 void draw_quad(Svg& svg, Vec2 corner, bool strict, std::string_view title) {
-    constexpr Real size = 24;
-    for (int i = 0; i < pixels; ++i)
-        for (int j = 0; j < pixels; ++j) {
-            const Ray ray = camera_ray({i, j}, {pixels, pixels}, quad_fov);
-            const bool first = meets(ray, quad[0], strict);
-            const bool second = meets(ray, quad[1], strict);
-            const Vec2 place = corner + size * Vec2(j, i);
-            if (first || second) svg.cell(place, Vec2(size), first ? pale_blue : pale_amber);
-            svg.polygon({place, place + Vec2(size, 0), place + Vec2(size), place + Vec2(0, size)},
-                        none, {.color = faint, .width = 1});
+    std::array<std::vector<Cell>, 2> met;
+    std::vector<Vec2> lost;
+    for (Pixel pixel; pixel.row < picture.height; ++pixel.row)
+        for (pixel.column = 0; pixel.column < picture.width; ++pixel.column) {
+            const Ray ray = camera_ray(pixel, picture, fov);
+            const Vec2 place = corner + pixel_size * Vec2(pixel.column, pixel.row);
+            if (meets(ray, quad[0], strict))
+                met[0].push_back({place, Vec2(pixel_size)});
+            else if (meets(ray, quad[1], strict))
+                met[1].push_back({place, Vec2(pixel_size)});
+            else if (meets(ray, quad[0], false))
+                lost.push_back(place + Vec2(pixel_size / 2));
         }
-    svg.text(corner + Vec2(size * pixels / 2, -12), title);
+    svg.cells(met[0], pale_blue);
+    svg.cells(met[1], pale_amber);
+    const Real side = pixel_size * picture.width;
+    for (Real x = 0; x <= side; x += pixel_size) {
+        svg.line(corner + Vec2(0, x), corner + Vec2(side, x), grid);
+        svg.line(corner + Vec2(x, 0), corner + Vec2(x, side), grid);
+    }
+    draw_quad_outline(svg, corner);
+    for (const Vec2& place : lost) svg.circle(place, 4, white, {.color = red});
+    svg.text(corner + Vec2(side / 2, -12), title);
 }
 
 }  // namespace
 
 std::string triangle_shared_edge() {
-    Svg svg({640, 330}, "A square of two triangles: strict inequalities leave a crack");
-    draw_quad(svg, {52, 48}, true, "strict, > 0: a crack");
-    draw_quad(svg, {348, 48}, false, "edges belong, ≥ 0");
+    Svg svg({640, 340}, "A square of two triangles: strict inequalities leave a crack");
+    draw_quad(svg, {56, 42}, true, "> 0, as printed: the edge is nobody's");
+    draw_quad(svg, {344, 42}, false, "≥ 0: the edge belongs to both");
+    svg.circle({70, 309}, 4, white, {.color = red});
+    svg.text({82, 314},
+             "a ray through the pixel's centre meets the shared edge, and neither triangle",
+             {.color = gray, .anchor = Anchor::start, .size = 13});
     return svg.source();
 }
 

@@ -1,127 +1,137 @@
 #include "docs/figures/svg.hpp"
 
-#include "common/input_error.hpp"
+#include "docs/figures/typeset.hpp"
 
-#include <array>
+#include <cmath>
 #include <cstdio>
-#include <fstream>
 
-namespace rt {
+namespace rt::figures {
 
 namespace {
 
-/// Hundredths of a pixel: the same text on every machine.
+/// The value with so many decimals. An exact half goes up even if the last bit says otherwise, so
+/// that every compiler and mathematical library writes the same file.
+std::string rounded(Real value, int decimals) {
+    const Real unit = std::pow(Real(10), -decimals);
+    const Real units = std::floor(value / unit + Real(0.5) + Real(1e-6));
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", decimals, units * unit + 0);  // + 0 makes −0 a 0
+    return text;
+}
+
 std::string number(Real value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.2f", value == 0 ? 0 : value);
-    return text.data();
+    std::string text = rounded(value, 2);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
 }
 
-std::string style(Look look) {
-    switch (look) {
-        case Look::line:
-            return "stroke=\"#3b4252\" stroke-width=\"1.6\"";
-        case Look::thin:
-            return "stroke=\"#aab2c0\" stroke-width=\"1\"";
-        case Look::dashed:
-            return "stroke=\"#6b7487\" stroke-width=\"1.2\" stroke-dasharray=\"5 4\"";
-        case Look::ray:
-            return "stroke=\"#2b7ab8\" stroke-width=\"1.8\"";
-        case Look::shape:
-            return "stroke=\"#b5651d\" stroke-width=\"2\"";
-        case Look::good:
-            return "stroke=\"#2e8b57\" stroke-width=\"2\"";
-        case Look::bad:
-            return "stroke=\"#c0392b\" stroke-width=\"2\"";
-    }
-    return "";
+std::string attribute(std::string_view name, std::string_view value) {
+    return " " + std::string(name) + "=\"" + std::string(value) + "\"";
 }
 
-std::string color(Look look) {
-    const std::string all = style(look);
-    return all.substr(8, 7);
+std::string attribute(std::string_view name, Real value) {
+    return attribute(name, number(value));
 }
 
-/// Indices become small and low, angle brackets survive.
-std::string marked_up(const std::string& text) {
-    std::string result;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '<')
-            result += "&lt;";
-        else if (text[i] == '_' && i + 1 < text.size())
-            result += std::string("<tspan dy=\"3\" font-size=\"11\">") + text[++i] +
-                      "</tspan><tspan dy=\"-3\">\u200b</tspan>";
-        else
-            result += text[i];
-    }
-    return result;
+std::string paint(std::string_view fill, const Pen& pen) {
+    std::string text = attribute("fill", fill);
+    if (pen.color == none) return text;
+    text += attribute("stroke", pen.color) + attribute("stroke-width", pen.width);
+    return pen.dashes.empty() ? text : text + attribute("stroke-dasharray", pen.dashes);
+}
+
+std::string list(const std::vector<Vec2>& points) {
+    std::string text;
+    for (const Vec2& p : points)
+        text += (text.empty() ? "" : " ") + number(p.x) + "," + number(p.y);
+    return attribute("points", text);
+}
+
+std::string_view word(Anchor anchor) {
+    if (anchor == Anchor::start) return "start";
+    return anchor == Anchor::middle ? "middle" : "end";
 }
 
 }  // namespace
 
-Svg::Svg(Vec2 left_bottom, Vec2 right_top, Real scale)
-    : left_bottom_(left_bottom), size_((right_top - left_bottom) * scale), scale_(scale) {}
-
-std::string Svg::x(Vec2 point) const {
-    return number((point.x - left_bottom_.x) * scale_);
+Svg::Svg(Vec2 size, std::string_view title)
+    : head_(
+          "<svg xmlns=\"http://www.w3.org/2000/svg\"" + attribute("width", size.x) +
+          attribute("height", size.y) +
+          attribute("viewBox", "0 0 " + number(size.x) + " " + number(size.y)) +
+          " xml:space=\"preserve\" role=\"img\" font-family=\"sans-serif\" stroke-linecap=\"round\""
+          " stroke-linejoin=\"round\">\n<title>" +
+          escaped(title) + "</title>\n") {
+    // A page of its own, for readers whose own is dark.
+    shapes_ = "<rect" + attribute("width", size.x) + attribute("height", size.y) +
+              attribute("rx", 8) + attribute("fill", white) + "/>\n";
 }
 
-std::string Svg::y(Vec2 point) const {
-    return number(size_.y - (point.y - left_bottom_.y) * scale_);
+void Svg::line(Vec2 from, Vec2 to, const Pen& pen) {
+    shapes_ += "<line" + attribute("x1", from.x) + attribute("y1", from.y) + attribute("x2", to.x) +
+               attribute("y2", to.y) + paint(none, pen) + "/>\n";
 }
 
-std::string Svg::points(const std::vector<Vec2>& list) const {
-    std::string text;
-    for (const Vec2& point : list) text += x(point) + "," + y(point) + " ";
-    return text;
+void Svg::arrow(Vec2 from, Vec2 to, const Pen& pen) {
+    const Vec2 along = normalize(to - from);
+    const Vec2 across(-along.y, along.x);
+    const Real length = 5 + 3 * pen.width;
+    const Vec2 base = to - length * along;
+    line(from, base, pen);
+    polygon({to, base + Real(0.38) * length * across, base - Real(0.38) * length * across},
+            pen.color, no_pen);
 }
 
-void Svg::segment(Vec2 from, Vec2 to, Look look) {
-    body_ += "<line x1=\"" + x(from) + "\" y1=\"" + y(from) + "\" x2=\"" + x(to) + "\" y2=\"" +
-             y(to) + "\" " + style(look) + "/>\n";
+void Svg::polyline(const std::vector<Vec2>& points, const Pen& pen) {
+    shapes_ += "<polyline" + list(points) + paint(none, pen) + "/>\n";
 }
 
-void Svg::arrow(Vec2 from, Vec2 to, Look look) {
-    segment(from, to, look);
-    const Vec2 along = (to - from) / std::sqrt(glm::dot(to - from, to - from));
-    const Vec2 back = to - along * (9 / scale_);
-    const Vec2 aside = Vec2(-along.y, along.x) * (4 / scale_);
-    body_ += "<polygon points=\"" + points({to, back + aside, back - aside}) + "\" fill=\"" +
-             color(look) + "\"/>\n";
+void Svg::polygon(const std::vector<Vec2>& points, std::string_view fill, const Pen& pen) {
+    shapes_ += "<polygon" + list(points) + paint(fill, pen) + "/>\n";
 }
 
-void Svg::circle(Vec2 center, Real radius, Look look) {
-    body_ += "<circle cx=\"" + x(center) + "\" cy=\"" + y(center) + "\" r=\"" +
-             number(radius * scale_) + "\" fill=\"none\" " + style(look) + "/>\n";
+void Svg::circle(Vec2 center, Real radius, std::string_view fill, const Pen& pen) {
+    shapes_ += "<circle" + attribute("cx", center.x) + attribute("cy", center.y) +
+               attribute("r", radius) + paint(fill, pen) + "/>\n";
 }
 
-void Svg::polygon(const std::vector<Vec2>& corners, Look look) {
-    body_ += "<polygon points=\"" + points(corners) + "\" fill=\"" + color(look) +
-             "\" fill-opacity=\"0.15\" stroke-linejoin=\"round\" " + style(look) + "/>\n";
+void Svg::cells(const std::vector<Cell>& cells, std::string_view fill) {
+    std::string path;
+    for (const auto& [corner, size] : cells)
+        path += "M" + number(corner.x) + " " + number(corner.y) + "h" + number(size.x) + "v" +
+                number(size.y) + "h" + number(-size.x) + "z";
+    shapes_ += "<path" + attribute("d", path) + attribute("fill", fill) +
+               " shape-rendering=\"crispEdges\"/>\n";
 }
 
-void Svg::path(const std::vector<Vec2>& list, Look look) {
-    body_ += "<polyline points=\"" + points(list) + "\" fill=\"none\" " + style(look) + "/>\n";
+void Svg::text(Vec2 point, std::string_view label, const TextStyle& style) {
+    labels_ += "<text" + attribute("x", point.x) + attribute("y", point.y) +
+               attribute("fill", style.color) + attribute("font-size", style.size) +
+               (style.bold ? attribute("font-weight", "bold") : "") +
+               attribute("text-anchor", word(style.anchor)) +
+               // A white rim keeps the lines below out of the letters.
+               " stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">";
+    Real raised = 0;
+    for (const Run& run : typeset(label)) {
+        const Real raise = style.size * (run.script > 0 ? Real(0.36) : Real(0.22) * run.script);
+        labels_ += "<tspan";
+        if (raise != raised) labels_ += attribute("dy", raised - raise);
+        if (run.script != 0) labels_ += attribute("font-size", style.size * Real(0.75));
+        if (run.italic) labels_ += attribute("font-style", "italic");
+        labels_ += ">" + escaped(run.text) + "</tspan>";
+        raised = raise;
+    }
+    labels_ += "</text>\n";
 }
 
-void Svg::dot(Vec2 point, Look look) {
-    body_ += "<circle cx=\"" + x(point) + "\" cy=\"" + y(point) + "\" r=\"3.5\" fill=\"" +
-             color(look) + "\"/>\n";
+std::string Svg::source() const {
+    return head_ + shapes_ + labels_ + "</svg>\n";
 }
 
-void Svg::label(Vec2 point, const std::string& text, Vec2 offset) {
-    const Vec2 place = point + offset / scale_;
-    body_ += "<text x=\"" + x(place) + "\" y=\"" + y(place) + "\">" + marked_up(text) + "</text>\n";
+std::string decimal(Real value, int decimals) {
+    std::string text = rounded(value, decimals);
+    return text.front() == '-' ? "−" + text.substr(1) : text;
 }
 
-void Svg::write(const std::string& file) const {
-    const std::string size = "width=\"" + number(size_.x) + "\" height=\"" + number(size_.y) + "\"";
-    std::ofstream out(file);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" " << size
-        << " font-family=\"sans-serif\" font-size=\"14\" fill=\"#222\">\n"
-        << "<rect " << size << " rx=\"8\" fill=\"#fdfdfb\"/>\n"
-        << body_ << "</svg>\n";
-    if (!out) throw InputError({file}, "cannot be written");
-}
-
-}  // namespace rt
+}  // namespace rt::figures

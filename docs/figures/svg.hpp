@@ -1,42 +1,78 @@
-// Drawings in the plane, as SVG.
+// A page of vector graphics, written down as SVG.
 #pragma once
 
 #include "common/real.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-namespace rt {
+namespace rt::figures {
 
-/// The few looks that figures have.
-enum class Look { line, thin, dashed, ray, shape, good, bad };
+// Colours that a reader tells apart on white, in every figure with the same meaning.
+inline constexpr std::string_view none = "none";
+inline constexpr std::string_view white = "#ffffff";
+inline constexpr std::string_view ink = "#24292f";    ///< shapes, words
+inline constexpr std::string_view gray = "#68707a";   ///< construction, what is refused
+inline constexpr std::string_view faint = "#d3d9e0";  ///< grids, grounds
+inline constexpr std::string_view tint = "#edf2f7";   ///< the inside of a shape
+inline constexpr std::string_view blue = "#1f6bad";   ///< rays
+inline constexpr std::string_view red = "#c23b22";    ///< hits
+inline constexpr std::string_view green = "#35784a";  ///< normals, bases
+inline constexpr std::string_view amber = "#a86500";  ///< what a document prints by mistake
 
-/// A drawing whose coordinates are those of what it shows, x to the right and y upwards.
-class Svg {
-public:
-    /// `left_bottom` to `right_top` is shown, `scale` pixels a unit.
-    Svg(Vec2 left_bottom, Vec2 right_top, Real scale);
-
-    void segment(Vec2 from, Vec2 to, Look look);
-    void arrow(Vec2 from, Vec2 to, Look look);
-    void circle(Vec2 center, Real radius, Look look);
-    void polygon(const std::vector<Vec2>& corners, Look look);  ///< filled, closed
-    void path(const std::vector<Vec2>& points, Look look);      ///< open
-    void dot(Vec2 point, Look look);
-    /// Text beside a point, moved by so many pixels, y upwards. "t_1" has an index.
-    void label(Vec2 point, const std::string& text, Vec2 offset = {8, 6});
-
-    void write(const std::string& file) const;
-
-private:
-    [[nodiscard]] std::string x(Vec2 point) const;
-    [[nodiscard]] std::string y(Vec2 point) const;
-    [[nodiscard]] std::string points(const std::vector<Vec2>& list) const;
-
-    Vec2 left_bottom_;
-    Vec2 size_;
-    Real scale_;
-    std::string body_;
+struct Pen {
+    std::string_view color = ink;
+    Real width = 1.5;
+    std::string_view dashes = "";  ///< lengths of dashes and gaps: "5 4"
 };
 
-}  // namespace rt
+inline constexpr Pen no_pen{.color = none};
+inline constexpr Pen thin{.color = gray, .width = 1};
+inline constexpr Pen dashed{.color = gray, .width = 1, .dashes = "4 4"};
+
+enum class Anchor { start, middle, end };
+
+struct TextStyle {
+    std::string_view color = ink;
+    Anchor anchor = Anchor::middle;
+    Real size = 14;
+    bool bold = false;
+};
+
+struct Cell {
+    Vec2 corner;  ///< the upper left one
+    Vec2 size;
+};
+
+/// Points are pixels from the page's top left corner, y down.
+class Svg {
+public:
+    /// The title is what somebody hears who cannot see the figure.
+    Svg(Vec2 size, std::string_view title);
+
+    void line(Vec2 from, Vec2 to, const Pen& pen = {});
+    void arrow(Vec2 from, Vec2 to, const Pen& pen = {});
+    void polyline(const std::vector<Vec2>& points, const Pen& pen = {});
+    void polygon(const std::vector<Vec2>& points, std::string_view fill, const Pen& pen = {});
+    void circle(Vec2 center, Real radius, std::string_view fill, const Pen& pen = {});
+    /// Rectangles of one colour, without a seam between neighbours.
+    void cells(const std::vector<Cell>& cells, std::string_view fill);
+
+    /// The label with its base line at the point, over everything else. Between two $ it is set as
+    /// mathematics: "_" lowers and "^" raises the next letter or {group}, and a letter that stands
+    /// alone is italic.
+    void text(Vec2 point, std::string_view label, const TextStyle& style = {});
+
+    [[nodiscard]] std::string source() const;
+
+private:
+    std::string head_;
+    std::string shapes_;
+    std::string labels_;
+};
+
+/// The value with so many decimals, as print sets it: "−0.50".
+[[nodiscard]] std::string decimal(Real value, int decimals);
+
+}  // namespace rt::figures
