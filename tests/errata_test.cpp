@@ -1,5 +1,6 @@
 // Where the documents are wrong (docs/errata.md): what is printed, worked out in numbers, fails,
 // and what holds, holds. The numbers are small and whole, so that both are exact.
+#include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"
@@ -48,7 +49,7 @@ Phong printed_phong(Vec3 light, Vec3 normal, Vec3 eye, int shininess) {
 
 }  // namespace
 
-TEST_CASE("erratum 1: MRT §3 subtracts r² in the discriminant") {
+TEST_CASE("erratum 1: r² is subtracted in the discriminant (MRT §3)") {
     const Vec3 to_center = unit_sphere.center - five_before.origin;
     const Real along = dot(five_before.direction, to_center);
     const Real printed = 4 * (along * along - dot(to_center, to_center) - 1);
@@ -58,7 +59,7 @@ TEST_CASE("erratum 1: MRT §3 subtracts r² in the discriminant") {
     CHECK(hits(five_before, unit_sphere, 4));
 }
 
-TEST_CASE("erratum 2: MRT §3 drops ‖d‖² before t²") {
+TEST_CASE("erratum 2: ‖d‖² is dropped before t² (MRT §3)") {
     const Ray ray{.origin = {0, 9, -15}, .direction = {0, -3, 5}};
     const Real b = 2 * dot(ray.direction, ray.origin);
     const Real c = dot(ray.origin, ray.origin) - 1;
@@ -69,14 +70,14 @@ TEST_CASE("erratum 2: MRT §3 drops ‖d‖² before t²") {
     CHECK(hits(ray, unit_sphere, t));
 }
 
-TEST_CASE("erratum 3: MRT §2's X has not unit length") {
+TEST_CASE("erratum 3: X has not unit length (MRT §2)") {
     const Vec3 z(0, std::sqrt(Real(0.75)), Real(0.5));  // pitched by 60°
     const Vec3 printed = cross(Vec3(0, 1, 0), z);
     CHECK(close(length(printed), Real(0.5)));
     CHECK(close(length(basis_around(z).x), 1));
 }
 
-TEST_CASE("erratum 4: MRT §8's cone is as wide as the root of r/h") {
+TEST_CASE("erratum 4: the cone is as wide as the root of r/h (MRT §8)") {
     const Real r = 1;
     const Real h = 2;
     CHECK(close(std::sqrt(r / h * h * h), std::sqrt(Real(2))));  // printed, at z = h: 1.414
@@ -86,7 +87,8 @@ TEST_CASE("erratum 4: MRT §8's cone is as wide as the root of r/h") {
     CHECK(misses(Ray{.origin = {Real(1.25), 2, 5}, .direction = {0, 0, -1}}, cone));
 }
 
-TEST_CASE("erratum 5: with strict inequalities the diagonal of a quad is a crack") {
+TEST_CASE(
+    "erratum 5: with strict inequalities a quad's diagonal is a crack (MRT §5–6, CR §2.3, §4.1)") {
     const Triangle lower{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
     const Triangle upper{.a = {4, 4, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
     const Vec3 middle(2, 2, 0);
@@ -99,7 +101,7 @@ TEST_CASE("erratum 5: with strict inequalities the diagonal of a quad is a crack
     CHECK(hits(ray, upper, 1));
 }
 
-TEST_CASE("erratum 6: MRT §7 and §8 divide by a, which can be 0") {
+TEST_CASE("erratum 6: a is divided by, and can be 0 (MRT §7–8)") {
     const Vec3 along_axis(0, 0, 1);
     CHECK(along_axis.x * along_axis.x + along_axis.y * along_axis.y == 0);  // §7's a
     const Vec3 along_side(1, 0, 1);                                         // of a cone with r = h
@@ -111,7 +113,7 @@ TEST_CASE("erratum 6: MRT §7 and §8 divide by a, which can be 0") {
     CHECK(hits(Ray{.origin = {-4, 0, 0}, .direction = along_side}, cone, 2));  // −c / b
 }
 
-TEST_CASE("erratum 7: M1 gives a the area beside it") {
+TEST_CASE("erratum 7: a corner gets the area beside it (M1)") {
     const Triangle triangle{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
     // At p = a the triangle opposite to a is everything, the one opposite to b nothing.
     const Real area_opposite_a = length(cross(triangle.c - triangle.b, triangle.a - triangle.b));
@@ -122,16 +124,26 @@ TEST_CASE("erratum 7: M1 gives a the area beside it") {
     CHECK(gives("the weights at a", barycentric(triangle, triangle.a), Vec3(1, 0, 0)));
 }
 
-TEST_CASE("erratum 8: M1's box test hits a box behind the camera") {
-    // The box of side 2 around (0, 0, 5), a ray from 0 along −z: z's interval is −6 to −4, and x's
-    // and y's are unbounded.
-    const Real t_min = std::max({-infinity, -infinity, Real(-6)});
-    const Real t_max = std::min({infinity, infinity, Real(-4)});
+TEST_CASE("erratum 8: a box behind the camera is hit (M1)") {
+    // The box of side 2 around (0, 0, 5), and a ray from 0 along −z.
+    const Vec3 o(0, 0, 0);
+    const Vec3 d(0, 0, -1);
+    Real t_min = -infinity;
+    Real t_max = infinity;
+    for (int i = 0; i < 3; ++i) {
+        const Real middle = i == 2 ? 5 : 0;
+        const auto [near, far] =
+            std::minmax({(middle - 1 - o[i]) / d[i], (middle + 1 - o[i]) / d[i]});
+        t_min = std::max(t_min, near);
+        t_max = std::min(t_max, far);
+    }
+    CHECK(t_min == -6);
+    CHECK(t_max == -4);
     CHECK(t_min < t_max);    // printed: a hit
-    CHECK_FALSE(t_max > 0);  // what it also needs
+    CHECK_FALSE(t_max > 0);  // what is needed as well
 }
 
-TEST_CASE("erratum 9: HAI's expansion of the sphere misses terms") {
+TEST_CASE("erratum 9: the sphere's expansion misses terms (HAI)") {
     const Vec3 o(1, 2, 3);
     const Vec3 d(0, 0, 2);
     const Vec3 c(4, 0, 1);
@@ -145,7 +157,7 @@ TEST_CASE("erratum 9: HAI's expansion of the sphere misses terms") {
     CHECK(last_line == whole);
 }
 
-TEST_CASE("erratum 10: HAI takes PC where CP is meant") {
+TEST_CASE("erratum 10: PC stands where CP is meant (HAI)") {
     const Vec3 corner(1, 1, 0);
     const Vec3 u(3, 0, 0);
     const Vec3 p = corner + u;
@@ -155,7 +167,7 @@ TEST_CASE("erratum 10: HAI takes PC where CP is meant") {
     CHECK(gives("square_uv at C + U", square_uv(square, p), Vec2(1, 0)));
 }
 
-TEST_CASE("erratum 11: CR's equations (2) and (3) reverse the sign of t") {
+TEST_CASE("erratum 11: the sign of t is reversed (CR eq. 2–3)") {
     const Vec3 o(2, -3, 1);
     const Vec3 d(-1, 2, -3);
     const Vec3 a(-2, 2, 2);
@@ -165,22 +177,29 @@ TEST_CASE("erratum 11: CR's equations (2) and (3) reverse the sign of t") {
     CHECK(hits(Ray{.origin = o, .direction = d}, Plane{.point = a, .normal = n}, Real(8) / 15));
 }
 
-TEST_CASE("erratum 12: CR §2.2 hits a sphere behind the ray") {
-    const Real t1 = -6;  // the roots of the unit sphere, five behind
-    const Real t2 = -4;
-    const bool takes_first = t1 > 0 && (t1 < t2 || t2 < 0);
-    CHECK_FALSE(takes_first);  // so its listing takes the other branch, and is hit at t2
-    CHECK(t2 < 0);
+TEST_CASE("erratum 12: a sphere behind the ray is hit (CR §2.2)") {
+    const auto printed = [](Real t1, Real t2) { return t1 > 0 && (t1 < t2 || t2 < 0) ? t1 : t2; };
+    CHECK(printed(4, 6) == 4);     // five ahead: right
+    CHECK(printed(-1, 1) == 1);    // inside: right
+    CHECK(printed(-6, -4) == -4);  // five behind: a hit that is none
     CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, unit_sphere));
 }
 
-TEST_CASE("erratum 13: CR §2.1 drops what is nearer than 4.9") {
-    const Real t = 4;
-    CHECK_FALSE(t > Real(4.9));  // printed: not kept
-    CHECK(hits(five_before, unit_sphere, t));
+TEST_CASE("erratum 13: what is nearer than 4.9 is dropped (CR §2.1)") {
+    // The nearest of two hits, four and six ahead.
+    const auto nearest = [](Real more_than) {
+        Real t = infinity;
+        for (const Real hit : {Real(4), Real(6)})
+            if (hit < t && hit > more_than) t = hit;
+        return t;
+    };
+    CHECK(nearest(Real(4.9)) == 6);  // printed: one looks through the nearer
+    CHECK(nearest(0) == 4);
+    CHECK(hits(five_before, unit_sphere, 4));
 }
 
-TEST_CASE("erratum 14: CR §3.1 keeps the specular term on the side away from the light") {
+TEST_CASE(
+    "erratum 14: a highlight where no light comes, and ambient light once a light (CR §3.1)") {
     // The light is behind the surface, the eye before it.
     const Vec3 normal(0, 0, 1);
     const Vec3 light(Real(0.8), 0, Real(-0.6));
@@ -195,37 +214,53 @@ TEST_CASE("erratum 14: CR §3.1 keeps the specular term on the side away from th
     CHECK(printed == 2 * ambient);
 }
 
-TEST_CASE("erratum 15: CR §3.2 makes a point in shadow black") {
+TEST_CASE("erratum 15: a point in shadow is black (CR §3.2)") {
     const Real ambient = Real(0.25);
-    const Real diffuse = 1;
-    const auto printed = [&](bool blocked) { return blocked ? 0 : ambient + diffuse; };
-    const auto right = [&](bool blocked) { return ambient + (blocked ? 0 : diffuse); };
+    const Real direct = Real(0.5);  // diffuse and specular
+    const auto printed = [&](bool blocked) { return blocked ? 0 : ambient + direct; };
+    const auto right = [&](bool blocked) { return ambient + (blocked ? 0 : direct); };
+    CHECK(printed(false) == right(false));
     CHECK(printed(true) == 0);
     CHECK(right(true) == ambient);
-    CHECK(printed(false) == right(false));
 }
 
-TEST_CASE("erratum 16: CR §3.3 samples beside the light, stops at 0.9, forgets the first light") {
-    // rand() / (RAND_MAX / radius) is between 0 and radius: its mean is radius / 2, not 0.
+TEST_CASE("erratum 16: samples beside the light, occluders to 0.9, the last light only (CR §3.3)") {
+    // A light of radius 2 four above the ground, and half-way a strip |x| < 1, endless along z.
+    // Under a strip in the middle the light is as free on the right as on the left.
     const Real radius = 2;
-    const Real mean_of_printed = (0 + radius) / 2;
-    CHECK(mean_of_printed == 1);
-    // An occluder 3 along a unit direction, a light at 5: between them, and beyond 0.9.
+    constexpr int samples = 16;
+    const auto free_share = [&](Real x, Real from, Real to) {
+        int free = 0;
+        for (int i = 0; i < samples; ++i) {
+            const Real light = from + (to - from) * (Real(i) + Real(0.5)) / samples;
+            if (std::abs((x + light) / 2) >= 1) ++free;  // where the ray crosses the strip's height
+        }
+        return Real(free) / samples;
+    };
+    CHECK(free_share(Real(1.5), 0, radius) == Real(0.75));  // printed: rand() from 0 to radius
+    CHECK(free_share(Real(-1.5), 0, radius) == 0);
+    CHECK(free_share(Real(1.5), -radius, radius) == Real(0.375));
+    CHECK(free_share(Real(-1.5), -radius, radius) == Real(0.375));
+    // An occluder three along a unit direction, a light at five: between them, and beyond 0.9.
     const Real occluder = 3;
     CHECK_FALSE(occluder < Real(0.9));
     CHECK(occluder < 5);
-    // color = … in a loop over two lights of 1 and 2.
+    // "color =" in the loop over two lights, of 0.5 and 0.25; and "color *= shadow" takes the
+    // ambient light, 0.125, along.
+    const Real ambient = Real(0.125);
+    const Real blocked = 0;
     Real printed = 0;
-    Real right = 0;
-    for (const Real light : {Real(1), Real(2)}) {
-        printed = light;
+    Real right = ambient;
+    for (const Real light : {Real(0.5), Real(0.25)}) {
+        printed = ambient + light;
         right += light;
     }
-    CHECK(printed == 2);
-    CHECK(right == 3);
+    CHECK(printed == Real(0.375));
+    CHECK(right == Real(0.875));
+    CHECK(printed * blocked == 0);  // black, where ambient light is left
 }
 
-TEST_CASE("erratum 17: CR §4.1 multiplies the point by the weights, and its areas have no sign") {
+TEST_CASE("erratum 17: the point is multiplied by its weights, and areas have no sign (CR §4.1)") {
     const Triangle triangle{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
     const Vec3 p(1, 2, 0);
     const Vec3 w = barycentric(triangle, p);
@@ -236,7 +271,7 @@ TEST_CASE("erratum 17: CR §4.1 multiplies the point by the weights, and its are
     CHECK(close(outside.x + outside.y + outside.z, 3));
 }
 
-TEST_CASE("erratum 18: PHY's situation B is worked with another centre than it gives") {
+TEST_CASE("erratum 18: situation B is worked with another centre than it gives (PHY)") {
     const Quadratic given = situation_b({1, 0, -3});
     CHECK(std::array{given.a, given.b, given.c} == std::array<Real, 3>{34, 18, 8});
     CHECK(given.discriminant() == -764);
@@ -245,7 +280,7 @@ TEST_CASE("erratum 18: PHY's situation B is worked with another centre than it g
     CHECK(worked.discriminant() == -1820);
 }
 
-TEST_CASE("erratum 19: PHY asks for a unit v and uses others, for which its formulas hold") {
+TEST_CASE("erratum 19: a unit v is asked for, and others are used (PHY)") {
     const Vec3 v(-1, 2, -3);
     CHECK(dot(v, v) == 14);
     const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};
@@ -256,7 +291,7 @@ TEST_CASE("erratum 19: PHY asks for a unit v and uses others, for which its form
     CHECK(hits(Ray{.origin = origin, .direction = v / size}, plane, size * 8 / 15));
 }
 
-TEST_CASE("erratum 20: HAI's decomposition exchanges coefficients and vectors") {
+TEST_CASE("erratum 20: vectors and their coefficients are exchanged (HAI)") {
     // A = u (A·U / U·U) + v (A·V / V·V) holds with the vectors U and V outside the brackets.
     const Vec3 u(3, 0, 0);
     const Vec3 v(0, 2, 0);
@@ -268,7 +303,7 @@ TEST_CASE("erratum 20: HAI's decomposition exchanges coefficients and vectors") 
     CHECK(along_u * along_u + along_v * along_v == 20);
 }
 
-TEST_CASE("erratum 21: CR §2.3 says scalar products of the normal and vectors in the plane") {
+TEST_CASE("erratum 21: scalar products of the normal with vectors in its plane (CR §2.3)") {
     const Vec3 normal(0, 0, 1);
     const Vec3 inside(1, 1, 0);
     const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2, 2, 0),
@@ -277,5 +312,134 @@ TEST_CASE("erratum 21: CR §2.3 says scalar products of the normal and vectors i
         const Vec3 to_point = inside - corners[i];
         CHECK(dot(normal, to_point) == 0);  // printed: "greater than 0"
         CHECK(dot(normal, cross(corners[(i + 1) % 4] - corners[i], to_point)) > 0);  // its code
+    }
+}
+
+TEST_CASE("erratum 22: ⟨d, n⟩ is divided by, and can be 0 (MRT §4, M1, PHY, CR eq. 3)") {
+    // One above the ground and along it.
+    const Ray ray{.origin = {0, 1, 0}, .direction = {1, 0, 0}};
+    const Plane below{.point = {0, 0, 0}, .normal = {0, -1, 0}};
+    const Real slope = dot(ray.direction, below.normal);
+    CHECK(std::abs(slope) == 0);
+    const Real t = dot(below.point - ray.origin, below.normal) / std::abs(slope);
+    CHECK(t > 0);  // printed: "t positive" is all that is asked, and ∞ is
+    CHECK(t == infinity);
+    CHECK(misses(ray, below));
+    // In the plane itself it is 0 / 0.
+    CHECK(std::isnan(dot(below.point - below.point, below.normal) / slope));
+    CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, 0, 0}}, below));
+}
+
+TEST_CASE("erratum 23: a ray along the square is inside it (CR §2.3)") {
+    // Its listing asks whether four answers are the same, and not which: four times "no" will do.
+    const Vec3 normal(0, 0, 1);
+    const std::array<Vec3, 4> corners = {Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(2, 2, 1),
+                                         Vec3(0, 2, 1)};
+    const auto printed = [&](Vec3 p) {
+        std::array<bool, 4> answers{};
+        for (std::size_t i = 0; i < 4; ++i)
+            answers[i] = dot(cross(corners[(i + 1) % 4] - corners[i], p - corners[i]), normal) > 0;
+        return std::ranges::all_of(answers, [&](bool answer) { return answer == answers[0]; });
+    };
+    CHECK(printed({1, 1, 1}));
+    CHECK_FALSE(printed({3, 1, 1}));
+    const Ray along{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
+    const Real t = dot(corners[0] - along.origin, normal) / dot(along.direction, normal);
+    CHECK(t == infinity);          // more than 0,
+    CHECK(printed(at(along, t)));  // and at (∞, NaN, NaN) no answer is yes: a hit
+    CHECK(misses(along, Square{.center = {1, 1, 1}, .basis = {}, .side = 2}));
+}
+
+TEST_CASE("erratum 24: either of the two t will do, negative or not the smallest (MRT §7–8)") {
+    const Cylinder tube{.center = {0, 0, 0}, .axis = {0, 0, 1}, .radius = 1, .height = 2};
+    // x² + y² = 1 and |z| ≤ 1, which is all that is asked.
+    const auto printed = [](Vec3 p) { return p.x * p.x + p.y * p.y == 1 && std::abs(p.z) <= 1; };
+    const Ray inside{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
+    CHECK(printed(at(inside, -1)));
+    CHECK(printed(at(inside, 1)));
+    CHECK(hits(inside, tube, 1));
+    const Ray outside{.origin = {-5, 0, 0}, .direction = {1, 0, 0}};
+    CHECK(printed(at(outside, 4)));
+    CHECK(printed(at(outside, 6)));
+    CHECK(hits(outside, tube, 4));
+}
+
+TEST_CASE("erratum 25: with Z as in its §2 the cone opens against its axis (MRT §8)") {
+    const Vec3 axis(0, 1, 0);
+    const Vec3 p(1, 2, 0);       // on the rim of a cone from 0 with r = 1, h = 2
+    CHECK(dot(p, -axis) == -2);  // §2: Z = −c, so that not 0 ≤ z ≤ h
+    CHECK(dot(p, axis) == 2);    // Z is the axis itself
+    const Cone cone{.apex = {0, 0, 0}, .axis = axis, .radius = 1, .height = 2};
+    CHECK(hits(Ray{.origin = {5, 1, 0}, .direction = {-1, 0, 0}}, cone, Real(4.5)));
+    CHECK(misses(Ray{.origin = {5, -1, 0}, .direction = {-1, 0, 0}}, cone));
+}
+
+TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's centre (M1)") {
+    // A camera at (0, 6, 0) that looks along −z with a field of 90°, near plane 1, far plane 3.
+    Mat4 view(1);
+    view[3] = {0, -6, 0, 1};
+    Mat4 projection(0);
+    projection[0][0] = 1;
+    projection[1][1] = 1;
+    projection[2] = {0, 0, -2, -1};
+    projection[3] = {0, 0, -3, 0};
+    const Vec4 end(1, 2, -1, Real(1) / 3);  // what the inverse of P V makes of (1, 0, 1, 1)
+    const Vec4 there = projection * view * end;
+    CHECK(close(Vec3(there), Vec3(1, 0, 1)));
+    CHECK(close(there.w, 1));
+    // Divided by w it is the right end of the far plane; as it stands it is another point.
+    CHECK(close(Vec3(end) / end.w, Vec3(3, 6, -3)));
+    const Vec4 printed = projection * view * Vec4(Vec3(end), 1);
+    CHECK(close(Vec3(printed) / printed.w, Vec3(1, -4, -1)));
+    // x = 0 is the left edge of the image, −1; the centre of the first of four pixels is not.
+    CHECK(2 * Real(0) / 4 - 1 == -1);
+    CHECK(gives("the first of four pixels", pixel_on_screen({}, {.width = 4, .height = 4}, pi / 2),
+                Vec2(Real(-0.75), Real(0.75))));
+}
+
+TEST_CASE("erratum 27: the torch shines less than not at all on what faces away (M1)") {
+    const Vec3 normal(0, 0, -2);
+    const Vec3 to_eye(0, 0, 3);
+    CHECK(dot(normal, to_eye) / (length(normal) * length(to_eye)) == -1);  // printed: cos θ
+    CHECK(torch({0, 0, 0}, normal, to_eye) == 0);
+}
+
+TEST_CASE("erratum 28: the mesh is ten thousand times too small (CR §4.2)") {
+    const Triangle triangle{.a = {-1, -1, 0}, .b = {1, -1, 0}, .c = {0, 1, 0}};
+    const Real scale = Real(0.0001);  // triangleScaling, after the mesh was scaled to unit size
+    const Triangle printed{
+        .a = scale * triangle.a, .b = scale * triangle.b, .c = scale * triangle.c};
+    const Ray ray{.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}};
+    CHECK(hits(ray, triangle, 5));
+    CHECK(misses(ray, printed));
+}
+
+TEST_CASE("erratum 29: n must have unit length (CR eq. 4)") {
+    const Vec3 d(1, -1, 0);
+    const Vec3 n(0, 2, 0);
+    CHECK(gives("R as printed", d - 2 * dot(d, n) * n, Vec3(1, 7, 0)));
+    CHECK(gives("R", d - 2 * dot(d, n) / dot(n, n) * n, Vec3(1, 1, 0)));
+}
+
+TEST_CASE("erratum 30: one bounce is none (CR §2.1, §5.1)") {
+    // A mirror before a wall of brightness 1: what the camera sees, with so many bounces left.
+    const auto wall_in_mirror = [](int bounces, bool counts_the_first_ray) {
+        int rays = counts_the_first_ray ? bounces : bounces + 1;
+        if (rays-- == 0) return 0;  // the ray that meets the mirror
+        if (rays-- == 0) return 0;  // the one that it reflects
+        return 1;
+    };
+    CHECK(wall_in_mirror(1, true) == 0);  // printed: rayTrace passes 1, and the mirror is black
+    CHECK(wall_in_mirror(2, true) == 1);
+    CHECK(wall_in_mirror(1, false) == 1);
+}
+
+TEST_CASE("erratum 31: a constant distance is too large for a small scene (CR §3.2, §4.2, §5.1)") {
+    // The same scene, ten thousand times smaller: an occluder 3 away, a light 5 away.
+    for (const Real scale : {Real(1), Real(0.0001)}) {
+        const Real occluder = 3 * scale;
+        const Real light = 5 * scale;
+        CHECK((occluder > Real(0.001) && occluder < light) == (scale == 1));  // printed
+        CHECK((occluder > 0 && occluder < light));
     }
 }
