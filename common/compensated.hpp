@@ -33,7 +33,8 @@ namespace rt {
 }
 
 /// a · b − c · d within 1.5 ulp, where the plain form can lose every digit (Jeannerod, Louvet,
-/// Muller 2013, Kahan's algorithm). Exchanging the two products exactly changes the sign.
+/// Muller 2013, Kahan's algorithm). Its sign is therefore exact, and exchanging the two products
+/// changes it, though not always to the same digits.
 [[nodiscard]] inline Real difference_of_products(Real a, Real b, Real c, Real d) {
     const Real cd = c * d;
     const Real difference = std::fma(a, b, -cd);

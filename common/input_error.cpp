@@ -1,16 +1,29 @@
 #include "common/input_error.hpp"
 
+#include <algorithm>
+
 namespace rt {
+
+namespace {
+
+/// A name may have a line break in it, or what turns a terminal red; a message is one plain line.
+std::string one_line(std::string text) {
+    const auto is_control = [](char c) { return ('\0' <= c && c < ' ') || c == '\x7f'; };
+    std::replace_if(text.begin(), text.end(), is_control, '?');
+    return text;
+}
+
+}  // namespace
 
 std::string to_string(const Place& place) {
     if (place.file.empty()) return "";
-    std::string text = place.file + ":";
+    std::string text = one_line(place.file) + ":";
     if (place.line > 0) text += std::to_string(place.line) + ":";
     if (place.column > 0) text += std::to_string(place.column) + ":";
     return text + " ";
 }
 
 InputError::InputError(const Place& place, const std::string& message)
-    : std::runtime_error(to_string(place) + "error: " + message) {}
+    : std::runtime_error(to_string(place) + "error: " + one_line(message)) {}
 
 }  // namespace rt

@@ -17,11 +17,11 @@ struct Place {
 /// main, which prints what() and ends with status 2.
 class InputError : public std::runtime_error {
 public:
-    /// what() is "file:line:column: error: message"; an empty file leaves the place out.
+    /// what() is "file:line:column: error: message", one line; an empty file leaves the place out.
     InputError(const Place& place, const std::string& message);
 };
 
-/// "file:line:column: ", or as much of it as is known.
+/// "file:line:column: ", or as much of it as is known, with "?" for control characters.
 [[nodiscard]] std::string to_string(const Place& place);
 
 }  // namespace rt

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 
 namespace rt {
 
@@ -48,6 +49,8 @@ int main(int argc, char** argv) {
         std::cerr << error.what() << '\n';
     } catch (const std::bad_alloc&) {
         std::cerr << "error: not enough memory for this\n";
+    } catch (const std::exception& error) {  // of the system, which has no more to give
+        std::cerr << "error: " << error.what() << '\n';
     }
     return bad_input;
 }

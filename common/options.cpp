@@ -1,6 +1,7 @@
 #include "common/options.hpp"
 
 #include "common/input_error.hpp"
+#include "common/scene_lexer.hpp"
 #include "common/stages.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,14 +36,15 @@ Resolution parse_size(const std::string& text) {
     const auto size = two_numbers(text, 'x');
     const auto fits = [](int side) { return 1 <= side && side <= max_side; };
     if (!size || !std::all_of(size->begin(), size->end(), fits))
-        throw InputError({}, "--size must be WIDTHxHEIGHT, each 1 to 8192, not \"" + text + "\"");
+        throw InputError({},
+                         "--size must be WIDTHxHEIGHT, each 1 to 8192, not " + rt::quoted(text));
     return {.width = (*size)[0], .height = (*size)[1]};
 }
 
 Pixel parse_pixel(const std::string& text) {
     const auto pixel = two_numbers(text, ',');
     if (!pixel || (*pixel)[0] < 0 || (*pixel)[1] < 0)
-        throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not \"" + text + "\"");
+        throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not " + rt::quoted(text));
     return {.row = (*pixel)[0], .column = (*pixel)[1]};
 }
 
@@ -52,14 +54,15 @@ void add_choice(CLI::App& app, const std::string& name, bool& second,
     app.add_option_function<std::string>(
            name, [&second, last = words[1]](const std::string& word) { second = word == last; },
            help + "; " + words[0] + " if not given")
-        ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())))
-        ->type_name("");
+        ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())).description(""))
+        ->type_name(words[0] + "|" + words[1]);
 }
 
 /// A file in the project's folder, as short as it can be said from here.
 std::string in_project(const Program& program, const std::string& folder, const std::string& name) {
     const auto file = std::filesystem::path(program.root) / folder / name;
-    return file.lexically_proximate(std::filesystem::current_path()).string();
+    std::error_code no_such_folder;  // any more: then the path stays as it is
+    return file.lexically_proximate(std::filesystem::current_path(no_such_folder)).string();
 }
 
 std::string default_scene(const Program& program) {
@@ -81,6 +84,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     bool normal = false;
 
     CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
+    app.option_defaults()->take_last();
     app.add_option("scene", options.scene, "the scene; scenes/" + name + ".rt if not given")
         ->type_name("FILE");
     app.add_option("-o,--output", options.output, "the picture; renders/<scene>.png if not given")
@@ -91,7 +95,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         ->type_name("WIDTHxHEIGHT");
     add_choice(app, "--precision", single, {"double", "float"}, "the numbers to compute with");
     app.add_option("--threads", options.threads, "as many as there are cores if not given")
-        ->check(CLI::Range(1, max_threads))
+        ->check(CLI::Range(1, max_threads).description(""))
         ->type_name("N");
     app.add_option_function<std::string>(
            "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },

@@ -18,6 +18,9 @@ struct PngText {
 /// Makes the folder if there is none. Throws InputError if that fails.
 void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts);
 
+/// Throws InputError if write_png could not write there, and leaves nothing but the folder.
+void check_writable(const std::string& file);
+
 /// Reads 8-bit colours out of any PNG. Throws InputError if the file is none.
 [[nodiscard]] Image read_png(const std::string& file);
 

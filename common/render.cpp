@@ -1,6 +1,7 @@
 #include "common/render.hpp"
 
 #include <cmath>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -69,7 +70,12 @@ std::optional<Rendering> render(const Scene& scene, const RenderSettings& settin
         }
     };
     std::vector<std::thread> threads;
-    for (int i = 1; i < settings.threads; ++i) threads.emplace_back(work);
+    threads.reserve(std::size_t(settings.threads));
+    try {
+        for (int i = 1; i < settings.threads; ++i) threads.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system has no more of them: the same picture, later.
+    }
     work();
     for (std::thread& thread : threads) thread.join();
 

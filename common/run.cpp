@@ -24,12 +24,12 @@ std::string size_text(Resolution size) {
 }
 
 void refuse_later_stages(const Scene& scene, const Program& program, const Options& options) {
-    for (const Requirement& need : requirements(scene)) {
-        if (need.stage <= program.stage) continue;
-        throw InputError({options.scene}, need.what + " in the scene, which " +
-                                              std::string(stage_name(need.stage)) +
-                                              " brings: run that, or a later stage");
-    }
+    const std::vector<Requirement> needs = requirements(scene);
+    if (needs.empty() || needs.back().stage <= program.stage) return;
+    const auto& [what, stage] = needs.back();  // whoever has this stage has the others
+    throw InputError({options.scene}, what + " in the scene, which " +
+                                          std::string(stage_name(stage)) +
+                                          " brings: run that, or a later stage");
 }
 
 Scene load(const Program& program, const Options& options) {
@@ -40,6 +40,15 @@ Scene load(const Program& program, const Options& options) {
     if (options.size) scene.resolution = *options.size;
     refuse_later_stages(scene, program, options);
     return scene;
+}
+
+/// Before the work, so that nobody waits for a picture that has no place.
+void check_output(const Options& options) {
+    std::error_code not_there;
+    if (std::filesystem::equivalent(options.scene, options.output, not_there))
+        throw InputError({options.output},
+                         "is the scene itself, which the picture would overwrite");
+    check_writable(options.output);
 }
 
 /// What the picture says of itself: whatever made it what it is. The number of threads did not.
@@ -68,12 +77,15 @@ void report(const Rendering& rendering, const Options& options, double seconds) 
                 static_cast<long long>(rendering.rays));
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;
-    std::printf("%lld pixels are not a number, and shown in magenta: see --pixel %d,%d\n",
-                static_cast<long long>(rendering.not_a_number), first.row, first.column);
+    const bool one = rendering.not_a_number == 1;
+    std::printf("%lld %s not a number, and shown in magenta: see --pixel %d,%d\n",
+                static_cast<long long>(rendering.not_a_number), one ? "pixel is" : "pixels are",
+                first.row, first.column);
 }
 
 bool make_picture(const Program& program, const Options& options, const Scene& scene,
                   const std::atomic<bool>& stop) {
+    check_output(options);
     const auto start = std::chrono::steady_clock::now();
     std::optional<Rendering> rendering;
     {

@@ -57,7 +57,8 @@ void tell_candidate(Story& story, const Ray& ray, const Shape& shape, Interval i
     story.heading(code(shape));
     const std::string reason = tell(story, ray, shape);
     if (t)
-        story.remark("hit at t = " + text(*t));
+        story.remark("hit at t = " + text(*t) +
+                     (reason.empty() ? "" : ", says intersect, though " + reason));
     else if (!reason.empty())
         story.remark("missed: " + reason);
     else if (interval.max < infinity)

@@ -33,7 +33,9 @@ std::string code(Real value) {
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     const std::string digits = text(value);
     const bool whole = digits.find_first_of(".e") == std::string::npos;
-    return whole ? digits : "Real(" + digits + ")";
+    // Whole numbers in C++ have no −0, and end somewhere: 2^31 is safe.
+    const bool plain = whole && digits != "-0" && std::abs(value) <= Real(1U << 31);
+    return plain ? digits : "Real(" + digits + (whole ? ".0)" : ")");
 }
 
 std::string code(Vec3 v) {

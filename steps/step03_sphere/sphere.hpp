@@ -26,7 +26,7 @@ namespace rt {
 [[nodiscard]] Color color_from_normal(Vec3 normal);
 
 /// M1's torch, held at the eye: cos θ between the normal and the direction from the point to the
-/// eye, both of any length; 0 where the surface faces away.
+/// eye, both of any length; 0 where the surface faces away, or where the point is the eye.
 [[nodiscard]] Real torch(Vec3 point, Vec3 normal, Vec3 eye);
 
 }  // namespace rt

@@ -67,7 +67,7 @@ Verdict picture_matches(const std::string& name) {
         }
     }
     return verdict(different <= through_gaps, "The picture of scenes/" + name + ".rt differs in " +
-                                       std::to_string(different) + " pixels." + first);
+                                                  std::to_string(different) + " pixels." + first);
 }
 
 }  // namespace rt

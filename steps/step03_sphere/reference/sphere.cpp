@@ -2,22 +2,27 @@
 
 #include "common/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    // PHY's A t² + B t + C loses half its digits in B² − 4AC when the sphere is far away. The
-    // same roots lie a half chord on either side of the point of the line nearest to the centre.
+    // PHY's A t² + B t + C loses half its digits in B² − 4AC when the sphere is far away: the half
+    // chord, seen from the point of the line nearest to the centre, does not.
     const Vec3 from_center = ray.origin - sphere.center;
-    const Real dd = dot(ray.direction, ray.direction);
-    const Real t_closest = -dot(from_center, ray.direction) / dd;
-    const Vec3 closest = from_center + t_closest * ray.direction;
+    const Real a = dot(ray.direction, ray.direction);
+    const Real b = -dot(from_center, ray.direction);
+    const Vec3 closest = from_center + b / a * ray.direction;
     const Real half_chord_squared = sphere.radius * sphere.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
-    const Real half_chord = std::sqrt(half_chord_squared / dd);
-    for (const Real t : {t_closest - half_chord, t_closest + half_chord})
+    // From the surface itself C is exactly 0, and so is one root.
+    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
+    const Real q = b + std::copysign(std::sqrt(half_chord_squared * a), b);
+    const Real t1 = q / a;
+    const Real t2 = c / q;
+    for (const Real t : {std::min(t1, t2), std::max(t1, t2)})
         if (interval.contains(t)) return t;
     return std::nullopt;
 }
@@ -31,6 +36,7 @@ Color color_from_normal(Vec3 normal) {
 }
 
 Real torch(Vec3 point, Vec3 normal, Vec3 eye) {
+    if (point == eye) return 0;  // no direction, hence no angle
     const Real cos_theta = dot(unit(normal), unit(eye - point));
     return glm::max(cos_theta, Real(0));
 }

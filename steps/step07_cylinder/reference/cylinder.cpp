@@ -2,6 +2,7 @@
 
 #include "common/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -9,18 +10,21 @@ namespace rt {
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
     // v × Z is v's part across the axis, turned a quarter: the (x_p, y_p) of MRT §7 without
     // choosing X and Y. In that cross-section the cylinder is a circle, met as stage 3 meets a
-    // sphere. A ray along the axis has d = 0 there, t NaN or infinite, and misses by itself.
+    // sphere. A ray along the axis has a = 0 there, everything NaN, and misses by itself.
     const Vec3 from_center = ray.origin - cylinder.center;
     const Vec3 o = cross(from_center, cylinder.axis);
     const Vec3 d = cross(ray.direction, cylinder.axis);
-    const Real dd = dot(d, d);
-    const Real t_closest = -dot(o, d) / dd;
-    const Vec3 closest = o + t_closest * d;
+    const Real a = dot(d, d);
+    const Real b = -dot(o, d);
+    const Vec3 closest = o + b / a * d;
     const Real half_chord_squared = cylinder.radius * cylinder.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
-    const Real half_chord = std::sqrt(half_chord_squared / dd);
-    for (const Real t : {t_closest - half_chord, t_closest + half_chord}) {
+    const Real c = dot(o, o) - cylinder.radius * cylinder.radius;
+    const Real q = b + std::copysign(std::sqrt(half_chord_squared * a), b);
+    const Real t1 = q / a;
+    const Real t2 = c / q;
+    for (const Real t : {std::min(t1, t2), std::max(t1, t2)}) {
         const Real z = dot(from_center, cylinder.axis) + t * dot(ray.direction, cylinder.axis);
         if (std::abs(z) <= cylinder.height / 2 && interval.contains(t)) return t;
     }

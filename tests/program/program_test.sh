@@ -1,0 +1,105 @@
+#!/bin/sh
+# What the programs do at the prompt: program_test.sh BUILD_FOLDER PROJECT_FOLDER
+build=$1
+scenes=$2/scenes
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+fail() {
+    echo "FAILED: $1"
+    sed 's/^/    /' out err 2> /dev/null
+    failed=1
+}
+
+# refused WHAT MESSAGE PROGRAM ARGUMENTS…: one error with these words, status 2, no picture.
+refused() {
+    what=$1
+    words=$2
+    shift 2
+    rm -f picture.png picture.png.part
+    "$build/$@" -o picture.png > out 2> err
+    [ $? = 2 ] || fail "$what: the status is 2"
+    grep -q "error: " err && grep -qF -- "$words" err || fail "$what: says \"$words\""
+    [ "$(wc -l < err)" = 1 ] || fail "$what: says it in one line"
+    [ ! -s out ] || fail "$what: says nothing else"
+    [ ! -e picture.png ] && [ ! -e picture.png.part ] || fail "$what: leaves no picture"
+}
+
+holds() {
+    what=$1
+    shift
+    "$@" || fail "$what"
+}
+
+long=$(printf '%0300d' 0 | tr 0 9)
+refused "a size of 300 digits" "--size must be" step03_sphere --size "${long}x10"
+refused "a size of 0" "--size must be" step03_sphere --size 0x10
+refused "a size too large" "--size must be" step03_sphere --size 8193x1
+refused "a negative size" "--size must be" step03_sphere --size=-1x5
+refused "half a size" "--size must be" step03_sphere --size 640
+refused "a pixel outside" "outside the picture" step03_sphere --pixel 480,0
+refused "no pixel" "--pixel must be" step03_sphere --pixel 1;
+refused "an unknown precision" "half" step03_sphere --precision half
+refused "no threads" "threads" step03_sphere --threads 0
+refused "an unknown option" "--frobnicate" step03_sphere --frobnicate
+refused "two scenes" "error" step03_sphere "$scenes/one_sphere.rt" "$scenes/two_spheres.rt"
+refused "a scene that is not there" "absent.rt: error:" step03_sphere absent.rt
+refused "a folder for a scene" "error:" step03_sphere "$scenes"
+refused "a later stage's scene" "step08_cone" step07_cylinder "$scenes/step08_cone.rt"
+refused "a shade before there are shapes" "--shade" step02_camera_basis --shade normal
+
+printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 -2 255,0,0\n' > wrong.rt
+refused "a wrong scene" "wrong.rt:2:10: error: " step03_sphere wrong.rt
+printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 shiny\n' > doubtful.rt
+refused "strict reading" "doubtful.rt:2:20: error: " step03_sphere doubtful.rt --strict
+
+# A warning goes to the error stream, and the picture is made.
+holds "a warning is no error" "$build/step03_sphere" doubtful.rt -o a.png --size 8x6 > out 2> err
+grep -q 'doubtful.rt:2:20: warning: ' err || fail "a warning says where"
+grep -q '^a.png: 8 x 6 pixels, double, .* s, 48 rays$' out || fail "the report has it all"
+
+"$build/step03_sphere" doubtful.rt --quiet -o a.png --size 8x6 > out 2>&1
+[ ! -s out ] || fail "--quiet says nothing"
+
+# The same bytes on any number of threads, others in another precision's text.
+for threads in 1 2 5; do
+    "$build/step08_cone" -o $threads.png --threads $threads --quiet --size 160x120
+done
+cmp -s 1.png 2.png && cmp -s 1.png 5.png || fail "threads change the file"
+"$build/step08_cone" -o f.png --precision float --size 160x120 > out
+grep -q ', float, ' out || fail "--precision float is told"
+grep -aq 'float' f.png || fail "the picture says its precision"
+
+# A scene is not overwritten by its own picture.
+cp "$scenes/one_sphere.rt" own.rt
+refused_status=0
+"$build/step03_sphere" own.rt -o own.rt > out 2> err || refused_status=$?
+[ $refused_status = 2 ] || fail "a picture does not overwrite its scene"
+cmp -s "$scenes/one_sphere.rt" own.rt || fail "the scene is as it was"
+
+# The story of a pixel has the course's symbols, and makes no picture.
+"$build/step03_sphere" "$scenes/one_sphere.rt" --pixel 240,240 -o story.png > out
+for words in pixFinal 'tan(FOV / 2)' 'X = ' 'd_r = ' 'A, B, C' 'Δ = ' 'hit at t = 4.0' '8-bit = 214'; do
+    grep -qF "$words" out || fail "the story tells $words"
+done
+[ ! -e story.png ] || fail "a story makes no picture"
+
+"$build/step05_triangle" --help > out
+grep -q -- '--pixel' out || fail "--help lists the options"
+
+# Far away, and enormous: a picture all the same.
+printf 'C 1e18,0,5 0,0,-1 60\nsp 1e18,0,0 2 255,0,0\npl 0,-1e18,0 0,1,0 9,9,9\n' > far.rt
+holds "coordinates of 1e18" "$build/step04_plane" far.rt -o far.png --size 32x24 --quiet 2> err
+
+# Ctrl-C: no file, status 130.
+"$build/step08_cone" -o long.png --size 8192x8192 --threads 1 > out 2> err &
+process=$!
+sleep 0.3
+kill -INT $process
+wait $process
+[ $? = 130 ] || fail "Ctrl-C ends with 130"
+[ ! -e long.png ] && [ ! -e long.png.part ] || fail "Ctrl-C leaves no file"
+
+exit $failed

@@ -1,0 +1,31 @@
+#!/bin/sh
+# What is seen on a terminal and not in a pipe: terminal_test.sh BUILD_FOLDER
+# Needs util-linux' script, which runs a program on a terminal; 77 says that it is not there.
+build=$1
+script --version 2> /dev/null | grep -q util-linux || exit 77
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+fail() {
+    echo "FAILED: $1"
+    failed=1
+}
+
+# seen ARGUMENTS…: what a terminal shows of a picture that takes a second or so.
+seen() {
+    script -qec "$build/step03_sphere -o a.png --size 2400x1800 --threads 1 $*" /dev/null < /dev/null
+}
+
+seen | grep -Eq ' [0-9]+ %, [0-9]+ s left' || fail "progress is shown on a terminal"
+[ -z "$(seen --quiet)" ] || fail "--quiet says nothing on a terminal either"
+"$build/step03_sphere" -o a.png --size 2400x1800 --threads 1 2> err > out
+[ ! -s err ] || fail "progress is not shown in a pipe"
+
+# Two pixels a character, no wider than the terminal.
+COLUMNS=10 "$build/step03_sphere" -o a.png --preview --size 40x40 2> err > out
+[ "$(grep -c '▀' out)" = 5 ] || fail "--preview draws 10 x 10 pixels in 5 lines"
+[ "$(head -n 1 out | grep -o '▀' | wc -l)" = 10 ] || fail "--preview is 10 characters wide"
+
+exit $failed
