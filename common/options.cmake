@@ -35,6 +35,8 @@ else()
     target_compile_options(raysteps_options INTERFACE -ffp-contract=off)
     target_compile_options(raysteps_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+        # A helper outside an anonymous namespace, which the two precisions would both define:
+        $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
         # Where a GLM or Catch2 macro or an aggregate left short on purpose is at fault:
         -Wno-missing-field-initializers)
 endif()

@@ -54,6 +54,7 @@ function(raysteps_alternative stage file)
     get_filename_component(alternative ${file} NAME_WE)
     raysteps_compile_twice(${stage}_${alternative} ${file})
     foreach(precision IN ITEMS f32 f64)
+        target_compile_options(${stage}_${alternative}_${precision} PRIVATE -w)  # of its renaming
         set(word_f32 float)
         set(word_f64 double)
         set(word ${word_${precision}})

@@ -7,5 +7,6 @@ int main(int argc, char** argv) {
 }
 #else
 #define CATCH_CONFIG_MAIN
+#define CATCH_CONFIG_CONSOLE_WIDTH 120  // a line to paste should stay one
 #include <catch2/catch.hpp>
 #endif
