@@ -45,7 +45,8 @@ if(RAYSTEPS_WERROR)
 endif()
 if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE
-        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+        -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+        -O1)  # the suites compile in a third of the time
     target_link_options(raysteps_options INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -19,6 +19,8 @@ using Words = std::vector<std::string>;
 const std::string root = RAYSTEPS_ROOT;
 const std::string build_folder = RAYSTEPS_BUILD;
 
+constexpr const char* test_time_limit = "300";  // seconds; a loop without end is a failure
+
 constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "a ray through every pixel",
     "a camera that looks anywhere",
@@ -42,21 +44,22 @@ bool is_there(int stage) {
 int parse_stage(const std::string& text) {
     const std::optional<int> stage = rt::find_stage(text);
     if (!stage)
-        throw rt::InputError({}, "no stage \"" + text +
-                                     "\": give a number, 1 to 13, or a name like step05_triangle");
+        throw rt::InputError(
+            {}, "no stage \"" + text + "\": give a number 1 to 13 or a name like step05_triangle");
     if (!is_there(*stage))
-        throw rt::InputError({}, std::string(rt::stage_name(*stage)) + " is not here yet");
+        throw rt::InputError({}, std::string(rt::stage_name(*stage)) + " is not yet here");
     return *stage;
 }
 
 int list() {
     for (int stage = 1; stage <= int(brings.size()); ++stage)
         std::printf("%4d  %-22s %s%s\n", stage, rt::stage_name(stage).data(),
-                    brings[std::size_t(stage - 1)], is_there(stage) ? "" : " (not here yet)");
+                    brings[std::size_t(stage - 1)], is_there(stage) ? "" : " (not yet here)");
     std::puts(
         "\n"
-        "./course run STAGE [scene.rt] [options]   draw its scene, or yours; --help lists options\n"
-        "./course test [STAGE]                     its suite, or every test\n"
+        "./course run STAGE [scene.rt] [options]    draw its scene, or yours; --help lists "
+        "options\n"
+        "./course test [STAGE] [options of ctest]   its suite, or every test\n"
         "\n"
         "STAGE is a number or a name: 5, triangle, step05_triangle.");
     return 0;
@@ -71,18 +74,24 @@ int run(const Words& words) {
     return rt::run_process(command);
 }
 
-int test(const Words& words) {
+int test(Words words) {
     const std::string cores = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
-    Words command = {"ctest", "--test-dir", build_folder, "--output-on-failure", "-j", cores};
+    Words command = {"ctest", "--test-dir", build_folder,   "-j",
+                     cores,   "--timeout",  test_time_limit};
+    command.insert(command.end(),
+                   {"--output-on-failure", "--progress", "--no-label-summary", "--no-tests=error"});
     Words targets;
-    if (!words.empty()) {
+    if (!words.empty() && words[0].rfind('-', 0) != 0) {
         const std::string name(rt::stage_name(parse_stage(words[0])));
+        words.erase(words.begin());
         targets = {name + "_test_float", name + "_test_double"};
         command.insert(command.end(), {"-L", "^" + name + "$"});
-        command.insert(command.end(), words.begin() + 1, words.end());
     }
+    command.insert(command.end(), words.begin(), words.end());
     if (const int status = rt::build(build_folder, targets); status != 0) return status;
-    return rt::run_process(command);
+    const int status = rt::run_process(command);
+    std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
+    return status;
 }
 
 int run_command(int argc, char** argv) {

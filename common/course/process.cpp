@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 
 extern char** environ;
@@ -34,6 +35,10 @@ int run_process(const std::vector<std::string>& command) {
     int status = 0;
     while (waitpid(process, &status, 0) == -1 && errno == EINTR) continue;
     std::signal(SIGINT, previous);
+    // A shell would say so, but it only sees us.
+    if (WIFSIGNALED(status) && WTERMSIG(status) != SIGINT)
+        std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(),
+                     strsignal(WTERMSIG(status)));
     return exit_status(status);
 }
 

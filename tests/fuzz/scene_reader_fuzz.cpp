@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     // char may look at any object's bytes.
     const std::string_view text(reinterpret_cast<const char*>(data), size);
     rt::f32::check_invariants(text);
