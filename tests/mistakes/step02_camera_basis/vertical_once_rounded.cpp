@@ -1,0 +1,23 @@
+// origin: seen in student repositories: the rule for exactly ±1
+// caught by: however near the vertical, X is where the formula has it (MRT §2, contract)
+// sentence: You ask whether Z.y is ±1 once Z has unit length: rounding makes it so long before the view is vertical. Ask whether x and z are 0.
+#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define camera_basis(...) correct_camera_basis(__VA_ARGS__)
+#include "steps/step02_camera_basis/reference/camera_basis.cpp"
+#undef basis_around
+#undef camera_basis
+
+namespace rt {
+
+Basis basis_around(Vec3 towards) {
+    const Vec3 z = unit(towards);
+    const bool vertical = std::abs(z.y) == 1;
+    const Vec3 x = vertical ? Vec3(1, 0, 0) : unit(cross(Vec3(0, 1, 0), z));
+    return {.x = x, .y = cross(z, x), .z = z};
+}
+
+Basis camera_basis(Vec3 direction) {
+    return basis_around(-direction);
+}
+
+}  // namespace rt
