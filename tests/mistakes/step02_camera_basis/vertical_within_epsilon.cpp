@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: however near the vertical, X is where the formula has it (MRT §2, contract)
+// caught by: however near the vertical, X is where the formula has it (MRT §2)
 // sentence: You call views vertical that are not: the camera jumps as it comes near. Only x = z = 0 is.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
@@ -11,7 +11,7 @@ namespace rt {
 
 Basis basis_around(Vec3 towards) {
     const Vec3 z = unit(towards);
-    const bool vertical = std::abs(z.y) > 1 - Real(1e-6);
+    const bool vertical = std::abs(z.y) > Real(0.9999);
     const Vec3 x = vertical ? Vec3(1, 0, 0) : unit(cross(Vec3(0, 1, 0), z));
     return {.x = x, .y = cross(z, x), .z = z};
 }

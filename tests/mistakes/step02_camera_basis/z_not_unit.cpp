@@ -1,5 +1,5 @@
 // origin: thought of: the direction not normalised
-// caught by: the direction has any length but zero (contract)
+// caught by: the direction has any length but zero (MRT §2)
 // sentence: Your Z is as long as the direction. Make it a unit vector.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
