@@ -13,20 +13,44 @@ const Cone upward{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2, .height = 4
 /// As wide as high: its side is at 45°.
 const Cone right_angled{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 4, .height = 4};
 
+Cone draw_cone(Random& random, Vec3 axis) {
+    return {.apex = random.point(3),
+            .axis = axis,
+            .radius = random.between(Real(0.5), 1),
+            .height = random.between(1, 2)};
+}
+
 /// Between 0.2 and 0.9 of the height: no formula's rounding decides what is within it, and the
 /// apex, where nothing is smooth, is not near.
 Sample<Cone> draw(Random& random) {
     const Basis basis = random.basis();
-    const Cone cone{.apex = random.point(3),
-                    .axis = basis.z,
-                    .radius = random.between(Real(0.5), 1),
-                    .height = random.between(1, 2)};
+    const Cone cone = draw_cone(random, basis.z);
     const Real z = random.between(Real(0.2), Real(0.9)) * cone.height;
     const Real slope = cone.radius / cone.height;
     const Vec3 n = basis.x - slope * basis.z;
     return {.shape = cone,
             .point = cone.apex + z * (basis.z + slope * basis.x),
             .normal = n / std::sqrt(dot(n, n))};
+}
+
+/// The point with this z_p on the cone's side, or on what continues it at either end, turned by an
+/// angle from the basis' x around its z, the axis.
+Vec3 on_side(const Cone& cone, const Basis& basis, Real z, Real angle) {
+    const Vec3 across = std::cos(angle) * basis.x + std::sin(angle) * basis.y;
+    return cone.apex + z * (basis.z + cone.radius / cone.height * across);
+}
+
+/// A ray that crosses what continues the side, at `passed` heights from the apex, meets the side
+/// behind it, a third to two thirds of a turn around the axis: a line has no third such point.
+Verdict hits_behind(Real passed, Random& random) {
+    const Basis basis = random.basis();
+    const Cone cone = draw_cone(random, basis.z);
+    const Vec3 point = on_side(cone, basis, random.between(Real(0.2), Real(0.9)) * cone.height, 0);
+    const Real angle = random.between(2 * pi / 3, 4 * pi / 3);
+    const Vec3 before = on_side(cone, basis, passed * cone.height, angle);
+    const Vec3 origin = before + random.between(Real(0.1), 1) * (before - point);
+    const Real t = random.between(Real(0.25), 4);
+    return hits({.origin = origin, .direction = (point - origin) / t}, cone, t);
 }
 
 }  // namespace
@@ -36,6 +60,15 @@ TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)") {
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upward, Real(3.5)));
     CHECK(hits(Ray{.origin = {-6, 1, 0}, .direction = {1, 0, 0}}, upward, Real(5.5)));
     CHECK(misses(Ray{.origin = {Real(1.5), 2, 5}, .direction = {0, 0, -1}}, upward));
+}
+
+TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)") {
+    const Cone cone{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, cone, 4));
+    CHECK(misses(Ray{.origin = {Real(1.25), 2, 5}, .direction = {0, 0, -1}}, cone));
+    // Half-way to the apex 0.5 wide, where the printed one is 0.707.
+    CHECK(hits(Ray{.origin = {-5, 1, 0}, .direction = {1, 0, 0}}, cone, Real(4.5)));
+    CHECK(misses(Ray{.origin = {-5, 1, Real(0.625)}, .direction = {1, 0, 0}}, cone));
 }
 
 TEST_CASE("it opens along the axis, from the apex to the height (MRT §8)") {
@@ -50,6 +83,13 @@ TEST_CASE("there is one nappe, no hourglass (MRT §8, 0 ≤ z_p)") {
     CHECK(misses(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, upward));
     // The near root is on the nappe that is not there, the far one on the one that is.
     CHECK(hits(Ray{.origin = {Real(0.5), -5, 0}, .direction = {0, 1, 0}}, upward, 6));
+}
+
+TEST_CASE("the other nappe, crossed first, is not there (MRT §8, 0 ≤ z_p)") {
+    CHECK(for_all([](Random& random) {
+        const Real passed = -random.between(Real(0.5), Real(0.9));
+        return hits_behind(passed, random);
+    }));
 }
 
 TEST_CASE("the axis may point anywhere (MRT §8)") {
@@ -100,6 +140,13 @@ TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)") {
 TEST_CASE("into the open end, the far inside is met: both roots are tried (MRT §8)") {
     // At t = 2 it passes over the near side at y = 6, above the rim. At t = 6 it meets the far one.
     CHECK(hits(Ray{.origin = {0, 8, 5}, .direction = {0, -1, -1}}, upward, 6));
+}
+
+TEST_CASE("looking in over the rim meets the far inside, whichever way it opens (MRT §8)") {
+    CHECK(for_all([](Random& random) {
+        const Real passed = random.between(Real(1.1), Real(1.5));
+        return hits_behind(passed, random);
+    }));
 }
 
 TEST_CASE("there is no base (MRT §8)") {
@@ -174,6 +221,14 @@ TEST_CASE("the normal leans back by the slope of the side (MRT §8)") {
     CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
     CHECK(normal_is(upward, {0, 2, 1}, Vec3(0, -1, 2) / std::sqrt(Real(5))));
     CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("at the apex the normal is -axis (contract)") {
+    CHECK(normal_is(upward, {0, 0, 0}, {0, -1, 0}));
+    CHECK(for_all([](Random& random) {
+        const Cone cone = draw_cone(random, random.direction());
+        return normal_is(cone, cone.apex, -cone.axis);
+    }));
 }
 
 TEST_CASE("the picture of the stage (MRT §8)") {

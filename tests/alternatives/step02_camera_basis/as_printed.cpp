@@ -1,0 +1,32 @@
+// right: MRT §2 with X made unit length; V as M1 has it, a turn after a move
+#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define camera_basis(...) correct_camera_basis(__VA_ARGS__)
+#define view_matrix(...) correct_view_matrix(__VA_ARGS__)
+#include "steps/step02_camera_basis/reference/camera_basis.cpp"
+#undef basis_around
+#undef camera_basis
+#undef view_matrix
+
+namespace rt {
+
+Basis basis_around(Vec3 towards) {
+    const Vec3 z = unit(towards);
+    Vec3 x(1, 0, 0);
+    if (z.x != 0 || z.z != 0) x = unit(cross(Vec3(0, 1, 0), z));
+    return {.x = x, .y = cross(z, x), .z = z};
+}
+
+Basis camera_basis(Vec3 direction) {
+    return basis_around(-direction);
+}
+
+Mat4 view_matrix(const Basis& basis, Vec3 position) {
+    const auto& [x, y, z] = basis;
+    const Mat4 turn(Vec4(x.x, y.x, z.x, 0), Vec4(x.y, y.y, z.y, 0), Vec4(x.z, y.z, z.z, 0),
+                    Vec4(0, 0, 0, 1));
+    Mat4 move(1);
+    move[3] = Vec4(-position, 1);
+    return turn * move;
+}
+
+}  // namespace rt
