@@ -1,22 +1,21 @@
 // What goes along with the rays of one pixel.
 #pragma once
 
+#include "common/look.hpp"
+#include "common/pixel.hpp"
+
 #include <cstdint>
 
 namespace rt {
 
 class Story;
 
-/// How a hit becomes a colour before there is light (M1).
-enum class Shading {
-    torch,   ///< the shape's colour under a torch held at the eye
-    normal,  ///< abs(normal)
-};
-
 struct Context {
-    Shading shading = Shading::torch;
+    Look look;
+    Pixel pixel;
     Story* story = nullptr;  ///< told everything, if there is one: `--pixel`
     std::int64_t rays = 0;   ///< how many were sent
+    std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size
 };
 
 }  // namespace rt

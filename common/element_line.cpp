@@ -54,6 +54,13 @@ std::optional<Token> ElementLine::option(std::string_view key) {
     return std::nullopt;
 }
 
+std::optional<std::array<Token, 3>> ElementLine::option_triple(std::string_view key) {
+    const auto value = option(key);
+    if (!value) return std::nullopt;
+    if (const auto parts = three_parts(*value)) return parts;
+    refuse(*value, what(key) + " must be three numbers as in 1,2,3");
+}
+
 int ElementLine::choice(std::string_view key, std::initializer_list<std::string_view> values) {
     const auto value = option(key);
     if (!value) return 0;
@@ -68,6 +75,10 @@ int ElementLine::choice(std::string_view key, std::initializer_list<std::string_
 
 bool ElementLine::triple_follows() const {
     return !at_end() && three_parts(peek_field()).has_value();
+}
+
+Place ElementLine::place() const {
+    return report_.place(line_.number, line_.tokens.front().column);
 }
 
 void ElementLine::refuse_line(const std::string& message) const {

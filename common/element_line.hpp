@@ -33,6 +33,9 @@ public:
     /// Whether the next field is a triple; blanks around its commas are fine in lenient reading.
     [[nodiscard]] bool triple_follows() const;
 
+    /// Where the keyword stands.
+    [[nodiscard]] Place place() const;
+
     /// Throws InputError with the place of the keyword.
     [[noreturn]] void refuse_line(const std::string& message) const;
 
@@ -55,6 +58,9 @@ protected:
 
     /// The parts of the next field, a triple. Throws InputError if there is none.
     [[nodiscard]] std::array<Token, 3> take_triple(std::string_view field);
+
+    /// The parts of the option `key:x,y,z`, if the line has it. Only after all fields.
+    [[nodiscard]] std::optional<std::array<Token, 3>> option_triple(std::string_view key);
 
     /// Leaves out words before a colour that cannot be one, if a triple comes later on the line.
     void skip_to_triple(std::string_view field);

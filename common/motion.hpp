@@ -65,6 +65,13 @@ namespace rt {
             .height = motion.scale * cylinder.height};
 }
 
+[[nodiscard]] inline OrientedBox moved(const OrientedBox& box, const Motion& motion) {
+    const auto& [x, y, z] = box.basis;
+    return {.center = moved(box.center, motion),
+            .basis = {.x = turned(x, motion), .y = turned(y, motion), .z = turned(z, motion)},
+            .half_size = motion.scale * box.half_size};
+}
+
 [[nodiscard]] inline Cone moved(const Cone& cone, const Motion& motion) {
     return {.apex = moved(cone.apex, motion),
             .axis = turned(cone.axis, motion),

@@ -1,20 +1,48 @@
-// The nearest of all the shapes that a ray meets (M1, "plusieurs objets"; CR §2.1).
+// What a ray meets of all the shapes: the nearest (M1, "plusieurs objets"; CR §2.1), or anything at
+// all (CR §3.2).
 #pragma once
 
 #include "common/context.hpp"
+#include "common/projection.hpp"
 #include "common/ray.hpp"
 #include "common/scene.hpp"
 #include "common/story.hpp"
+#include "common/surface.hpp"
+#include "common/vector.hpp"
+
+#include <type_traits>
 
 namespace rt::inline RT_PRECISION {
 
 /// Where a ray met the nearest shape.
 struct Hit {
     Real t = 0;
-    Vec3 point;
-    Vec3 normal;  ///< outward, unit length
+    Vec3 point;      ///< brought back onto the surface
+    Real error = 0;  ///< no larger is the distance from the point to the surface
+    Vec3 normal;     ///< outward, unit length; interpolated, if a mesh has normals
+    Vec3 side;       ///< as normal, but never interpolated
     const Material* material = nullptr;
 };
+
+/// What an eye at the ray's origin sees there.
+inline Surface surface_at(const Hit& hit, const Ray& ray) {
+    const bool outside = dot(hit.side, ray.direction) <= 0;
+    return {.point = hit.point,
+            .normal = outside ? hit.normal : -hit.normal,
+            .side = outside ? hit.side : -hit.side,
+            .to_eye = unit(-ray.direction),
+            .error = hit.error,
+            .material = *hit.material};
+}
+
+/// The t of what `intersect` answers: itself, or with where in the mesh.
+inline std::optional<Real> t_of(std::optional<Real> answer) {
+    return answer;
+}
+inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
+    if (!answer) return std::nullopt;
+    return answer->t;
+}
 
 /// Looks through lists of shapes for the smallest t. Every hit shortens the interval, so that the
 /// shapes after it only answer if they are nearer; the point and the normal are worked out once,
@@ -24,39 +52,93 @@ public:
     Nearest(const Ray& ray, Context& context) : ray_(ray), story_(context.story) { ++context.rays; }
 
     template <class Shape>
-    void among(const std::vector<Item<Shape>>& items) {
-        for (const Item<Shape>& item : items) {
-            const std::optional<Real> t = intersect(ray_, item.shape, interval_);
-            if (story_ != nullptr) tell_candidate(*story_, ray_, item.shape, interval_, t);
-            if (!t) continue;
-            interval_.max = *t;
-            winner_ = &item;
-            describe_ = &describe<Shape>;
+    void among(const Items<Shape>& items) {
+        if (story_ != nullptr) {  // it tells of the misses too
+            for (const Item<Shape>& item : items) try_one(item);
+        } else {
+            items.along(ray_, interval_, [this](const Item<Shape>& item) { try_one(item); });
         }
     }
 
     /// The nearest of everything looked through so far, or nothing.
     [[nodiscard]] std::optional<Hit> hit() const {
         if (winner_ == nullptr) return std::nullopt;
-        return describe_(winner_, ray_, interval_.max);
+        return describe_(*this);
     }
 
 private:
     template <class Shape>
-    static Hit describe(const void* winner, const Ray& ray, Real t) {
-        const auto& item = *static_cast<const Item<Shape>*>(winner);
-        const Vec3 point = at(ray, t);
-        return {.t = t,
-                .point = point,
-                .normal = normal(item.shape, point),
-                .material = &item.material};
+    void try_one(const Item<Shape>& item) {
+        const auto answer = intersect(ray_, item.shape, interval_);
+        if (story_ != nullptr)
+            tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
+        if (!answer) return;
+        interval_.max = *t_of(answer);
+        if constexpr (std::is_same_v<Shape, PlacedMesh>) in_mesh_ = *answer;
+        winner_ = &item;
+        describe_ = &describe<Shape>;
+    }
+
+    template <class Shape>
+    static Hit describe(const Nearest& nearest) {
+        const auto& item = *static_cast<const Item<Shape>*>(nearest.winner_);
+        Hit hit{.t = nearest.interval_.max, .material = &item.material};
+        if constexpr (std::is_same_v<Shape, PlacedMesh>) {
+            const auto [point, error] = projected(item.shape, nearest.in_mesh_);
+            hit.point = point;
+            hit.error = error;
+            hit.normal = normal(item.shape, nearest.in_mesh_);
+            hit.side = side(item.shape, nearest.in_mesh_);
+        } else {
+            const auto [point, error] = projected(item.shape, at(nearest.ray_, hit.t));
+            hit.point = point;
+            hit.error = error;
+            hit.normal = hit.side = normal(item.shape, point);
+        }
+        return hit;
     }
 
     Ray ray_;
     Story* story_;
     Interval interval_;
+    MeshHit in_mesh_;
     const void* winner_ = nullptr;
-    Hit (*describe_)(const void*, const Ray&, Real) = nullptr;
+    Hit (*describe_)(const Nearest&) = nullptr;
+};
+
+/// Whether the ray meets the shape at all strictly inside the interval. Meshes are quicker at this
+/// than at the nearest of their triangles.
+template <class Shape>
+bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
+    return intersect(ray, shape, interval).has_value();
+}
+
+/// Looks through lists of shapes for any that the ray meets inside the interval, and asks no more
+/// once there is one.
+class Blocker {
+public:
+    Blocker(const Ray& ray, Interval interval, Context& context)
+        : ray_(ray), interval_(interval), story_(context.story) {
+        ++context.rays;
+    }
+
+    template <class Shape>
+    void among(const Items<Shape>& items) {
+        if (found_) return;
+        found_ = items.any_along(ray_, interval_, [this](const Item<Shape>& item) {
+            const bool in_the_way = blocks(ray_, item.shape, interval_);
+            if (in_the_way && story_ != nullptr) story_->remark("in the way: " + code(item.shape));
+            return in_the_way;
+        });
+    }
+
+    [[nodiscard]] bool found() const { return found_; }
+
+private:
+    Ray ray_;
+    Interval interval_;
+    Story* story_;
+    bool found_ = false;
 };
 
 }  // namespace rt::inline RT_PRECISION

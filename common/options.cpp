@@ -11,6 +11,7 @@
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <thread>
 
 namespace rt {
@@ -19,7 +20,15 @@ namespace {
 
 constexpr int max_side = 8192;  // as in scenes
 constexpr int max_threads = 1024;
-constexpr int first_stage_with_shapes = 3;
+constexpr int max_shadow_samples = 1 << 20;
+constexpr int max_depth = 1000;
+constexpr int shapes_stage = 3;
+constexpr int light_stage = 9;
+constexpr int soft_shadow_stage = 11;
+constexpr int mirror_stage = 12;
+
+/// Enough for a tolerance of half a step of the picture's 256, wherever the shadow's edge is.
+constexpr int tolerance_samples = 1024;
 
 /// Two whole numbers with `separator` between them and nothing around them.
 std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
@@ -56,6 +65,33 @@ void add_choice(CLI::App& app, const std::string& name, bool& second,
            help + "; " + words[0] + " if not given")
         ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())).description(""))
         ->type_name(words[0] + "|" + words[1]);
+}
+
+/// The options of the stages that have light.
+void add_light_options(CLI::App& app, int stage, Look& look) {
+    const auto add = [&app](const std::string& name, auto& value, const std::string& help,
+                            const std::string& type, auto check) {
+        app.add_option(name, value, help)->check(check.description(""))->type_name(type);
+    };
+    if (stage >= light_stage)
+        app.add_option("--term", look.term, "show one of Phong's terms; their sum if not given")
+            ->transform(CLI::CheckedTransformer(std::map<std::string, Term>{
+                                                    {"ambient", Term::ambient},
+                                                    {"diffuse", Term::diffuse},
+                                                    {"specular", Term::specular}})
+                            .description(""))
+            ->type_name("ambient|diffuse|specular");
+    if (stage >= soft_shadow_stage) {
+        add("--shadow-samples", look.shadow_samples,
+            "rays to a light with a size, at most; 16 if not given, 1024 with --tolerance", "N",
+            CLI::Range(1, max_shadow_samples));
+        add("--tolerance", look.tolerance,
+            "send fewer once the colour is estimated to be off by less than this, of 1", "E",
+            CLI::Range(0.0, 1.0));
+    }
+    if (stage >= mirror_stage)
+        add("--depth", look.depth, "mirror upon mirror, at most; 8 if not given", "N",
+            CLI::Range(0, max_depth));
 }
 
 /// A file in the project's folder, as short as it can be said from here.
@@ -101,14 +137,20 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
            "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },
            "tell the story of one pixel's ray, and make no picture")
         ->type_name("ROW,COLUMN");
-    if (program.stage >= first_stage_with_shapes)
+    if (program.stage >= light_stage)
+        add_choice(app, "--shade", normal, {"phong", "normal"},
+                   "colour by the scene's lights, or by abs(normal)");
+    else if (program.stage >= shapes_stage)
         add_choice(app, "--shade", normal, {"torch", "normal"},
                    "colour by a torch at the eye, or by abs(normal)");
+    add_light_options(app, program.stage, options.look);
     add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
                "what a scene's field of view spans");
     add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
                "what a cylinder's position is");
     app.add_flag("--strict", options.reading.strict, "read the scene to the letter of the format");
+    app.add_flag("--explain", options.explain,
+                 "say what the scene requires and what is left out, and make no picture");
     app.add_flag("--preview", options.preview, "draw the picture in the terminal as well");
     app.add_flag("--quiet", options.quiet, "say nothing but errors");
     try {
@@ -121,7 +163,9 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     }
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
     if (single) options.precision = Precision::f32;
-    if (normal) options.shading = Shading::normal;
+    if (normal) options.look.shading = Shading::normal;
+    if (options.look.tolerance > 0 && app.get_option("--shadow-samples")->empty())
+        options.look.shadow_samples = tolerance_samples;
     if (options.scene.empty()) options.scene = default_scene(program);
     if (options.output.empty()) options.output = default_output(program, options.scene);
     return options;

@@ -1,7 +1,7 @@
 // The command line of a stage's program.
 #pragma once
 
-#include "common/context.hpp"
+#include "common/look.hpp"
 #include "common/pixel.hpp"
 #include "common/scene_reader.hpp"
 
@@ -25,7 +25,8 @@ struct Options {
     std::optional<Resolution> size;  ///< instead of the scene's
     std::optional<Pixel> pixel;      ///< tell its story, and make no picture
     Precision precision = Precision::f64;
-    Shading shading = Shading::torch;
+    Look look;
+    bool explain = false;  ///< say what the scene requires, and make no picture
     int threads = 1;
     bool preview = false;
     bool quiet = false;

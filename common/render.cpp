@@ -15,21 +15,24 @@ bool is_number(const Color& color) {
 
 struct Row {
     std::int64_t rays = 0;
+    std::int64_t sized_light_rays = 0;
     int not_a_number = 0;
     int first_not_a_number = 0;  ///< a column
 };
 
 Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
                const RenderSettings& settings, int row, Image& image) {
-    Context context{.shading = settings.shading};
+    Context context{.look = settings.look};
     Row result;
     for (Pixel pixel{.row = row}; pixel.column < image.resolution.width; ++pixel.column) {
+        context.pixel = pixel;
         const Color color = trace(scene, pixel_ray(pixel), context);
         image[pixel] = to_rgb(color);
         if (!is_number(color) && result.not_a_number++ == 0)
             result.first_not_a_number = pixel.column;
     }
     result.rays = context.rays;
+    result.sized_light_rays = context.sized_light_rays;
     return result;
 }
 
@@ -40,6 +43,7 @@ Rendering sum(Image image, const std::vector<Row>& rows) {
         if (result.not_a_number == 0 && rows[row].not_a_number > 0)
             result.first_not_a_number = {.row = int(row), .column = rows[row].first_not_a_number};
         result.rays += rows[row].rays;
+        result.sized_light_rays += rows[row].sized_light_rays;
         result.not_a_number += rows[row].not_a_number;
     }
     return result;

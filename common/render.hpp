@@ -13,7 +13,7 @@ namespace rt {
 
 struct RenderSettings {
     int threads = 1;
-    Shading shading = Shading::torch;
+    Look look;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
     const std::atomic<bool>* stop = nullptr;   ///< set to give up
 };
@@ -21,6 +21,7 @@ struct RenderSettings {
 struct Rendering {
     Image image;
     std::int64_t rays = 0;
+    std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size
     std::int64_t not_a_number = 0;  ///< pixels without a colour
     Pixel first_not_a_number;       ///< the topmost of them
 };

@@ -1,21 +1,107 @@
 #include "common/requirements.hpp"
 
+#include "common/stages.hpp"
+
+#include <algorithm>
+
 namespace rt {
 
-std::vector<Requirement> requirements(const Scene& scene) {
+namespace {
+
+constexpr int light_stage = 9;
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// Calls visit(items) for each kind of shape.
+template <class Visit>
+void for_each_kind(const Scene& scene, Visit visit) {
+    visit(scene.spheres);
+    visit(scene.planes);
+    visit(scene.triangles);
+    visit(scene.squares);
+    visit(scene.cylinders);
+    visit(scene.cones);
+    visit(scene.boxes);
+}
+
+/// How many materials of the scene `is` holds of.
+template <class Predicate>
+std::size_t materials(const Scene& scene, Predicate is) {
+    std::size_t count = 0;
+    for_each_kind(scene, [&](const auto& items) {
+        for (const auto& item : items) count += is(item.material) ? 1 : 0;
+    });
+    for (const NamedMesh& mesh : scene.named_meshes) count += is(mesh.material) ? 1 : 0;
+    return count;
+}
+
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size(), width), ' ');
+    return text;
+}
+
+}  // namespace
+
+std::vector<Requirement> requirements(const Scene& scene, int stage) {
     std::vector<Requirement> found;
-    const auto require = [&found](std::size_t count, const std::string& name, int stage) {
-        if (count == 0) return;
-        found.push_back(
-            {.what = std::to_string(count) + " " + name + (count > 1 ? "s" : ""), .stage = stage});
+    const auto require = [&found](std::size_t count, int needed, const std::string& one,
+                                  const std::string& many) {
+        if (count > 0) found.push_back({.what = counted(count, one, many), .stage = needed});
     };
-    require(scene.spheres.size(), "sphere", 3);
-    require(scene.planes.size(), "plane", 4);
-    require(scene.triangles.size(), "triangle", 5);
-    require(scene.squares.size(), "square", 6);
-    require(scene.cylinders.size(), "cylinder", 7);
-    require(scene.cones.size(), "cone", 8);
+    require(scene.spheres.size(), 3, "sphere", "spheres");
+    require(scene.planes.size(), 4, "plane", "planes");
+    require(scene.triangles.size(), 5, "triangle", "triangles");
+    require(scene.squares.size(), 6, "square", "squares");
+    require(scene.cylinders.size(), 7, "cylinder", "cylinders");
+    require(scene.cones.size(), 8, "cone", "cones");
+    if (stage >= light_stage) {
+        const auto shines = [](const Material& material) { return material.specular > 0; };
+        const auto has_size = [](const Light& light) { return light.radius > 0; };
+        const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), has_size);
+        require(scene.ambient ? 1 : 0, light_stage, "ambient light", "");
+        require(scene.lights.size(), light_stage, "light", "lights");
+        require(materials(scene, shines), light_stage, "shape with a highlight",
+                "shapes with a highlight");
+        require(std::size_t(sized), 11, "light with a size", "lights with a size");
+    }
+    const auto reflects = [](const Material& material) { return material.mirror > 0; };
+    require(materials(scene, reflects), 12, "mirror", "mirrors");
+    require(scene.boxes.size(), 13, "box", "boxes");
+    require(scene.named_meshes.size(), 13, "mesh", "meshes");
     return found;
+}
+
+std::string explanation(const Scene& scene) {
+    const std::vector<Requirement> needs = requirements(scene);
+    const auto brought_by = [&needs](int stage) {
+        return std::any_of(needs.begin(), needs.end(),
+                           [stage](const Requirement& need) { return need.stage == stage; });
+    };
+    std::string lines = " requires\n";
+    for (const auto& [what, stage] : needs)
+        lines += "  " + padded(what, 28) + std::string(stage_name(stage)) + "\n";
+    if (needs.empty()) lines += "  nothing but rays\n";
+
+    bool many = false;
+    for_each_kind(scene, [&many](const auto& items) {
+        many = many || (!items.empty() && items.size() >= hierarchy_pays_from);
+    });
+    lines += "and goes without\n";
+    const auto without = [&lines](bool left_out, const std::string& what) {
+        if (left_out) lines += "  " + what + "\n";
+    };
+    for (int stage = 3; stage <= 8; ++stage)
+        without(!brought_by(stage),
+                std::string(stage_name(stage).substr(std::string_view("stepNN_").size())) + "s");
+    without(!brought_by(13), "boxes and meshes");
+    without(scene.lights.empty(), "light other than ambient, and shadow rays");
+    without(!brought_by(11), "several rays a shadow: no light has a size");
+    without(!brought_by(12), "reflections: nothing is a mirror");
+    without(!many && scene.named_meshes.empty(),
+            "a hierarchy of boxes: a list of so few shapes is quicker");
+    return lines;
 }
 
 }  // namespace rt

@@ -14,8 +14,11 @@ struct Requirement {
     int stage = 0;
 };
 
-/// What must be there for the scene to be drawn, in the order of the stages. Lights are not among
-/// them before stage 9: until then a torch at the eye takes their place.
-[[nodiscard]] std::vector<Requirement> requirements(const Scene& scene);
+/// What must be there for the scene to be drawn, in the order of the stages. Before stage 9, which
+/// brings light, a torch at the eye takes the place of whatever has to do with it.
+[[nodiscard]] std::vector<Requirement> requirements(const Scene& scene, int stage = 13);
+
+/// What the scene requires, and what is therefore left out: the lines of `--explain`.
+[[nodiscard]] std::string explanation(const Scene& scene);
 
 }  // namespace rt

@@ -1,5 +1,6 @@
 #include "common/run.hpp"
 
+#include "common/mesh_loading.hpp"
 #include "common/png.hpp"
 #include "common/render.hpp"
 #include "common/requirements.hpp"
@@ -24,7 +25,7 @@ std::string size_text(Resolution size) {
 }
 
 void refuse_later_stages(const Scene& scene, const Program& program, const Options& options) {
-    const std::vector<Requirement> needs = requirements(scene);
+    const std::vector<Requirement> needs = requirements(scene, program.stage);
     if (needs.empty() || needs.back().stage <= program.stage) return;
     const auto& [what, stage] = needs.back();  // whoever has this stage has the others
     throw InputError({options.scene}, what + " in the scene, which " +
@@ -38,7 +39,10 @@ Scene load(const Program& program, const Options& options) {
         reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
     Scene scene = load_scene(options.scene, reading);
     if (options.size) scene.resolution = *options.size;
+    if (options.explain) return scene;
     refuse_later_stages(scene, program, options);
+    load_meshes(scene);
+    arrange(scene);
     return scene;
 }
 
@@ -53,7 +57,17 @@ void check_output(const Options& options) {
 
 /// What the picture says of itself: whatever made it what it is. The number of threads did not.
 std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
-    std::string used = options.shading == Shading::normal ? "--shade normal" : "--shade torch";
+    const Look& look = options.look;
+    const bool lights = program.stage >= 9;
+    std::string used = look.shading == Shading::normal ? "--shade normal"
+                       : lights                        ? "--shade phong"
+                                                       : "--shade torch";
+    if (look.term == Term::ambient) used += " --term ambient";
+    if (look.term == Term::diffuse) used += " --term diffuse";
+    if (look.term == Term::specular) used += " --term specular";
+    if (program.stage >= 11) used += " --shadow-samples " + std::to_string(look.shadow_samples);
+    if (look.tolerance > 0) used += " --tolerance " + text(Real(look.tolerance));
+    if (program.stage >= 12) used += " --depth " + std::to_string(look.depth);
     if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
     if (options.reading.cylinder_from_base) used += " --cyl base";
     if (options.reading.strict) used += " --strict";
@@ -72,9 +86,13 @@ int terminal_columns() {
 }
 
 void report(const Rendering& rendering, const Options& options, double seconds) {
-    std::printf("%s: %s pixels, %s, %.2f s, %lld rays\n", options.output.c_str(),
+    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
                 size_text(rendering.image.resolution).c_str(), precision_name, seconds,
                 static_cast<long long>(rendering.rays));
+    if (rendering.sized_light_rays > 0)
+        std::printf(", %lld of them to lights with a size",
+                    static_cast<long long>(rendering.sized_light_rays));
+    std::printf("\n");
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;
     const bool one = rendering.not_a_number == 1;
@@ -91,7 +109,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     {
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
         rendering = render(scene, {.threads = options.threads,
-                                   .shading = options.shading,
+                                   .look = options.look,
                                    .row_done = [&progress] { progress.advance(); },
                                    .stop = &stop});
     }
@@ -119,7 +137,7 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     story.heading("The ray");
     story.line("o_r", text(ray.origin));
     story.line("d_r", text(ray.direction));
-    Context context{.shading = options.shading, .story = &story};
+    Context context{.look = options.look, .pixel = pixel, .story = &story};
     const Color color = trace(scene, ray, context);
     if (story.misses_left_out() > 0)
         story.remark(std::to_string(story.misses_left_out()) + " more shapes were missed");
@@ -135,6 +153,10 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
 bool RT_PRECISION::run(const Program& program, const Options& options,
                        const std::atomic<bool>& stop) {
     const Scene scene = load(program, options);
+    if (options.explain) {
+        std::cout << options.scene << explanation(scene);
+        return true;
+    }
     if (!options.pixel) return make_picture(program, options, scene, stop);
     tell_pixel(program, options, scene, *options.pixel);
     return true;

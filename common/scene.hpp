@@ -1,10 +1,14 @@
 // What a .rt file describes.
 #pragma once
 
+#include "common/input_error.hpp"
+#include "common/items.hpp"
 #include "common/pixel.hpp"
+#include "common/placed_mesh.hpp"
 #include "common/shapes.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rt {
@@ -34,16 +38,15 @@ struct Light {
     Vec3 position;
     Real brightness = 1;  ///< 0 to 1
     Color color{1};
+    Real radius = 0;  ///< of the sphere that shines; 0 for a point
 };
 
-struct Material {
-    Color color{1};
-};
-
-/// A shape and what it is made of.
-template <class Shape>
-struct Item {
-    Shape shape;
+/// A mesh that a scene names. It is loaded once the stage is known to have meshes.
+struct NamedMesh {
+    Place place;       ///< of its element
+    std::string file;  ///< from the scene's folder
+    bool smooth = true;  ///< normals interpolated; else faces flat
+    Motion placement;
     Material material;
 };
 
@@ -54,12 +57,15 @@ struct Scene {
     std::optional<Ambient> ambient;
     std::vector<Light> lights;
 
-    std::vector<Item<Sphere>> spheres;
-    std::vector<Item<Plane>> planes;
-    std::vector<Item<Triangle>> triangles;
-    std::vector<Item<Square>> squares;
-    std::vector<Item<Cylinder>> cylinders;
-    std::vector<Item<Cone>> cones;
+    Items<Sphere> spheres;
+    Items<Plane> planes;
+    Items<Triangle> triangles;
+    Items<Square> squares;
+    Items<Cylinder> cylinders;
+    Items<Cone> cones;
+    Items<OrientedBox> boxes;
+    std::vector<NamedMesh> named_meshes;
+    Items<PlacedMesh> meshes;  ///< the named ones, once they are loaded
 };
 
 }  // namespace rt::inline RT_PRECISION
@@ -69,5 +75,9 @@ namespace rt {
 /// The angle between the top and the bottom edge of the picture, in radians, whichever axis the
 /// camera's field of view is given along.
 [[nodiscard]] Real vertical_fov(const Camera& camera, Resolution resolution);
+
+/// Builds the hierarchies over the kinds of shape that are many, once the scene is whole. Pictures
+/// are the same without, but later.
+void arrange(Scene& scene);
 
 }  // namespace rt

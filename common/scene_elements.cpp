@@ -32,17 +32,25 @@ void read_camera(Fields& fields, const SceneReading& reading, Scene& scene) {
 void read_light(Fields& fields, const SceneReading&, Scene& scene) {
     const Vec3 position = fields.point("position");
     const Real brightness = fields.ratio("brightness");
-    scene.lights.push_back(
-        {.position = position, .brightness = brightness, .color = fields.color_or_white()});
+    const Color color = fields.color_or_white();
+    scene.lights.push_back({.position = position,
+                            .brightness = brightness,
+                            .color = color,
+                            .radius = fields.length_option("radius", 0)});
 }
 
 bool is_finite(Vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The colour, the last field of a shape.
+/// The colour, the last field of a shape, and the options that every shape has.
 Material read_material(Fields& fields) {
-    return {.color = fields.color()};
+    const Material plain;
+    const Color color = fields.color();
+    return {.color = color,
+            .specular = fields.ratio_option("spec", plain.specular),
+            .shininess = fields.length_option("shin", plain.shininess),
+            .mirror = fields.ratio_option("mirror", plain.mirror)};
 }
 
 void read_sphere(Fields& fields, const SceneReading&, Scene& scene) {
@@ -104,6 +112,25 @@ void read_cone(Fields& fields, const SceneReading&, Scene& scene) {
          .material = read_material(fields)});
 }
 
+void read_box(Fields& fields, const SceneReading&, Scene& scene) {
+    const Vec3 center = fields.point("position");
+    const Basis basis = basis_around(fields.direction("direction"));
+    const Vec3 size = fields.lengths("size");
+    scene.boxes.push_back(
+        {.shape = {.center = center, .basis = basis, .half_size = size / Real(2)},
+         .material = read_material(fields)});
+}
+
+void read_mesh(Fields& fields, const SceneReading&, Scene& scene) {
+    NamedMesh mesh{.place = fields.place(), .file = fields.word("file")};
+    mesh.placement.translation = fields.point("position");
+    mesh.placement.scale = fields.length("scale");
+    mesh.material = read_material(fields);
+    mesh.placement.rotation = basis_around(fields.direction_option("dir", {0, 0, 1}));
+    mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
+    scene.named_meshes.push_back(mesh);
+}
+
 constexpr const char* last_counts = "the last one counts";
 constexpr const char* all_kept = "all are kept, and pictures use the first";
 
@@ -120,6 +147,9 @@ constexpr auto table = std::to_array<Element>({
     {{"sq", "a square", "sq position normal side colour [sides:1|2]"}, read_square},
     {{"cy", "a cylinder", "cy position direction diameter height colour"}, read_cylinder},
     {{"co", "a cone", "co apex direction diameter height colour"}, read_cone},
+    {{"box", "a box", "box position direction size colour"}, read_box},
+    {{"mesh", "a mesh", "mesh file position scale colour [dir:x,y,z] [normals:smooth|flat]"},
+     read_mesh},
 });
 
 }  // namespace

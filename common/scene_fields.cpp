@@ -30,10 +30,7 @@ Vec3 Fields::point(std::string_view field) {
 }
 
 Vec3 Fields::direction(std::string_view field) {
-    const Triple read = triple(field);
-    const auto found = unit_direction(read, field);
-    if (!found) refuse(joined(read.parts[0], read.parts[2]), what(field) + " must point somewhere");
-    return *found;
+    return direction_of(triple(field), field);
 }
 
 Vec3 Fields::camera_direction(std::string_view field) {
@@ -44,22 +41,42 @@ Vec3 Fields::camera_direction(std::string_view field) {
 }
 
 Real Fields::length(std::string_view field) {
-    const Token token = take_word(field);
-    const Decimal number = decimal(token, what(field));
-    if (!positive(number)) refuse(token, what(field) + " must be positive");
-    const bool vanishes = number.value / 2 == 0;
-    if (vanishes) refuse(token, what(field) + " must be large enough to compute with");
-    return number.value;
+    return length_of(take_word(field), what(field));
+}
+
+Vec3 Fields::lengths(std::string_view field) {
+    const auto parts = take_triple(field);
+    const std::string name = component_of(what(field));
+    return {length_of(parts[0], name), length_of(parts[1], name), length_of(parts[2], name)};
 }
 
 Real Fields::ratio(std::string_view field) {
-    return up_to(1, field);
+    return up_to(1, take_word(field), field);
+}
+
+std::string Fields::word(std::string_view field) {
+    return std::string(take_word(field).text);
+}
+
+Real Fields::ratio_option(std::string_view key, Real otherwise) {
+    const auto token = option(key);
+    return token ? up_to(1, *token, key) : otherwise;
+}
+
+Real Fields::length_option(std::string_view key, Real otherwise) {
+    const auto token = option(key);
+    return token ? length_of(*token, what(key)) : otherwise;
+}
+
+Vec3 Fields::direction_option(std::string_view key, Vec3 otherwise) {
+    const auto parts = option_triple(key);
+    return parts ? direction_of(triple_of(*parts, key), key) : otherwise;
 }
 
 Real Fields::angle(std::string_view field) {
     // float's π is more than π, and the tangent of its half negative.
     const Real largest = std::nextafter(pi, Real(0));
-    return std::min(up_to(180, field) * pi / 180, largest);
+    return std::min(up_to(180, take_word(field), field) * pi / 180, largest);
 }
 
 Color Fields::color() {
@@ -106,12 +123,30 @@ Decimal Fields::decimal(Token token, const std::string& name) {
 }
 
 Fields::Triple Fields::triple(std::string_view field) {
-    Triple read{.parts = take_triple(field), .numbers = {}, .value = Vec3(0)};
+    return triple_of(take_triple(field), field);
+}
+
+Fields::Triple Fields::triple_of(const std::array<Token, 3>& parts, std::string_view field) {
+    Triple read{.parts = parts, .numbers = {}, .value = Vec3(0)};
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
         read.numbers[i] = decimal(read.parts[i], component_of(what(field)));
     }
     read.value = {read.numbers[0].value, read.numbers[1].value, read.numbers[2].value};
     return read;
+}
+
+Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
+    const auto found = unit_direction(read, field);
+    if (!found) refuse(joined(read.parts[0], read.parts[2]), what(field) + " must point somewhere");
+    return *found;
+}
+
+Real Fields::length_of(Token token, const std::string& name) {
+    const Decimal number = decimal(token, name);
+    if (!positive(number)) refuse(token, name + " must be positive");
+    const bool vanishes = number.value / 2 == 0;
+    if (vanishes) refuse(token, name + " must be large enough to compute with");
+    return number.value;
 }
 
 /// Nothing if it is zero. Any length is fine, but the format has components from −1 to 1.
@@ -125,8 +160,7 @@ std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view 
 }
 
 /// A number from 0 to the bound.
-Real Fields::up_to(int bound, std::string_view field) {
-    const Token token = take_word(field);
+Real Fields::up_to(int bound, Token token, std::string_view field) {
     const Decimal number = decimal(token, what(field));
     if (within(number, bound)) return number.value;
     refuse(token, what(field) + " must be from 0 to " + std::to_string(bound));

@@ -26,8 +26,19 @@ public:
     /// A positive number, whose half is positive too.
     [[nodiscard]] Real length(std::string_view field);
 
+    /// Three positive numbers.
+    [[nodiscard]] Vec3 lengths(std::string_view field);
+
     /// 0 to 1.
     [[nodiscard]] Real ratio(std::string_view field);
+
+    /// A word as it stands: a file's name.
+    [[nodiscard]] std::string word(std::string_view field);
+
+    // Options, and what they are if the line has none.
+    [[nodiscard]] Real ratio_option(std::string_view key, Real otherwise);
+    [[nodiscard]] Real length_option(std::string_view key, Real otherwise);
+    [[nodiscard]] Vec3 direction_option(std::string_view key, Vec3 otherwise);
 
     /// 0 to 180 degrees as radians, less than π.
     [[nodiscard]] Real angle(std::string_view field);
@@ -50,8 +61,11 @@ private:
 
     [[nodiscard]] Decimal decimal(Token token, const std::string& name);
     [[nodiscard]] Triple triple(std::string_view field);
+    [[nodiscard]] Triple triple_of(const std::array<Token, 3>& parts, std::string_view field);
+    [[nodiscard]] Vec3 direction_of(const Triple& triple, std::string_view field);
     [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
-    [[nodiscard]] Real up_to(int bound, std::string_view field);
+    [[nodiscard]] Real length_of(Token token, const std::string& name);
+    [[nodiscard]] Real up_to(int bound, Token token, std::string_view field);
 };
 
 /// Of a picture, in pixels. A larger one is more likely a slip than a wish: 8192 × 8192 pixels are

@@ -13,6 +13,8 @@ class SceneReport {
 public:
     SceneReport(const std::string& file, const SceneReading& reading);
 
+    [[nodiscard]] Place place(int line, int column) const { return {file_, line, column}; }
+
     /// Throws InputError with its place.
     [[noreturn]] void fail(int line, int column, const std::string& message) const;
 

@@ -49,4 +49,11 @@ struct Cone {
     Real height = 1;
 };
 
+/// |x|, |y| and |z| ≤ half_size's in its own frame (M1, "boite orientée").
+struct OrientedBox {
+    Vec3 center;
+    Basis basis;
+    Vec3 half_size{Real(0.5)};  ///< along the basis's x, y and z
+};
+
 }  // namespace rt::inline RT_PRECISION

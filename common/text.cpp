@@ -89,4 +89,19 @@ std::string code(const Cone& cone) {
            field("radius", code(cone.radius)) + ", " + field("height", code(cone.height)) + "}";
 }
 
+std::string code(const OrientedBox& box) {
+    return "OrientedBox{" + field("center", code(box.center)) + ", " +
+           field("basis", code(box.basis)) + ", " + field("half_size", code(box.half_size)) + "}";
+}
+
+std::string code(const Box& box) {
+    return "Box{" + field("min", code(box.min)) + ", " + field("max", code(box.max)) + "}";
+}
+
+std::string code(const Motion& motion) {
+    return "Motion{" + field("rotation", code(motion.rotation)) + ", " +
+           field("scale", code(motion.scale)) + ", " +
+           field("translation", code(motion.translation)) + "}";
+}
+
 }  // namespace rt

@@ -1,6 +1,8 @@
 // Values as text, each with enough digits to be read back as the same number.
 #pragma once
 
+#include "common/box.hpp"
+#include "common/motion.hpp"
 #include "common/pixel.hpp"
 #include "common/ray.hpp"
 #include "common/shapes.hpp"
@@ -26,5 +28,8 @@ namespace rt {
 [[nodiscard]] std::string code(const Square& square);
 [[nodiscard]] std::string code(const Cylinder& cylinder);
 [[nodiscard]] std::string code(const Cone& cone);
+[[nodiscard]] std::string code(const OrientedBox& box);
+[[nodiscard]] std::string code(const Box& box);
+[[nodiscard]] std::string code(const Motion& motion);
 
 }  // namespace rt

@@ -6,7 +6,8 @@
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32)
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             whichever of the two is chosen, by name
-# stepNN_name_main_f64        object library of main.cpp: the stage's picture
+# stepNN_name_picture_f64     the stage's picture: main.cpp, and what this stage and those before it
+#                             hand on: the other files beside a main.cpp, story.cpp apart
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
@@ -14,7 +15,6 @@ function(raysteps_stage)
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
     file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
     raysteps_compile_twice(${name}_reference ${reference})
-    raysteps_compile_twice(${name}_main main.cpp)
     set(chosen reference)
     if(student)
         raysteps_compile_twice(${name}_student ${student})
@@ -22,10 +22,32 @@ function(raysteps_stage)
             set(chosen student)
         endif()
     endif()
+
+    raysteps_compile_twice(${name}_main main.cpp)
+    file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
+    list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
+    if(handed_on)
+        raysteps_compile_twice(${name}_handed_on ${handed_on})
+        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_HANDED_ON ${name}_handed_on)
+    endif()
+    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
+    set(meshes raysteps_without_meshes)
+    if(number GREATER_EQUAL 13)
+        set(meshes raysteps_meshes)
+    endif()
+
     foreach(precision IN ITEMS f32 f64)
         add_library(${name}_${precision} INTERFACE)
         target_sources(${name}_${precision} INTERFACE
             $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+        add_library(${name}_picture_${precision} INTERFACE)
+        foreach(part IN ITEMS ${name}_main ${handed_on} ${meshes})
+            target_sources(${name}_picture_${precision} INTERFACE
+                $<TARGET_OBJECTS:${part}_${precision}>)
+        endforeach()
+        if(number GREATER_EQUAL 13)
+            target_link_libraries(${name}_picture_${precision} INTERFACE ${RAYSTEPS_OPENMESH})
+        endif()
     endforeach()
 
     set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
@@ -38,7 +60,7 @@ function(raysteps_stage)
         RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
     foreach(precision IN ITEMS f32 f64)
         target_link_libraries(${name} PRIVATE
-            raysteps_common_${precision} ${name}_main_${precision})
+            raysteps_common_${precision} ${name}_picture_${precision})
         foreach(stage IN LISTS stages)
             target_link_libraries(${name} PRIVATE ${stage}_${precision})
         endforeach()

@@ -2,9 +2,6 @@
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 
-#include "steps/step01_ray_generation/ray_generation.hpp"
-#include "steps/step02_camera_basis/camera_basis.hpp"
-
 #include <cmath>
 
 namespace rt {
@@ -18,14 +15,6 @@ bool on_line(Real angle) {
 }
 
 }  // namespace
-
-std::function<Ray(Pixel)> pixel_rays(const Camera& camera, Resolution resolution) {
-    const Real fov = vertical_fov(camera, resolution);
-    const Basis basis = camera_basis(camera.direction);
-    return [=, position = camera.position](Pixel pixel) {
-        return to_world(camera_ray(pixel, resolution, fov), basis, position);
-    };
-}
 
 Color trace(const Scene& /*scene*/, const Ray& ray, Context& context) {
     ++context.rays;

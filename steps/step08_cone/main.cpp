@@ -3,8 +3,6 @@
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 
-#include "steps/step01_ray_generation/ray_generation.hpp"
-#include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"
 #include "steps/step05_triangle/triangle.hpp"
@@ -13,14 +11,6 @@
 #include "steps/step08_cone/cone.hpp"
 
 namespace rt {
-
-std::function<Ray(Pixel)> pixel_rays(const Camera& camera, Resolution resolution) {
-    const Real fov = vertical_fov(camera, resolution);
-    const Basis basis = camera_basis(camera.direction);
-    return [=, position = camera.position](Pixel pixel) {
-        return to_world(camera_ray(pixel, resolution, fov), basis, position);
-    };
-}
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
     Nearest nearest(ray, context);
@@ -32,7 +22,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     nearest.among(scene.cones);
     const std::optional<Hit> hit = nearest.hit();
     if (!hit) return Color(0);
-    if (context.shading == Shading::normal) return color_from_normal(hit->normal);
+    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
     return hit->material->color * torch(hit->point, facing(hit->normal, ray.direction), ray.origin);
 }
 

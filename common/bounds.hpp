@@ -1,0 +1,19 @@
+// Boxes around shapes, for a hierarchy: no rounded test of stages 3 to 8 finds a hit outside.
+#pragma once
+
+#include "common/box.hpp"
+#include "common/mesh.hpp"
+#include "common/shapes.hpp"
+
+namespace rt {
+
+[[nodiscard]] Box bounds(const Sphere& sphere);
+[[nodiscard]] Box bounds(const Triangle& triangle);
+[[nodiscard]] Box bounds(const Square& square);
+[[nodiscard]] Box bounds(const Cylinder& cylinder);
+[[nodiscard]] Box bounds(const Cone& cone);
+
+/// Around the vertices that triangles use, and no wider; empty if there are none.
+[[nodiscard]] Box bounds(const Mesh& mesh);
+
+}  // namespace rt

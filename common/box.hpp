@@ -1,0 +1,28 @@
+// Axis-aligned boxes (M1, "boite alignée sur les axes").
+#pragma once
+
+#include "common/real.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// All points from one corner to the other; none, if min is beyond max.
+struct Box {
+    Vec3 min{infinity};
+    Vec3 max{-infinity};
+};
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// The smallest box around both.
+[[nodiscard]] inline Box united(const Box& a, const Box& b) {
+    return {.min = glm::min(a.min, b.min), .max = glm::max(a.max, b.max)};
+}
+
+/// The smallest box around the box and the point.
+[[nodiscard]] inline Box united(const Box& box, Vec3 point) {
+    return {.min = glm::min(box.min, point), .max = glm::max(box.max, point)};
+}
+
+}  // namespace rt

@@ -1,0 +1,89 @@
+// The shapes of one kind in a scene.
+#pragma once
+
+#include "common/bounds.hpp"
+#include "common/hierarchy.hpp"
+#include "common/material.hpp"
+
+#include <concepts>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+/// A shape and what it is made of.
+template <class Shape>
+struct Item {
+    Shape shape;
+    Material material;
+};
+
+/// As many shapes as a hierarchy pays from: of fewer, each is asked as quickly as its box.
+inline constexpr std::size_t hierarchy_pays_from = 10;
+
+/// Whether a kind of shape fits into a box: all but the plane.
+template <class Shape>
+concept Bounded = requires(const Shape& shape) {
+    { bounds(shape) } -> std::same_as<Box>;
+};
+
+/// A list of items, and above many of them a hierarchy, so that a ray asks those alone whose boxes
+/// it meets.
+template <class Shape>
+class Items {
+public:
+    void push_back(const Item<Shape>& item) {
+        items_.push_back(item);
+        hierarchy_ = {};
+    }
+
+    [[nodiscard]] bool empty() const { return items_.empty(); }
+    [[nodiscard]] std::size_t size() const { return items_.size(); }
+    [[nodiscard]] const Item<Shape>& operator[](std::size_t index) const { return items_[index]; }
+    [[nodiscard]] const Item<Shape>& front() const { return items_.front(); }
+    [[nodiscard]] const Item<Shape>& back() const { return items_.back(); }
+    [[nodiscard]] auto begin() const { return items_.begin(); }
+    [[nodiscard]] auto end() const { return items_.end(); }
+
+    /// Builds the hierarchy, if they are so many that it pays.
+    void arrange() {
+        if constexpr (Bounded<Shape>) {
+            if (items_.size() < hierarchy_pays_from) return;
+            std::vector<Box> boxes;
+            boxes.reserve(items_.size());
+            for (const Item<Shape>& item : items_) boxes.push_back(bounds(item.shape));
+            hierarchy_ = Hierarchy(boxes);
+        }
+    }
+
+    [[nodiscard]] bool arranged() const { return !hierarchy_.empty(); }
+
+    /// Calls visit(item) for every item that the ray may meet inside the interval; a visit may
+    /// shorten the interval, and spares the items beyond.
+    template <class Visit>
+    void along(const Ray& ray, Interval& interval, Visit visit) const {
+        if (!arranged()) {
+            for (const Item<Shape>& item : items_) visit(item);
+        } else {
+            hierarchy_.nearest(ray, interval,
+                               [&](std::size_t index) { visit(items_[index]); });
+        }
+    }
+
+    /// Whether visit(item) is true for any item that the ray may meet inside the interval.
+    template <class Visit>
+    [[nodiscard]] bool any_along(const Ray& ray, Interval interval, Visit visit) const {
+        if (!arranged()) {
+            for (const Item<Shape>& item : items_)
+                if (visit(item)) return true;
+            return false;
+        }
+        return hierarchy_.any(ray, interval,
+                              [&](std::size_t index) { return visit(items_[index]); });
+    }
+
+private:
+    std::vector<Item<Shape>> items_;
+    Hierarchy hierarchy_;
+};
+
+}  // namespace rt::inline RT_PRECISION

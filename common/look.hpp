@@ -1,0 +1,23 @@
+// What the command line says about how a picture looks and what it may cost.
+#pragma once
+
+namespace rt {
+
+/// How a hit becomes a colour.
+enum class Shading {
+    color,   ///< as the stage does: by a torch at the eye (M1), from stage 9 on by the lights
+    normal,  ///< abs(normal)
+};
+
+/// Which of Phong's terms are shown.
+enum class Term { all, ambient, diffuse, specular };
+
+struct Look {
+    Shading shading = Shading::color;
+    Term term = Term::all;
+    int shadow_samples = 16;  ///< rays to a light with a size, at most
+    double tolerance = 0;     ///< fewer, once the error of the colour is estimated below this
+    int depth = 8;            ///< mirror upon mirror, at most
+};
+
+}  // namespace rt

@@ -1,0 +1,46 @@
+// A mesh made ready for rays: four triangles at a time, under a hierarchy, and watertight.
+#pragma once
+
+#include "common/hierarchy.hpp"
+#include "common/mesh.hpp"
+
+#include <optional>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+/// Four triangles, a lane each, scaled. NaN in the lanes not used, which makes them miss.
+struct TrianglePacket {
+    std::array<std::array<Lanes, 3>, 3> vertices;  ///< of each, x, y, z
+};
+
+/// The triangles of a mesh, which is not needed any more once they are packed.
+class PackedMesh {
+public:
+    PackedMesh() = default;
+    explicit PackedMesh(const Mesh& mesh);
+
+    /// Where the ray first meets the mesh strictly inside the interval, if it does. No ray passes
+    /// between triangles that share an edge or a vertex.
+    [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
+
+    /// Whether the ray meets the mesh at all strictly inside the interval.
+    [[nodiscard]] bool blocks(const Ray& ray, Interval interval) const;
+
+    /// Around all triangles; empty if there are none.
+    [[nodiscard]] Box bounds() const { return bounds_; }
+
+private:
+    [[nodiscard]] Ray scaled(const Ray& ray) const;
+    [[nodiscard]] Interval scaled(Interval interval) const;
+
+    Box bounds_;
+    Real scale_ = 1;  ///< a power of two, so that it rounds nothing
+    Hierarchy hierarchy_;
+    std::vector<TrianglePacket> packets_;  ///< one a leaf
+};
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,19 @@
+#include "common/placed_mesh.hpp"
+
+namespace rt {
+
+Box bounds(const PlacedMesh& placed) {
+    const Box& model = placed.model->bounds;
+    Box box;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const Vec3 point((corner & 1U) != 0 ? model.max.x : model.min.x, (corner & 2U) != 0 ? model.max.y : model.min.y,
+                         (corner & 4U) != 0 ? model.max.z : model.min.z);
+        box = united(box, moved(point, placed.placement));
+    }
+    // The corners are rounded, a dozen times at most, and so is the ray carried into the frame.
+    const Vec3 size = glm::max(abs(box.min), abs(box.max));
+    const Real margin = 32 * unit_roundoff * glm::max(size.x, glm::max(size.y, size.z));
+    return {.min = box.min - margin, .max = box.max + margin};
+}
+
+}  // namespace rt

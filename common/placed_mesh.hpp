@@ -1,0 +1,33 @@
+// A mesh somewhere in a scene.
+#pragma once
+
+#include "common/mesh.hpp"
+#include "common/motion.hpp"
+#include "common/packed_mesh.hpp"
+
+#include <memory>
+
+namespace rt::inline RT_PRECISION {
+
+/// A mesh as its file has it, and the same triangles packed for rays if there are many.
+struct Model {
+    Mesh mesh;
+    Box bounds;
+    std::optional<PackedMesh> packed;
+};
+
+/// The model's triangles, each point p at moved(p, placement). The mesh itself stays as it is, and
+/// several may share it: rays are carried into its frame instead (M1, "changement de repère").
+struct PlacedMesh {
+    std::shared_ptr<const Model> model;
+    Motion placement;
+};
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// Around the model's bounds, turned and moved.
+[[nodiscard]] Box bounds(const PlacedMesh& placed);
+
+}  // namespace rt

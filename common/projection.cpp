@@ -1,0 +1,91 @@
+#include "common/projection.hpp"
+
+#include "common/vector.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// In units of u times the largest coordinate. A projection below makes at most a dozen roundings,
+/// of numbers no larger than that; moving off the surface, and finding out by the same formulas
+/// that it has been left, makes a few more.
+constexpr Real roundings = 32;
+
+Real largest(Vec3 v) {
+    const Vec3 size = abs(v);
+    return glm::max(size.x, glm::max(size.y, size.z));
+}
+
+/// A projected point of a shape none of whose own coordinates is larger than `size`.
+SurfacePoint bounded(Vec3 point, Real size) {
+    return {.point = point, .error = roundings * unit_roundoff * glm::max(largest(point), size)};
+}
+
+/// The nearest point of the plane through `in_plane`, whose unit normal is given.
+Vec3 onto_plane(Vec3 point, Vec3 in_plane, Vec3 normal) {
+    return point - dot(point - in_plane, normal) * normal;
+}
+
+}  // namespace
+
+SurfacePoint projected(const Sphere& sphere, Vec3 point) {
+    const auto& [center, radius] = sphere;
+    const Vec3 outward = point - center;
+    if (outward == Vec3(0)) return bounded(point, radius);
+    return bounded(center + radius * unit(outward), largest(center) + radius);
+}
+
+SurfacePoint projected(const Plane& plane, Vec3 point) {
+    return bounded(onto_plane(point, plane.point, unit(plane.normal)), largest(plane.point));
+}
+
+SurfacePoint projected(const Triangle& triangle, Vec3 point) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 normal = cross(b - a, c - a);
+    const Real size = glm::max(largest(a), glm::max(largest(b), largest(c)));
+    if (normal == Vec3(0)) return bounded(point, size);
+    return bounded(onto_plane(point, a, unit(normal)), size);
+}
+
+SurfacePoint projected(const Square& square, Vec3 point) {
+    return bounded(onto_plane(point, square.center, square.basis.z),
+                   largest(square.center) + square.side);
+}
+
+SurfacePoint projected(const Cylinder& cylinder, Vec3 point) {
+    const auto& [center, axis, radius, height] = cylinder;
+    const Real size = largest(center) + radius + height;
+    const Vec3 along = dot(point - center, axis) * axis;
+    const Vec3 across = point - center - along;
+    if (across == Vec3(0)) return bounded(point, size);
+    return bounded(center + along + radius * unit(across), size);
+}
+
+SurfacePoint projected(const Cone& cone, Vec3 point) {
+    const auto& [apex, axis, radius, height] = cone;
+    const Real size = largest(apex) + radius + height;
+    const Real z = dot(point - apex, axis);
+    const Vec3 across = point - apex - z * axis;
+    if (across == Vec3(0)) return bounded(point, size);
+    // Along the side, from the apex: in the half-plane through the axis and the point.
+    const Vec3 outward = unit(across);
+    const Vec3 side = unit(height * axis + radius * outward);
+    return bounded(apex + dot(point - apex, side) * side, size);
+}
+
+SurfacePoint projected(const OrientedBox& box, Vec3 point) {
+    const auto& [center, basis, half_size] = box;
+    const Vec3 p(dot(point - center, basis.x), dot(point - center, basis.y),
+                 dot(point - center, basis.z));
+    const Vec3 share = abs(p) / half_size;  // 1 on the face, less on the others
+    const Vec3 axes[] = {basis.x, basis.y, basis.z};
+    const glm::length_t i = share.x > share.y ? (share.x > share.z ? 0 : 2)
+                                              : (share.y > share.z ? 1 : 2);
+    const Real off = std::copysign(half_size[i], p[i]) - p[i];
+    return bounded(point + off * axes[i],
+                   largest(center) + half_size.x + half_size.y + half_size.z);
+}
+
+}  // namespace rt

@@ -1,0 +1,63 @@
+#include "common/sampling.hpp"
+
+namespace rt {
+
+namespace {
+
+std::uint32_t reversed(std::uint32_t bits) {
+    bits = (bits << 16) | (bits >> 16);
+    bits = ((bits & 0x00ff00ffU) << 8) | ((bits & 0xff00ff00U) >> 8);
+    bits = ((bits & 0x0f0f0f0fU) << 4) | ((bits & 0xf0f0f0f0U) >> 4);
+    bits = ((bits & 0x33333333U) << 2) | ((bits & 0xccccccccU) >> 2);
+    return ((bits & 0x55555555U) << 1) | ((bits & 0xaaaaaaaaU) >> 1);
+}
+
+/// Every bit of the result depends on every bit of the value (Appleby's finaliser of MurmurHash3).
+std::uint32_t mixed(std::uint32_t value) {
+    value ^= value >> 16;
+    value *= 0x85ebca6bU;
+    value ^= value >> 13;
+    value *= 0xc2b2ae35U;
+    return value ^ (value >> 16);
+}
+
+/// Each bit flipped or not, as the seed and the bits below it say (Burley 2020, after Laine and
+/// Karras 2011): Owen's scrambling of the number with its bits in reverse.
+std::uint32_t flipped(std::uint32_t bits, std::uint32_t seed) {
+    bits += seed;
+    bits ^= bits * 0x6c50b47cU;
+    bits ^= bits * 0xb82f1e52U;
+    bits ^= bits * 0xc7afe638U;
+    bits ^= bits * 0x8d22f6e6U;
+    return bits;
+}
+
+/// The second dimension of Sobol's sequence, in units of 2^-32 (Kollig and Keller 2002).
+std::uint32_t sobol_second(std::uint32_t index) {
+    std::uint32_t result = 0;
+    for (std::uint32_t column = 1U << 31; index != 0; index >>= 1, column ^= column >> 1)
+        if ((index & 1U) != 0) result ^= column;
+    return result;
+}
+
+/// 24 bits, which a float holds too, so that both precisions sample the same points.
+Real to_unit_interval(std::uint32_t bits) {
+    return Real(bits >> 8) / Real(1U << 24);
+}
+
+}  // namespace
+
+Vec2 RT_PRECISION::spread_sample(std::uint32_t index, std::uint32_t seed) {
+    const std::uint32_t first = reversed(flipped(index, seed));  // the first dimension is reversed
+    const std::uint32_t second = reversed(flipped(reversed(sobol_second(index)), mixed(seed)));
+    return {to_unit_interval(first), to_unit_interval(second)};
+}
+
+std::uint32_t RT_PRECISION::sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce) {
+    std::uint32_t seed = mixed(std::uint32_t(pixel.row) + 1);
+    seed = mixed(seed ^ (std::uint32_t(pixel.column) + 1));
+    seed = mixed(seed ^ (light + 1));
+    return mixed(seed ^ (bounce + 1));
+}
+
+}  // namespace rt

@@ -1,0 +1,13 @@
+#include "common/mesh_loading.hpp"
+
+#include "common/stages.hpp"
+
+namespace rt {
+
+void load_meshes(Scene& scene) {
+    if (scene.named_meshes.empty()) return;
+    throw InputError(scene.named_meshes.front().place,
+                     "a mesh, which " + std::string(stage_name(13)) + " brings: run that");
+}
+
+}  // namespace rt

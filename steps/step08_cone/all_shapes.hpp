@@ -1,0 +1,26 @@
+// The shapes of stages 3 to 8, for the stages after them.
+#pragma once
+
+#include "common/nearest.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step04_plane/plane.hpp"
+#include "steps/step05_triangle/triangle.hpp"
+#include "steps/step06_square/square.hpp"
+#include "steps/step07_cylinder/cylinder.hpp"
+#include "steps/step08_cone/cone.hpp"
+
+namespace rt {
+
+/// Has a Nearest or a Blocker look through all of them, as stage 8's main.cpp does.
+template <class Query>
+void among_shapes(Query& query, const Scene& scene) {
+    query.among(scene.spheres);
+    query.among(scene.planes);
+    query.among(scene.triangles);
+    query.among(scene.squares);
+    query.among(scene.cylinders);
+    query.among(scene.cones);
+}
+
+}  // namespace rt

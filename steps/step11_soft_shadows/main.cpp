@@ -1,0 +1,25 @@
+// Lights may have a size.
+#include "common/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step11_soft_shadows/lighting.hpp"
+
+namespace rt {
+
+bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
+    Blocker blocker(way.ray, way.interval, context);
+    among_shapes(blocker, scene);
+    return blocker.found();
+}
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    Nearest nearest(ray, context);
+    among_shapes(nearest, scene);
+    const std::optional<Hit> hit = nearest.hit();
+    if (!hit) return Color(0);
+    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
+    return shown(lighting(scene, surface_at(*hit, ray), 0, context), context);
+}
+
+}  // namespace rt

@@ -1,0 +1,87 @@
+#include "steps/step13_meshes/meshes.hpp"
+
+#include "common/vector.hpp"
+
+#include "steps/step05_triangle/triangle.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// The coordinates of v along the axes of the basis.
+Vec3 in_frame(const Basis& basis, Vec3 v) {
+    return {dot(v, basis.x), dot(v, basis.y), dot(v, basis.z)};
+}
+
+Triangle triangle_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
+    return {.a = mesh.vertices[corners[0]],
+            .b = mesh.vertices[corners[1]],
+            .c = mesh.vertices[corners[2]]};
+}
+
+/// 1 + 2 γ(3): t on a far face is rounded three times, and might come out before the near one's
+/// where both are the same edge (Ize 2013, "Robust BVH Ray Traversal").
+constexpr Real far_padding = 1 + 2 * (3 * unit_roundoff) / (1 - 3 * unit_roundoff);
+
+}  // namespace
+
+std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        const Real to_min = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
+        const Real to_max = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
+        const bool backwards = ray.direction[axis] < 0;
+        const Real near = backwards ? to_max : to_min;
+        const Real far = (backwards ? to_min : to_max) * far_padding;
+        if (near > interval.min) interval.min = near;  // 0 / 0 along a face is NaN, and no bound
+        if (far < interval.max) interval.max = far;
+    }
+    if (!(interval.min <= interval.max)) return std::nullopt;
+    return interval;
+}
+
+std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
+    const Ray in_box{.origin = in_frame(box.basis, ray.origin - box.center),
+                     .direction = in_frame(box.basis, ray.direction)};
+    const auto inside = overlap(in_box, {.min = -box.half_size, .max = box.half_size},
+                                {.min = -infinity, .max = infinity});
+    if (!inside) return std::nullopt;
+    if (interval.contains(inside->min)) return inside->min;
+    if (interval.contains(inside->max)) return inside->max;
+    return std::nullopt;
+}
+
+Vec3 normal(const OrientedBox& box, Vec3 point) {
+    const Vec3 p = in_frame(box.basis, point - box.center);
+    const Vec3 share = abs(p) / box.half_size;  // 1 on the face, less on the others
+    if (share.x >= share.y && share.x >= share.z) return std::copysign(Real(1), p.x) * box.basis.x;
+    if (share.y >= share.z) return std::copysign(Real(1), p.y) * box.basis.y;
+    return std::copysign(Real(1), p.z) * box.basis.z;
+}
+
+Ray into_frame(const Ray& ray, const Motion& placement) {
+    const Basis& basis = placement.rotation;
+    return {.origin = in_frame(basis, ray.origin - placement.translation) / placement.scale,
+            .direction = in_frame(basis, ray.direction) / placement.scale};
+}
+
+std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
+    std::optional<MeshHit> nearest;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto t = intersect(ray, triangle_of(mesh, mesh.triangles[i]), interval);
+        if (!t) continue;
+        interval.max = *t;
+        nearest = MeshHit{.t = *t, .triangle = i};
+    }
+    if (!nearest) return std::nullopt;
+    nearest->weights =
+        barycentric(triangle_of(mesh, mesh.triangles[nearest->triangle]), at(ray, nearest->t));
+    return nearest;
+}
+
+Vec3 interpolated_normal(const std::array<Vec3, 3>& normals, Vec3 weights) {
+    return unit(weights.x * normals[0] + weights.y * normals[1] + weights.z * normals[2]);
+}
+
+}  // namespace rt
