@@ -318,8 +318,8 @@ std::uint32_t HierarchyBuilder::grow_tree(Hierarchy& tree, const Range& range, s
                 return part;
             });
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const std::uint32_t child = grown[i].valid() ? append(tree, grown[i].get())
-                                                     : grow_tree(tree, parts[i], depth + 1);
+        const std::uint32_t child =
+            grown[i].valid() ? append(tree, grown[i].get()) : grow_tree(tree, parts[i], depth + 1);
         set_child(tree.nodes_[place], i, parts[i].bounds, child);
     }
     return std::uint32_t(place);
@@ -343,7 +343,8 @@ Hierarchy::Hierarchy(std::span<const Box> boxes, Leaves leaves) {
 }
 
 SlabTest::SlabTest(const Ray& ray, const Box& all, Real min) : min_(all_lanes(min)) {
-    const Real reach = largest_coordinate({.min = all.min - ray.origin, .max = all.max - ray.origin});
+    const Real reach =
+        largest_coordinate({.min = all.min - ray.origin, .max = all.max - ray.origin});
     const Real slack = rounding_of_shapes * unit_roundoff * reach;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const Real inverse = 1 / ray.direction[axis];

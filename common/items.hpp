@@ -6,6 +6,8 @@
 #include "common/material.hpp"
 
 #include <concepts>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 namespace rt::inline RT_PRECISION {
@@ -31,6 +33,10 @@ concept Bounded = requires(const Shape& shape) {
 template <class Shape>
 class Items {
 public:
+    Items() = default;
+    Items(std::initializer_list<Item<Shape>> items) : items_(items) {}
+    explicit Items(std::vector<Item<Shape>> items) : items_(std::move(items)) {}
+
     void push_back(const Item<Shape>& item) {
         items_.push_back(item);
         hierarchy_ = {};
@@ -39,6 +45,7 @@ public:
     [[nodiscard]] bool empty() const { return items_.empty(); }
     [[nodiscard]] std::size_t size() const { return items_.size(); }
     [[nodiscard]] const Item<Shape>& operator[](std::size_t index) const { return items_[index]; }
+    [[nodiscard]] const Item<Shape>& at(std::size_t index) const { return items_.at(index); }
     [[nodiscard]] const Item<Shape>& front() const { return items_.front(); }
     [[nodiscard]] const Item<Shape>& back() const { return items_.back(); }
     [[nodiscard]] auto begin() const { return items_.begin(); }
@@ -64,8 +71,7 @@ public:
         if (!arranged()) {
             for (const Item<Shape>& item : items_) visit(item);
         } else {
-            hierarchy_.nearest(ray, interval,
-                               [&](std::size_t index) { visit(items_[index]); });
+            hierarchy_.nearest(ray, interval, [&](std::size_t index) { visit(items_[index]); });
         }
     }
 

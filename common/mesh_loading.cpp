@@ -31,8 +31,8 @@ void load_meshes(Scene& scene) {
         const std::string file = (folder / named.file).string();
         auto& model = models[{file, named.smooth}];
         if (!model) model = load_model(file, named.smooth);
-        scene.meshes.push_back({.shape = {.model = model, .placement = named.placement},
-                                .material = named.material});
+        scene.meshes.push_back(
+            {.shape = {.model = model, .placement = named.placement}, .material = named.material});
     }
 }
 

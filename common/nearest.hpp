@@ -70,8 +70,7 @@ private:
     template <class Shape>
     void try_one(const Item<Shape>& item) {
         const auto answer = intersect(ray_, item.shape, interval_);
-        if (story_ != nullptr)
-            tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
+        if (story_ != nullptr) tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
         if (!answer) return;
         interval_.max = *t_of(answer);
         if constexpr (std::is_same_v<Shape, PlacedMesh>) in_mesh_ = *answer;

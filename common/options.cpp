@@ -75,11 +75,11 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
     };
     if (stage >= light_stage)
         app.add_option("--term", look.term, "show one of Phong's terms; their sum if not given")
-            ->transform(CLI::CheckedTransformer(std::map<std::string, Term>{
-                                                    {"ambient", Term::ambient},
-                                                    {"diffuse", Term::diffuse},
-                                                    {"specular", Term::specular}})
-                            .description(""))
+            ->transform(
+                CLI::CheckedTransformer(std::map<std::string, Term>{{"ambient", Term::ambient},
+                                                                    {"diffuse", Term::diffuse},
+                                                                    {"specular", Term::specular}})
+                    .description(""))
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
         add("--shadow-samples", look.shadow_samples,

@@ -50,12 +50,10 @@ public:
         const Lanes gamma = ax * by - ay * bx;
         // Smallest and largest of the three; NaN must miss, and does so by its t.
         const Lanes zero = all_lanes(0);
-        const Mask inside = (zero <= min(min(alpha, beta), gamma)) |
-                            (max(max(alpha, beta), gamma) <= zero);
-        const Lanes t =
-            (alpha * az + beta * bz + gamma * cz) / (alpha + beta + gamma) * inverse_z_;
-        const Mask hits =
-            inside & (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
+        const Mask inside =
+            (zero <= min(min(alpha, beta), gamma)) | (max(max(alpha, beta), gamma) <= zero);
+        const Lanes t = (alpha * az + beta * bz + gamma * cz) / (alpha + beta + gamma) * inverse_z_;
+        const Mask hits = inside & (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
         return {.areas = {alpha, beta, gamma}, .t = t, .hits = bits(hits)};
     }
 
@@ -109,7 +107,8 @@ PackedMesh::PackedMesh(const Mesh& mesh) : bounds_(rt::bounds(mesh)), scale_(sca
     boxes.reserve(mesh.triangles.size());
     for (const auto& triangle : mesh.triangles) {
         Box box;
-        for (const std::uint32_t vertex : triangle) box = united(box, scale_ * mesh.vertices[vertex]);
+        for (const std::uint32_t vertex : triangle)
+            box = united(box, scale_ * mesh.vertices[vertex]);
         boxes.push_back(box);
     }
     hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::packed);

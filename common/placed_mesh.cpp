@@ -6,7 +6,8 @@ Box bounds(const PlacedMesh& placed) {
     const Box& model = placed.model->bounds;
     Box box;
     for (unsigned corner = 0; corner < 8; ++corner) {
-        const Vec3 point((corner & 1U) != 0 ? model.max.x : model.min.x, (corner & 2U) != 0 ? model.max.y : model.min.y,
+        const Vec3 point((corner & 1U) != 0 ? model.max.x : model.min.x,
+                         (corner & 2U) != 0 ? model.max.y : model.min.y,
                          (corner & 4U) != 0 ? model.max.z : model.min.z);
         box = united(box, moved(point, placed.placement));
     }

@@ -81,8 +81,8 @@ SurfacePoint projected(const OrientedBox& box, Vec3 point) {
                  dot(point - center, basis.z));
     const Vec3 share = abs(p) / half_size;  // 1 on the face, less on the others
     const Vec3 axes[] = {basis.x, basis.y, basis.z};
-    const glm::length_t i = share.x > share.y ? (share.x > share.z ? 0 : 2)
-                                              : (share.y > share.z ? 1 : 2);
+    const glm::length_t i =
+        share.x > share.y ? (share.x > share.z ? 0 : 2) : (share.y > share.z ? 1 : 2);
     const Real off = std::copysign(half_size[i], p[i]) - p[i];
     return bounded(point + off * axes[i],
                    largest(center) + half_size.x + half_size.y + half_size.z);

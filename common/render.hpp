@@ -22,8 +22,8 @@ struct Rendering {
     Image image;
     std::int64_t rays = 0;
     std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size
-    std::int64_t not_a_number = 0;  ///< pixels without a colour
-    Pixel first_not_a_number;       ///< the topmost of them
+    std::int64_t not_a_number = 0;      ///< pixels without a colour
+    Pixel first_not_a_number;           ///< the topmost of them
 };
 
 /// The red, green and blue that show a colour: 0 to 1 becomes 0 to 255, and what is beyond is cut

@@ -43,8 +43,8 @@ struct Light {
 
 /// A mesh that a scene names. It is loaded once the stage is known to have meshes.
 struct NamedMesh {
-    Place place;       ///< of its element
-    std::string file;  ///< from the scene's folder
+    Place place;         ///< of its element
+    std::string file;    ///< from the scene's folder
     bool smooth = true;  ///< normals interpolated; else faces flat
     Motion placement;
     Material material;

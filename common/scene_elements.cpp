@@ -116,9 +116,8 @@ void read_box(Fields& fields, const SceneReading&, Scene& scene) {
     const Vec3 center = fields.point("position");
     const Basis basis = basis_around(fields.direction("direction"));
     const Vec3 size = fields.lengths("size");
-    scene.boxes.push_back(
-        {.shape = {.center = center, .basis = basis, .half_size = size / Real(2)},
-         .material = read_material(fields)});
+    scene.boxes.push_back({.shape = {.center = center, .basis = basis, .half_size = size / Real(2)},
+                           .material = read_material(fields)});
 }
 
 void read_mesh(Fields& fields, const SceneReading&, Scene& scene) {

@@ -13,10 +13,14 @@ Color shown(const Terms& terms, const Context& context) {
         context.story->line("specular", text(specular));
     }
     switch (context.look.term) {
-        case Term::ambient: return ambient;
-        case Term::diffuse: return diffuse;
-        case Term::specular: return specular;
-        case Term::all: break;
+        case Term::ambient:
+            return ambient;
+        case Term::diffuse:
+            return diffuse;
+        case Term::specular:
+            return specular;
+        case Term::all:
+            break;
     }
     return ambient + diffuse + specular;
 }

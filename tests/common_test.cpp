@@ -35,6 +35,10 @@ Vec3 normal(const Probe& probe, Vec3 /*point*/) {
     return probe.normal_there;
 }
 
+SurfacePoint projected(const Probe& /*probe*/, Vec3 point) {
+    return {.point = point, .error = 0};
+}
+
 std::string code(const Probe& probe) {
     return probe.t ? "Probe at " + text(*probe.t) : "Probe nowhere";
 }
@@ -61,24 +65,42 @@ TEST_CASE("a stage is found by its number, its topic and its name") {
         CHECK(find_stage(name) == std::nullopt);
 }
 
-TEST_CASE("a scene says what it requires, in the order of the stages, and lights are not in it") {
+TEST_CASE("a scene says what it requires, in the order of the stages") {
     Scene scene;
     scene.cameras.resize(2);
-    scene.lights.resize(3);
-    scene.ambient = Ambient{};
-    CHECK(requirements(scene).empty());
-    scene.cones.resize(1);
-    scene.spheres.resize(2);
-    scene.triangles.resize(11302);
+    scene.cones = {Item<Cone>()};
+    scene.spheres = {Item<Sphere>(), Item<Sphere>()};
+    scene.triangles = Items<Triangle>(std::vector<Item<Triangle>>(11302));
     const std::vector<Requirement> needs = requirements(scene);
     REQUIRE(needs.size() == 3);
     CHECK((needs[0].what == "2 spheres" && needs[0].stage == 3));
     CHECK((needs[1].what == "11302 triangles" && needs[1].stage == 5));
     CHECK((needs[2].what == "1 cone" && needs[2].stage == 8));
-    scene.planes.resize(1);
-    scene.squares.resize(1);
-    scene.cylinders.resize(1);
-    CHECK(requirements(scene).size() == 6);
+    scene.planes = {Item<Plane>()};
+    scene.squares = {Item<Square>()};
+    scene.cylinders = {Item<Cylinder>()};
+    scene.boxes = {Item<OrientedBox>()};
+    scene.named_meshes.resize(1);
+    CHECK(requirements(scene).size() == 8);
+    CHECK(requirements(scene).back().what == "1 mesh");
+}
+
+TEST_CASE("light is required from stage 9 on, which brings it, and a mirror always") {
+    Scene scene;
+    scene.ambient = Ambient{};
+    scene.lights = {Light{}, Light{.radius = 1}, Light{}};
+    scene.spheres = {{.shape = {}, .material = {.specular = Real(0.5), .mirror = Real(0.5)}}};
+    const std::vector<Requirement> by_torch = requirements(scene, 8);
+    REQUIRE(by_torch.size() == 2);
+    CHECK((by_torch[0].what == "1 sphere" && by_torch[0].stage == 3));
+    CHECK((by_torch[1].what == "1 mirror" && by_torch[1].stage == 12));
+    const std::vector<Requirement> by_light = requirements(scene, 9);
+    REQUIRE(by_light.size() == 6);
+    CHECK((by_light[1].what == "1 ambient light" && by_light[1].stage == 9));
+    CHECK((by_light[2].what == "3 lights" && by_light[2].stage == 9));
+    CHECK((by_light[3].what == "1 shape with a highlight" && by_light[3].stage == 9));
+    CHECK((by_light[4].what == "1 light with a size" && by_light[4].stage == 11));
+    CHECK(by_light[5].what == "1 mirror");
 }
 
 TEST_CASE("the vertical field of view is the one that is given, or follows from the horizontal") {
@@ -156,17 +178,17 @@ TEST_CASE("an open interval: neither its ends, nor infinity, nor NaN") {
 }
 
 TEST_CASE("the nearest of all kinds of shapes, with its own point, normal and material (M1)") {
-    const std::vector<Item<Probe>> first = {
-        {.shape = {.t = Real(4)}}, {.shape = {.t = std::nullopt}}, {.shape = {.t = Real(3)}}};
-    const std::vector<Item<Probe>> second = {
-        {.shape = {.t = Real(2), .normal_there = {0, 1, 0}}, .material = {Color(1, 0, 0)}},
-        {.shape = {.t = Real(5)}}};
+    const Items<Probe> first(
+        {{.shape = {.t = Real(4)}}, {.shape = {.t = std::nullopt}}, {.shape = {.t = Real(3)}}});
+    const Items<Probe> second(
+        {{.shape = {.t = Real(2), .normal_there = {0, 1, 0}}, .material = {Color(1, 0, 0)}},
+         {.shape = {.t = Real(5)}}});
     for (const bool exchanged : {false, true}) {
         Context context;
         Nearest nearest(along_x, context);
         CHECK_FALSE(nearest.hit());
         nearest.among(exchanged ? second : first);
-        nearest.among(std::vector<Item<Probe>>());
+        nearest.among(Items<Probe>());
         nearest.among(exchanged ? first : second);
         const std::optional<Hit> hit = nearest.hit();
         REQUIRE(hit);
@@ -180,8 +202,8 @@ TEST_CASE("the nearest of all kinds of shapes, with its own point, normal and ma
 
 TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays with the first") {
     Interval asked;
-    const std::vector<Item<Probe>> shapes = {{.shape = {.t = Real(2)}},
-                                             {.shape = {.t = Real(2), .asked = &asked}}};
+    const Items<Probe> shapes(
+        {{.shape = {.t = Real(2)}}, {.shape = {.t = Real(2), .asked = &asked}}});
     Context context;
     Nearest nearest(along_x, context);
     nearest.among(shapes);
@@ -195,8 +217,8 @@ TEST_CASE("the story tells each shape that was asked, and counts the misses that
     Story story(out);
     Context context{.story = &story};
     Nearest nearest(along_x, context);
-    nearest.among(std::vector<Item<Probe>>{{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}});
-    nearest.among(std::vector<Item<Probe>>(100, {.shape = {.t = std::nullopt}}));
+    nearest.among(Items<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
+    nearest.among(Items<Probe>(std::vector(100, Item<Probe>{.shape = {.t = std::nullopt}})));
     CHECK(
         out.str().starts_with("Probe at 2\n    → hit at t = 2\n"
                               "Probe at 3\n    → not nearer than the hit at t = 2\n"

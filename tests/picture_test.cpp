@@ -110,7 +110,7 @@ TEST_CASE("pixels that are not a number are counted, and the topmost is named") 
         CHECK(rendering->first_not_a_number.row == first.row);
         CHECK(rendering->first_not_a_number.column == first.column);
     }
-    CHECK(render(scene, {.shading = Shading::normal})->not_a_number == 0);
+    CHECK(render(scene, {.look = {.shading = Shading::normal}})->not_a_number == 0);
 }
 
 TEST_CASE("the picture in the terminal: two pixels a character, upper and lower") {

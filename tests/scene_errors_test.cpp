@@ -173,7 +173,8 @@ TEST_CASE("no camera") {
 
 TEST_CASE("strict reading refuses what lenient reading warns of") {
     const std::vector<Wrong> all = {
-        {"cu 0,0,0 1 1,2,3", R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co)"},
+        {"cu 0,0,0 1 1,2,3",
+         R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co box mesh)"},
         {"sp 0,0,0 1 1,2,3 x",
          R"(18: error: "x" is too much for a sphere: expected "sp position diameter colour")"},
         {"sp 0,0,0 1 1,2,3 sides:1",
@@ -216,9 +217,10 @@ TEST_CASE("strict reading wants the R of the older dialect, whose camera is c") 
 TEST_CASE("a message quotes neither control characters nor long words") {
     CHECK(strict_refusal("\x1B[31m" + std::string(100, 'a')) ==
           "scene.rt:1:1: error: \"\\x1B[31m" + std::string(35, 'a') +
-              "...\" must be one of R A C c L l sp pl tr sq cy co");
+              "...\" must be one of R A C c L l sp pl tr sq cy co box mesh");
     CHECK(strict_refusal("sph\xC3\xA8re") ==
-          "scene.rt:1:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sp pl tr sq cy co");
+          "scene.rt:1:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sp pl tr sq cy co "
+          "box mesh");
 }
 
 TEST_CASE("a file of anything ends its warnings after twenty") {

@@ -125,7 +125,7 @@ TEST_CASE("the nearest of several spheres is seen, in any order (M1, CR §2.1)")
                             .material = {Color(1, 0, 0)}};
     const Item<Sphere> far{.shape = {.center = {0, 0, -2}, .radius = 2},
                            .material = {Color(0, 1, 0)}};
-    for (const auto& spheres : {std::vector{near, far}, std::vector{far, near}}) {
+    for (const auto& spheres : {Items<Sphere>({near, far}), Items<Sphere>({far, near})}) {
         Context context;
         Nearest nearest(ahead, context);
         nearest.among(spheres);

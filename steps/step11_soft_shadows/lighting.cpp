@@ -36,16 +36,14 @@ Real share_reached(const Scene& scene, const Surface& surface, const Light& ligh
     }
     context.sized_light_rays += rays.sent;
     if (context.story != nullptr)
-        context.story->line("shadow rays that reach the light", std::to_string(rays.reached) +
-                                                                    " of " +
-                                                                    std::to_string(rays.sent));
+        context.story->line("shadow rays that reach the light",
+                            std::to_string(rays.reached) + " of " + std::to_string(rays.sent));
     return lit_share(rays);
 }
 
 }  // namespace
 
-Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce,
-               Context& context) {
+Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce, Context& context) {
     Terms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
     std::uint32_t number = 0;

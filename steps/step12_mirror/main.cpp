@@ -11,8 +11,7 @@ namespace rt {
 namespace {
 
 /// The colour along a ray that has been reflected `bounces` times and counts by `weight`.
-Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight,
-                  Context& context) {
+Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, Context& context) {
     Nearest nearest(ray, context);
     among_shapes(nearest, scene);
     const std::optional<Hit> hit = nearest.hit();

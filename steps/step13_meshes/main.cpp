@@ -20,8 +20,7 @@ void among_all(Query& query, const Scene& scene) {
 }
 
 /// The colour along a ray that has been reflected `bounces` times and counts by `weight`.
-Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight,
-                  Context& context) {
+Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, Context& context) {
     Nearest nearest(ray, context);
     among_all(nearest, scene);
     const std::optional<Hit> hit = nearest.hit();

@@ -34,10 +34,9 @@ namespace rt {
 /// direction is not made unit length.
 [[nodiscard]] Ray into_frame(const Ray& ray, const Motion& placement);
 
-/// The nearest of all the mesh's triangles that the ray meets strictly inside the interval, with the
-/// weights of its vertices; nothing if it meets none. Stage 5 knows how to meet one.
-[[nodiscard]] std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh,
-                                               Interval interval);
+/// The nearest of all the mesh's triangles that the ray meets strictly inside the interval, with
+/// the weights of its vertices; nothing if it meets none. Stage 5 knows how to meet one.
+[[nodiscard]] std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval);
 
 /// The normal between three of unit length, by the weights; of unit length again.
 [[nodiscard]] Vec3 interpolated_normal(const std::array<Vec3, 3>& normals, Vec3 weights);
