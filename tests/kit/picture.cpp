@@ -1,5 +1,6 @@
 #include "tests/kit/picture.hpp"
 
+#include "common/mesh_loading.hpp"
 #include "common/png.hpp"
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
@@ -52,6 +53,8 @@ std::string project_file(const std::string& name) {
 Verdict picture_matches(const std::string& name) {
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
     Scene scene = load_scene(project_file("scenes/" + name + ".rt"), {.strict = true});
+    load_meshes(scene);
+    arrange(scene);
     scene.resolution = reference.resolution;
     const Image image = render(scene, {.threads = 2})->image;
 
