@@ -21,8 +21,8 @@ Box around(Vec3 center, Vec3 reach) {
 /// How far a circle reaches along each axis: radius · the part of that axis in its plane,
 /// √(y² + z²) along x. √(1 − x²) would lose half the digits near x = 1.
 Vec3 reach_of_circle(Vec3 axis, Real radius) {
-    return radius *
-           Vec3(std::hypot(axis.y, axis.z), std::hypot(axis.z, axis.x), std::hypot(axis.x, axis.y));
+    return radius * Vec3(std::hypot(axis.y, axis.z), std::hypot(axis.z, axis.x),
+                         std::hypot(axis.x, axis.y));
 }
 
 }  // namespace
@@ -41,14 +41,14 @@ Box bounds(const Square& square) {
 }
 
 Box bounds(const Cylinder& cylinder) {
-    const Vec3 reach =
-        cylinder.height / 2 * abs(cylinder.axis) + reach_of_circle(cylinder.axis, cylinder.radius);
+    const Vec3 reach = cylinder.height / 2 * abs(cylinder.axis) +
+                       reach_of_circle(cylinder.axis, cylinder.radius);
     return padded(around(cylinder.center, reach));
 }
 
 Box bounds(const Cone& cone) {
-    const Box rim =
-        around(cone.apex + cone.height * cone.axis, reach_of_circle(cone.axis, cone.radius));
+    const Box rim = around(cone.apex + cone.height * cone.axis,
+                           reach_of_circle(cone.axis, cone.radius));
     return padded(united(rim, cone.apex));
 }
 

@@ -19,9 +19,6 @@ struct Item {
     Material material;
 };
 
-/// As many shapes as a hierarchy pays from: of fewer, each is asked as quickly as its box.
-inline constexpr std::size_t hierarchy_pays_from = 10;
-
 /// Whether a kind of shape fits into a box: all but the plane.
 template <class Shape>
 concept Bounded = requires(const Shape& shape) {

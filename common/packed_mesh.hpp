@@ -3,6 +3,7 @@
 
 #include "common/hierarchy.hpp"
 #include "common/mesh.hpp"
+#include "common/triangle_packet.hpp"
 
 #include <optional>
 
@@ -10,18 +11,13 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// Four triangles, a lane each, scaled. NaN in the lanes not used, which makes them miss.
-struct TrianglePacket {
-    std::array<std::array<Lanes, 3>, 3> vertices;  ///< of each, x, y, z
-};
-
-/// The triangles of a mesh, which is not needed any more once they are packed.
+/// The triangles of a mesh. The mesh itself is not needed any more once they are packed.
 class PackedMesh {
 public:
     PackedMesh() = default;
     explicit PackedMesh(const Mesh& mesh);
 
-    /// Where the ray first meets the mesh strictly inside the interval, if it does. No ray passes
+    /// Where the ray first meets the mesh strictly inside the interval, or nothing. No ray passes
     /// between triangles that share an edge or a vertex.
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
@@ -32,11 +28,16 @@ public:
     [[nodiscard]] Box bounds() const { return bounds_; }
 
 private:
-    [[nodiscard]] Ray scaled(const Ray& ray) const;
-    [[nodiscard]] Interval scaled(Interval interval) const;
+    [[nodiscard]] Ray scaled(const Ray& ray) const {
+        return {.origin = scale_ * ray.origin, .direction = ray.direction};
+    }
+
+    [[nodiscard]] Interval scaled(Interval interval) const {
+        return {.min = scale_ * interval.min, .max = scale_ * interval.max};
+    }
 
     Box bounds_;
-    Real scale_ = 1;  ///< a power of two, so that it rounds nothing
+    Real scale_ = 1;  ///< of packets and hierarchy: a power of two, so that it rounds nothing
     Hierarchy hierarchy_;
     std::vector<TrianglePacket> packets_;  ///< one a leaf
 };

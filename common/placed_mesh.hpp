@@ -6,8 +6,12 @@
 #include "common/packed_mesh.hpp"
 
 #include <memory>
+#include <optional>
 
 namespace rt::inline RT_PRECISION {
+
+/// As many triangles as packing pays from; fewer, a cube's twelve, are asked one by one.
+inline constexpr std::size_t packing_pays_from = 16;
 
 /// A mesh as its file has it, and the same triangles packed for rays if there are many.
 struct Model {

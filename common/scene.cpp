@@ -10,14 +10,4 @@ Real vertical_fov(const Camera& camera, Resolution resolution) {
     return 2 * std::atan(std::tan(camera.fov / 2) * ratio);
 }
 
-void arrange(Scene& scene) {
-    scene.spheres.arrange();
-    scene.triangles.arrange();
-    scene.squares.arrange();
-    scene.cylinders.arrange();
-    scene.cones.arrange();
-    scene.boxes.arrange();
-    scene.meshes.arrange();
-}
-
 }  // namespace rt

@@ -137,8 +137,7 @@ template <class Part>
     unsigned result = 0;
 #ifdef __SSE2__
     for (std::size_t i = 0; i < lane_part_count; ++i)
-        result |= sign_bits(std::bit_cast<LanePart>(parts[i]))
-                  << (i * lane_count / lane_part_count);
+        result |= sign_bits(std::bit_cast<LanePart>(parts[i])) << (i * lane_count / lane_part_count);
 #else
     using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     const auto words = std::bit_cast<std::array<Word, lane_count>>(parts);
@@ -151,6 +150,6 @@ template <class Part>
     return bits(mask.parts);
 }
 
-}  // namespace RT_LANES
+}  // inline namespace RT_LANES
 
 }  // namespace rt::inline RT_PRECISION

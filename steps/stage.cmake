@@ -46,7 +46,7 @@ function(raysteps_stage)
                 $<TARGET_OBJECTS:${part}_${precision}>)
         endforeach()
         if(number GREATER_EQUAL 13)
-            target_link_libraries(${name}_picture_${precision} INTERFACE ${RAYSTEPS_OPENMESH})
+            target_link_libraries(${name}_picture_${precision} INTERFACE raysteps_mesh_file)
         endif()
     endforeach()
 

@@ -1,0 +1,176 @@
+#include "common/box_ranges.hpp"
+
+#include <cmath>
+#include <numeric>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+namespace {
+
+void grow(WideBox& box, const WideBox& other) {
+    box.min = min(other.min, box.min);
+    box.max = max(other.max, box.max);
+}
+
+void grow(WideBox& box, Lanes point) {
+    box.min = min(point, box.min);
+    box.max = max(point, box.max);
+}
+
+/// The centre, times two.
+Lanes middle(const WideBox& box) {
+    return box.min + box.max;
+}
+
+WideBox widened(const Box& box) {
+    return {.min = lanes_of({box.min.x, box.min.y, box.min.z, 0}),
+            .max = lanes_of({box.max.x, box.max.y, box.max.z, 0})};
+}
+
+Real largest_coordinate(const WideBox& box) {
+    Real largest = 0;
+    for (const Lanes corner : {box.min, box.max})
+        for (const Real value : values(corner)) largest = std::max(largest, std::fabs(value));
+    return largest;
+}
+
+}  // namespace
+
+/// The boxes whose centres lie in one slice of a range, along one axis.
+struct BoxRanges::Bin {
+    WideBox bounds;
+    std::size_t count = 0;
+};
+
+/// Along which axis to cut, and which slice is the first of the upper part.
+struct BoxRanges::Cut {
+    std::size_t axis = 0;
+    std::size_t slice = 0;
+    Real cost = infinity;  ///< infinite: nowhere
+};
+
+/// Numbers the slices of a range.
+class BoxRanges::Slicer {
+public:
+    explicit Slicer(const WideBox& middles)
+        : origin_(middles.min), scale_(all_lanes(Real(slices)) / (middles.max - middles.min)) {}
+
+    /// Along each axis. Where all centres are the same, 0 · ∞ is NaN, and the slice 0.
+    [[nodiscard]] std::array<Real, lane_count> operator()(Lanes middle) const {
+        const Lanes slice = (middle - origin_) * scale_;
+        return values(min(max(slice, all_lanes(0)), all_lanes(Real(slices - 1))));
+    }
+
+private:
+    Lanes origin_;
+    Lanes scale_;
+};
+
+BoxRanges::BoxRanges(std::span<const Box> boxes, std::size_t leaf_size)
+    : indices_(boxes.size()), leaf_size_(leaf_size) {
+    boxes_.reserve(boxes.size());
+    for (const Box& box : boxes) boxes_.push_back(widened(box));
+    std::iota(indices_.begin(), indices_.end(), 0);
+    all_ = measured(0, boxes_.size());
+    const Real largest = largest_coordinate(all_.bounds);
+    scale_ = all_lanes(largest > 0 ? 1 / largest : 1);
+}
+
+BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
+    BoxRange range{.begin = begin, .end = end};
+    for (std::size_t i = begin; i < end; ++i) {
+        grow(range.bounds, boxes_[i]);
+        grow(range.middles, middle(boxes_[i]));
+    }
+    return range;
+}
+
+Real BoxRanges::half_area(const WideBox& box) const {
+    const auto [x, y, z, none] = values(box.max * scale_ - box.min * scale_);
+    return x * y + y * z + z * x;
+}
+
+/// What a ray that meets the part has to expect: a step for each leaf that its boxes fill.
+Real BoxRanges::cost(const Bin& part) const {
+    return half_area(part.bounds) * Real((part.count + leaf_size_ - 1) / leaf_size_);
+}
+
+BoxRanges::Bins BoxRanges::binned(const BoxRange& range) const {
+    Bins bins;
+    const Slicer slice_of(range.middles);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const auto slice = slice_of(middle(boxes_[i]));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            Bin& bin = bins[axis][std::size_t(slice[axis])];
+            grow(bin.bounds, boxes_[i]);
+            ++bin.count;
+        }
+    }
+    return bins;
+}
+
+BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
+    const auto add = [](Bin& part, const Bin& bin) {
+        grow(part.bounds, bin.bounds);
+        part.count += bin.count;
+    };
+    Cut best;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<Real, slices> upper_cost;
+        Bin upper;
+        for (std::size_t i = slices - 1; i > 0; --i) {
+            add(upper, bins[axis][i]);
+            upper_cost[i] = cost(upper);
+        }
+        Bin lower;
+        for (std::size_t i = 1; i < slices; ++i) {
+            add(lower, bins[axis][i - 1]);
+            const Real both = cost(lower) + upper_cost[i];
+            // An empty part costs ∞ · 0, and that is no cut.
+            if (both < best.cost) best = {.axis = axis, .slice = i, .cost = both};
+        }
+    }
+    return best;
+}
+
+std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
+    const Bins bins = binned(range);
+    const Cut best = cheapest(bins);
+    if (best.cost == infinity) return halves(range);  // all centres are in one slice
+
+    BoxRange lower;
+    BoxRange upper;
+    for (std::size_t i = 0; i < slices; ++i)
+        grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
+
+    const Slicer slice_of(range.middles);
+    std::size_t low = range.begin;
+    std::size_t high = range.end;
+    while (low < high) {
+        const Lanes center = middle(boxes_[low]);
+        if (std::size_t(slice_of(center)[best.axis]) < best.slice) {
+            grow(lower.middles, center);
+            ++low;
+        } else {
+            grow(upper.middles, center);
+            --high;
+            std::swap(boxes_[low], boxes_[high]);
+            std::swap(indices_[low], indices_[high]);
+        }
+    }
+    lower.begin = range.begin;
+    lower.end = upper.begin = low;
+    upper.end = range.end;
+    return {lower, upper};
+}
+
+std::array<BoxRange, 2> BoxRanges::halves(const BoxRange& range) const {
+    const std::size_t middle = range.begin + range.size() / 2;
+    return {measured(range.begin, middle), measured(middle, range.end)};
+}
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

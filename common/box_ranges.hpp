@@ -1,0 +1,74 @@
+// Many boxes in a row, and where to cut the row in two: what a hierarchy is built from.
+#pragma once
+
+#include "common/box.hpp"
+#include "common/wide.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+/// A box with a coordinate a lane: x, y, z, and one that stays 0.
+struct WideBox {
+    Lanes min = all_lanes(infinity);
+    Lanes max = all_lanes(-infinity);
+};
+
+/// Boxes that stand one after the other, from begin to before end.
+struct BoxRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    WideBox bounds;   ///< of the boxes
+    WideBox middles;  ///< of their centres, times two
+
+    [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// The row. Cutting a range changes the order inside it only.
+class BoxRanges {
+public:
+    /// The boxes, and how many of them a leaf holds at most.
+    BoxRanges(std::span<const Box> boxes, std::size_t leaf_size);
+
+    [[nodiscard]] const BoxRange& all() const { return all_; }
+
+    /// The boxes' indices in the row's order.
+    [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+
+    /// Cut where the surface area heuristic over binned centres says (Wald 2007, "On fast
+    /// Construction of SAH-based Bounding Volume Hierarchies"), neither part empty.
+    [[nodiscard]] std::array<BoxRange, 2> cut(const BoxRange& range);
+
+    /// Cut in the middle, as the range stands.
+    [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
+
+    /// Half the surface of a box, relative to the largest coordinate of all.
+    [[nodiscard]] Real half_area(const WideBox& box) const;
+
+private:
+    static constexpr std::size_t slices = 16;
+
+    struct Bin;
+    struct Cut;
+    class Slicer;
+    using Bins = std::array<std::array<Bin, slices>, 3>;
+
+    [[nodiscard]] BoxRange measured(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] Bins binned(const BoxRange& range) const;
+    [[nodiscard]] Cut cheapest(const Bins& bins) const;
+    [[nodiscard]] Real cost(const Bin& bin) const;
+
+    std::vector<WideBox> boxes_;
+    std::vector<std::uint32_t> indices_;
+    std::size_t leaf_size_;
+    BoxRange all_;
+    Lanes scale_;  ///< makes every coordinate at most 1, so that no area overflows
+};
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

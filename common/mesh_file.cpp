@@ -1,0 +1,107 @@
+#include "common/mesh_file.hpp"
+
+#include "common/input_error.hpp"
+#include "common/input_file.hpp"
+#include "common/mesh_formats/formats.hpp"
+#include "common/mesh_formats/importer.hpp"
+#include "common/mesh_formats/text.hpp"
+
+#include <OpenMesh/Core/IO/MeshIO.hh>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+namespace rt {
+
+namespace {
+
+using Check = CheckedMesh (*)(std::string content, const std::string& file);
+
+/// How a file of that name is read.
+Check check_for(const std::string& file) {
+    std::string kind = std::filesystem::path(file).extension().string();
+    for (char& c : kind) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    if (kind == ".off") return checked_off;
+    if (kind == ".obj") return checked_obj;
+    if (kind == ".ply") return checked_ply;
+    if (kind == ".stl") return checked_stl;
+    throw InputError({file}, "is no mesh: expected a name that ends in .off, .obj, .ply or .stl");
+}
+
+/// Where OpenMesh's stream has got to.
+struct Stop {
+    Place place;
+    std::string word;  ///< around it, or before it
+};
+
+Stop stop_of(std::istringstream& stream, const CheckedMesh& mesh, const std::string& file) {
+    if (mesh.is_binary) return {.place = {file}};
+    stream.exceptions(std::ios::goodbit);
+    stream.clear();
+    const std::string text = stream.str();
+    const auto told = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
+    // The last byte read: of a number, or the end of a line.
+    const std::size_t last = std::max(std::min(told, text.size()), mesh.body + 1) - 1;
+    const auto lines = std::count(text.begin() + static_cast<std::ptrdiff_t>(mesh.body),
+                                  text.begin() + static_cast<std::ptrdiff_t>(last), '\n');
+    constexpr const char* blanks = " \t\r\n";
+    const std::size_t begin = text.find_last_of(blanks, last) + 1;
+    const std::size_t end = std::min(text.find_first_of(blanks, begin), text.size());
+    return {.place = {file, mesh.body_line + static_cast<int>(lines)},
+            .word = quoted_word(std::string_view(text).substr(begin, end - begin))};
+}
+
+/// OpenMesh says on the terminal what it is displeased with; we say it in one error.
+void silence_open_mesh() {
+    omerr().disable();
+    omlog().disable();
+    omout().disable();
+}
+
+MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
+    silence_open_mesh();
+    std::istringstream stream(std::move(mesh.content), std::ios::in | std::ios::binary);
+    // The PLY reader does not look whether it has read a number. The others, which read a line at a
+    // time until there is none, have nothing left to misread.
+    const bool is_ply = mesh.reader == std::string_view("ply");
+    if (is_ply) stream.exceptions(std::ios::failbit | std::ios::badbit);
+    MeshImporter importer(is_ply && !mesh.is_binary ? &stream : nullptr);
+    OpenMesh::IO::Options options = OpenMesh::IO::Options::VertexNormal;
+    if (mesh.is_binary) options += OpenMesh::IO::Options::Binary;
+    try {
+        const bool is_read = OpenMesh::IO::IOManager().read(stream, mesh.reader, importer, options);
+        if (!is_read) throw InputError({file}, "is no mesh that OpenMesh reads");
+    } catch (const MeshRefusal& refusal) {
+        throw InputError(stop_of(stream, mesh, file).place, refusal.message);
+    } catch (const std::ios_base::failure&) {
+        const auto [place, word] = stop_of(stream, mesh, file);
+        if (mesh.is_binary) throw InputError(place, "the file ends too early");
+        throw InputError(place,
+                         "expected a number that a float holds, or a vertex has, not " + word);
+    }
+    MeshFile result = importer.take();
+    if (result.triangles.empty()) {
+        throw InputError({file}, "has no triangles: expected at least one");
+    }
+    return result;
+}
+
+}  // namespace
+
+MeshFile parse_mesh_file(std::string content, const std::string& file) {
+    const Check checked = check_for(file);
+    if (content.empty()) throw InputError({file}, "is empty: expected a mesh");
+    if (content.size() > largest_mesh_file) {
+        throw InputError({file}, "is larger than " + std::to_string(largest_mesh_file >> 20) +
+                                     " MiB: expected a smaller mesh");
+    }
+    return read_checked(checked(std::move(content), file), file);
+}
+
+MeshFile read_mesh_file(const std::string& file) {
+    static_cast<void>(check_for(file));  // before much is read
+    return parse_mesh_file(read_input_file(file, largest_mesh_file), file);
+}
+
+}  // namespace rt

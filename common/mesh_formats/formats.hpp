@@ -1,0 +1,37 @@
+// What each format is checked for before OpenMesh reads it. OpenMesh 9 trusts its input: it makes
+// up what it cannot read, believes any count, opens the files that an OBJ names, and reads on after
+// the end of a PLY header for ever. So a file is first gone through line by line, and put into the
+// form that OpenMesh reads right.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace rt {
+
+/// A mesh that is checked but for the numbers that OpenMesh's stream refuses itself.
+struct CheckedMesh {
+    std::string content;
+    const char* reader = "";  ///< "ply", "obj" or "stl": OpenMesh's reader for it
+    bool is_binary = false;
+    /// Where in the content the file's own text goes on after a header of ours, and on which line.
+    std::size_t body = 0;
+    int body_line = 1;
+};
+
+// Each throws InputError with the line of what is wrong.
+
+/// [ST][C][N]OFF as text, one vertex or face a line; colours and texture coordinates are left out.
+/// It becomes a PLY: OpenMesh's OFF reader takes the colour of a face for the next face.
+[[nodiscard]] CheckedMesh checked_off(std::string content, const std::string& file);
+
+/// Lines v, vn and f; the others are left out.
+[[nodiscard]] CheckedMesh checked_obj(std::string content, const std::string& file);
+
+/// Text or binary of either byte order; of the properties, positions, normals and corners are kept.
+[[nodiscard]] CheckedMesh checked_ply(std::string content, const std::string& file);
+
+/// Text or binary.
+[[nodiscard]] CheckedMesh checked_stl(std::string content, const std::string& file);
+
+}  // namespace rt

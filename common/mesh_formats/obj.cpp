@@ -1,0 +1,101 @@
+#include "common/mesh_file.hpp"
+#include "common/mesh_formats/formats.hpp"
+#include "common/mesh_formats/text.hpp"
+
+#include <limits>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+/// Vertices, or normals: how many there are so far, and the largest number a face gave to one.
+struct Numbered {
+    const char* what;
+    std::int64_t count = 0;
+    std::int64_t largest = 0;
+    int line_of_largest = 0;
+
+    /// A face's word for one: from 1, or from the last backwards with a minus sign.
+    void check(std::string_view word, const MeshLines& lines) {
+        const auto number = whole_number(word);
+        if (!number || *number == 0 || *number > std::numeric_limits<int>::max()) {
+            lines.refuse(std::string("a corner's ") + what +
+                         " must be a whole number, not zero, not " + quoted_word(word));
+        }
+        if (*number < -count) {
+            lines.refuse(std::string("a corner's ") + what + " must be one of the " +
+                         std::to_string(count) + " before it, not " + quoted_word(word));
+        }
+        if (*number <= largest) return;
+        largest = *number;
+        line_of_largest = lines.number();
+    }
+
+    void check_largest(const std::string& file) const {
+        if (largest <= count) return;
+        throw InputError({file, line_of_largest},
+                         std::string("a corner's ") + what + " must be from 1 to " +
+                             std::to_string(count) + ", not \"" + std::to_string(largest) + "\"");
+    }
+};
+
+/// "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal".
+void check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
+                  const MeshLines& lines) {
+    const std::size_t first = word.find('/');
+    vertices.check(word.substr(0, first), lines);
+    if (first == std::string_view::npos) return;
+    const std::string_view rest = word.substr(first + 1);
+    const std::size_t second = rest.find('/');
+    const std::string_view texture = rest.substr(0, second);
+    const std::string_view normal =
+        second == std::string_view::npos ? std::string_view() : rest.substr(second + 1);
+    if (!texture.empty() && !whole_number(texture)) {
+        lines.refuse("a corner is vertex/texture/normal, each a whole number, not " +
+                     quoted_word(word));
+    }
+    if (!normal.empty()) normals.check(normal, lines);
+}
+
+void check_face(std::string_view line, Numbered& vertices, Numbered& normals,
+                const MeshLines& lines) {
+    int corners = 0;
+    for (auto word = take_word(line); !word.empty(); word = take_word(line)) {
+        check_corner(word, vertices, normals, lines);
+        ++corners;
+    }
+    if (corners >= 3 && corners <= most_corners) return;
+    lines.refuse("a face of " + std::to_string(corners) + " corners: expected 3 to " +
+                 std::to_string(most_corners));
+}
+
+}  // namespace
+
+CheckedMesh checked_obj(std::string content, const std::string& file) {
+    plain_text(content);
+    MeshLines lines(content, file);
+    Numbered vertices = {.what = "vertex"};
+    Numbered normals = {.what = "normal"};
+    while (const auto line = lines.next()) {
+        std::string_view rest = *line;
+        const std::string_view keyword = take_word(rest);
+        if (keyword == "v") {
+            require_three_numbers(rest, "a vertex", lines);
+            ++vertices.count;
+        } else if (keyword == "vn") {
+            require_three_numbers(rest, "a normal", lines);
+            ++normals.count;
+        } else if (keyword == "f") {
+            check_face(rest, vertices, normals, lines);
+        } else {
+            // A comment from now on: OpenMesh would open the file that a mtllib names.
+            content[static_cast<std::size_t>(line->data() - content.data())] = '#';
+        }
+    }
+    vertices.check_largest(file);
+    normals.check_largest(file);
+    return {.content = std::move(content), .reader = "obj"};
+}
+
+}  // namespace rt

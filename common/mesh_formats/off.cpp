@@ -1,0 +1,84 @@
+#include "common/mesh_formats/formats.hpp"
+#include "common/mesh_formats/lists.hpp"
+#include "common/mesh_formats/text.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+namespace {
+
+/// A '#' begins a comment, up to the end of the line.
+void blank_comments(std::string& content) {
+    for (auto at = content.find('#'); at != std::string::npos; at = content.find('#', at)) {
+        const auto end = std::min(content.find('\n', at), content.size());
+        std::fill(content.begin() + static_cast<std::ptrdiff_t>(at),
+                  content.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    }
+}
+
+bool take_prefix(std::string_view& word, std::string_view prefix) {
+    if (!word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return true;
+}
+
+/// Whether vertices have normals, by the file's first word.
+bool check_keyword(std::string_view word, std::string_view after, const MeshLines& lines) {
+    const std::string_view whole = word;
+    take_prefix(word, "ST");
+    take_prefix(word, "C");
+    const bool has_normals = take_prefix(word, "N");
+    if (word == "4OFF" || word == "nOFF" || word == "4nOFF") {
+        lines.refuse(quoted_word(whole) + " is not read: expected vertices of three dimensions");
+    }
+    if (word != "OFF") lines.refuse("expected OFF, not " + quoted_word(whole));
+    if (take_word(after) == "BINARY") lines.refuse("binary OFF is not read: expected text");
+    return has_normals;
+}
+
+std::uint64_t take_count(std::string_view& line, const char* what, const MeshLines& lines) {
+    const std::string_view word = take_word(line);
+    const auto count = whole_number(word);
+    if (count && *count >= 0) return static_cast<std::uint64_t>(*count);
+    lines.refuse(std::string("expected the number of ") + what + ", not " + quoted_word(word));
+}
+
+}  // namespace
+
+CheckedMesh checked_off(std::string content, const std::string& file) {
+    blank_comments(content);
+    plain_text(content);
+    MeshLines lines(content, file);
+    std::string_view line = lines.next().value_or("");
+    const std::string_view keyword = take_word(line);
+    const bool has_normals = check_keyword(keyword, line, lines);
+
+    // The numbers of vertices, faces and (ignored) edges may stand beside the keyword.
+    if (count_words(line) == 0) line = lines.next().value_or("");
+    MeshLists lists;
+    lists.vertices = take_count(line, "vertices", lines);
+    lists.faces = take_count(line, "faces", lines);
+
+    CheckedMesh checked = {.reader = "ply", .body_line = lines.number() + 1};
+    const std::size_t body = lines.position();
+    lists.words_a_vertex = 0;
+    check_lists(content, lines, lists);
+
+    std::string header = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(lists.vertices) +
+                         "\nproperty float x\nproperty float y\nproperty float z\n";
+    std::size_t words = 3;
+    if (has_normals && lists.words_a_vertex >= 6) {
+        header += "property float nx\nproperty float ny\nproperty float nz\n";
+        words = 6;
+    }
+    for (; words < lists.words_a_vertex; ++words) header += "property float _\n";
+    header += "element face " + std::to_string(lists.faces) +
+              "\nproperty list uchar int vertex_indices\nend_header\n";
+    checked.body = header.size();
+    content.replace(0, body, header);
+    checked.content = std::move(content);
+    return checked;
+}
+
+}  // namespace rt
