@@ -27,7 +27,7 @@ using Draw = rt::Drawing (*)(const std::string&, rt::Resolution);
 struct Tally {
     int drawn = 0;
     int valid = 0;  ///< of these
-    int wrong = 0;  ///< valid but refused, or with a pixel that is not a number
+    int wrong = 0;  ///< valid but refused or slow, or with a pixel that is not a number
     double seconds = 0;
 };
 
@@ -57,8 +57,9 @@ void add(Tally& tally, const rt::Verdict& verdict, const rt::Drawing& drawing) {
                     static_cast<long long>(drawing.not_a_number));
         ++tally.wrong;
     }
-    if (drawing.seconds > long_time)
-        std::printf("  %s: %.1f s\n", verdict.file.c_str(), drawing.seconds);
+    if (drawing.seconds <= long_time) return;
+    std::printf("  %s: %.1f s\n", verdict.file.c_str(), drawing.seconds);
+    if (is_valid(verdict)) ++tally.wrong;
 }
 
 Tally draw_all(const std::filesystem::path& folder, const std::string& pictures,

@@ -1,5 +1,6 @@
 #include "tests/corpus/drawing.hpp"
 
+#include "common/mesh_loading.hpp"
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
 
@@ -11,9 +12,11 @@ namespace rt {
 Drawing RT_PRECISION::draw(const std::string& file, Resolution size) {
     Drawing drawing;
     try {
-        Scene scene = load_scene(file);
-        scene.resolution = size;
         const std::clock_t start = std::clock();
+        Scene scene = load_scene(file);
+        load_meshes(scene);
+        arrange(scene);
+        scene.resolution = size;
         auto rendering = render(scene, {.threads = 1});
         drawing.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
         drawing.not_a_number = rendering->not_a_number;

@@ -12,7 +12,7 @@ struct Drawing {
     std::string refusal;  ///< the reader's, if it refuses the file
     Image image;
     std::int64_t not_a_number = 0;  ///< pixels without a colour
-    double seconds = 0;             ///< of a processor, without the reading
+    double seconds = 0;             ///< of a processor, the reading included
 };
 
 /// Compiled twice, as all that reads scenes.
