@@ -9,8 +9,10 @@
 #include <OpenMesh/Core/IO/MeshIO.hh>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <sstream>
+#include <system_error>
 
 namespace rt {
 
@@ -27,6 +29,12 @@ Check check_for(const std::string& file) {
     if (kind == ".ply") return checked_ply;
     if (kind == ".stl") return checked_stl;
     throw InputError({file}, "is no mesh: expected a name that ends in .off, .obj, .ply or .stl");
+}
+
+void require_size(std::uintmax_t size, const std::string& file) {
+    if (size <= largest_mesh_file) return;
+    throw InputError({file}, "is larger than " + std::to_string(largest_mesh_file >> 20) +
+                                 " MiB: expected a smaller mesh");
 }
 
 /// Where OpenMesh's stream has got to.
@@ -92,15 +100,16 @@ MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
 MeshFile parse_mesh_file(std::string content, const std::string& file) {
     const Check checked = check_for(file);
     if (content.empty()) throw InputError({file}, "is empty: expected a mesh");
-    if (content.size() > largest_mesh_file) {
-        throw InputError({file}, "is larger than " + std::to_string(largest_mesh_file >> 20) +
-                                     " MiB: expected a smaller mesh");
-    }
+    require_size(content.size(), file);
     return read_checked(checked(std::move(content), file), file);
 }
 
 MeshFile read_mesh_file(const std::string& file) {
-    static_cast<void>(check_for(file));  // before much is read
+    // What can be told before much is read. What has no size, a pipe say, is read up to the limit.
+    static_cast<void>(check_for(file));
+    std::error_code has_none;
+    const std::uintmax_t size = std::filesystem::file_size(file, has_none);
+    if (!has_none) require_size(size, file);
     return parse_mesh_file(read_input_file(file, largest_mesh_file), file);
 }
 

@@ -1,7 +1,7 @@
 // What each format is checked for before OpenMesh reads it. OpenMesh 9 trusts its input: it makes
-// up what it cannot read, believes any count, opens the files that an OBJ names, and reads on after
-// the end of a PLY header for ever. So a file is first gone through line by line, and put into the
-// form that OpenMesh reads right.
+// up numbers that it cannot read, believes any count, ends the program at "f /1", opens the files
+// that an OBJ names, and never leaves a PLY header without an end. So a file is first gone through
+// line by line, and put into the form that OpenMesh reads right.
 #pragma once
 
 #include <cstddef>

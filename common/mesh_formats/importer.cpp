@@ -3,6 +3,7 @@
 #include "common/polygon.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace rt {
 

@@ -21,8 +21,8 @@ struct MeshRefusal {
     std::string message;
 };
 
-/// A receiver of vertices and faces that builds no half-edges: a mesh may have edges of three faces
-/// here, and a million triangles take a third of the time. Throws MeshRefusal.
+/// A receiver of vertices and faces that builds no half-edges: an edge of three faces, which they
+/// cannot hold, is nothing special here. Throws MeshRefusal.
 class MeshImporter final : public OpenMesh::IO::BaseImporter {
 public:
     using Vertex = OpenMesh::VertexHandle;

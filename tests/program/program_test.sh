@@ -50,6 +50,19 @@ refused "a folder for a scene" "error:" step03_sphere "$scenes"
 refused "a later stage's scene" "step08_cone" step07_cylinder "$scenes/step08_cone.rt"
 refused "a shade before there are shapes" "--shade" step02_camera_basis --shade normal
 
+refused "a term before there is light" "--term" step08_cone --term diffuse
+refused "an unknown term" "--term" step09_phong --term shiny
+refused "samples before lights have a size" "--shadow-samples" step10_shadows --shadow-samples 4
+refused "no samples" "--shadow-samples" step11_soft_shadows --shadow-samples 0
+refused "300 digits of samples" "--shadow-samples" step11_soft_shadows --shadow-samples "$long"
+refused "a negative tolerance" "--tolerance" step11_soft_shadows --tolerance=-1
+refused "no tolerance" "--tolerance" step11_soft_shadows --tolerance nan
+refused "a negative depth" "--depth" step12_mirror --depth=-1
+refused "a torch among lights" "--shade" step09_phong --shade torch
+refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step11_soft_shadows.rt"
+refused "a mirror" "step12_mirror" step11_soft_shadows "$scenes/step12_mirror.rt"
+refused "a mesh" "step13_meshes" step12_mirror "$scenes/step13_meshes.rt"
+
 printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 -2 255,0,0\n' > wrong.rt
 refused "a wrong scene" "wrong.rt:2:10: error: " step03_sphere wrong.rt
 printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 shiny\n' > doubtful.rt
@@ -85,6 +98,25 @@ for words in pixFinal 'tan(FOV / 2)' 'X = ' 'd_r = ' 'A, B, C' 'Δ = ' 'hit at t
     grep -qF "$words" out || fail "the story tells $words"
 done
 [ ! -e story.png ] || fail "a story makes no picture"
+
+# What a scene requires, whichever stage is asked, and what it goes without; no picture.
+"$build/step05_triangle" "$scenes/step12_mirror.rt" --explain -o explained.png > out
+for words in requires step03_sphere step09_phong 'light with a size' step12_mirror 'goes without'; do
+    grep -q "$words" out || fail "--explain tells $words"
+done
+[ ! -e explained.png ] || fail "--explain makes no picture"
+"$build/step05_triangle" "$scenes/one_sphere.rt" --explain > out
+grep -q 'nothing is a mirror' out || fail "--explain tells what is left out"
+
+# Fewer rays by --tolerance, which the report counts, and the same bytes on any number of threads.
+soft=$scenes/step11_soft_shadows.rt
+rays() { sed 's/.*rays, \([0-9]*\) of them to lights with a size/\1/' out; }
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --threads 1 --tolerance 0.02 > out
+few=$(rays)
+"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --threads 3 --tolerance 0.02 > out
+[ "$few" = "$(rays)" ] && cmp -s 1.png 2.png || fail "threads change soft shadows"
+"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --shadow-samples 1024 > out
+[ "$few" -lt "$(rays)" ] || fail "--tolerance spares rays: $few"
 
 "$build/step05_triangle" --help > out
 grep -q -- '--pixel' out || fail "--help lists the options"

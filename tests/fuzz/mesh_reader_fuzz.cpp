@@ -1,0 +1,62 @@
+// libFuzzer's way into the mesh reader, in each of the four formats. docs/meshes.md says how to run
+// it.
+
+#include "common/input_error.hpp"
+#include "common/mesh_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+void require(bool holds, const char* what) {
+    if (holds) return;
+    std::fprintf(stderr, "broken invariant: %s\n", what);
+    std::abort();
+}
+
+void check_mesh(const rt::MeshFile& mesh, std::size_t size) {
+    require(!mesh.triangles.empty(), "there is a triangle");
+    require(mesh.triangles.size() <= size && mesh.vertices.size() <= size,
+            "each vertex and each triangle takes a byte of the file");
+    require(mesh.normals.empty() || mesh.normals.size() == mesh.vertices.size(),
+            "all vertices have a normal, or none has");
+    for (const glm::vec3& v : mesh.vertices) {
+        require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z),
+                "vertices are finite");
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+        require(std::max({a, b, c}) < mesh.vertices.size(), "corners are vertices");
+        require(a != b && b != c && c != a, "a triangle has three corners");
+    }
+}
+
+void check_message(const std::string& message) {
+    const auto printable = [](char c) { return ' ' <= c && c <= '~'; };
+    require(message.starts_with("fuzz."), "a message begins with the file");
+    require(message.find("error: ") != std::string::npos, "a message says what it is");
+    require(std::all_of(message.begin(), message.end(), printable), "a message is printable");
+    require(message.size() < 400, "a message is short");
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    // char may look at any object's bytes.
+    const std::string content(reinterpret_cast<const char*>(data), size);
+    for (const char* file : {"fuzz.off", "fuzz.obj", "fuzz.ply", "fuzz.stl"}) {
+        try {
+            check_mesh(rt::parse_mesh_file(content, file), size);
+        } catch (const rt::InputError& error) {
+            check_message(error.what());
+        }
+    }
+    return 0;
+}
