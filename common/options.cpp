@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -161,6 +162,8 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     } catch (const CLI::ParseError& error) {
         throw InputError({}, std::string(error.what()) + " (--help lists the options)");
     }
+    if (std::isnan(options.look.tolerance))  // which is in no range, and outside none
+        throw InputError({}, "--tolerance must be a number from 0 to 1");
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
     if (single) options.precision = Precision::f32;
     if (normal) options.look.shading = Shading::normal;
