@@ -10,6 +10,8 @@
 //   specular_material           surface.material.specular, as white as the light
 //   shininess                   surface.material.shininess
 //   light.material              light.brightness · light.color, or ambient.ratio · ambient.color
+//
+// What is NaN is not positive.
 #pragma once
 
 #include "common/scene.hpp"

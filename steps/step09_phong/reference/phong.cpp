@@ -31,7 +31,7 @@ Color diffuse_term(const Surface& surface, const Light& light) {
 Color specular_term(const Surface& surface, const Light& light) {
     if (surface.material.specular == 0) return Color(0);
     const Vec3 to_light = unit(light.position - surface.point);
-    // No highlight where no light falls, though R may point to the eye even there.
+    // No highlight where no light falls, though ⟨R, V⟩ may be positive even there (erratum 14).
     if (!(dot(to_light, surface.normal) > 0)) return Color(0);
     const Real cosine = dot(reflected(to_light, surface.normal), surface.to_eye);
     if (!(cosine > 0)) return Color(0);

@@ -1,0 +1,14 @@
+// origin: thought of
+// caught by: ambient light is its ratio, its colour and the surface's, multiplied (CR §3.1)
+// sentence: You leave out the ambient light's ratio: its colour is multiplied by it.
+#define ambient_term(...) correct_ambient_term(__VA_ARGS__)
+#include "steps/step09_phong/reference/phong.cpp"
+#undef ambient_term
+
+namespace rt {
+
+Color ambient_term(const Surface& surface, const Ambient& ambient) {
+    return ambient.color * surface.material.color;
+}
+
+}  // namespace rt

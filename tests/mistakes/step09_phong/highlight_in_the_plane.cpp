@@ -1,0 +1,20 @@
+// origin: thought of: < 0 for ≤ 0
+// caught by: a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR §3.1)
+// sentence: You show a highlight where ⟨L, N⟩ is 0: the light only grazes the surface there.
+#define specular_term(...) correct_specular_term(__VA_ARGS__)
+#include "steps/step09_phong/reference/phong.cpp"
+#undef specular_term
+
+namespace rt {
+
+Color specular_term(const Surface& surface, const Light& light) {
+    const Vec3 to_light = unit(light.position - surface.point);
+    const Real cosine = dot(to_light, surface.normal);
+    if (!(cosine >= 0)) return Color(0);
+    const Real alpha = dot(reflected(to_light, surface.normal), surface.to_eye);
+    if (!(alpha > 0)) return Color(0);
+    return surface.material.specular * std::pow(alpha, surface.material.shininess) *
+           light.brightness * light.color;
+}
+
+}  // namespace rt

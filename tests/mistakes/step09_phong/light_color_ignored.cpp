@@ -1,0 +1,17 @@
+// origin: seen in student repositories: lights are white
+// caught by: brightness and colour of the light multiply what it shows (CR §3.1)
+// sentence: You leave out the light's colour. A red light shows nothing of a green surface.
+#define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
+#include "steps/step09_phong/reference/phong.cpp"
+#undef diffuse_term
+
+namespace rt {
+
+Color diffuse_term(const Surface& surface, const Light& light) {
+    const Vec3 to_light = unit(light.position - surface.point);
+    const Real cosine = dot(to_light, surface.normal);
+    if (!(cosine > 0)) return Color(0);
+    return cosine * light.brightness * surface.material.color;
+}
+
+}  // namespace rt

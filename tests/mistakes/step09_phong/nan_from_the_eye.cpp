@@ -1,0 +1,21 @@
+// origin: thought of: std::max(NaN, 0) is NaN
+// caught by: what is not a number is dark: it is not positive (contract)
+// sentence: std::max(x, 0) gives NaN for NaN: your highlight is not a number. std::max(0, x) gives 0, and !(x > 0) says what is meant.
+#define specular_term(...) correct_specular_term(__VA_ARGS__)
+#include "steps/step09_phong/reference/phong.cpp"
+#undef specular_term
+
+#include <algorithm>
+
+namespace rt {
+
+Color specular_term(const Surface& surface, const Light& light) {
+    const Vec3 to_light = unit(light.position - surface.point);
+    const Real cosine = dot(to_light, surface.normal);
+    if (!(cosine > 0)) return Color(0);
+    const Real alpha = std::max(dot(reflected(to_light, surface.normal), surface.to_eye), Real(0));
+    return surface.material.specular * std::pow(alpha, surface.material.shininess) *
+           light.brightness * light.color;
+}
+
+}  // namespace rt

@@ -1,0 +1,19 @@
+// origin: thought of: material.specular never read
+// caught by: a surface without a highlight has none (CR §3.1)
+// sentence: You do not ask how strong the highlight of the material is: a matt one has none.
+#define specular_term(...) correct_specular_term(__VA_ARGS__)
+#include "steps/step09_phong/reference/phong.cpp"
+#undef specular_term
+
+namespace rt {
+
+Color specular_term(const Surface& surface, const Light& light) {
+    const Vec3 to_light = unit(light.position - surface.point);
+    const Real cosine = dot(to_light, surface.normal);
+    if (!(cosine > 0)) return Color(0);
+    const Real alpha = dot(reflected(to_light, surface.normal), surface.to_eye);
+    if (!(alpha > 0)) return Color(0);
+    return std::pow(alpha, surface.material.shininess) * light.brightness * light.color;
+}
+
+}  // namespace rt
