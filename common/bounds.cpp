@@ -1,5 +1,7 @@
 #include "common/bounds.hpp"
 
+#include "common/vector.hpp"
+
 #include <cmath>
 
 namespace rt {
@@ -9,8 +11,8 @@ namespace {
 /// Wider by 16 u of the largest coordinate: a stage's own test places a hit within 8 u of it, the
 /// corners come out within 4 u, and a ray that starts further away is the hierarchy's to widen for.
 Box padded(const Box& box) {
-    const Vec3 size = max(abs(box.min), abs(box.max));
-    const Vec3 padding(16 * unit_roundoff * glm::max(size.x, glm::max(size.y, size.z)));
+    const Real largest = largest_component(max(abs(box.min), abs(box.max)));
+    const Vec3 padding(16 * unit_roundoff * largest);
     return {.min = box.min - padding, .max = box.max + padding};
 }
 
@@ -21,8 +23,8 @@ Box around(Vec3 center, Vec3 reach) {
 /// How far a circle reaches along each axis: radius · the part of that axis in its plane,
 /// √(y² + z²) along x. √(1 − x²) would lose half the digits near x = 1.
 Vec3 reach_of_circle(Vec3 axis, Real radius) {
-    return radius * Vec3(std::hypot(axis.y, axis.z), std::hypot(axis.z, axis.x),
-                         std::hypot(axis.x, axis.y));
+    return radius *
+           Vec3(std::hypot(axis.y, axis.z), std::hypot(axis.z, axis.x), std::hypot(axis.x, axis.y));
 }
 
 }  // namespace
@@ -41,15 +43,21 @@ Box bounds(const Square& square) {
 }
 
 Box bounds(const Cylinder& cylinder) {
-    const Vec3 reach = cylinder.height / 2 * abs(cylinder.axis) +
-                       reach_of_circle(cylinder.axis, cylinder.radius);
+    const Vec3 reach =
+        cylinder.height / 2 * abs(cylinder.axis) + reach_of_circle(cylinder.axis, cylinder.radius);
     return padded(around(cylinder.center, reach));
 }
 
 Box bounds(const Cone& cone) {
-    const Box rim = around(cone.apex + cone.height * cone.axis,
-                           reach_of_circle(cone.axis, cone.radius));
+    const Box rim =
+        around(cone.apex + cone.height * cone.axis, reach_of_circle(cone.axis, cone.radius));
     return padded(united(rim, cone.apex));
+}
+
+Box bounds(const OrientedBox& box) {
+    const auto& [x, y, z] = box.basis;
+    const Vec3& half = box.half_size;
+    return padded(around(box.center, half.x * abs(x) + half.y * abs(y) + half.z * abs(z)));
 }
 
 Box bounds(const Mesh& mesh) {

@@ -1,4 +1,4 @@
-// Boxes around shapes, for a hierarchy: no rounded test of stages 3 to 8 finds a hit outside.
+// Boxes around shapes, for a hierarchy: no rounded test of the stages finds a hit outside.
 #pragma once
 
 #include "common/box.hpp"
@@ -12,6 +12,7 @@ namespace rt {
 [[nodiscard]] Box bounds(const Square& square);
 [[nodiscard]] Box bounds(const Cylinder& cylinder);
 [[nodiscard]] Box bounds(const Cone& cone);
+[[nodiscard]] Box bounds(const OrientedBox& box);
 
 /// Around the vertices that triangles use, and no wider; empty if there are none.
 [[nodiscard]] Box bounds(const Mesh& mesh);

@@ -36,6 +36,22 @@ Real largest_coordinate(const WideBox& box) {
     return largest;
 }
 
+/// The axes from first to before last.
+struct Axes {
+    std::size_t first;
+    std::size_t last;
+};
+
+/// Of many boxes, the axis along which their centres reach furthest: the cut is as good, and found
+/// in half the time.
+Axes axes_to_try(const BoxRange& range) {
+    constexpr std::size_t many = 512;
+    if (range.size() < many) return {.first = 0, .last = 3};
+    const auto [x, y, z, none] = values(range.middles.max - range.middles.min);
+    const std::size_t longest = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    return {.first = longest, .last = longest + 1};
+}
+
 }  // namespace
 
 /// The boxes whose centres lie in one slice of a range, along one axis.
@@ -100,9 +116,10 @@ Real BoxRanges::cost(const Bin& part) const {
 BoxRanges::Bins BoxRanges::binned(const BoxRange& range) const {
     Bins bins;
     const Slicer slice_of(range.middles);
+    const auto [first, last] = axes_to_try(range);
     for (std::size_t i = range.begin; i < range.end; ++i) {
         const auto slice = slice_of(middle(boxes_[i]));
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = first; axis < last; ++axis) {
             Bin& bin = bins[axis][std::size_t(slice[axis])];
             grow(bin.bounds, boxes_[i]);
             ++bin.count;

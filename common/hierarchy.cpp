@@ -11,7 +11,7 @@ inline namespace RT_LANES {
 namespace {
 
 /// How many boxes a leaf holds at most if they are asked about one by one.
-constexpr std::size_t single_leaf_size = 2;
+constexpr std::size_t single_leaf_size = 1;
 
 /// From this depth on, ranges are halved as they stand. Each node then holds less than half of the
 /// one above, so that no boxes, however they lie, make a tree deeper than Hierarchy::max_depth.

@@ -10,8 +10,9 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Fewer shapes than this are as quickly asked one after the other.
-inline constexpr std::size_t hierarchy_pays_from = 10;
+/// Fewer shapes than this stay a list. Measured: the hierarchy is as quick as a list of 16 spheres,
+/// at 8 a tenth slower; for triangles, whose test takes six times as long, it pays from 2 on.
+inline constexpr std::size_t hierarchy_pays_from = 8;
 
 inline namespace RT_LANES {
 
@@ -45,8 +46,8 @@ public:
     template <class Visit>
     [[nodiscard]] bool any(const Ray& ray, Interval interval, Visit visit) const;
 
-    /// Calls visit(place in leaves()) for the leaves that the ray may meet inside the interval, near
-    /// ones first, until it is true, and says whether it was. It may lower interval.max.
+    /// Calls visit(place in leaves()) for the leaves that the ray may meet inside the interval,
+    /// near ones first, until it is true, and says whether it was. It may lower interval.max.
     template <class Visit>
     bool visit_leaves(const Ray& ray, const Interval& interval, Visit visit) const;
 

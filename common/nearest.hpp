@@ -53,11 +53,7 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        if (story_ != nullptr) {  // it tells of the misses too
-            for (const Item<Shape>& item : items) try_one(item);
-        } else {
-            items.along(ray_, interval_, [this](const Item<Shape>& item) { try_one(item); });
-        }
+        if (!items.empty()) among_some(items);  // not inlined: a kind that is not there costs a look
     }
 
     /// The nearest of everything looked through so far, or nothing.
@@ -67,6 +63,15 @@ public:
     }
 
 private:
+    template <class Shape>
+    [[gnu::noinline]] void among_some(const Items<Shape>& items) {
+        if (story_ != nullptr) {  // it tells of the misses too
+            for (const Item<Shape>& item : items) try_one(item);
+        } else {
+            items.along(ray_, interval_, [this](const Item<Shape>& item) { try_one(item); });
+        }
+    }
+
     template <class Shape>
     void try_one(const Item<Shape>& item) {
         const auto answer = intersect(ray_, item.shape, interval_);
@@ -123,17 +128,21 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        if (found_) return;
-        found_ = items.any_along(ray_, interval_, [this](const Item<Shape>& item) {
+        if (!items.empty() && !found_) found_ = among_some(items);
+    }
+
+    [[nodiscard]] bool found() const { return found_; }
+
+private:
+    template <class Shape>
+    [[nodiscard, gnu::noinline]] bool among_some(const Items<Shape>& items) {
+        return items.any_along(ray_, interval_, [this](const Item<Shape>& item) {
             const bool in_the_way = blocks(ray_, item.shape, interval_);
             if (in_the_way && story_ != nullptr) story_->remark("in the way: " + code(item.shape));
             return in_the_way;
         });
     }
 
-    [[nodiscard]] bool found() const { return found_; }
-
-private:
     Ray ray_;
     Interval interval_;
     Story* story_;

@@ -1,7 +1,5 @@
 #include "common/packed_mesh.hpp"
 
-#include "common/bounds.hpp"
-
 #include <future>
 
 namespace rt::inline RT_PRECISION {
@@ -50,14 +48,16 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
 
 }  // namespace
 
-PackedMesh::PackedMesh(const Mesh& mesh) : bounds_(rt::bounds(mesh)), scale_(scale_for(bounds_)) {
-    const auto box = [&](std::size_t triangle) {
-        Box around;
-        for (const std::uint32_t vertex : mesh.triangles[triangle])
-            around = united(around, scale_ * mesh.vertices[vertex]);
-        return around;
-    };
-    hierarchy_ = Hierarchy(made<Box>(mesh.triangles.size(), box), Hierarchy::Leaves::packed);
+PackedMesh::PackedMesh(const Mesh& mesh) {
+    auto boxes = made<Box>(mesh.triangles.size(), [&](std::size_t triangle) {
+        const auto& [a, b, c] = mesh.triangles[triangle];
+        return united({.min = mesh.vertices[a], .max = mesh.vertices[a]},
+                      united({.min = mesh.vertices[b], .max = mesh.vertices[b]}, mesh.vertices[c]));
+    });
+    for (const Box& box : boxes) bounds_ = united(bounds_, box);
+    scale_ = scale_for(bounds_);
+    for (Box& box : boxes) box = {.min = scale_ * box.min, .max = scale_ * box.max};
+    hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::packed);
     packets_ = made<TrianglePacket>(hierarchy_.leaves().size(), [&](std::size_t leaf) {
         return packed(mesh, hierarchy_.leaves()[leaf], scale_);
     });

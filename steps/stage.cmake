@@ -23,6 +23,22 @@ function(raysteps_stage)
         endif()
     endif()
 
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${name}_${precision} INTERFACE)
+        target_sources(${name}_${precision} INTERFACE
+            $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+    endforeach()
+    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
+
+    set(meshes raysteps_without_meshes)
+    if(number GREATER_EQUAL 13)
+        if(NOT TARGET raysteps_mesh_file)
+            message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev brings OpenMesh")
+            return()
+        endif()
+        set(meshes raysteps_meshes)
+    endif()
+
     raysteps_compile_twice(${name}_main main.cpp)
     file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
     list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
@@ -31,15 +47,7 @@ function(raysteps_stage)
         set_property(GLOBAL APPEND PROPERTY RAYSTEPS_HANDED_ON ${name}_handed_on)
     endif()
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
-    set(meshes raysteps_without_meshes)
-    if(number GREATER_EQUAL 13)
-        set(meshes raysteps_meshes)
-    endif()
-
     foreach(precision IN ITEMS f32 f64)
-        add_library(${name}_${precision} INTERFACE)
-        target_sources(${name}_${precision} INTERFACE
-            $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
         add_library(${name}_picture_${precision} INTERFACE)
         foreach(part IN ITEMS ${name}_main ${handed_on} ${meshes})
             target_sources(${name}_picture_${precision} INTERFACE
@@ -50,7 +58,6 @@ function(raysteps_stage)
         endif()
     endforeach()
 
-    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(APPEND stages step02_camera_basis)  # which the scene reader calls, before stage 2 too
     list(REMOVE_DUPLICATES stages)

@@ -31,4 +31,23 @@ std::string cone_side();
 std::string cone_slope();
 std::string cone_coefficient();
 
+std::string phong_vectors();
+std::string phong_behind();
+std::string phong_highlight();
+
+std::string shadow_range();
+std::string shadow_offset();
+
+std::string soft_shadow_regions();
+std::string soft_shadow_samples();
+std::string soft_shadow_penumbra();
+
+std::string mirror_direction();
+std::string mirror_facing();
+std::string mirror_interpolated();
+
+std::string box_slabs();
+std::string mesh_frame();
+std::string mesh_hierarchy();
+
 }  // namespace rt::figures

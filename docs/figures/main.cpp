@@ -36,6 +36,20 @@ constexpr std::array all = {
     Figure{"cone_side", cone_side},
     Figure{"cone_slope", cone_slope},
     Figure{"cone_coefficient", cone_coefficient},
+    Figure{"phong_vectors", phong_vectors},
+    Figure{"phong_behind", phong_behind},
+    Figure{"phong_highlight", phong_highlight},
+    Figure{"shadow_range", shadow_range},
+    Figure{"shadow_offset", shadow_offset},
+    Figure{"soft_shadow_regions", soft_shadow_regions},
+    Figure{"soft_shadow_samples", soft_shadow_samples},
+    Figure{"soft_shadow_penumbra", soft_shadow_penumbra},
+    Figure{"mirror_direction", mirror_direction},
+    Figure{"mirror_facing", mirror_facing},
+    Figure{"mirror_interpolated", mirror_interpolated},
+    Figure{"box_slabs", box_slabs},
+    Figure{"mesh_frame", mesh_frame},
+    Figure{"mesh_hierarchy", mesh_hierarchy},
 };
 
 /// Throws InputError if a file cannot be written, or a scene cannot be read.

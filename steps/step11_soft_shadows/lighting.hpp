@@ -1,20 +1,69 @@
 // Light and shadow, from here on.
 #pragma once
 
+#include "common/sampling.hpp"
 #include "common/scene.hpp"
+#include "common/story.hpp"
 #include "common/surface.hpp"
 
+#include "steps/step09_phong/phong.hpp"
 #include "steps/step10_shadows/shadows.hpp"
+#include "steps/step11_soft_shadows/soft_shadows.hpp"
 
 namespace rt {
 
-/// Whether any shape that the stage knows stands in the way. Its main.cpp defines it.
-[[nodiscard]] bool blocked(const Scene& scene, const ShadowRay& way, Context& context);
+/// Whether the error of what the light adds to the pixel, a color times a share, is small enough.
+[[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Look& look);
+
+// Each main.cpp knows what can stand in the way of a shadow ray, and hands it on as `blocked`. The
+// functions that ask are templates, so that they are compiled into its `trace`: a scene whose
+// lights have no size then costs what it costs in stage 10 (tests/program/instruction_counts.sh).
+
+/// The share of the light that reaches the surface, where it would add the given colour.
+template <class Blocked>
+[[nodiscard]] Real share_reached(const Surface& surface, const Light& light, const Color& color,
+                                 std::uint32_t seed, const Blocked& blocked, Context& context) {
+    ShadowRays rays;
+    while (rays.sent < context.look.shadow_samples && !accurate(rays, color, context.look)) {
+        const Vec2 sample = spread_sample(std::uint32_t(rays.sent), seed);
+        const Vec3 aim = light_point(light, surface.point, sample);
+        if (!blocked(shadow_ray(surface, aim))) ++rays.reached;
+        ++rays.sent;
+    }
+    context.sized_light_rays += rays.sent;
+    if (context.story != nullptr)
+        context.story->line("shadow rays that reach the light",
+                            std::to_string(rays.reached) + " of " + std::to_string(rays.sent));
+    return lit_share(rays);
+}
 
 /// What all the lights do at the surface, which is the bounce-th that the eye's ray has come to. A
 /// light with a size is asked for by several rays, until --shadow-samples or --tolerance is
 /// reached.
+template <class Blocked>
 [[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce,
-                             Context& context);
+                             const Blocked& blocked, Context& context) {
+    Terms terms;
+    if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
+    std::uint32_t number = 0;
+    for (const Light& light : scene.lights) {
+        ++number;
+        if (context.story != nullptr) tell(*context.story, surface, light);
+        const Color diffuse = diffuse_term(surface, light);
+        const Color specular = specular_term(surface, light);
+        if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
+        if (light.radius > 0) {
+            const std::uint32_t seed = sample_seed(context.pixel, number, bounce);
+            const Real share =
+                share_reached(surface, light, diffuse + specular, seed, blocked, context);
+            terms.diffuse += share * diffuse;
+            terms.specular += share * specular;
+        } else if (!blocked(shadow_ray(surface, light.position))) {
+            terms.diffuse += diffuse;
+            terms.specular += specular;
+        }
+    }
+    return terms;
+}
 
 }  // namespace rt

@@ -7,19 +7,19 @@
 
 namespace rt {
 
-bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
-    Blocker blocker(way.ray, way.interval, context);
-    among_shapes(blocker, scene);
-    return blocker.found();
-}
-
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
     Nearest nearest(ray, context);
     among_shapes(nearest, scene);
     const std::optional<Hit> hit = nearest.hit();
     if (!hit) return Color(0);
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
-    return shown(lighting(scene, surface_at(*hit, ray), 0, context), context);
+
+    const auto in_the_way = [&](const ShadowRay& way) {
+        Blocker blocker(way.ray, way.interval, context);
+        among_shapes(blocker, scene);
+        return blocker.found();
+    };
+    return shown(lighting(scene, surface_at(*hit, ray), 0, in_the_way, context), context);
 }
 
 }  // namespace rt

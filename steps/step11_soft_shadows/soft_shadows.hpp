@@ -21,16 +21,18 @@ struct ShadowRays {
 
 namespace rt {
 
-/// The point of the light at which to aim from the given place. Samples spread evenly over
-/// [0, 1)² make points spread evenly over all that can be seen of the light from there: over the
-/// solid angle it fills. From inside the light, and for a light without a size, it is its centre.
+/// The point of the light's surface at which to aim from the given place. Samples spread evenly
+/// over [0, 1)² make points spread evenly over all that can be seen of the light from there: over
+/// the solid angle it fills. From inside the light, and for a light without a size, it is its
+/// centre.
 [[nodiscard]] Vec3 light_point(const Light& light, Vec3 from, Vec2 sample);
 
 /// The share of the light that reaches the surface; sent is positive.
 [[nodiscard]] Real lit_share(const ShadowRays& rays);
 
-/// By how much lit_share may be wrong: its standard error, estimated for points as even as this
-/// stage's. It is positive even if all rays or none were blocked, and goes to 0 as more are sent.
+/// By how much lit_share may be wrong: its standard error, estimated for points that are at least
+/// as even as independent ones, and at best as this stage's. It is positive even if all rays or
+/// none were blocked, the same for either kind exchanged, and goes to 0 as more are sent.
 [[nodiscard]] Real share_error(const ShadowRays& rays);
 
 }  // namespace rt

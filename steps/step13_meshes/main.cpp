@@ -12,26 +12,29 @@ namespace rt {
 
 namespace {
 
-template <class Query>
-void among_all(Query& query, const Scene& scene) {
-    among_shapes(query, scene);
-    query.among(scene.boxes);
-    query.among(scene.meshes);
-}
-
 /// The colour along a ray that has been reflected `bounces` times and counts by `weight`.
 Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, Context& context) {
     Nearest nearest(ray, context);
-    among_all(nearest, scene);
+    among_shapes(nearest, scene);
+    nearest.among(scene.boxes);
+    nearest.among(scene.meshes);
     const std::optional<Hit> hit = nearest.hit();
     if (!hit) return Color(0);
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
 
+    const auto in_the_way = [&](const ShadowRay& way) {
+        Blocker blocker(way.ray, way.interval, context);
+        among_shapes(blocker, scene);
+        blocker.among(scene.boxes);
+        blocker.among(scene.meshes);
+        return blocker.found();
+    };
     const Surface surface = surface_at(*hit, ray);
     const Real mirror = surface.material.mirror;
     Color own(0);
-    if (mirror < 1) own = shown(lighting(scene, surface, bounces, context), context);
+    if (mirror < 1) own = shown(lighting(scene, surface, bounces, in_the_way, context), context);
     if (mirror == 0) return own;
+
     Color reflection(0);
     if (worth_reflecting(bounces, context.look.depth, weight * mirror))
         reflection =
@@ -40,12 +43,6 @@ Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, 
 }
 
 }  // namespace
-
-bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
-    Blocker blocker(way.ray, way.interval, context);
-    among_all(blocker, scene);
-    return blocker.found();
-}
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
     return color_along(scene, ray, 0, 1, context);

@@ -31,8 +31,13 @@ std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
     for (glm::length_t i = 0; i < 3; ++i) {
         const Real distance = dot(center - ray.origin, axes[std::size_t(i)]);
         const Real speed = dot(ray.direction, axes[std::size_t(i)]);
-        const Real t1 = (distance - half_size[i]) / speed;
-        const Real t2 = (distance + half_size[i]) / speed;
+        Real t1 = (distance - half_size[i]) / speed;
+        Real t2 = (distance + half_size[i]) / speed;
+        if (speed == 0) {  // between the planes for ever, or never; 0 / 0 on one of them
+            const bool inside = std::fabs(distance) <= half_size[i];
+            t1 = inside ? -infinity : infinity;
+            t2 = infinity;
+        }
         story.line("t_min, t_max between the planes of " + std::string(names[std::size_t(i)]),
                    text(Vec2(std::fmin(t1, t2), std::fmax(t1, t2))));
         enters = std::fmax(enters, std::fmin(t1, t2));

@@ -19,11 +19,19 @@ Real off_cone(const Cone& cone, Vec3 v) {
 
 }  // namespace
 
-std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
+std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interval) {
+    // In units in which the cone and the direction are about 1: the products below have six
+    // factors, and in float would leave its range at sizes of 1e-6 and 1e6.
+    const Real length_unit = power_of_two_below(std::max(given.radius, given.height));
+    const Real speed_unit = power_of_two_below(largest_component(ray.direction));
+    const Cone cone{.axis = given.axis,
+                    .radius = given.radius / length_unit,
+                    .height = given.height / length_unit};
+    const Vec3 from_apex = (ray.origin - given.apex) / length_unit;
+    const Vec3 d = ray.direction / speed_unit;
+
     // MRT §8's quadratic, times h², from the point of the line nearest to the apex: far away its
     // discriminant would cancel to nothing.
-    const Vec3& d = ray.direction;
-    const Vec3 from_apex = ray.origin - cone.apex;
     const Real t_closest = -dot(from_apex, d) / dot(d, d);
     const Vec3 p = from_apex + t_closest * d;
     const Real hh = cone.height * cone.height;
@@ -46,8 +54,9 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
     // infinite, and c / q is its one root, −c / b with MRT's b. The order depends on a's sign.
     std::array<Real, 2> roots = {t_closest + q / a, t_closest + c / q};
     if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
-    for (const Real t : roots) {
-        const Real z = dot(from_apex, cone.axis) + t * dot(d, cone.axis);
+    for (const Real root : roots) {
+        const Real z = dot(from_apex, cone.axis) + root * dot(d, cone.axis);
+        const Real t = root * (length_unit / speed_unit);
         if (0 <= z && z <= cone.height && interval.contains(t)) return t;
     }
     return std::nullopt;

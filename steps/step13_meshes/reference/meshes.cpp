@@ -21,23 +21,27 @@ Triangle triangle_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& corne
             .c = mesh.vertices[corners[2]]};
 }
 
-/// 1 + 2 γ(3): t on a far face is rounded three times, and might come out before the near one's
+/// 2 γ(3), of t: on a far face it is rounded three times, and might come out before the near one's
 /// where both are the same edge (Ize 2013, "Robust BVH Ray Traversal").
-constexpr Real far_padding = 1 + 2 * (3 * unit_roundoff) / (1 - 3 * unit_roundoff);
+constexpr Real far_padding = 2 * (3 * unit_roundoff) / (1 - 3 * unit_roundoff);
 
 }  // namespace
 
 std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        const Real to_min = (box.min[axis] - ray.origin[axis]) / ray.direction[axis];
-        const Real to_max = (box.max[axis] - ray.origin[axis]) / ray.direction[axis];
-        const bool backwards = ray.direction[axis] < 0;
-        const Real near = backwards ? to_max : to_min;
-        const Real far = (backwards ? to_min : to_max) * far_padding;
-        if (near > interval.min) interval.min = near;  // 0 / 0 along a face is NaN, and no bound
-        if (far < interval.max) interval.max = far;
+        const Real o = ray.origin[axis];
+        const Real d = ray.direction[axis];
+        if (d == 0) {  // along the slab for ever; on a face the divisions would give 0 / 0
+            if (!(box.min[axis] <= o && o <= box.max[axis])) return std::nullopt;
+            continue;
+        }
+        const Real near = ((d > 0 ? box.min : box.max)[axis] - o) / d;
+        const Real far = ((d > 0 ? box.max : box.min)[axis] - o) / d;
+        const Real padded = far + far_padding * std::abs(far);
+        if (!(near <= interval.min)) interval.min = near;  // NaN too, which then misses
+        if (!(padded >= interval.max)) interval.max = padded;
+        if (!(interval.min <= interval.max)) return std::nullopt;
     }
-    if (!(interval.min <= interval.max)) return std::nullopt;
     return interval;
 }
 

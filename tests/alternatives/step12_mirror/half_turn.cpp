@@ -1,0 +1,37 @@
+// right: the way to the eye turned half round the normal, by a matrix, and as long as d
+#include "steps/step12_mirror/mirror.hpp"
+
+#include "common/vector.hpp"
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace rt {
+
+namespace {
+
+/// 2 n nᵀ − 1: half a turn about n.
+Vec3 turned_about(Vec3 n, Vec3 v) {
+    return Real(2) * glm::outerProduct(n, n) * v - v;
+}
+
+}  // namespace
+
+Ray mirrored(const Ray& ray, const Surface& surface) {
+    Vec3 direction = turned_about(surface.normal, surface.to_eye);
+    if (!(dot(direction, surface.side) > 0)) direction = turned_about(surface.side, surface.to_eye);
+    return {.origin = surface.point + Real(1.5) * surface.error * surface.side,
+            .direction = length(ray.direction) * direction};
+}
+
+Color mixed(Color own, Color reflection, Real mirror) {
+    Color sum(0);
+    for (int i = 0; i < 3; ++i) sum[i] = own[i] * (1 - mirror) + reflection[i] * mirror;
+    return sum;
+}
+
+bool worth_reflecting(int bounces, int depth, Real weight) {
+    return !(weight < Real(1) / 512) && bounces + 1 <= depth;
+}
+
+}  // namespace rt

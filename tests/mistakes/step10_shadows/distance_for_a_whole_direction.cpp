@@ -1,0 +1,17 @@
+// origin: seen in student repositories
+// caught by: what is behind the light is not in the way (CR §3.2, maxDist)
+// sentence: You compare t with the distance, but t counts in the direction's length: the light is at t = 1. Make the direction a unit vector, or compare with 1.
+#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
+#include "steps/step10_shadows/reference/shadows.cpp"
+#undef shadow_ray
+
+namespace rt {
+
+ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+    const Vec3 origin = surface.point + surface.error * surface.side;
+    const Vec3 direction = light - origin;
+    return {.ray = {.origin = origin, .direction = direction},
+            .interval = {.min = 0, .max = length(direction)}};
+}
+
+}  // namespace rt

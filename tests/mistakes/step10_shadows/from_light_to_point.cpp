@@ -1,0 +1,17 @@
+// origin: thought of: p - l for l - p
+// caught by: the way leads from the point to the light (CR §3.2)
+// sentence: Your ray leads away from the light: the direction is the light's position less the point's.
+#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
+#include "steps/step10_shadows/reference/shadows.cpp"
+#undef shadow_ray
+
+namespace rt {
+
+ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+    const Vec3 origin = surface.point + surface.error * surface.side;
+    const Vec3 direction = origin - light;
+    return {.ray = {.origin = origin, .direction = direction},
+            .interval = {.min = 0, .max = Real(0.999)}};
+}
+
+}  // namespace rt

@@ -1,0 +1,19 @@
+// origin: thought of: dot(L, L) for its root
+// caught by: what is behind the light is not in the way (CR §3.2, maxDist)
+// sentence: You compare t with the square of the distance. Take its root: length(L).
+#define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
+#include "steps/step10_shadows/reference/shadows.cpp"
+#undef shadow_ray
+
+#include "common/vector.hpp"
+
+namespace rt {
+
+ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+    const Vec3 origin = surface.point + surface.error * surface.side;
+    const Vec3 direction = unit(light - origin);
+    return {.ray = {.origin = origin, .direction = direction},
+            .interval = {.min = 0, .max = dot(light - origin, light - origin)}};
+}
+
+}  // namespace rt

@@ -1,0 +1,16 @@
+// origin: CR §6: interpolated normals left out
+// caught by: an interpolated normal is the one that reflects (CR §6)
+// sentence: You reflect at the flat face always: a smooth mesh would mirror in facets. Take surface.normal.
+#define mirrored(...) correct_mirrored(__VA_ARGS__)
+#include "steps/step12_mirror/reference/mirror.cpp"
+#undef mirrored
+
+namespace rt {
+
+Ray mirrored(const Ray& ray, const Surface& surface) {
+    Surface flat = surface;
+    flat.normal = surface.side;
+    return correct_mirrored(ray, flat);
+}
+
+}  // namespace rt

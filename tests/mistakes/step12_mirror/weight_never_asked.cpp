@@ -1,0 +1,14 @@
+// origin: thought of: the depth alone
+// caught by: shares of 0.1 stop after two reflections: 0.001 would not show (contract)
+// sentence: You send rays on that no pixel shows: ask whether the weight is at least 1/512.
+#define worth_reflecting(...) correct_worth_reflecting(__VA_ARGS__)
+#include "steps/step12_mirror/reference/mirror.cpp"
+#undef worth_reflecting
+
+namespace rt {
+
+bool worth_reflecting(int bounces, int depth, Real weight) {
+    return bounces < depth;
+}
+
+}  // namespace rt

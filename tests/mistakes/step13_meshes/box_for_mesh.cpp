@@ -1,0 +1,27 @@
+// origin: course/mistakes.md
+// caught by: a ray through the mesh's box misses where no triangle is (CR §4.2)
+// sentence: You answer where the ray enters the box around the mesh. The box only says that it is worth asking the triangles.
+#include "tests/mistakes/step13_meshes/stage5.hpp"
+
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step13_meshes/reference/meshes.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
+    return correct_intersect(ray, box, interval);
+}
+
+std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
+    Box box;
+    for (const Vec3& vertex : mesh.vertices) box = united(box, vertex);
+    if (mesh.triangles.empty()) return std::nullopt;
+    const auto inside = overlap(ray, box, interval);
+    if (!inside) return std::nullopt;
+    MeshHit hit{.t = interval.contains(inside->min) ? inside->min : inside->max};
+    hit.weights = barycentric(triangle_of(mesh, mesh.triangles[0]), at(ray, hit.t));
+    return hit;
+}
+
+}  // namespace rt

@@ -1,0 +1,30 @@
+// origin: thought of: t > 0 only
+// caught by: only triangles strictly inside the interval are met (contract)
+// sentence: You ask for t > 0 only. The interval says what counts: strictly between its min and its max.
+#include "tests/mistakes/step13_meshes/stage5.hpp"
+
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step13_meshes/reference/meshes.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
+    return correct_intersect(ray, box, interval);
+}
+
+std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
+    interval = {};
+    std::optional<MeshHit> nearest;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle triangle = triangle_of(mesh, mesh.triangles[i]);
+        const auto t = intersect(ray, triangle, interval);
+        if (!t) continue;
+        interval.max = *t;
+        nearest = MeshHit{.t = *t, .triangle = i};
+        nearest->weights = barycentric(triangle, at(ray, *t));
+    }
+    return nearest;
+}
+
+}  // namespace rt

@@ -1,0 +1,28 @@
+// origin: course/mistakes.md
+// caught by: of all the triangles the nearest is met, in whatever order they come (M1, CR §4.2)
+// sentence: You keep the last triangle that is hit. Keep the nearest: shorten the interval, or compare t.
+#include "tests/mistakes/step13_meshes/stage5.hpp"
+
+#define intersect(...) correct_intersect(__VA_ARGS__)
+#include "steps/step13_meshes/reference/meshes.cpp"
+#undef intersect
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
+    return correct_intersect(ray, box, interval);
+}
+
+std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
+    std::optional<MeshHit> nearest;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle triangle = triangle_of(mesh, mesh.triangles[i]);
+        const auto t = intersect(ray, triangle, interval);
+        if (!t) continue;
+        nearest = MeshHit{.t = *t, .triangle = i};
+        nearest->weights = barycentric(triangle, at(ray, *t));
+    }
+    return nearest;
+}
+
+}  // namespace rt

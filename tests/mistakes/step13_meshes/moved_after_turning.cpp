@@ -1,0 +1,16 @@
+// origin: thought of: the inverses in the order of the motion
+// caught by: a mesh is scaled, then turned, then moved, and the ray all that backwards (HAI)
+// sentence: You turn and scale the ray before you move it. Backwards comes first what was last: the translation.
+#define into_frame(...) correct_into_frame(__VA_ARGS__)
+#include "steps/step13_meshes/reference/meshes.cpp"
+#undef into_frame
+
+namespace rt {
+
+Ray into_frame(const Ray& ray, const Motion& placement) {
+    const Basis& basis = placement.rotation;
+    return {.origin = in_frame(basis, ray.origin) / placement.scale - placement.translation,
+            .direction = in_frame(basis, ray.direction) / placement.scale};
+}
+
+}  // namespace rt

@@ -1,0 +1,64 @@
+#!/bin/sh
+# What a scene does not require costs nothing: instruction_counts.sh BUILD_FOLDER PROJECT_FOLDER
+#
+# The same scene is drawn by a stage that has all it requires and by those after it, which know
+# more: lights with a size, mirrors, meshes. The instructions that the processor executes for the
+# picture may differ by 1 %. What a program does before its first pixel, reading its own options, is
+# taken off: it is what a picture of one pixel costs.
+# Needs valgrind; 77 says that it is not there.
+build=$1
+scenes=$2/scenes
+if ! valgrind --version > /dev/null 2>&1; then
+    echo "skipped: valgrind, which counts instructions, is not installed (apt-get install valgrind)"
+    exit 77
+fi
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+# instructions STAGE SCENE PRECISION SIZE: how many a picture takes; nothing if it is not made.
+instructions() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/$1" "$scenes/$2.rt" \
+        --precision "$3" --size "$4" --threads 1 --quiet -o picture.png > out 2>&1 &&
+        sed -n 's/^==[0-9]*== Collected : *\([0-9]*\)$/\1/p' out
+}
+
+# same_cost SCENE STAGE…: each stage that is built with the first, in both precisions.
+same_cost() {
+    scene=$1
+    shift
+    for precision in double float; do
+        base=
+        for stage in "$@"; do
+            [ -x "$build/$stage" ] || continue
+            picture=$(instructions "$stage" "$scene" $precision 64x48)
+            start=$(instructions "$stage" "$scene" $precision 1x1)
+            if [ -z "$picture" ] || [ -z "$start" ]; then
+                echo "FAILED: $stage does not draw scenes/$scene.rt under valgrind"
+                sed 's/^/    /' out
+                failed=1
+                continue
+            fi
+            count=$((picture - start))
+            [ -n "$base" ] || base=$count
+            awk "BEGIN {
+                more = 100 * ($count - $base) / $base
+                printf \"%-20s %-7s %-20s %11d %+7.2f %%\", \"$scene\", \"$precision\", \"$stage\", $count, more
+                wrong = more > 1 || more < -1
+                print wrong ? \"  FAILED: more than 1 %\" : \"\"
+                exit wrong
+            }" || failed=1
+        done
+    done
+}
+
+printf '%-20s %-7s %-20s %s\n' scene numbers stage instructions
+same_cost step09_phong step10_shadows step11_soft_shadows step12_mirror  # no size, no mirror
+same_cost step09_phong step12_mirror step13_meshes                       # no mesh
+same_cost step10_shadows step10_shadows step11_soft_shadows step12_mirror
+same_cost step10_shadows step12_mirror step13_meshes
+same_cost step11_soft_shadows step11_soft_shadows step12_mirror
+same_cost step12_mirror step12_mirror step13_meshes
+
+exit $failed
