@@ -13,6 +13,8 @@ namespace rt {
 /// A pixel of the picture may differ by 1 of 255: a colour near n + ½ rounds either way. Beside an
 /// edge, rounding in the last digit decides which surface a pixel's ray meets, so a pixel whose
 /// neighbours in the reference differ may take any value among them.
-[[nodiscard]] Verdict picture_matches(const std::string& name);
+///
+/// Of a picture that takes seconds, every so many-th pixel of every so many-th row is enough.
+[[nodiscard]] Verdict picture_matches(const std::string& name, int every = 1);
 
 }  // namespace rt
