@@ -16,8 +16,7 @@ constexpr Real roundings = 16;
 
 /// A projected point of a shape none of whose own coordinates is larger than `size`.
 SurfacePoint bounded(Vec3 point, Real size) {
-    return {.point = point,
-            .error = roundings * unit_roundoff * glm::max(largest_component(point), size)};
+    return {.point = point, .error = projection_error(glm::max(largest_component(point), size))};
 }
 
 /// a × b, every component to 1.5 ulp however small the angle between them.
@@ -32,6 +31,10 @@ Vec3 onto_plane(Vec3 point, Vec3 in_plane, Vec3 normal) {
 }
 
 }  // namespace
+
+Real projection_error(Real largest) {
+    return roundings * unit_roundoff * largest;
+}
 
 SurfacePoint projected(const Sphere& sphere, Vec3 point) {
     const auto& [center, radius] = sphere;

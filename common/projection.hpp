@@ -19,6 +19,10 @@ struct SurfacePoint {
 
 namespace rt {
 
+/// The bound that holds for a point that was projected, if no coordinate that went into it is
+/// larger than `largest`.
+[[nodiscard]] Real projection_error(Real largest);
+
 // Each returns the point of the shape's surface, its edges apart, that is nearest to the given one,
 // which must be near already. Where there is no nearest one, on an axis, it stays.
 

@@ -35,8 +35,14 @@ bool blocks(const Ray& ray, const PlacedMesh& placed, Interval interval) {
 SurfacePoint projected(const PlacedMesh& placed, const MeshHit& hit) {
     const Triangle triangle = triangle_of(placed, hit);
     const Vec3& w = hit.weights;
-    const Vec3 point = w.x * triangle.a + w.y * triangle.b + w.z * triangle.c;
-    return projected(triangle, point);
+    auto [point, error] =
+        projected(triangle, w.x * triangle.a + w.y * triangle.b + w.z * triangle.c);
+    // In its own frame a mesh may be far from the origin, and that is where its triangles are met.
+    const auto& [min, max] = placed.model->bounds;
+    const Real in_frame = largest_component(glm::max(abs(min), abs(max)));
+    const Motion& placement = placed.placement;
+    const Real largest = placement.scale * in_frame + largest_component(placement.translation);
+    return {.point = point, .error = glm::max(error, projection_error(largest))};
 }
 
 Vec3 normal(const PlacedMesh& placed, const MeshHit& hit) {

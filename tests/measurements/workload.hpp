@@ -1,0 +1,59 @@
+// What the engines are measured on: meshes and rays, the same for all, in float.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace measurements {
+
+using Point = std::array<float, 3>;
+
+struct TriangleMesh {
+    std::vector<Point> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// The sphere of 20 · frequency² triangles, closed, moved in and out by up to a tenth.
+[[nodiscard]] TriangleMesh displaced_sphere(int frequency);
+
+struct RayQuery {
+    Point origin;
+    Point direction;
+    float max;
+};
+
+/// Rays of one kind. Shadow rays ask whether anything is in the way, the others what is nearest.
+struct RaySet {
+    std::string name;
+    bool shadow = false;
+    std::vector<RayQuery> rays;
+};
+
+struct NearestHit {
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+    float t = 0;
+    std::uint32_t triangle = none;
+};
+
+/// One way to trace rays.
+class Engine {
+public:
+    virtual ~Engine() = default;
+    virtual void build(const TriangleMesh& mesh) = 0;
+    [[nodiscard]] virtual NearestHit nearest(const RayQuery& ray) const = 0;
+    /// How many of the rays hit anything; all in one call, so that the call costs nothing.
+    [[nodiscard]] virtual std::size_t count_nearest(const RayQuery* rays, std::size_t n) const = 0;
+    [[nodiscard]] virtual std::size_t count_blocked(const RayQuery* rays, std::size_t n) const = 0;
+};
+
+/// Primary rays of a picture, diffuse rays from what they hit, random rays through the mesh, and
+/// shadow rays to a light. `engine` has the mesh built.
+[[nodiscard]] std::vector<RaySet> ray_sets(const TriangleMesh& mesh, const Engine& engine);
+
+/// From inside, at every vertex and at two points of every edge: each must hit.
+[[nodiscard]] std::vector<RayQuery> rays_at_edges(const TriangleMesh& mesh);
+
+}  // namespace measurements

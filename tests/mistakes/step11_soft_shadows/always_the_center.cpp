@@ -1,0 +1,14 @@
+// origin: thought of: stage 10 once more
+// caught by: another sample is another point (CR §3.3)
+// sentence: You aim at the light's centre, whatever the sample: the shadow stays hard.
+#define light_point(...) correct_light_point(__VA_ARGS__)
+#include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
+#undef light_point
+
+namespace rt {
+
+Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+    return light.position;
+}
+
+}  // namespace rt
