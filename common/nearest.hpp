@@ -53,7 +53,8 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        if (!items.empty()) among_some(items);  // not inlined: a kind that is not there costs a look
+        if (!items.empty())
+            among_some(items);  // not inlined: a kind that is not there costs a look
     }
 
     /// The nearest of everything looked through so far, or nothing.

@@ -585,13 +585,13 @@ TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
     CHECK(lit(scene, 9, {.shadow_samples = 100}).rays == 100);
     CHECK(lit(scene, 9, {.shadow_samples = 100, .tolerance = 1e-9}).rays == 100);
-    const auto spent = [&](double tolerance) {
+    const auto spent = [&](double accepted) {
         std::int64_t rays = 0;
         double squares = 0;
         int count = 0;
         for (const Real x : {Real(0.25), Real(1), Real(2), Real(4)})
             for (int i = 0; i < 100; ++i) {
-                const Lit came = lit(scene, x, {.shadow_samples = 4096, .tolerance = tolerance},
+                const Lit came = lit(scene, x, {.shadow_samples = 4096, .tolerance = accepted},
                                      {.row = i, .column = 7});
                 const double all = diffuse_term(ground(x), scene.lights[0]).g;
                 const double error = came.terms.diffuse.g - all * free_share(scene.lights[0], x);
@@ -599,8 +599,8 @@ TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
                 rays += came.rays;
                 ++count;
             }
-        INFO("tolerance " << tolerance << ", " << rays << " rays");
-        CHECK(std::sqrt(squares / count) <= tolerance);
+        INFO("tolerance " << accepted << ", " << rays << " rays");
+        CHECK(std::sqrt(squares / count) <= accepted);
         return rays;
     };
     const std::int64_t coarse = spent(0.02);

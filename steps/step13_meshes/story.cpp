@@ -51,9 +51,9 @@ std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
 std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed) {
     const Motion& placement = placed.placement;
     const Vec3 from_place = ray.origin - placement.translation;
-    const auto& [x, y, z] = placement.rotation;
+    const Basis& basis = placement.rotation;
     const auto in_frame = [&](Vec3 v) {
-        return Vec3(dot(v, x), dot(v, y), dot(v, z)) / placement.scale;
+        return Vec3(dot(v, basis.x), dot(v, basis.y), dot(v, basis.z)) / placement.scale;
     };
     const Ray seen{.origin = in_frame(from_place), .direction = in_frame(ray.direction)};
     story.line("o_r in the mesh's frame", text(seen.origin));

@@ -57,14 +57,19 @@ void add(Numbers& numbers, const Triangle& triangle) {
     for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) add(numbers, corner);
 }
 
-void add(Numbers& numbers, const Square& square) {
-    const auto& [x, y, z] = square.basis;
-    require(is_unit(x) && is_unit(y) && is_unit(z), "a square's axes have unit length");
+void add(Numbers& numbers, const Basis& basis) {
+    const auto& [x, y, z] = basis;
+    require(is_unit(x) && is_unit(y) && is_unit(z), "axes have unit length");
     require(near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0),
-            "a square's axes are at right angles");
-    require(near(dot(cross(x, y), z), 1), "a square's basis is right-handed");
+            "axes are at right angles");
+    require(near(dot(cross(x, y), z), 1), "a basis is right-handed");
+    for (const Vec3& v : {x, y, z}) add(numbers, v);
+}
+
+void add(Numbers& numbers, const Square& square) {
     require(square.side > 0, "a square's side is positive");
-    for (const Vec3& v : {square.center, x, y, z}) add(numbers, v);
+    add(numbers, square.center);
+    add(numbers, square.basis);
     numbers.insert(numbers.end(), {square.side, Real(square.one_sided)});
 }
 
@@ -86,13 +91,38 @@ void add(Numbers& numbers, const Cone& cone) {
     add_round(numbers, cone.axis, cone.radius, cone.height);
 }
 
+void add(Numbers& numbers, const OrientedBox& box) {
+    const Vec3& size = box.half_size;
+    require(size.x > 0 && size.y > 0 && size.z > 0, "a box has a size");
+    add(numbers, box.center);
+    add(numbers, box.basis);
+    add(numbers, size);
+}
+
+void add(Numbers& numbers, const Material& material) {
+    const auto& [color, specular, shininess, mirror] = material;
+    require(within_one(color), "a colour is from 0 to 1");
+    require(within_one({specular, mirror, 0}), "shares are from 0 to 1");
+    require(shininess > 0, "a shininess is positive");
+    add(numbers, color);
+    numbers.insert(numbers.end(), {specular, shininess, mirror});
+}
+
+void add(Numbers& numbers, const NamedMesh& mesh) {
+    require(!mesh.file.empty() && mesh.place.line > 0, "a mesh has a file, and its place");
+    require(mesh.placement.scale > 0, "a mesh's scale is positive");
+    add(numbers, mesh.placement.rotation);
+    add(numbers, mesh.placement.translation);
+    add(numbers, mesh.material);
+    numbers.insert(numbers.end(), {mesh.placement.scale, Real(mesh.smooth)});
+}
+
 template <class Shape>
-void add(Numbers& numbers, const std::vector<Item<Shape>>& items) {
+void add(Numbers& numbers, const Items<Shape>& items) {
     numbers.push_back(Real(items.size()));
     for (const Item<Shape>& item : items) {
         add(numbers, item.shape);
-        require(within_one(item.material.color), "a colour is from 0 to 1");
-        add(numbers, item.material.color);
+        add(numbers, item.material);
     }
 }
 
@@ -125,6 +155,8 @@ Numbers checked_numbers(const Scene& scene) {
     for (const Light& light : scene.lights) {
         add(numbers, light.position);
         add_light(numbers, light.brightness, light.color);
+        require(light.radius >= 0, "a light's radius is not negative");
+        numbers.push_back(light.radius);
     }
     add(numbers, scene.spheres);
     add(numbers, scene.planes);
@@ -132,6 +164,10 @@ Numbers checked_numbers(const Scene& scene) {
     add(numbers, scene.squares);
     add(numbers, scene.cylinders);
     add(numbers, scene.cones);
+    add(numbers, scene.boxes);
+    require(scene.meshes.empty(), "reading loads no mesh");
+    numbers.push_back(Real(scene.named_meshes.size()));
+    for (const NamedMesh& mesh : scene.named_meshes) add(numbers, mesh);
     const auto finite = [](Real number) { return std::isfinite(number); };
     require(std::all_of(numbers.begin(), numbers.end(), finite), "numbers are finite");
     return numbers;

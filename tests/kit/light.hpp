@@ -10,9 +10,10 @@
 namespace rt {
 
 inline std::string code(const Material& material) {
-    return "Material{.color = " + code(material.color) + ", .specular = " +
-           code(material.specular) + ", .shininess = " + code(material.shininess) +
-           ", .mirror = " + code(material.mirror) + "}";
+    return "Material{.color = " + code(material.color) +
+           ", .specular = " + code(material.specular) +
+           ", .shininess = " + code(material.shininess) + ", .mirror = " + code(material.mirror) +
+           "}";
 }
 
 inline std::string code(const Surface& surface) {
@@ -22,9 +23,9 @@ inline std::string code(const Surface& surface) {
 }
 
 inline std::string code(const Light& light) {
-    return "Light{.position = " + code(light.position) + ", .brightness = " +
-           code(light.brightness) + ", .color = " + code(light.color) + ", .radius = " +
-           code(light.radius) + "}";
+    return "Light{.position = " + code(light.position) +
+           ", .brightness = " + code(light.brightness) + ", .color = " + code(light.color) +
+           ", .radius = " + code(light.radius) + "}";
 }
 
 /// A surface at the point, seen from any direction on the normal's side.
