@@ -54,7 +54,7 @@ Rendering sum(Image image, const std::vector<Row>& rows) {
 Rgb to_rgb(const Color& color) {
     if (!is_number(color)) return not_a_color;
     const auto byte = [](Real value) {
-        return static_cast<std::uint8_t>(std::lround(glm::clamp(value, Real(0), Real(1)) * 255));
+        return static_cast<std::uint8_t>(glm::clamp(value, Real(0), Real(1)) * 255 + Real(0.5));
     };
     return {byte(color.r), byte(color.g), byte(color.b)};
 }

@@ -32,12 +32,15 @@ std::uint32_t flipped(std::uint32_t bits, std::uint32_t seed) {
     return bits;
 }
 
-/// The second dimension of Sobol's sequence, in units of 2^-32 (Kollig and Keller 2002).
-std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t result = 0;
-    for (std::uint32_t column = 1U << 31; index != 0; index >>= 1, column ^= column >> 1)
-        if ((index & 1U) != 0) result ^= column;
-    return result;
+/// The second dimension of Sobol's sequence, its bits in reverse. The bits of the index are the
+/// coefficients of a polynomial modulo 2, whose x becomes x + 1: Sobol's matrix is Pascal's
+/// triangle. As (x + 1)^k = x^k + 1 for k = 1, 2, 4, …, the upper halves are added to the lower.
+std::uint32_t sobol_second(std::uint32_t bits) {
+    bits ^= (bits & 0xaaaaaaaaU) >> 1;
+    bits ^= (bits & 0xccccccccU) >> 2;
+    bits ^= (bits & 0xf0f0f0f0U) >> 4;
+    bits ^= (bits & 0xff00ff00U) >> 8;
+    return bits ^ (bits >> 16);
 }
 
 /// 24 bits, which a float holds too, so that both precisions sample the same points.
@@ -49,7 +52,7 @@ Real to_unit_interval(std::uint32_t bits) {
 
 Vec2 RT_PRECISION::spread_sample(std::uint32_t index, std::uint32_t seed) {
     const std::uint32_t first = reversed(flipped(index, seed));  // the first dimension is reversed
-    const std::uint32_t second = reversed(flipped(reversed(sobol_second(index)), mixed(seed)));
+    const std::uint32_t second = reversed(flipped(sobol_second(index), mixed(seed)));
     return {to_unit_interval(first), to_unit_interval(second)};
 }
 

@@ -14,11 +14,10 @@ Vec3 divided_by_w(Vec4 point) {
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
     // 2 · (j + 0.5) / W − 1 with the subtraction done in whole numbers, where it is exact.
-    const Real x = Real(2 * pixel.column + 1 - resolution.width) / Real(resolution.width);
-    const Real y = Real(resolution.height - 2 * pixel.row - 1) / Real(resolution.height);
-    const Real ratio = Real(resolution.width) / Real(resolution.height);
-    const Real half_height = std::tan(vertical_fov / 2);
-    return {x * ratio * half_height, y * half_height};
+    const Real x = Real(2 * pixel.column + 1 - resolution.width);
+    const Real y = Real(resolution.height - 2 * pixel.row - 1);
+    const Real half_pixel = std::tan(vertical_fov / 2) / Real(resolution.height);
+    return {x * half_pixel, y * half_pixel};
 }
 
 Ray camera_ray(Pixel pixel, Resolution resolution, Real vertical_fov) {

@@ -14,19 +14,21 @@ Vec3 in_frame(const Basis& basis, Vec3 v) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
-    const Vec3 o = in_frame(square.basis, ray.origin - square.center);
-    const Vec3 d = in_frame(square.basis, ray.direction);
-    if (square.one_sided && !(d.z < 0)) return std::nullopt;
-
-    // t = −o.z / d.z, and |o.x + t d.x| ≤ h/2 multiplied by |d.z|: deciding before dividing
-    // needs no epsilon, and a grazing ray is as good as any other.
-    const Real limit = square.side / 2 * std::abs(d.z);
-    const bool inside =
-        std::abs(o.x * d.z - o.z * d.x) <= limit && std::abs(o.y * d.z - o.z * d.y) <= limit;
-    if (!inside) return std::nullopt;  // NaN must miss
-
-    const Real t = -o.z / d.z;
+    const auto& [x, y, z] = square.basis;
+    const Vec3 o = ray.origin - square.center;
+    const Vec3& d = ray.direction;
+    const Real height = dot(o, z);
+    const Real slope = dot(d, z);
+    if (square.one_sided && !(slope < 0)) return std::nullopt;
+    const Real t = -height / slope;
     if (!interval.contains(t)) return std::nullopt;  // a ray in the square's plane has t NaN
+
+    // |o.x + t d.x| ≤ side / 2 multiplied by |d.z|, in the square's frame: deciding without the
+    // rounded t needs no epsilon, and a grazing ray is as good as any other.
+    const Real limit = square.side / 2 * std::abs(slope);
+    const bool inside = std::abs(dot(o, x) * slope - height * dot(d, x)) <= limit &&
+                        std::abs(dot(o, y) * slope - height * dot(d, y)) <= limit;
+    if (!inside) return std::nullopt;  // NaN must miss
     return t;
 }
 

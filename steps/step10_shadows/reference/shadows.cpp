@@ -19,7 +19,7 @@ ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
     const Real near_light =
         ends_before * unit_roundoff * glm::max(largest_component(origin), largest_component(light));
     return {.ray = {.origin = origin, .direction = direction},
-            .interval = {.min = 0, .max = 1 - near_light / length(direction)}};
+            .interval = {.min = 0, .max = 1 - near_light / largest_component(direction)}};
 }
 
 }  // namespace rt
