@@ -65,7 +65,7 @@ void make_all(const path& folder) {
 
 int main(int count, char** words) {
     try {
-        if (count == 2) {
+        if (count == 2 && words[1][0] != '-') {
             make_all(words[1]);
         } else if (count == 3) {
             write_for_peers(words[2], words[1], {});
