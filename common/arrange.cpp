@@ -3,12 +3,7 @@
 namespace rt {
 
 void arrange(Scene& scene) {
-    scene.spheres.arrange();
-    scene.triangles.arrange();
-    scene.squares.arrange();
-    scene.cylinders.arrange();
-    scene.cones.arrange();
-    scene.boxes.arrange();
+    for_each_kind(scene, [](auto& items) { items.arrange(); });
     scene.meshes.arrange();
 }
 

@@ -36,10 +36,6 @@ void set_lane(Node::Row& row, std::size_t i, Real value) {
     row = std::bit_cast<Node::Row>(all);
 }
 
-Real longest(Vec3 v) {
-    return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
-}
-
 }  // namespace
 
 /// Builds from the top.
@@ -71,10 +67,11 @@ Hierarchy TreeGrower::tree() {
     const auto max = values(all.bounds.max);
     tree.bounds_ = {.min = {min[0], min[1], min[2]}, .max = {max[0], max[1], max[2]}};
     tree.center_ = tree.bounds_.min / Real(2) + tree.bounds_.max / Real(2);
-    tree.half_size_ = longest(tree.bounds_.max / Real(2) - tree.bounds_.min / Real(2));
+    tree.half_size_ = largest_component(tree.bounds_.max / Real(2) - tree.bounds_.min / Real(2));
     // Where SlabTest's slack is too small to change an origin, as all is far from 0 and small, this
     // is as much of it as the shapes' tests need.
-    const Real largest = std::max(longest(tree.bounds_.min), longest(tree.bounds_.max));
+    const Real largest =
+        std::max(largest_component(tree.bounds_.min), largest_component(tree.bounds_.max));
     padding_ = all_lanes(4 * unit_roundoff * largest);
     tree.root_ = grow(tree, all, 0);
     return tree;

@@ -4,6 +4,7 @@
 
 #include "common/box.hpp"
 #include "common/slab_test.hpp"
+#include "common/vector.hpp"
 
 #include <span>
 #include <vector>
@@ -56,9 +57,7 @@ private:
     static constexpr std::size_t max_depth = 64;
 
     [[nodiscard]] Real reach_from(Vec3 origin) const {
-        const Vec3 off = origin - center_;
-        return half_size_ +
-               std::max(std::fabs(off.x), std::max(std::fabs(off.y), std::fabs(off.z)));
+        return half_size_ + largest_component(origin - center_);
     }
 
     Box bounds_;

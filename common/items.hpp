@@ -48,10 +48,15 @@ public:
     [[nodiscard]] auto begin() const { return items_.begin(); }
     [[nodiscard]] auto end() const { return items_.end(); }
 
-    /// Builds the hierarchy, if they are so many that it pays.
+    /// Whether they fit into boxes, and are so many that a hierarchy of these pays.
+    [[nodiscard]] bool worth_arranging() const {
+        return Bounded<Shape> && items_.size() >= hierarchy_pays_from;
+    }
+
+    /// Builds the hierarchy, if it pays.
     void arrange() {
         if constexpr (Bounded<Shape>) {
-            if (items_.size() < hierarchy_pays_from) return;
+            if (!worth_arranging()) return;
             std::vector<Box> boxes;
             boxes.reserve(items_.size());
             for (const Item<Shape>& item : items_) boxes.push_back(bounds(item.shape));

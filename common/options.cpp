@@ -23,10 +23,6 @@ constexpr int max_side = 8192;  // as in scenes
 constexpr int max_threads = 1024;
 constexpr int max_shadow_samples = 1 << 20;
 constexpr int max_depth = 1000;
-constexpr int shapes_stage = 3;
-constexpr int light_stage = 9;
-constexpr int soft_shadow_stage = 11;
-constexpr int mirror_stage = 12;
 
 /// Enough for a tolerance of half a step of the picture's 256, wherever the shadow's edge is.
 constexpr int tolerance_samples = 1024;

@@ -1,29 +1,13 @@
 #include "common/requirements.hpp"
 
-#include "common/stages.hpp"
-
 #include <algorithm>
 
 namespace rt {
 
 namespace {
 
-constexpr int light_stage = 9;
-
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-/// Calls visit(items) for each kind of shape.
-template <class Visit>
-void for_each_kind(const Scene& scene, Visit visit) {
-    visit(scene.spheres);
-    visit(scene.planes);
-    visit(scene.triangles);
-    visit(scene.squares);
-    visit(scene.cylinders);
-    visit(scene.cones);
-    visit(scene.boxes);
 }
 
 /// How many materials of the scene `is` holds of.
@@ -64,12 +48,12 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
         require(scene.lights.size(), light_stage, "light", "lights");
         require(materials(scene, shines), light_stage, "shape with a highlight",
                 "shapes with a highlight");
-        require(std::size_t(sized), 11, "light with a size", "lights with a size");
+        require(std::size_t(sized), soft_shadow_stage, "light with a size", "lights with a size");
     }
     const auto reflects = [](const Material& material) { return material.mirror > 0; };
-    require(materials(scene, reflects), 12, "mirror", "mirrors");
-    require(scene.boxes.size(), 13, "box", "boxes");
-    require(scene.named_meshes.size(), 13, "mesh", "meshes");
+    require(materials(scene, reflects), mirror_stage, "mirror", "mirrors");
+    require(scene.boxes.size(), mesh_stage, "box", "boxes");
+    require(scene.named_meshes.size(), mesh_stage, "mesh", "meshes");
     return found;
 }
 
@@ -85,20 +69,18 @@ std::string explanation(const Scene& scene) {
     if (needs.empty()) lines += "  nothing but rays\n";
 
     bool many = false;
-    for_each_kind(scene, [&many](const auto& items) {
-        many = many || (!items.empty() && items.size() >= hierarchy_pays_from);
-    });
+    for_each_kind(scene, [&many](const auto& items) { many = many || items.worth_arranging(); });
     lines += "and goes without\n";
     const auto without = [&lines](bool left_out, const std::string& what) {
         if (left_out) lines += "  " + what + "\n";
     };
-    for (int stage = 3; stage <= 8; ++stage)
+    for (int stage = shapes_stage; stage < light_stage; ++stage)
         without(!brought_by(stage),
                 std::string(stage_name(stage).substr(std::string_view("stepNN_").size())) + "s");
-    without(!brought_by(13), "boxes and meshes");
+    without(!brought_by(mesh_stage), "boxes and meshes");
     without(scene.lights.empty(), "light other than ambient, and shadow rays");
-    without(!brought_by(11), "several rays a shadow: no light has a size");
-    without(!brought_by(12), "reflections: nothing is a mirror");
+    without(!brought_by(soft_shadow_stage), "several rays a shadow: no light has a size");
+    without(!brought_by(mirror_stage), "reflections: nothing is a mirror");
     without(!many && scene.named_meshes.empty(),
             "a hierarchy of boxes: a list of so few shapes is quicker");
     return lines;

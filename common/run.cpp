@@ -58,16 +58,17 @@ void check_output(const Options& options) {
 /// What the picture says of itself: whatever made it what it is. The number of threads did not.
 std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
     const Look& look = options.look;
-    const bool lights = program.stage >= 9;
+    const bool lights = program.stage >= light_stage;
     std::string used = look.shading == Shading::normal ? "--shade normal"
                        : lights                        ? "--shade phong"
                                                        : "--shade torch";
     if (look.term == Term::ambient) used += " --term ambient";
     if (look.term == Term::diffuse) used += " --term diffuse";
     if (look.term == Term::specular) used += " --term specular";
-    if (program.stage >= 11) used += " --shadow-samples " + std::to_string(look.shadow_samples);
+    if (program.stage >= soft_shadow_stage)
+        used += " --shadow-samples " + std::to_string(look.shadow_samples);
     if (look.tolerance > 0) used += " --tolerance " + text(Real(look.tolerance));
-    if (program.stage >= 12) used += " --depth " + std::to_string(look.depth);
+    if (program.stage >= mirror_stage) used += " --depth " + std::to_string(look.depth);
     if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
     if (options.reading.cylinder_from_base) used += " --cyl base";
     if (options.reading.strict) used += " --strict";

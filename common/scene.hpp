@@ -76,6 +76,18 @@ namespace rt {
 /// camera's field of view is given along.
 [[nodiscard]] Real vertical_fov(const Camera& camera, Resolution resolution);
 
+/// Calls visit(items) for each kind of shape, meshes apart.
+template <class SomeScene, class Visit>
+void for_each_kind(SomeScene& scene, Visit visit) {
+    visit(scene.spheres);
+    visit(scene.planes);
+    visit(scene.triangles);
+    visit(scene.squares);
+    visit(scene.cylinders);
+    visit(scene.cones);
+    visit(scene.boxes);
+}
+
 /// Builds the hierarchies over the kinds of shape that are many, once the scene is whole. Pictures
 /// are the same without, but later.
 void arrange(Scene& scene);

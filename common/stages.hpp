@@ -14,6 +14,13 @@ inline constexpr std::array<std::string_view, 13> stage_names = {
     "step13_meshes",
 };
 
+// What the programs ask the number of: the stages that bring shapes, light, and so on.
+inline constexpr int shapes_stage = 3;
+inline constexpr int light_stage = 9;
+inline constexpr int soft_shadow_stage = 11;
+inline constexpr int mirror_stage = 12;
+inline constexpr int mesh_stage = 13;
+
 /// The name of a stage, 1 to 13.
 [[nodiscard]] constexpr std::string_view stage_name(int stage) {
     return stage_names.at(static_cast<std::size_t>(stage - 1));

@@ -7,7 +7,7 @@ namespace rt {
 void load_meshes(Scene& scene) {
     if (scene.named_meshes.empty()) return;
     throw InputError(scene.named_meshes.front().place,
-                     "a mesh, which " + std::string(stage_name(13)) + " brings: run that");
+                     "a mesh, which " + std::string(stage_name(mesh_stage)) + " brings: run that");
 }
 
 }  // namespace rt

@@ -39,14 +39,13 @@ constexpr std::array<const char*, rt::stage_names.size()> brings = {
 /// Stage 13 is left out of a build without OpenMesh, which the script `course` installs for whoever
 /// asks for that stage.
 constexpr bool has_meshes = RAYSTEPS_MESHES;
-constexpr int meshes_stage = 13;
 
 int parse_stage(const std::string& text) {
     const std::optional<int> stage = rt::find_stage(text);
     if (!stage)
         throw rt::InputError(
             {}, "no stage \"" + text + "\": give a number 1 to 13 or a name like step05_triangle");
-    if (*stage == meshes_stage && !has_meshes)
+    if (*stage == rt::mesh_stage && !has_meshes)
         throw rt::InputError({}, std::string(rt::stage_name(*stage)) +
                                      " needs OpenMesh: libopenmesh-dev, or what your system "
                                      "calls it");
