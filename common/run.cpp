@@ -10,7 +10,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 
@@ -77,13 +76,6 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
             {"Size", size_text(size)},
             {"Precision", precision_name},
             {"Options", used}};
-}
-
-/// How wide a terminal is said to be.
-int terminal_columns() {
-    const char* columns = std::getenv("COLUMNS");
-    const int said = columns == nullptr ? 0 : std::atoi(columns);
-    return said > 0 ? said : 80;
 }
 
 void report(const Rendering& rendering, const Options& options, double seconds) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 // The one question that standard C++ cannot ask.
 #ifdef _WIN32
@@ -61,6 +62,12 @@ bool errors_on_terminal() {
 #else
     return isatty(STDERR_FILENO) == 1;
 #endif
+}
+
+int terminal_columns() {
+    const char* columns = std::getenv("COLUMNS");
+    const int said = columns == nullptr ? 0 : std::atoi(columns);
+    return said > 0 ? said : 80;
 }
 
 std::string preview(const Image& image, int columns) {

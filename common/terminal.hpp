@@ -12,6 +12,9 @@ namespace rt {
 /// Whether somebody reads the standard error stream on a terminal.
 [[nodiscard]] bool errors_on_terminal();
 
+/// How many characters wide the terminal is said to be.
+[[nodiscard]] int terminal_columns();
+
 /// The picture in 24-bit colour, two pixels a character, at most `columns` characters wide.
 [[nodiscard]] std::string preview(const Image& image, int columns);
 

@@ -6,6 +6,8 @@
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32)
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             whichever of the two is chosen, by name
+# stepNN_name                 the executable; _of_reference and _judged are the same program of the
+#                             references, and of this stage's chosen file on the others' references
 # stepNN_name_picture_f64     the stage's picture: main.cpp, and what this stage and those before it
 #                             hand on: the other files beside a main.cpp, story.cpp apart
 function(raysteps_stage)
@@ -58,19 +60,33 @@ function(raysteps_stage)
         endif()
     endforeach()
 
+    # The program: of the chosen files; for `./course compare`, of the references alone, and of this
+    # stage's chosen file on the references of all others.
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(APPEND stages step02_camera_basis)  # which the scene reader calls, before stage 2 too
     list(REMOVE_DUPLICATES stages)
-
-    add_executable(${name} ${PROJECT_SOURCE_DIR}/common/main.cpp)
-    target_compile_definitions(${name} PRIVATE
+    list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
+    set(others ${references})
+    list(REMOVE_ITEM others ${name}_reference)
+    add_library(${name}_program OBJECT ${PROJECT_SOURCE_DIR}/common/main.cpp)
+    target_link_libraries(${name}_program PRIVATE raysteps_options)
+    target_compile_definitions(${name}_program PRIVATE
         RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
+    raysteps_link_program(${name} ${name} ${stages})
+    raysteps_link_program(${name}_of_reference ${name} ${references})
+    raysteps_link_program(${name}_judged ${name} ${name} ${others})
+    set_target_properties(${name}_of_reference ${name}_judged PROPERTIES EXCLUDE_FROM_ALL ON)
+endfunction()
+
+# raysteps_link_program(<program> <stage> <stage or _reference>...)
+function(raysteps_link_program program stage)
+    add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
     foreach(precision IN ITEMS f32 f64)
-        target_link_libraries(${name} PRIVATE
-            raysteps_common_${precision} ${name}_picture_${precision})
-        foreach(stage IN LISTS stages)
-            target_link_libraries(${name} PRIVATE ${stage}_${precision})
+        target_link_libraries(${program} PRIVATE
+            raysteps_common_${precision} ${stage}_picture_${precision})
+        foreach(part IN LISTS ARGN)
+            target_link_libraries(${program} PRIVATE ${part}_${precision})
         endforeach()
     endforeach()
-    target_link_libraries(${name} PRIVATE raysteps_neutral Threads::Threads)
+    target_link_libraries(${program} PRIVATE raysteps_neutral Threads::Threads)
 endfunction()

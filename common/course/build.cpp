@@ -1,6 +1,9 @@
 #include "common/course/build.hpp"
 
+#include "common/course/compiler_errors.hpp"
+#include "common/course/files.hpp"
 #include "common/course/process.hpp"
+#include "common/course/project.hpp"
 #include "common/input_error.hpp"
 #include "common/terminal.hpp"
 
@@ -41,14 +44,15 @@ public:
         }
     }
 
-    void end(bool failed) {
+    /// What went wrong; what else was said, if nothing did.
+    std::string end() {
         if (shown_) std::fputs("\r\033[K", stderr);
-        if (!failed) return;
         // What fails in one precision fails in the other with the same words.
         std::sort(failures_.begin(), failures_.end());
         failures_.erase(std::unique(failures_.begin(), failures_.end()), failures_.end());
-        for (const std::string& failure : failures_) std::fputs(failure.c_str(), stderr);
-        if (failures_.empty()) std::fputs(rest_.c_str(), stderr);
+        std::string all;
+        for (const std::string& failure : failures_) all += failure;
+        return failures_.empty() ? rest_ : all;
     }
 
 private:
@@ -72,8 +76,8 @@ std::string read_line(std::FILE* file) {
 
 }  // namespace
 
-int build(const std::string& folder, const std::vector<std::string>& targets) {
-    std::string command = "NINJA_STATUS='[%f %t %e] ' ninja -C " + quoted(folder);
+Build try_build(const std::vector<std::string>& targets) {
+    std::string command = "NINJA_STATUS='[%f %t %e] ' ninja -C " + quoted(build_folder.string());
     for (const std::string& target : targets) command += " " + quoted(target);
     std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
     if (pipe == nullptr) throw InputError({}, "cannot start ninja");
@@ -81,8 +85,21 @@ int build(const std::string& folder, const std::vector<std::string>& targets) {
     for (std::string line = read_line(pipe); !line.empty(); line = read_line(pipe))
         listener.hear(line);
     const int status = exit_status(pclose(pipe));
-    listener.end(status != 0);
-    return status;
+    return {.succeeded = status == 0, .output = listener.end()};
+}
+
+void build(const std::vector<std::string>& targets) {
+    const Build built = try_build(targets);
+    if (!built.succeeded) throw ProgramError(first_error(built.output));
+}
+
+void choose_reference(const std::string& stages) {
+    const std::string setting = "RAYSTEPS_REFERENCE:STRING=" + stages;
+    for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
+        if (line == setting) return;
+    const Ending ending =
+        listen_to({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
+    if (ending.status != 0) throw ProgramError("error: cmake fails\n" + ending.output);
 }
 
 }  // namespace rt

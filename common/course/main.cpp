@@ -1,24 +1,28 @@
 // The commands behind `./course`.
 #include "common/course/build.hpp"
+#include "common/course/check.hpp"
+#include "common/course/comparing.hpp"
+#include "common/course/files.hpp"
+#include "common/course/paint.hpp"
 #include "common/course/process.hpp"
+#include "common/course/project.hpp"
+#include "common/course/workbook.hpp"
 
 #include "common/input_error.hpp"
-#include "common/stages.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
-#include <filesystem>
+#include <csignal>
 #include <iostream>
+#include <regex>
 #include <thread>
 
 namespace {
 
-using Words = std::vector<std::string>;
-
-const std::string build_folder = RAYSTEPS_BUILD;
-
 constexpr const char* test_time_limit = "300";  // seconds; a loop without end is a failure
+constexpr int hint_levels = 3;
 
 constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "a ray through every pixel",
@@ -36,62 +40,193 @@ constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "meshes of a million triangles",
 };
 
-/// Stage 13 is left out of a build without OpenMesh, which the script `course` installs for whoever
-/// asks for that stage.
-constexpr bool has_meshes = RAYSTEPS_MESHES;
+constexpr const char* commands = R"(
+./course start N           your own file, to be written: steps/stepNN_…/student/
+./course check N           is it right? what fails first, and why; your picture beside ours
+./course watch N           check, again and again, whenever you save
+./course hint N            the next of three hints
+./course run N [scene.rt] [options]     draw its scene, or yours; --help lists options
+./course compare N [scene.rt] [options] your picture, the reference's, the difference
+./course explain N [ROW,COLUMN]         your numbers for a pixel beside the reference's
+./course solution N        the reference: once you have passed, or ask twice
+./course reset N           start anew; what you have is kept beside
+./course test [N] [options of ctest]    the suite as it is, or every test
+
+N is a number or a name: 5, triangle, step05_triangle; without it, the stage you are at.
+run, compare, explain: --mine with all stages you have written, --reference 3,5 without these.)";
+
+/// What a command was given.
+struct Words {
+    std::string stage;
+    std::vector<std::string> rest;
+    bool mine = false;
+    std::string reference;
+};
 
 int parse_stage(const std::string& text) {
-    const std::optional<int> stage = rt::find_stage(text);
+    const std::optional<int> stage = text.empty() ? rt::current_stage() : rt::find_stage(text);
     if (!stage)
         throw rt::InputError(
             {}, "no stage \"" + text + "\": give a number 1 to 13 or a name like step05_triangle");
-    if (*stage == rt::mesh_stage && !has_meshes)
+    if (*stage == rt::mesh_stage && !rt::has_meshes)
         throw rt::InputError({}, std::string(rt::stage_name(*stage)) +
                                      " needs OpenMesh: libopenmesh-dev, or what your system "
                                      "calls it");
     return *stage;
 }
 
+/// "3;sphere,5" as CMake has it: "3;3;5". Throws InputError if one is no stage.
+std::string parse_stages(std::string text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    std::istringstream in(text);
+    std::string stages;
+    for (std::string word; std::getline(in, word, ';');)
+        stages += (stages.empty() ? "" : ";") +
+                  (word == "all" ? word : std::to_string(parse_stage(word)));
+    return stages;
+}
+
+/// Where somebody is: thirteen lines.
 int list() {
-    for (int stage = 1; stage <= int(brings.size()); ++stage)
-        std::printf("%4d  %-22s %s\n", stage, rt::stage_name(stage).data(),
-                    brings[std::size_t(stage - 1)]);
-    std::puts(
-        "\n"
-        "./course run STAGE [scene.rt] [options]    draw its scene, or yours; --help lists "
-        "options\n"
-        "./course test [STAGE] [options of ctest]   its suite, or every test\n"
-        "\n"
-        "STAGE is a number or a name: 5, triangle, step05_triangle.");
+    const int current = rt::current_stage();
+    for (int stage = 1; stage <= int(brings.size()); ++stage) {
+        const rt::Workbook workbook(stage);
+        const char* mark = stage == current ? "▸" : " ";
+        if (workbook.state() == rt::State::done) mark = "✓";
+        std::string line = std::string(mark) + (stage < 10 ? "  " : " ") + std::to_string(stage) +
+                           "  " + std::string(rt::stage_name(stage));
+        line.resize(line.size() + 24 - rt::stage_name(stage).size(), ' ');
+        line += workbook.state() == rt::State::untouched ? brings[std::size_t(stage - 1)]
+                                                         : workbook.summary();
+        std::puts(workbook.state() == rt::State::done ? rt::painted(line, rt::Paint::good).c_str()
+                  : stage == current                  ? rt::painted(line, rt::Paint::bold).c_str()
+                                                      : line.c_str());
+    }
+    const bool started = rt::Workbook(current).state() == rt::State::started;
+    std::printf("\nNext: ./course %s %d, and read docs/%s.md\n", started ? "check" : "start",
+                current, rt::stage_name(current).data());
+    std::puts(commands);
     return 0;
 }
 
-int run(const Words& words) {
-    if (words.empty()) throw rt::InputError({}, "which stage? ./course run 5");
-    const std::string name(rt::stage_name(parse_stage(words[0])));
-    if (const int status = rt::build(build_folder, {name}); status != 0) return status;
-    Words command = {build_folder + "/" + name};
-    command.insert(command.end(), words.begin() + 1, words.end());
+int start(int stage) {
+    rt::Workbook(stage).start();
+    std::printf(
+        "yours to write: %s\nread:           docs/%s.md\nthen:           ./course check %d\n",
+        rt::Workbook(stage).files().front().lexically_relative(rt::project_folder).c_str(),
+        rt::stage_name(stage).data(), stage);
+    return 0;
+}
+
+int reset(int stage) {
+    std::printf("what you had is kept in %s\n", rt::Workbook(stage).reset().c_str());
+    return 0;
+}
+
+/// The section "## 2" of a stage's hints.
+std::string hint_text(int stage, int level) {
+    std::string text;
+    bool inside = false;
+    for (const std::string& line :
+         rt::lines_of(rt::read_text(rt::project_folder / rt::step_path(stage, "hints.md")))) {
+        if (line.rfind("## ", 0) == 0)
+            inside = line == "## " + std::to_string(level);
+        else if (inside)
+            text += line + "\n";
+    }
+    const std::size_t first = text.find_first_not_of('\n');
+    return first == std::string::npos ? "" : text.substr(first);
+}
+
+int hint(int stage) {
+    rt::Workbook workbook(stage);
+    rt::Record record = workbook.record();
+    record.hints = std::min(record.hints + 1, hint_levels);
+    std::printf("%s, hint %d of %d\n\n%s", rt::stage_name(stage).data(), record.hints, hint_levels,
+                hint_text(stage, record.hints).c_str());
+    workbook.remember(record);
+    return 0;
+}
+
+int solution(int stage) {
+    rt::Workbook workbook(stage);
+    rt::Record record = workbook.record();
+    ++record.solution_asked;
+    workbook.remember(record);
+    if (workbook.state() != rt::State::done && record.solution_asked < 2) {
+        std::printf("%s does not pass yet. ./course hint %d helps; ask again for the solution.\n",
+                    rt::stage_name(stage).data(), stage);
+        return 1;
+    }
+    const auto files = rt::files_in(rt::project_folder / rt::step_path(stage, "reference"), ".cpp");
+    if (files.empty()) throw rt::InputError({}, "the solutions are not part of this hand-out");
+    for (const auto& file : files)
+        std::printf("// %s\n%s", file.lexically_relative(rt::project_folder).c_str(),
+                    rt::read_text(file).c_str());
+    return 0;
+}
+
+/// Builds a program of all the student's stages. If another stage than this does not compile, tells
+/// how to do without it.
+void build_all_mine(int stage) {
+    try {
+        rt::build({rt::stage_target(stage)});
+    } catch (const rt::ProgramError& error) {
+        const std::string text = error.what();
+        for (int other = 1; other < stage; ++other)
+            if (text.find(rt::step_path(other, "student/")) == 0)
+                throw rt::ProgramError(text + "Without that stage: --reference " +
+                                       std::to_string(other) + "\n");
+        throw;
+    }
+}
+
+int run(int stage, const Words& words) {
+    const std::string name = rt::stage_target(stage);
+    rt::choose_reference(parse_stages(words.reference));
+    build_all_mine(stage);
+    rt::Command command = {(rt::build_folder / name).string()};
+    command.insert(command.end(), words.rest.begin(), words.rest.end());
     return rt::run_process(command);
 }
 
-int test(Words words) {
+rt::Contest contest(int stage, const Words& words) {
+    rt::choose_reference(parse_stages(words.reference));
+    return {
+        .stage = stage, .all_mine = words.mine || !words.reference.empty(), .words = words.rest};
+}
+
+int explain(int stage, Words words) {
+    static const std::regex pixel(R"(-?\d+,-?\d+)");
+    std::string which;
+    const auto word =
+        std::find_if(words.rest.begin(), words.rest.end(),
+                     [](const std::string& each) { return std::regex_match(each, pixel); });
+    if (word != words.rest.end()) {
+        which = *word;
+        words.rest.erase(word);
+    }
+    return rt::explain_pixel(contest(stage, words), which);
+}
+
+int test(std::vector<std::string> words) {
     const std::string cores = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
-    Words command = {"ctest", "--test-dir", build_folder,   "-j",
-                     cores,   "--timeout",  test_time_limit};
+    rt::Command command = {"ctest",     "--test-dir",   rt::build_folder.string(), "-j", cores,
+                           "--timeout", test_time_limit};
     command.insert(command.end(),
                    {"--output-on-failure", "--progress", "--no-label-summary", "--no-tests=error"});
-    Words targets;
+    std::vector<std::string> targets;
     if (!words.empty() && words[0].rfind('-', 0) != 0) {
-        const std::string name(rt::stage_name(parse_stage(words[0])));
+        const std::string name = rt::stage_target(parse_stage(words[0]));
         words.erase(words.begin());
         targets = {name + "_test_float", name + "_test_double"};
         command.insert(command.end(), {"-L", "^" + name + "$"});
     }
     command.insert(command.end(), words.begin(), words.end());
-    if (const int status = rt::build(build_folder, targets); status != 0) return status;
+    rt::choose_reference("");
+    rt::build(targets);
     const int status = rt::run_process(command);
-    if (targets.empty() && !has_meshes)
+    if (targets.empty() && !rt::has_meshes)
         std::puts("step13_meshes was left out: ./course test 13 installs what it needs");
     std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
     return status;
@@ -99,30 +234,58 @@ int test(Words words) {
 
 int run_command(int argc, char** argv) {
     CLI::App app{"Raysteps: a ray tracer in thirteen steps", "course"};
-    // Words after a command are its own, options among them.
-    CLI::App* run_app = app.add_subcommand("run", "draw a stage's scene")->prefix_command();
-    CLI::App* test_app = app.add_subcommand("test", "a stage's suite")->prefix_command();
     app.require_subcommand(0, 1);
+    // Words after `test` are its own, options among them.
+    CLI::App* test_app = app.add_subcommand("test")->prefix_command();
+    Words words;
+    for (const char* name : {"start", "check", "watch", "hint", "solution", "reset"})
+        app.add_subcommand(name)->add_option("stage", words.stage);
+    for (const char* name : {"run", "compare", "explain"}) {
+        CLI::App* command = app.add_subcommand(name)->allow_extras();
+        command->set_help_flag();  // it is the program's to answer
+        command->add_option("stage", words.stage);
+        command->add_flag("--mine", words.mine);
+        command->add_option("--reference", words.reference);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         return list();
-    } catch (const CLI::ParseError&) {
-        throw rt::InputError(
-            {}, "no command \"" + std::string(argv[1]) + "\": ./course lists the commands");
+    } catch (const CLI::ParseError& error) {
+        const auto chosen = app.get_subcommands();
+        throw rt::InputError({}, chosen.empty() ? "no command \"" + std::string(argv[1]) +
+                                                      "\": ./course lists the commands"
+                                                : chosen[0]->get_name() + ": " + error.what());
     }
-    if (run_app->parsed()) return run(run_app->remaining());
     if (test_app->parsed()) return test(test_app->remaining());
-    return list();
+    if (app.get_subcommands().empty()) return list();
+    CLI::App* command = app.get_subcommands()[0];
+    const std::string name = command->get_name();
+    words.rest = command->remaining();
+    const int stage = parse_stage(words.stage);
+    if (name == "start") return start(stage);
+    if (name == "check") return rt::check(stage);
+    if (name == "watch") rt::watch(stage);
+    if (name == "hint") return hint(stage);
+    if (name == "solution") return solution(stage);
+    if (name == "reset") return reset(stage);
+    if (name == "run") return run(stage, words);
+    if (name == "compare") return rt::compare_pictures(contest(stage, words));
+    return explain(stage, words);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that we tell
     try {
         return run_command(argc, argv);
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
-        return 2;
+    } catch (const rt::ProgramError& error) {
+        std::cerr << error.what();
+    } catch (const std::exception& error) {  // of the system: a folder that is not ours, say
+        std::cerr << "error: " << error.what() << '\n';
     }
+    return 2;
 }

@@ -1,17 +1,42 @@
 // Other programs.
 #pragma once
 
+#include <chrono>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace rt {
 
+/// What another program said was wrong, in its own words, which may be several lines.
+class ProgramError : public std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A program and its arguments.
+using Command = std::vector<std::string>;
+
 /// Runs a program, found as a shell finds it, until it ends: its exit status, or 128 + the number
 /// of the signal that ended it, which is told unless it was Ctrl-C. Throws InputError if the
 /// program cannot be started.
-[[nodiscard]] int run_process(const std::vector<std::string>& command);
+[[nodiscard]] int run_process(const Command& command);
+
+/// How a program ended whose words were kept.
+struct Ending {
+    int status = 0;            ///< as run_process has it
+    bool out_of_time = false;  ///< it was ended by us
+    std::string output;        ///< of both streams, the first 64 KiB
+};
+
+/// Runs a program that says nothing to anybody but us, for so long at most. Throws InputError if
+/// it cannot be started.
+[[nodiscard]] Ending listen_to(const Command& command, std::chrono::seconds limit);
 
 /// The exit status that waitpid and pclose hide in their answer; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
+
+/// What ended a program that has this exit status: "Segmentation fault"; nothing if it ended
+/// by itself.
+[[nodiscard]] std::string crash(int status);
 
 }  // namespace rt

@@ -1,0 +1,24 @@
+// Files, written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// The file's text. Throws InputError if it cannot be read.
+[[nodiscard]] std::string read_text(const std::filesystem::path& file);
+
+/// Writes beside the file, and renames what is whole: whoever is interrupted, or has no room left
+/// on the disk, keeps what was there. Throws InputError if it fails.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// The files of a folder with this ending, by name; none if there is no such folder.
+[[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                                          const std::string& ending);
+
+/// The lines of a text, without their ends.
+[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
+
+}  // namespace rt

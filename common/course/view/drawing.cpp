@@ -1,0 +1,166 @@
+#include "common/course/view/drawing.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/view/child.hpp"
+#include "common/input_error.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <future>
+#include <numbers>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+bool is_camera(const std::string& line) {
+    return line.size() > 1 && (line[0] == 'C' || line[0] == 'c') && std::isspace(line[1]);
+}
+
+/// As a scene has it, without an exponent.
+std::string text(const TurnedCamera& camera) {
+    std::array<char, 256> line{};
+    std::snprintf(line.data(), line.size(), "C %.6f,%.6f,%.6f %.9f,%.9f,%.9f %.6f", camera.x,
+                  camera.y, camera.z, std::sin(camera.yaw * degree) * std::cos(camera.pitch * degree),
+                  std::sin(camera.pitch * degree),
+                  -std::cos(camera.yaw * degree) * std::cos(camera.pitch * degree), camera.fov);
+    return line.data();
+}
+
+std::optional<TurnedCamera> parse_camera(const std::string& line) {
+    TurnedCamera camera;
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    if (std::sscanf(line.c_str() + 1, "%lf,%lf,%lf %lf,%lf,%lf %lf", &camera.x, &camera.y,
+                    &camera.z, &x, &y, &z, &camera.fov) != 7)
+        return std::nullopt;
+    camera.yaw = std::atan2(x, -z) / degree;
+    camera.pitch = std::atan2(y, std::hypot(x, z)) / degree;
+    return camera;
+}
+
+void replace_all(std::string& text, const std::string& old_words, const std::string& new_words) {
+    for (std::size_t at = text.find(old_words); at != std::string::npos;
+         at = text.find(old_words, at + new_words.size()))
+        text.replace(at, old_words.size(), new_words);
+}
+
+}  // namespace
+
+fs::path program(const ViewSettings& settings, int stage, Whose whose) {
+    const std::string name(stage_name(stage));
+    return settings.build / (whose == Whose::mine ? name : name + "_of_reference");
+}
+
+fs::path scene_file(const ViewSettings& settings, int stage) {
+    return settings.project / "scenes" / (std::string(stage_name(stage)) + ".rt");
+}
+
+std::vector<fs::path> student_files(const ViewSettings& settings, int stage) {
+    return files_in(settings.project / "steps" / stage_name(stage) / "student", ".cpp");
+}
+
+SceneView scene_view(const ViewSettings& settings, int stage) {
+    SceneView view;
+    for (const std::string& line : lines_of(read_text(scene_file(settings, stage)))) {
+        std::sscanf(line.c_str(), "R %d %d", &view.width, &view.height);
+        if (is_camera(line) && !view.camera) view.camera = parse_camera(line);
+    }
+    return view;
+}
+
+Studio::Studio(const ViewSettings& settings) : settings_(settings) {
+    std::string name = (fs::temp_directory_path() / "raysteps_view_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be made");
+    folder_ = name;
+    // A scene names its meshes as its own folder sees them.
+    std::error_code none;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(settings.project / "scenes", none))
+        if (entry.is_directory(none))
+            fs::create_directory_symlink(fs::absolute(entry.path()),
+                                         folder_ / entry.path().filename(), none);
+}
+
+Studio::~Studio() {
+    std::error_code gone_already;
+    fs::remove_all(folder_, gone_already);
+}
+
+fs::path Studio::scene_of(const Drawing& drawing) {
+    const fs::path scene = scene_file(settings_, drawing.stage);
+    if (!drawing.camera) return scene;
+    std::string changed;
+    bool found = false;
+    for (const std::string& line : lines_of(read_text(scene))) {
+        changed += (is_camera(line) && !found ? text(*drawing.camera) : line) + "\n";
+        found = found || is_camera(line);
+    }
+    const fs::path copy = folder_ / (std::to_string(++files_) + ".rt");
+    write_text(copy, changed);
+    return copy;
+}
+
+Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene,
+                   const Command& rest, const std::atomic<bool>& cancelled) const {
+    const SceneView view = scene_view(settings_, drawing.stage);
+    const fs::path asked = program(settings_, drawing.stage, whose);
+    if (!fs::exists(asked)) throw InputError({}, asked.filename().string() + " is not built yet");
+    Command command = {asked.string(), scene, "--size",
+                       std::to_string(std::max(1, view.width / drawing.shrink)) + "x" +
+                           std::to_string(std::max(1, view.height / drawing.shrink))};
+    command.insert(command.end(), drawing.options.begin(), drawing.options.end());
+    command.insert(command.end(), rest.begin(), rest.end());
+    Ending ending = listen_until(cancelled, command, settings_.render_limit);
+    if (ending.out_of_time)
+        ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
+                         " s: is there a loop without end?\n";
+    else if (!crash(ending.status).empty())
+        ending.output += "it crashed: " + crash(ending.status) + "\n";
+    replace_all(ending.output, scene, "scenes/" + std::string(stage_name(drawing.stage)) + ".rt");
+    return ending;
+}
+
+Picture Studio::draw(const Drawing& drawing, Whose whose, const std::atomic<bool>& cancelled) {
+    const fs::path scene = scene_of(drawing);
+    const fs::path file = folder_ / (std::to_string(++files_) + ".png");
+    Ending ending = run(drawing, whose, scene.string(), {"-o", file.string()}, cancelled);
+    replace_all(ending.output, file.string() + ": ", "");
+    Picture picture{.report = ending.output};
+    if (ending.status == 0 && fs::exists(file)) picture.png = read_text(file);
+    std::error_code none;
+    fs::remove(file, none);
+    if (drawing.camera) fs::remove(scene, none);
+    return picture;
+}
+
+std::vector<std::string> Studio::stories(const Drawing& drawing, int row, int column,
+                                         const std::atomic<bool>& cancelled) {
+    const fs::path scene = scene_of(drawing);
+    const std::string pixel = std::to_string(row) + "," + std::to_string(column);
+    const auto tell = [&](Whose whose) {
+        try {
+            return run(drawing, whose, scene.string(), {"--pixel", pixel}, cancelled).output;
+        } catch (const InputError& not_built) {
+            return std::string(not_built.what()) + "\n";
+        }
+    };
+    auto reference = std::async(std::launch::async, tell, Whose::reference);
+    std::vector<std::string> stories = {tell(Whose::mine)};
+    stories.push_back(reference.get());
+    std::error_code none;
+    if (drawing.camera) fs::remove(scene, none);
+    return stories;
+}
+
+}  // namespace rt

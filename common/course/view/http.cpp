@@ -1,0 +1,141 @@
+#include "common/course/view/http.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace rt {
+
+namespace {
+
+/// The text up to the separator, which is taken from it as well.
+std::string_view take(std::string_view& text, std::string_view separator) {
+    const std::size_t end = std::min(text.find(separator), text.size());
+    const std::string_view taken = text.substr(0, end);
+    text.remove_prefix(std::min(end + separator.size(), text.size()));
+    return taken;
+}
+
+bool is_host(std::string_view name) {
+    constexpr std::string_view host = "host";
+    return std::equal(name.begin(), name.end(), host.begin(), host.end(), [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == b;
+    });
+}
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
+    const std::size_t last = text.find_last_not_of(blanks);
+    return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
+}
+
+template <class Number>
+Number parse(const Request& request, const std::string& name, Number min, Number max) {
+    const auto found = request.parameters.find(name);
+    if (found == request.parameters.end()) throw Refusal{400, name + " is missing"};
+    const std::string& text = found->second;
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool fits = min <= value && value <= max;  // which NaN does not
+    if (error != std::errc() || end != text.data() + text.size() || !fits)
+        throw Refusal{400, name + " must be a number from " + std::to_string(min) + " to " +
+                               std::to_string(max)};
+    return value;
+}
+
+const char* reason(int status) {
+    switch (status) {
+        case 200: return "OK";
+        case 400: return "Bad Request";
+        case 403: return "Forbidden";
+        case 404: return "Not Found";
+        case 405: return "Method Not Allowed";
+        case 408: return "Request Timeout";
+        case 409: return "Conflict";
+        case 422: return "Unprocessable Content";
+        case 431: return "Request Header Fields Too Large";
+        default: return "Internal Server Error";
+    }
+}
+
+/// For a header, which has no place for line ends and other letters.
+std::string percent_encoded(std::string_view text) {
+    std::string encoded;
+    for (const char c : text) {
+        std::array<char, 4> code{};
+        const auto byte = static_cast<unsigned char>(c);
+        std::snprintf(code.data(), code.size(), "%%%02X", unsigned(byte));
+        encoded += std::isalnum(byte) ? std::string(1, c) : std::string(code.data());
+    }
+    return encoded;
+}
+
+}  // namespace
+
+Request parse_request(std::string_view head) {
+    std::string_view line = take(head, "\r\n");
+    const std::string_view method = take(line, " ");
+    std::string_view target = take(line, " ");
+    if (line.rfind("HTTP/1.", 0) != 0 || target.empty() || target[0] != '/')
+        throw Refusal{400, "this is no request"};
+    if (method != "GET") throw Refusal{405, "there is only GET here"};
+    Request request{.path = std::string(take(target, "?"))};
+    while (!target.empty()) {
+        std::string_view value = take(target, "&");
+        const std::string name(take(value, "="));
+        request.parameters[name] = value;
+    }
+    int hosts = 0;
+    while (!head.empty()) {
+        std::string_view value = take(head, "\r\n");
+        if (!is_host(take(value, ":"))) continue;
+        request.host = without_blanks(value);
+        ++hosts;
+    }
+    if (hosts != 1) throw Refusal{400, "there must be one Host"};
+    return request;
+}
+
+double number(const Request& request, const std::string& name, double min, double max) {
+    return parse(request, name, min, max);
+}
+
+int whole_number(const Request& request, const std::string& name, int min, int max) {
+    return parse(request, name, min, max);
+}
+
+std::string to_bytes(const Response& response) {
+    std::string bytes = "HTTP/1.1 " + std::to_string(response.status) + " " +
+                        reason(response.status) + "\r\nContent-Type: " + response.type +
+                        "\r\nContent-Length: " + std::to_string(response.body.size());
+    if (!response.report.empty()) bytes += "\r\nX-Report: " + percent_encoded(response.report);
+    // Nothing is kept, nothing comes from elsewhere, and no other page may look in.
+    bytes +=
+        "\r\nConnection: close"
+        "\r\nCache-Control: no-store"
+        "\r\nX-Content-Type-Options: nosniff"
+        "\r\nReferrer-Policy: no-referrer"
+        "\r\nCross-Origin-Resource-Policy: same-origin"
+        "\r\nContent-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; "
+        "style-src 'unsafe-inline'; connect-src 'self'; img-src data:; base-uri 'none'; "
+        "form-action 'none'; frame-ancestors 'none'"
+        "\r\n\r\n";
+    return bytes + response.body;
+}
+
+std::string json(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        std::array<char, 8> code{};
+        std::snprintf(code.data(), code.size(), "\\u%04x", unsigned(static_cast<unsigned char>(c)));
+        const bool plain = (c < 0 || c >= ' ') && c != '"' && c != '\\' && c != '\x7f';
+        quoted += plain ? std::string(1, c) : std::string(code.data());
+    }
+    return quoted + "\"";
+}
+
+}  // namespace rt

@@ -1,0 +1,154 @@
+#include "common/course/view/server.hpp"
+
+#include "common/input_error.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+
+namespace rt {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int most_connections = 24;  // a page holds one, and asks for three more at a time
+constexpr int most_waiting = 32;
+constexpr std::size_t longest_head = 8192;
+constexpr std::chrono::seconds patience_with_request{5};
+constexpr std::chrono::seconds patience_with_reader{10};
+
+/// A connection, and the listener that took it: once that hangs up, nobody waits any more.
+struct Connection {
+    int socket = -1;
+    int listener = -1;
+};
+
+/// Whether the connection is ready before the deadline.
+bool wait_for(Connection connection, short event, Clock::time_point deadline) {
+    for (;;) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+        std::array<pollfd, 2> questions{{{connection.socket, event, 0}, {connection.listener, 0, 0}}};
+        const int ready = poll(questions.data(), 2, int(std::max<long long>(left.count(), 0)));
+        if (ready != -1 || errno != EINTR) return ready > 0 && questions[0].revents != 0;
+    }
+}
+
+std::string receive_head(Connection connection) {
+    const Clock::time_point deadline = Clock::now() + patience_with_request;
+    std::string head;
+    std::array<char, 1024> received{};
+    for (;;) {
+        if (!wait_for(connection, POLLIN, deadline)) throw Refusal{408, "too slow"};
+        const ssize_t count = recv(connection.socket, received.data(), received.size(), 0);
+        if (count <= 0) throw Refusal{400, "this is no request"};
+        head.append(received.data(), std::size_t(count));
+        const std::size_t end = head.find("\r\n\r\n");
+        if (end != std::string::npos) return head.substr(0, end);
+        if (head.size() > longest_head) throw Refusal{431, "too long"};
+    }
+}
+
+void send_all(Connection connection, const std::string& bytes) {
+    const Clock::time_point deadline = Clock::now() + patience_with_reader;
+    for (std::size_t sent = 0; sent < bytes.size();) {
+        if (!wait_for(connection, POLLOUT, deadline)) return;
+        // A reader who has gone is no reason to end, as SIGPIPE would.
+        const ssize_t count = send(connection.socket, bytes.data() + sent, bytes.size() - sent,
+                                   MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (count == -1 && errno != EAGAIN && errno != EINTR) return;
+        if (count > 0) sent += std::size_t(count);
+    }
+}
+
+/// Closes without losing what was sent, which bytes that nobody read would cause.
+void close_kindly(Connection connection) {
+    shutdown(connection.socket, SHUT_WR);
+    const Clock::time_point deadline = Clock::now() + std::chrono::milliseconds(200);
+    std::array<char, 4096> unread{};
+    while (wait_for(connection, POLLIN, deadline) &&
+           recv(connection.socket, unread.data(), unread.size(), 0) > 0 && Clock::now() < deadline)
+        continue;
+    close(connection.socket);
+}
+
+}  // namespace
+
+Server::Server(int port) {
+    listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    const int yes = 1;
+    setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    auto* const generic = reinterpret_cast<sockaddr*>(&address);
+    socklen_t size = sizeof address;
+    if (listener_ == -1 || bind(listener_, generic, size) != 0 ||
+        listen(listener_, most_waiting) != 0 || getsockname(listener_, generic, &size) != 0) {
+        const int why = errno;
+        if (listener_ != -1) close(listener_);
+        throw InputError({}, "port " + std::to_string(port) + " of 127.0.0.1 cannot be used: " +
+                                 std::strerror(why));
+    }
+    port_ = ntohs(address.sin_port);
+}
+
+Server::~Server() {
+    stop();
+    close(listener_);
+}
+
+void Server::start(const Answer& answer) {
+    for (int i = 0; i < most_connections; ++i)
+        workers_.emplace_back([this, answer] { work(answer); });
+}
+
+void Server::stop() {
+    shutdown(listener_, SHUT_RDWR);  // which ends every accept
+    for (std::thread& worker : workers_) worker.join();
+    workers_.clear();
+}
+
+void Server::work(const Answer& answer) const {
+    for (;;) {
+        const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
+        if (socket == -1 && errno == EINVAL) return;
+        if (socket == -1) {  // somebody changed his mind, or we are short of something
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            continue;
+        }
+        const Connection connection{socket, listener_};
+        send_all(connection, to_bytes(respond([&] { return receive_head(connection); }, answer)));
+        close_kindly(connection);
+    }
+}
+
+void Server::check_host(const Request& request) const {
+    const std::string suffix = ":" + std::to_string(port_);
+    if (request.host != "127.0.0.1" + suffix && request.host != "localhost" + suffix)
+        throw Refusal{403, "this is for this machine only"};
+}
+
+Response Server::respond(const std::function<std::string()>& head, const Answer& answer) const {
+    try {
+        const Request request = parse_request(head());
+        check_host(request);
+        return answer(request);
+    } catch (const Refusal& refusal) {
+        return {.status = refusal.status, .body = refusal.reason + "\n"};
+    } catch (const std::exception& error) {
+        return {.status = 500, .body = std::string(error.what()) + "\n"};
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,223 @@
+#include "common/course/view/view.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/view/drawing.hpp"
+#include "common/course/view/server.hpp"
+#include "common/course/view/turns.hpp"
+#include "common/course/view/watcher.hpp"
+
+#include "common/input_error.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <random>
+
+namespace rt {
+
+namespace {
+
+constexpr int most_pages = 1'000'000'000;  // a page calls itself by a number of its own
+constexpr double farthest = 10'000;        // that a camera may stand
+constexpr int most_shrunk = 16;
+constexpr int largest_side = 8192;  // of a picture, as in scenes
+
+constexpr const char* json_type = "application/json";
+
+/// What nobody can guess who has not read the address on the terminal.
+std::string make_token() {
+    std::random_device random;
+    std::string token;
+    for (int i = 0; i < 4; ++i) {
+        std::array<char, 9> digits{};
+        std::snprintf(digits.data(), digits.size(), "%08x", random());
+        token += digits.data();
+    }
+    return token;
+}
+
+/// A choice among words by its number, the first of which is what the program does anyway.
+void add_choice(Command& options, const Request& request, const std::string& name,
+                const std::vector<std::string>& words) {
+    const int choice = whole_number(request, name, 0, int(words.size()) - 1);
+    if (choice > 0)
+        options.insert(options.end(), {"--" + name, words[static_cast<std::size_t>(choice)]});
+}
+
+int parse_stage(const Request& request) {
+    return whole_number(request, "stage", 1, int(stage_names.size()));
+}
+
+int parse_page(const Request& request) {
+    return whole_number(request, "page", 0, most_pages);
+}
+
+Drawing parse_drawing(const Request& request) {
+    Drawing drawing{.stage = parse_stage(request),
+                    .shrink = whole_number(request, "shrink", 1, most_shrunk)};
+    if (whole_number(request, "moved", 0, 1) == 1)
+        drawing.camera = {.x = number(request, "x", -farthest, farthest),
+                          .y = number(request, "y", -farthest, farthest),
+                          .z = number(request, "z", -farthest, farthest),
+                          .yaw = number(request, "yaw", -180, 180),
+                          .pitch = number(request, "pitch", -90, 90),
+                          .fov = number(request, "fov", 1, 179)};
+    add_choice(drawing.options, request, "precision", {"double", "float"});
+    if (drawing.stage >= shapes_stage)
+        add_choice(drawing.options, request, "shade", {"", "normal"});
+    if (drawing.stage >= light_stage)
+        add_choice(drawing.options, request, "term", {"", "ambient", "diffuse", "specular"});
+    return drawing;
+}
+
+/// The page's questions, answered.
+class Viewer {
+public:
+    explicit Viewer(const ViewSettings& settings) : settings_(settings) {}
+
+    Response answer(const Request& request) {
+        const std::string start = "/" + token_ + "/";
+        if (request.path.rfind(start, 0) != 0)
+            throw Refusal{403, "the address is not the one on the terminal"};
+        const std::string route = request.path.substr(start.size());
+        if (route.empty()) return page();
+        if (route == "stages") return stages();
+        if (route == "news") return news(request);
+        if (route == "picture") return picture(request);
+        if (route == "story") return story(request);
+        throw Refusal{404, "there is no such page"};
+    }
+
+    [[nodiscard]] const std::string& token() const { return token_; }
+
+    void stop() {
+        for (Turns& turns : pictures_) turns.cancel_all();
+        stories_.cancel_all();
+        watcher_.stop();
+    }
+
+private:
+    Response page() const {
+        return {.body = read_text(settings_.project / "common/course/view/page.html"),
+                .type = "text/html; charset=utf-8"};
+    }
+
+    Response stages() const {
+        std::string list;
+        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+            list += (stage == 1 ? "" : ",") + ("{\"name\":" + json(stage_name(stage))) +
+                    ",\"started\":" +
+                    (student_files(settings_, stage).empty() ? "false" : "true") + "}";
+        return {.body = "{\"first\":" + std::to_string(settings_.stage) + ",\"stages\":[" + list +
+                        "]}",
+                .type = json_type};
+    }
+
+    Response news(const Request& request) {
+        const int stage = parse_stage(request);
+        const auto seen = request.parameters.find("seen");
+        const News news =
+            watcher_.wait(parse_page(request), stage,
+                          seen == request.parameters.end() ? "" : seen->second);
+        const SceneView view = scene_view(settings_, stage);
+        std::string body = "{\"seen\":" + json(fingerprint(news)) +
+                           ",\"programs\":" + json(news.programs) +
+                           ",\"building\":" + (news.building ? "true" : "false") +
+                           ",\"error\":" + json(news.error) +
+                           ",\"width\":" + std::to_string(view.width) +
+                           ",\"height\":" + std::to_string(view.height) + ",\"camera\":";
+        if (const auto& camera = view.camera) {
+            std::array<char, 512> text{};
+            std::snprintf(text.data(), text.size(),
+                          "{\"x\":%.9g,\"y\":%.9g,\"z\":%.9g,\"yaw\":%.9g,\"pitch\":%.9g,"
+                          "\"fov\":%.9g}",
+                          camera->x, camera->y, camera->z, camera->yaw, camera->pitch, camera->fov);
+            body += text.data();
+        } else {
+            body += "null";
+        }
+        return {.body = body + "}", .type = json_type};
+    }
+
+    Response picture(const Request& request) {
+        const Drawing drawing = parse_drawing(request);
+        const int whose = whole_number(request, "whose", 0, 1);
+        Picture made;
+        const bool finished = pictures_[static_cast<std::size_t>(whose)].take(
+            parse_page(request), [&](const std::atomic<bool>& cancelled) {
+                made = studio_.draw(drawing, Whose(whose), cancelled);
+            });
+        if (!finished) throw Refusal{409, "another picture was asked for"};
+        if (made.png.empty()) throw Refusal{422, made.report};
+        return {.body = made.png, .type = "image/png", .report = made.report};
+    }
+
+    Response story(const Request& request) {
+        const Drawing drawing = parse_drawing(request);
+        const int row = whole_number(request, "row", 0, largest_side);
+        const int column = whole_number(request, "column", 0, largest_side);
+        std::vector<std::string> told;
+        const bool finished = stories_.take(
+            parse_page(request), [&](const std::atomic<bool>& cancelled) {
+                told = studio_.stories(drawing, row, column, cancelled);
+            });
+        if (!finished) throw Refusal{409, "another pixel was asked for"};
+        return {.body = "{\"mine\":" + json(told[0]) + ",\"reference\":" + json(told[1]) + "}",
+                .type = json_type};
+    }
+
+    const ViewSettings& settings_;
+    const std::string token_ = make_token();
+    std::array<Turns, 2> pictures_;  // mine never waits for the reference's
+    Turns stories_;
+    Studio studio_{settings_};
+    Watcher watcher_{settings_};
+};
+
+// Ctrl-C, told through a pipe: a signal handler may do little else than write to one.
+int end_wanted = -1;
+
+void on_signal(int /*signal*/) {
+    const int error = errno;
+    [[maybe_unused]] const ssize_t one = write(end_wanted, "", 1);
+    errno = error;
+}
+
+/// From now on, a wish to end can be read from what this returns.
+int hear_signals() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left");
+    end_wanted = ends[1];
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+    return ends[0];
+}
+
+void wait_for_signal(int heard) {
+    char none = 0;
+    while (read(heard, &none, 1) == -1 && errno == EINTR) continue;
+}
+
+}  // namespace
+
+int view(const ViewSettings& settings) {
+    const int heard = hear_signals();
+    Viewer viewer(settings);
+    Server server(settings.port);
+    server.start([&](const Request& request) { return viewer.answer(request); });
+    std::printf("http://127.0.0.1:%d/%s/\nThe page is for this machine only. Ctrl-C ends it.\n",
+                server.port(), viewer.token().c_str());
+    std::fflush(stdout);
+    wait_for_signal(heard);
+    viewer.stop();
+    server.stop();
+    return 0;
+}
+
+}  // namespace rt

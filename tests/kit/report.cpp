@@ -1,0 +1,91 @@
+// Tells what came of each case, at once, so that a crash leaves all that was known before it. The
+// file is named by the environment variable RAYSTEPS_REPORT; without it nothing is told.
+//
+//   case edges belong to the triangle (MRT §5)
+//   at tests/step05_triangle_test.cpp:61       only of a case that fails: its first failure
+//   | intersect(Ray{…                          its lines
+//   failed                                     or passed
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+using Listener = Catch::EventListenerBase;
+using Answer = void;
+#else
+#define CATCH_CONFIG_EXTERNAL_INTERFACES
+#include <catch2/catch.hpp>
+using Listener = Catch::TestEventListenerBase;
+using Answer = bool;
+#endif
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+/// What failed: a verdict's sentence by itself, anything else as it stands in the suite.
+std::string told(const Catch::AssertionResult& result) {
+    const std::string expanded = result.getExpandedExpression();
+    if (!expanded.empty() && expanded.front() == '\n')
+        return expanded.substr(expanded.find_first_not_of("\n "));
+    std::string text = result.getExpressionInMacro();
+    if (result.hasMessage())  // an exception's or a signal's
+        text += (text.empty() ? "" : "\n  came:     ") + std::string(result.getMessage());
+    else if (expanded != result.getExpression())
+        text += "\n  came:     " + expanded;
+    return text;
+}
+
+/// From the project's folder on, wherever that is.
+std::string place(const Catch::SourceLineInfo& source) {
+    const std::string file = source.file;
+    const std::size_t start = file.rfind("tests/");
+    return (start == std::string::npos ? file : file.substr(start)) + ":" +
+           std::to_string(source.line);
+}
+
+class Report : public Listener {
+public:
+    using Listener::Listener;
+
+    void testRunStarting(const Catch::TestRunInfo& info) override {
+        Listener::testRunStarting(info);
+        const char* file = std::getenv("RAYSTEPS_REPORT");
+        if (file == nullptr) return;
+        out_.open(file);
+        std::setvbuf(stdout, nullptr, _IOLBF, 4096);  // what was printed before a crash counts
+    }
+
+    void testCaseStarting(const Catch::TestCaseInfo& info) override {
+        Listener::testCaseStarting(info);
+        out_ << "case " << info.name << std::endl;
+        told_ = false;
+    }
+
+    Answer assertionEnded(const Catch::AssertionStats& stats) override {
+        tell(stats.assertionResult);
+        return Answer();
+    }
+
+    void testCaseEnded(const Catch::TestCaseStats& stats) override {
+        Listener::testCaseEnded(stats);
+        out_ << (stats.totals.assertions.failed == 0 ? "passed" : "failed") << std::endl;
+    }
+
+private:
+    void tell(const Catch::AssertionResult& result) {
+        if (result.isOk() || told_) return;
+        told_ = true;
+        out_ << "at " << place(result.getSourceInfo()) << '\n';
+        std::istringstream lines(told(result));
+        for (std::string line; std::getline(lines, line);) out_ << "| " << line << '\n';
+        out_.flush();
+    }
+
+    std::ofstream out_;
+    bool told_ = false;
+};
+
+}  // namespace
+
+CATCH_REGISTER_LISTENER(Report)
