@@ -1,4 +1,6 @@
-// Stage 1, to be written: docs/step01_ray_generation.md.
+// Stage 1, to be written: docs/step01_ray_generation.md says how, the header what is promised.
+// Begin with pixel_on_screen. camera_ray is one line more, unprojected_ray stands by itself.
+// `./course check 1` says what is wrong, `./course hint 1` what to think of next.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 
 #include "common/todo.hpp"
@@ -6,6 +8,12 @@
 #include <cmath>
 
 namespace rt {
+
+namespace {
+
+// Your own helpers go here: what stands in here is seen by this file only.
+
+}  // namespace
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
     // pixFinal of MRT §1.

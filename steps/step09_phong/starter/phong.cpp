@@ -1,4 +1,7 @@
-// Stage 9, to be written: docs/step09_phong.md.
+// Stage 9, to be written: docs/step09_phong.md says how, the header what is promised.
+// Begin with ambient_term and diffuse_term: each shows in the picture by itself (--term diffuse).
+// specular_term needs reflected.
+// `./course check 9` says what is wrong, `./course hint 9` what to think of next.
 #include "steps/step09_phong/phong.hpp"
 
 #include "common/todo.hpp"

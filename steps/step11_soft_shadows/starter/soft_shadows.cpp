@@ -1,4 +1,7 @@
-// Stage 11, to be written: docs/step11_soft_shadows.md.
+// Stage 11, to be written: docs/step11_soft_shadows.md says how, the header what is promised.
+// Begin with light_point. Until lit_share is written all of a light arrives, and shadows stay away;
+// share_error counts only with --tolerance.
+// `./course check 11` says what is wrong, `./course hint 11` what to think of next.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
 #include "common/todo.hpp"
@@ -6,6 +9,7 @@
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rt {

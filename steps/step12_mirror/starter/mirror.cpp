@@ -1,9 +1,17 @@
-// Stage 12, to be written: docs/step12_mirror.md.
+// Stage 12, to be written: docs/step12_mirror.md says how, the header what is promised.
+// Begin with mirrored. Until the other two are written too, no mirror shows anything.
+// `./course check 12` says what is wrong, `./course hint 12` what to think of next.
 #include "steps/step12_mirror/mirror.hpp"
 
 #include "common/todo.hpp"
 
 namespace rt {
+
+namespace {
+
+// Your own helpers go here: what stands in here is seen by this file only.
+
+}  // namespace
 
 Ray mirrored(const Ray& ray, const Surface& surface) {
     // From off the surface, along d − 2 n ⟨d, n⟩ or, if that goes in, another way that does not.

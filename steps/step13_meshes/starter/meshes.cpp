@@ -1,4 +1,7 @@
-// Stage 13, to be written: docs/step13_meshes.md.
+// Stage 13, to be written: docs/step13_meshes.md says how, the header what is promised.
+// Each function stands by itself. overlap and the first intersect draw boxes; into_frame and
+// interpolated_normal draw meshes, and the second intersect those of fewer than 16 triangles.
+// `./course check 13` says what is wrong, `./course hint 13` what to think of next.
 #include "steps/step13_meshes/meshes.hpp"
 
 #include "common/todo.hpp"
@@ -9,6 +12,12 @@
 #include <cmath>
 
 namespace rt {
+
+namespace {
+
+// Your own helpers go here: what stands in here is seen by this file only.
+
+}  // namespace
 
 std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
     // From max t_min to min t_max, both of them inside the interval, or nothing.
