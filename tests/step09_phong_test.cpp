@@ -5,8 +5,8 @@
 #include "tests/kit/picture.hpp"
 
 #include "common/png.hpp"
-#include "common/render.hpp"
 #include "common/scene_reader.hpp"
+#include "common/stage.hpp"
 #include "common/vector.hpp"
 
 #include <cstdlib>
@@ -138,26 +138,6 @@ Scene wall() {
 
 const Ray from_before{.origin = {0, 0, 3}, .direction = {0, 0, -1}};
 const Ray from_behind{.origin = {0, 0, -3}, .direction = {0, 0, 1}};
-
-/// scenes/step09_phong.rt as docs/pictures/<name>.png shows it. Beside an edge rounding decides
-/// what a ray meets: few pixels may differ, where what is wrong differs in thousands.
-Verdict term_picture_matches(const std::string& name, Term term) {
-    constexpr int beside_edges = 40;
-    const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
-    Scene scene = load_scene(project_file("scenes/step09_phong.rt"), {.strict = true});
-    scene.resolution = reference.resolution;
-    const Image image = render(scene, {.threads = 2, .look = {.term = term}})->image;
-    int different = 0;
-    for (Pixel pixel; pixel.row < reference.resolution.height; ++pixel.row)
-        for (pixel.column = 0; pixel.column < reference.resolution.width; ++pixel.column)
-            for (std::size_t i = 0; i < 3; ++i)
-                if (std::abs(int(image[pixel][i]) - int(reference[pixel][i])) > 1) {
-                    ++different;
-                    break;
-                }
-    return verdict(different <= beside_edges, "docs/pictures/" + name + ".png differs in " +
-                                                  std::to_string(different) + " pixels.");
-}
 
 }  // namespace
 
@@ -434,9 +414,12 @@ TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
                       seen(scene, ray));
             if (!sum) CHECK(sum);
         }
-    CHECK(term_picture_matches("step09_phong_ambient", Term::ambient));
-    CHECK(term_picture_matches("step09_phong_diffuse", Term::diffuse));
-    CHECK(term_picture_matches("step09_phong_specular", Term::specular));
+    CHECK(picture_matches("step09_phong_ambient",
+                          {.scene = "step09_phong", .look = {.term = Term::ambient}}));
+    CHECK(picture_matches("step09_phong_diffuse",
+                          {.scene = "step09_phong", .look = {.term = Term::diffuse}}));
+    CHECK(picture_matches("step09_phong_specular",
+                          {.scene = "step09_phong", .look = {.term = Term::specular}}));
 }
 
 TEST_CASE("the picture of the stage (CR §3.1)") {

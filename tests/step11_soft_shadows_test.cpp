@@ -1,6 +1,7 @@
 // Stage 11 against CR §3.3 and erratum 16.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
+#include "tests/kit/drawn.hpp"
 #include "tests/kit/light.hpp"
 #include "tests/kit/picture.hpp"
 
@@ -305,7 +306,7 @@ Verdict picture_matches_on_average(const std::string& name) {
     Scene scene = load_scene(project_file("scenes/" + name + ".rt"), {.strict = true});
     arrange(scene);
     scene.resolution = reference.resolution;
-    const Image image = render(scene, {.threads = 2})->image;
+    const Image image = drawn(scene);
     int different = 0;
     std::string first;
     for (Pixel corner; corner.row + 8 <= reference.resolution.height; corner.row += 8)
@@ -337,6 +338,16 @@ TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratu
         const Light light = draw_light(random, from);
         return aims_at_what_is_seen(light, from, draw_sample(random));
     }));
+    CHECK(for_all(
+        [](Random& random) {
+            // Close to the light and at its rim, where the square of a cosine may round below 0.
+            const Vec3 from = random.point(5);
+            const Real radius = random.between(Real(0.5), 2);
+            const Vec3 way = radius * random.between(Real(1.001), Real(1.05)) * random.direction();
+            const Light light{.position = from + way, .radius = radius};
+            return aims_at_what_is_seen(light, from, {1 - unit_roundoff, random.between(0, 1)});
+        },
+        1000));
 }
 
 TEST_CASE("the points are spread evenly over the solid angle that the light fills (CR §3.3)") {

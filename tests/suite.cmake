@@ -21,8 +21,8 @@ endfunction()
 function(raysteps_link_suite program objects precision)
     add_executable(${program} $<TARGET_OBJECTS:${objects}>)
     target_link_libraries(${program} PRIVATE
-        raysteps_common_${precision} raysteps_kit_${precision} raysteps_kit_main
-        raysteps_neutral Threads::Threads)
+        raysteps_common_${precision} raysteps_kit_${precision} raysteps_drawn_${precision}
+        raysteps_kit_main raysteps_neutral Threads::Threads)
     foreach(stage IN LISTS ARGN)
         target_link_libraries(${program} PRIVATE ${stage}_${precision})
     endforeach()
@@ -37,6 +37,10 @@ function(raysteps_stage_suite stage)
     list(REMOVE_ITEM stages ${stage}_reference)
     raysteps_suite(${stage} LABEL ${stage} SOURCES ${stage}_test.cpp
         STAGES ${stage} ${stage}_picture ${stages})
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+        raysteps_contract(${stage} ${stages})
+    endif()
+    raysteps_starter(${stage} ${stages} ${stage}_picture)
     if(NOT RAYSTEPS_MISTAKES)
         return()
     endif()
@@ -47,6 +51,26 @@ function(raysteps_stage_suite stage)
     file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
     foreach(alternative IN LISTS alternatives)
         raysteps_alternative(${stage} ${alternative} ${stages} ${stage}_picture)
+    endforeach()
+    if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+        raysteps_recognition(${stage} "${mistakes}" "${alternatives}" ${stages} ${stage}_picture)
+    endif()
+endfunction()
+
+# raysteps_starter(<stage> <other stages>...)
+#
+# <stage>_starter_test_float and _double: the stage's suite, linked to its starter, for
+# `./course audit`.
+function(raysteps_starter stage)
+    file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
+    raysteps_compile_twice(${stage}_starter ${starter})
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        raysteps_link_suite(${stage}_starter_test_${word} ${stage}_test_${word}_objects
+            ${precision} ${stage}_starter ${ARGN})
+        set_target_properties(${stage}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
     endforeach()
 endfunction()
 

@@ -3,18 +3,25 @@
 
 #include "tests/kit/verdict.hpp"
 
+#include "common/look.hpp"
+
 namespace rt {
 
 /// A file of the project, named from its top: "scenes/cornell_box.rt".
 [[nodiscard]] std::string project_file(const std::string& name);
 
+/// How a picture is drawn, and how much of it.
+struct Drawing {
+    std::string scene;  ///< if it is not called as the picture
+    Look look;
+    int every = 1;  ///< of a picture that takes seconds, so many-th pixels and rows are enough
+};
+
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///
-/// A pixel of the picture may differ by 1 of 255: a colour near n + ½ rounds either way. Beside an
-/// edge, rounding in the last digit decides which surface a pixel's ray meets, so a pixel whose
-/// neighbours in the reference differ may take any value among them.
-///
-/// Of a picture that takes seconds, every so many-th pixel of every so many-th row is enough.
-[[nodiscard]] Verdict picture_matches(const std::string& name, int every = 1);
+/// Each pixel may be off by as much as right answers are: by what tests/pictures/<name>.png says of
+/// it (the spread of drawings whose rays were jittered, in both precisions), and by 1 of 255 for
+/// rounding. Where that is much, beside an edge, the pixel is not judged.
+[[nodiscard]] Verdict picture_matches(const std::string& name, const Drawing& drawing = {});
 
 }  // namespace rt

@@ -1,0 +1,102 @@
+// check_probes PROBES FOLDER REFERENCE RIGHT… MISTAKE=WORKER…
+//
+// Whether a stage's probes.txt is as its known mistakes are: each is recognised as itself, or as
+// others that answer the same; and of the reference and other right answers nothing is said.
+// Prints who is recognised as what.
+#include "tests/contract/files.hpp"
+#include "tests/contract/paste.hpp"
+#include "tests/contract/probes.hpp"
+#include "tests/contract/smallest.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace rt::contract {
+
+namespace {
+
+class Check {
+public:
+    Check(Probes probes, std::string reference)
+        : probes_(std::move(probes)), reference_(std::move(reference)) {
+        for (const Probe& probe : probes_.probes) calls_.push_back(probe.call);
+    }
+
+    void right(const std::string& worker) {
+        Asked asked(worker);
+        const std::vector<Answer> answers = asked(calls_);
+        for (const Mistake& mistake : recognised(probes_, answers))
+            complain(worker + " is right, and taken for " + mistake.name);
+        Asked reference(reference_);
+        if (const auto found = smallest_difference(probes_, answers, asked, reference))
+            complain(worker + " is right, and said to differ:\n  " +
+                     paste_line(found->call, *found->expected.value) +
+                     "\n  came: " + told(found->call, found->came));
+    }
+
+    void mistaken(const std::string& name, const std::string& sentence, const std::string& worker) {
+        const auto known = std::ranges::find(probes_.mistakes, name, &Mistake::name);
+        if (known == probes_.mistakes.end()) return complain("of " + name + " nothing is known");
+        if (known->sentence != sentence) complain("the sentence of " + name + " is another one");
+        ++count_;
+        if (!is_recognisable(probes_, name)) {
+            std::cout << name << ": as near to the reference as right answers are\n";
+            return;
+        }
+        Asked asked(worker);
+        bool as_itself = false;
+        std::string names;
+        for (const Mistake& mistake : recognised(probes_, asked(calls_))) {
+            as_itself = as_itself || mistake.name == name;
+            names += " " + mistake.name;
+        }
+        std::cout << name << ":" << names << '\n';
+        if (!as_itself) complain(name + " is not recognised");
+    }
+
+    [[nodiscard]] int end() {
+        if (count_ != probes_.mistakes.size())
+            complain("there are mistakes in it that are not there any more");
+        return failures_ == 0 ? 0 : 1;
+    }
+
+private:
+    void complain(const std::string& what) {
+        std::cout << "error: " << what << '\n';
+        ++failures_;
+    }
+
+    Probes probes_;
+    std::string reference_;
+    std::vector<Call> calls_;
+    std::size_t count_ = 0;
+    int failures_ = 0;
+};
+
+int check(const std::vector<std::string>& words) {
+    Check check(read_probes(content_of(words.at(0))), words.at(2));
+    check.right(words.at(2));
+    for (std::size_t i = 3; i < words.size(); ++i) {
+        const std::size_t equals = words[i].find('=');
+        const std::string name = words[i].substr(0, equals);
+        if (equals == std::string::npos)
+            check.right(words[i]);
+        else
+            check.mistaken(name, sentence_in(words[1] + "/" + name + ".cpp"),
+                           words[i].substr(equals + 1));
+    }
+    return check.end();
+}
+
+}  // namespace
+
+}  // namespace rt::contract
+
+int main(int argc, char** argv) {
+    try {
+        return rt::contract::check({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+}

@@ -1,0 +1,215 @@
+// choose_probes STAGE RECORD REFERENCE FOLDER ALTERNATIVE… MISTAKE=WORKER…
+//
+// Writes a stage's probes.txt to the standard output: of the calls that its suite has made
+// (RECORD), few that separate every known mistake from the reference and from one another.
+#include "tests/contract/files.hpp"
+#include "tests/contract/probes.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <set>
+
+namespace rt::contract {
+
+namespace {
+
+constexpr std::size_t most_probes = 64;
+constexpr int times_separated = 3;        ///< each mistake from the reference
+constexpr int calls_of_each = 6;          ///< of each function, at least
+constexpr int most_of_case = 2000;        ///< of each function, that are read of a test case
+constexpr int most_plain = 300;           ///< of these, the plainest
+constexpr int most_calls_of_each = 1500;  ///< of these, from plain to not
+/// A function is open if another right one answers that share of its calls otherwise.
+constexpr double open_share = 0.02;
+constexpr std::size_t longest_call = 1200;  // characters: meshes are long
+
+/// The recorded calls of the stage, each once, the plainest first.
+std::vector<Call> recorded(const std::string& record, int stage) {
+    Reader reader(record);
+    std::set<std::string> seen;
+    std::map<const Callee*, int> count;
+    std::map<const Callee*, int> in_case;
+    std::vector<std::pair<std::string, Call>> calls;
+    while (reader.left() > 0) {
+        std::string question(get<std::uint32_t>(reader), '\0');
+        reader.raw(question.data(), question.size());
+        if (question.empty()) in_case.clear();
+        if (question.empty() || !seen.insert(question).second) continue;
+        const Call call = call_of(question);
+        if (in_case[call.callee]++ >= most_of_case) continue;
+        ++count[call.callee];
+        std::string text = code(call);
+        if (call.callee->stage == stage && text.size() <= longest_call)
+            calls.emplace_back(std::move(text), call);
+    }
+    std::map<const Callee*, int> every_of;
+    for (const auto& [callee, read] : count) every_of[callee] = 1 + read / most_calls_of_each;
+    std::ranges::stable_sort(calls, {}, [](const auto& call) { return call.first.size(); });
+    count.clear();
+    std::vector<Call> plainest;
+    for (const auto& [text, call] : calls)
+        if (count[call.callee]++ % every_of[call.callee] == 0 || count[call.callee] <= most_plain)
+            plainest.push_back(call);
+    return plainest;
+}
+
+struct Table {
+    std::vector<Call> calls;
+    std::vector<Answer> right;
+    std::vector<std::vector<Answer>> mistaken;  ///< one list of answers a mistake
+};
+
+bool differ(const Answer& a, const Answer& b) {
+    return !same(a, b, mistake_tolerance);
+}
+
+/// Leaves out the calls to which right answers differ, and names the functions where most do.
+std::vector<std::string> take_out_open(Table& table, const std::vector<std::string>& alternatives) {
+    std::set<std::size_t> out;
+    std::set<const Callee*> open;
+    for (const std::string& alternative : alternatives) {
+        const std::vector<Answer> answers = Asked(alternative)(table.calls);
+        for (const Callee& callee : callees()) {
+            std::vector<std::size_t> otherwise;
+            double count = 0;
+            for (std::size_t i = 0; i < answers.size(); ++i) {
+                if (table.calls[i].callee != &callee) continue;
+                ++count;
+                if (!same(answers[i], table.right[i], right_tolerance)) otherwise.push_back(i);
+            }
+            if (double(otherwise.size()) > open_share * count)
+                open.insert(&callee);
+            else
+                out.insert(otherwise.begin(), otherwise.end());
+        }
+    }
+    for (auto i = out.rbegin(); i != out.rend(); ++i) {
+        table.calls.erase(table.calls.begin() + std::ptrdiff_t(*i));
+        table.right.erase(table.right.begin() + std::ptrdiff_t(*i));
+    }
+    std::set<std::string> names;
+    for (const Callee* const callee : open) names.insert(callee->name);
+    return {names.begin(), names.end()};
+}
+
+/// Who answers a call alike has the same number; the reference's is 0.
+std::vector<int> kinds_of_answers(const Table& table, std::size_t call) {
+    std::vector<const Answer*> kinds = {&table.right[call]};
+    std::vector<int> numbers;
+    for (const auto& answers : table.mistaken) {
+        const auto kind = std::ranges::find_if(
+            kinds, [&](const Answer* known) { return !differ(answers[call], *known); });
+        numbers.push_back(int(kind - kinds.begin()));
+        if (kind == kinds.end()) kinds.push_back(&answers[call]);
+    }
+    return numbers;
+}
+
+/// Greedily: always the call that separates most of what still is to be, the plainest of these.
+std::set<std::size_t> chosen(const Table& table) {
+    const std::size_t count = table.mistaken.size();
+    std::vector<std::vector<int>> kinds;
+    for (std::size_t i = 0; i < table.calls.size(); ++i)
+        kinds.push_back(kinds_of_answers(table, i));
+    std::vector<int> wanted(count, times_separated);
+    std::vector<std::vector<bool>> apart(count, std::vector<bool>(count));
+    std::set<std::size_t> probes;
+    while (probes.size() < most_probes) {
+        const auto gain = [&](std::size_t call) {
+            int sum = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                if (kinds[call][i] != 0 && wanted[i] > 0) sum += 4;
+                for (std::size_t j = 0; j < i; ++j)
+                    if (kinds[call][i] != kinds[call][j] && !apart[i][j]) ++sum;
+            }
+            return sum;
+        };
+        std::size_t best = 0;
+        int most = 0;
+        for (std::size_t call = 0; call < kinds.size(); ++call) {
+            if (probes.contains(call)) continue;
+            if (const int sum = gain(call); sum > most) {
+                most = sum;
+                best = call;
+            }
+        }
+        if (most == 0) break;
+        probes.insert(best);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (kinds[best][i] != 0) --wanted[i];
+            for (std::size_t j = 0; j < i; ++j)
+                if (kinds[best][i] != kinds[best][j]) apart[i][j] = true;
+        }
+    }
+    for (const Callee& callee : callees()) {
+        int left = calls_of_each;
+        for (const std::size_t probe : probes) left -= table.calls[probe].callee == &callee ? 1 : 0;
+        for (std::size_t call = 0; call < table.calls.size() && left > 0; ++call)
+            if (table.calls[call].callee == &callee && probes.insert(call).second) --left;
+    }
+    return probes;
+}
+
+struct Request {
+    int stage;
+    std::string record;
+    std::string reference;
+    std::string folder;
+    std::vector<std::string> alternatives;
+    std::vector<std::pair<std::string, std::string>> mistakes;  ///< name and worker
+};
+
+Request read_request(int argc, char** argv) {
+    if (argc < 5) throw std::runtime_error("choose_probes STAGE RECORD REFERENCE FOLDER …");
+    Request request{.stage = std::atoi(argv[1]),
+                    .record = content_of(argv[2]),
+                    .reference = argv[3],
+                    .folder = argv[4]};
+    for (int i = 5; i < argc; ++i) {
+        const std::string word = argv[i];
+        const std::size_t equals = word.find('=');
+        if (equals == std::string::npos)
+            request.alternatives.push_back(word);
+        else
+            request.mistakes.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+    return request;
+}
+
+Probes choose(const Request& request) {
+    Table table{.calls = recorded(request.record, request.stage)};
+    table.right = Asked(request.reference)(table.calls);
+    Probes probes{.stage = request.stage};
+    probes.open = take_out_open(table, request.alternatives);
+    for (const auto& [name, worker] : request.mistakes) {
+        probes.mistakes.push_back(
+            {.name = name, .sentence = sentence_in(request.folder + "/" + name + ".cpp")});
+        table.mistaken.push_back(Asked(worker)(table.calls));
+    }
+    for (const std::size_t call : chosen(table))
+        probes.probes.push_back({.call = table.calls[call], .right = table.right[call]});
+    // Again, in this order: what a mistake answers may depend on what it was asked before.
+    std::vector<Call> calls;
+    for (const Probe& probe : probes.probes) calls.push_back(probe.call);
+    for (const auto& [name, worker] : request.mistakes) {
+        const std::vector<Answer> answers = Asked(worker)(calls);
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            probes.probes[i].mistaken.push_back(answers[i]);
+    }
+    return probes;
+}
+
+}  // namespace
+
+}  // namespace rt::contract
+
+int main(int argc, char** argv) {
+    try {
+        std::cout << text_of(rt::contract::choose(rt::contract::read_request(argc, argv)));
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+}

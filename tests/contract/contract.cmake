@@ -1,0 +1,84 @@
+# A stage's contract, asked from another process: workers that answer, and the suites linked to
+# stubs that ask. What has no precision in its name is of double.
+
+# raysteps_worker(<program> <folder> <precision> <stage>...)
+#
+# Answers with the objects of these stages.
+function(raysteps_worker program folder precision)
+    add_executable(${program})
+    target_link_libraries(${program} PRIVATE
+        raysteps_worker_${precision} raysteps_common_${precision} raysteps_neutral Threads::Threads)
+    foreach(stage IN LISTS ARGN)
+        target_link_libraries(${program} PRIVATE ${stage}_${precision})
+    endforeach()
+    set_target_properties(${program} PROPERTIES
+        RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
+endfunction()
+
+# raysteps_contract(<stage> <other stages>...)
+#
+# <stage>_worker_float, _double      the chosen one
+# <stage>_reference_worker           the reference
+# <stage>_asked_test_float, _double  the suite, which asks a worker
+function(raysteps_contract stage)
+    raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_picture ${ARGN})
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        raysteps_worker(${stage}_worker_${word} "" ${precision} ${stage} ${stage}_picture ${ARGN})
+
+        add_library(${stage}_stubs_${precision} OBJECT contract/stubs/${stage}.cpp)
+        target_link_libraries(${stage}_stubs_${precision} PRIVATE raysteps_kit_${precision}_options)
+        target_precompile_headers(${stage}_stubs_${precision} REUSE_FROM raysteps_kit_${precision})
+        set(program ${stage}_asked_test_${word})
+        add_executable(${program} $<TARGET_OBJECTS:${stage}_test_${word}_objects>)
+        target_link_libraries(${program} PRIVATE
+            ${stage}_stubs_${precision} raysteps_asking_${precision} raysteps_kit_${precision}
+            raysteps_kit_main raysteps_common_${precision} raysteps_neutral Threads::Threads)
+        foreach(other IN ITEMS ${stage}_picture ${ARGN})
+            target_link_libraries(${program} PRIVATE ${other}_${precision})
+        endforeach()
+        if(precision STREQUAL "f32")  # of which one precision is proof enough
+            set_target_properties(${program} ${stage}_worker_${word} ${stage}_stubs_${precision}
+                PROPERTIES EXCLUDE_FROM_ALL ON)
+            continue()
+        endif()
+        add_test(NAME ${stage}_asked COMMAND ${program})
+        set_tests_properties(${stage}_asked PROPERTIES LABELS contract
+            ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_worker_${word}>)
+    endforeach()
+endfunction()
+
+# raysteps_recognition(<stage> <mistakes> <alternatives> <other stages>...)
+#
+# A worker of each known mistake and each other right answer; the test that the first are recognised
+# by the stage's probes.txt and the second are not; and the target <stage>_probes, which writes it.
+function(raysteps_recognition stage mistakes alternatives)
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
+    set(words)
+    foreach(file IN LISTS alternatives)
+        get_filename_component(name ${file} NAME_WE)
+        raysteps_worker(${stage}_${name}_worker alternatives f64 ${stage}_${name} ${ARGN})
+        list(APPEND words $<TARGET_FILE:${stage}_${name}_worker>)
+    endforeach()
+    foreach(file IN LISTS mistakes)
+        get_filename_component(name ${file} NAME_WE)
+        raysteps_worker(${stage}_${name}_worker mistakes f64 ${stage}_${name} ${ARGN})
+        list(APPEND words ${name}=$<TARGET_FILE:${stage}_${name}_worker>)
+    endforeach()
+    set(reference $<TARGET_FILE:${stage}_reference_worker>)
+
+    add_test(NAME recognition_${stage}
+        COMMAND check_probes ${folder}/probes.txt ${folder} ${reference} ${words})
+    set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
+
+    string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${stage})
+    set(record ${CMAKE_CURRENT_BINARY_DIR}/${stage}.record)
+    add_custom_target(${stage}_probes
+        COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_RECORD=${record} RAYSTEPS_WORKER=${reference}
+            $<TARGET_FILE:${stage}_asked_test_double>
+        COMMAND choose_probes ${number} ${record} ${reference} ${folder} ${words}
+            > ${folder}/probes.txt
+        VERBATIM)
+endfunction()

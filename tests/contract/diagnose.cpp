@@ -1,0 +1,78 @@
+// diagnose PROBES WORKER REFERENCE [SLICE.svg]
+//
+// What is wrong with the functions that WORKER answers for: the known mistakes that they show, or
+// the smallest call on which they and the reference's differ. Exit status 0 if nothing is found, 1
+// if something is, 2 if it could not be asked.
+#include "tests/contract/files.hpp"
+#include "tests/contract/paste.hpp"
+#include "tests/contract/probes.hpp"
+#include "tests/contract/slice.hpp"
+#include "tests/contract/smallest.hpp"
+
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <stdexcept>
+
+namespace rt::contract {
+
+namespace {
+
+void tell(const Difference& difference) {
+    const auto& [call, came, expected] = difference;
+    std::cout << "smallest: " << code(call) << "\n  came:     " << told(call, came)
+              << "\n  expected: " << told(call, expected)
+              << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
+}
+
+/// A function that is not written yet answers so; with words of its own, a mistake may too.
+void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
+    for (const Callee& callee : callees()) {
+        std::set<std::string> right;
+        std::set<std::string> came;
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            if (probes.probes[i].call.callee != &callee) continue;
+            if (!answers[i].value) return;
+            right.insert(code(probes.probes[i].right));
+            came.insert(code(answers[i]));
+        }
+        if (right.size() > 1 && came.size() == 1)
+            std::cout << "always: " << callee.name << " answers " << *came.begin()
+                      << ", whatever it is asked\n";
+    }
+}
+
+int diagnose(const std::vector<std::string>& words) {
+    if (words.size() < 3) throw std::runtime_error("diagnose PROBES WORKER REFERENCE [SLICE.svg]");
+    const Probes probes = read_probes(content_of(words[0]));
+    Asked student(words[1]);
+    std::vector<Call> calls;
+    for (const Probe& probe : probes.probes) calls.push_back(probe.call);
+    const std::vector<Answer> answers = student(calls);
+    tell_what_never_changes(probes, answers);
+    const std::vector<Mistake> mistakes = recognised(probes, answers);
+    for (const auto& [name, sentence] : mistakes)
+        std::cout << "mistake: " << name << ": " << sentence << '\n';
+    if (!mistakes.empty()) return 1;
+
+    Asked reference(words[2]);
+    const auto difference = smallest_difference(probes, answers, student, reference);
+    if (!difference) return 0;
+    tell(*difference);
+    if (words.size() > 3 && can_be_drawn(difference->call))
+        std::ofstream(words[3]) << slice(*difference, reference);
+    return 1;
+}
+
+}  // namespace
+
+}  // namespace rt::contract
+
+int main(int argc, char** argv) {
+    try {
+        return rt::contract::diagnose({argv + 1, argv + argc});
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+}

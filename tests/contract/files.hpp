@@ -1,0 +1,14 @@
+// What is read of files.
+#pragma once
+
+#include <string>
+
+namespace rt::contract {
+
+/// Throws std::runtime_error, if it cannot be read.
+[[nodiscard]] std::string content_of(const std::string& file);
+
+/// What the comment "// sentence: …" of a known mistake's source says.
+[[nodiscard]] std::string sentence_in(const std::string& file);
+
+}  // namespace rt::contract

@@ -1,0 +1,55 @@
+// The file tests/mistakes/<stage>/probes.txt: calls that tell the known mistakes of a stage from
+// the reference, and what each of them answers. With it a mistake is recognised without its source.
+#pragma once
+
+#include "tests/contract/call.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rt::contract {
+
+struct Mistake {
+    std::string name;
+    std::string sentence;
+};
+
+struct Probe {
+    Call call;
+    Answer right;
+    /// Of each mistake, in the order of Probes::mistakes.
+    std::vector<Answer> mistaken;
+};
+
+struct Probes {
+    int stage = 0;
+    std::vector<Mistake> mistakes;
+    /// Functions whose contract leaves the answer open: other right ones answer otherwise.
+    std::vector<std::string> open;
+    std::vector<Probe> probes;
+};
+
+/// Throws Malformed.
+[[nodiscard]] Probes read_probes(const std::string& text);
+[[nodiscard]] std::string text_of(const Probes& probes);
+
+/// Whether the contract says what the call's answer is.
+[[nodiscard]] bool is_open(const Probes& probes, const Callee& callee);
+
+/// Whether any probe tells the mistake from the reference. None can where they differ by less than
+/// right answers do.
+[[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
+
+/// The mistakes that the answers to all probes, in their order, show. They are a mistake's if they
+/// are what it answers to every call of the functions in which it differs from the reference, and
+/// if that is not what the reference answers.
+[[nodiscard]] std::vector<Mistake> recognised(const Probes& probes,
+                                              const std::vector<Answer>& answers);
+
+/// A mistake is computed in many ways, and then rounded otherwise.
+inline constexpr double mistake_tolerance = 1e-9;
+
+/// The suites', of kit/verdict.hpp.
+inline constexpr double right_tolerance = 4096 * std::numeric_limits<double>::epsilon();
+
+}  // namespace rt::contract

@@ -1,0 +1,17 @@
+// A ray and a shape in the plane through both.
+#pragma once
+
+#include "tests/contract/smallest.hpp"
+
+#include <string>
+
+namespace rt::contract {
+
+/// Whether the call is of a ray that meets a shape, so that there is something to draw.
+[[nodiscard]] bool can_be_drawn(const Call& call);
+
+/// An SVG of the plane through the ray and the shape's middle: the shape's section, for which the
+/// reference is asked, the ray, the hit that was expected, and what came instead.
+[[nodiscard]] std::string slice(const Difference& difference, Asked& reference);
+
+}  // namespace rt::contract

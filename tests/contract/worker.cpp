@@ -1,0 +1,126 @@
+// Answers questions about contracts, from whatever a stage is linked to: the student's file, the
+// reference, a known mistake.
+#include "tests/contract/contracts.hpp"
+#include "tests/contract/frame.hpp"
+#include "tests/contract/scene_bytes.hpp"
+
+#include "tests/kit/drawn.hpp"
+
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <map>
+
+namespace rt::contract {
+
+namespace {
+
+using Answer = void (*)(Reader& question, Writer& answer);
+
+void answer_with_picture(Reader& question, Writer& answer) {
+    const Scene scene = get_scene(question);
+    const auto look = get<Look>(question);
+    const int every = get<int>(question);
+    question.end();
+    const auto [width, height] = scene.resolution;
+    if (scene.cameras.empty() || width < 1 || height < 1 || width > 8192 || height > 8192 ||
+        every < 1)
+        throw Malformed("no picture");
+    put(answer, drawn(scene, look, every).pixels);
+}
+
+std::map<int, Answer> all_answers() {
+    std::map<int, Answer> answers;
+    std::array<int, stage_count + 1> places{};
+    for_each_function([&]<class F>(int stage, F) {
+        answers[stage << 8 | places.at(std::size_t(stage))++] = F::answer;
+    });
+    answers[picture_place] = answer_with_picture;
+    return answers;
+}
+
+bool read_all(char* to, std::size_t count) {
+    while (count > 0) {
+        const ssize_t got = read(worker_descriptor, to, count);
+        if (got <= 0) return false;
+        to += got;
+        count -= std::size_t(got);
+    }
+    return true;
+}
+
+bool write_all(const char* from, std::size_t count) {
+    while (count > 0) {
+        const ssize_t put = write(worker_descriptor, from, count);
+        if (put <= 0) return false;
+        from += put;
+        count -= std::size_t(put);
+    }
+    return true;
+}
+
+/// Piece by piece: a size that promises more than comes costs no memory.
+bool read_question(std::string& question, std::size_t size) {
+    constexpr std::size_t piece = std::size_t(1) << 20;
+    question.clear();
+    while (question.size() < size) {
+        const std::size_t before = question.size();
+        question.resize(std::min(size, before + piece));
+        if (!read_all(question.data() + before, question.size() - before)) return false;
+    }
+    return true;
+}
+
+Writer answer_to(const std::string& question, const std::map<int, Answer>& answers) {
+    Reader reader(question);
+    const auto [stage, place] = get<Number>(reader);
+    const auto answer = answers.find(stage << 8 | place);
+    if (answer == answers.end()) throw Malformed("no such function");
+    Writer writer;
+    try {
+        put(writer, Outcome::answered);
+        answer->second(reader, writer);
+    } catch (const Malformed&) {
+        throw;
+    } catch (const std::exception& exception) {
+        writer = {};
+        put(writer, Outcome::thrown);
+        writer.raw(exception.what(), std::strlen(exception.what()));
+    } catch (...) {
+        writer = {};
+        put(writer, Outcome::thrown);
+    }
+    return writer;
+}
+
+int serve() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody asks a worker whose asker is gone
+    const std::map<int, Answer> answers = all_answers();
+    std::string question;
+    Frame frame{};
+    // A last frame that is cut short is malformed, its absence is not.
+    while (read(worker_descriptor, &frame, 1) == 1) {
+        if (!read_all(reinterpret_cast<char*>(&frame) + 1, sizeof frame - 1) ||
+            frame.size > largest_frame || !read_question(question, frame.size))
+            throw Malformed("a frame cut short");
+        const Writer answer = answer_to(question, answers);
+        frame.size = answer.bytes().size();
+        if (!write_all(reinterpret_cast<const char*>(&frame), sizeof frame) ||
+            !write_all(answer.bytes().data(), answer.bytes().size()))
+            return 1;
+    }
+    return 0;
+}
+
+}  // namespace
+
+}  // namespace rt::contract
+
+int main() {
+    try {
+        return rt::contract::serve();
+    } catch (const rt::contract::Malformed&) {
+        return rt::contract::malformed_status;
+    }
+}
