@@ -1,11 +1,15 @@
 // The commands behind `./course`.
+#include "common/course/audit.hpp"
 #include "common/course/build.hpp"
 #include "common/course/check.hpp"
 #include "common/course/comparing.hpp"
+#include "common/course/compiler_errors.hpp"
 #include "common/course/files.hpp"
+#include "common/course/hints.hpp"
 #include "common/course/paint.hpp"
 #include "common/course/process.hpp"
 #include "common/course/project.hpp"
+#include "common/course/view/view.hpp"
 #include "common/course/workbook.hpp"
 
 #include "common/input_error.hpp"
@@ -22,7 +26,6 @@
 namespace {
 
 constexpr const char* test_time_limit = "300";  // seconds; a loop without end is a failure
-constexpr int hint_levels = 3;
 
 constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "a ray through every pixel",
@@ -48,9 +51,11 @@ constexpr const char* commands = R"(
 ./course run N [scene.rt] [options]     draw its scene, or yours; --help lists options
 ./course compare N [scene.rt] [options] your picture, the reference's, the difference
 ./course explain N [ROW,COLUMN]         your numbers for a pixel beside the reference's
+./course view [N]          your picture and the reference's in a browser, to look around in
 ./course solution N        the reference: once you have passed, or ask twice
 ./course reset N           start anew; what you have is kept beside
 ./course test [N] [options of ctest]    the suite as it is, or every test
+./course audit             for who writes stages: is each of them whole?
 
 N is a number or a name: 5, triangle, step05_triangle; without it, the stage you are at.
 run, compare, explain: --mine with all stages you have written, --reference 3,5 without these.)";
@@ -123,27 +128,12 @@ int reset(int stage) {
     return 0;
 }
 
-/// The section "## 2" of a stage's hints.
-std::string hint_text(int stage, int level) {
-    std::string text;
-    bool inside = false;
-    for (const std::string& line :
-         rt::lines_of(rt::read_text(rt::project_folder / rt::step_path(stage, "hints.md")))) {
-        if (line.rfind("## ", 0) == 0)
-            inside = line == "## " + std::to_string(level);
-        else if (inside)
-            text += line + "\n";
-    }
-    const std::size_t first = text.find_first_not_of('\n');
-    return first == std::string::npos ? "" : text.substr(first);
-}
-
 int hint(int stage) {
     rt::Workbook workbook(stage);
     rt::Record record = workbook.record();
-    record.hints = std::min(record.hints + 1, hint_levels);
-    std::printf("%s, hint %d of %d\n\n%s", rt::stage_name(stage).data(), record.hints, hint_levels,
-                hint_text(stage, record.hints).c_str());
+    record.hints = std::min(record.hints + 1, rt::hint_levels);
+    std::printf("%s, hint %d of %d\n\n%s", rt::stage_name(stage).data(), record.hints,
+                rt::hint_levels, rt::hint_text(stage, record.hints).c_str());
     workbook.remember(record);
     return 0;
 }
@@ -209,6 +199,18 @@ int explain(int stage, Words words) {
     return rt::explain_pixel(contest(stage, words), which);
 }
 
+int view(int stage) {
+    rt::choose_reference("");
+    return rt::view({.project = rt::project_folder,
+                     .build = rt::build_folder,
+                     .stage = stage,
+                     .rebuild = [](int shown) {
+                         const rt::Build built = rt::try_build(
+                             {rt::stage_target(shown), rt::stage_target(shown, "_of_reference")});
+                         return built.succeeded ? "" : rt::first_error(built.output);
+                     }});
+}
+
 int test(std::vector<std::string> words) {
     const std::string cores = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
     rt::Command command = {"ctest",     "--test-dir",   rt::build_folder.string(), "-j", cores,
@@ -237,8 +239,9 @@ int run_command(int argc, char** argv) {
     app.require_subcommand(0, 1);
     // Words after `test` are its own, options among them.
     CLI::App* test_app = app.add_subcommand("test")->prefix_command();
+    CLI::App* audit_app = app.add_subcommand("audit");
     Words words;
-    for (const char* name : {"start", "check", "watch", "hint", "solution", "reset"})
+    for (const char* name : {"start", "check", "watch", "hint", "solution", "reset", "view"})
         app.add_subcommand(name)->add_option("stage", words.stage);
     for (const char* name : {"run", "compare", "explain"}) {
         CLI::App* command = app.add_subcommand(name)->allow_extras();
@@ -258,6 +261,7 @@ int run_command(int argc, char** argv) {
                                                 : chosen[0]->get_name() + ": " + error.what());
     }
     if (test_app->parsed()) return test(test_app->remaining());
+    if (audit_app->parsed()) return rt::audit();
     if (app.get_subcommands().empty()) return list();
     CLI::App* command = app.get_subcommands()[0];
     const std::string name = command->get_name();
@@ -269,6 +273,7 @@ int run_command(int argc, char** argv) {
     if (name == "hint") return hint(stage);
     if (name == "solution") return solution(stage);
     if (name == "reset") return reset(stage);
+    if (name == "view") return view(stage);
     if (name == "run") return run(stage, words);
     if (name == "compare") return rt::compare_pictures(contest(stage, words));
     return explain(stage, words);

@@ -30,7 +30,8 @@ bool is_camera(const std::string& line) {
 std::string text(const TurnedCamera& camera) {
     std::array<char, 256> line{};
     std::snprintf(line.data(), line.size(), "C %.6f,%.6f,%.6f %.9f,%.9f,%.9f %.6f", camera.x,
-                  camera.y, camera.z, std::sin(camera.yaw * degree) * std::cos(camera.pitch * degree),
+                  camera.y, camera.z,
+                  std::sin(camera.yaw * degree) * std::cos(camera.pitch * degree),
                   std::sin(camera.pitch * degree),
                   -std::cos(camera.yaw * degree) * std::cos(camera.pitch * degree), camera.fov);
     return line.data();

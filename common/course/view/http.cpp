@@ -47,21 +47,6 @@ Number parse(const Request& request, const std::string& name, Number min, Number
     return value;
 }
 
-const char* reason(int status) {
-    switch (status) {
-        case 200: return "OK";
-        case 400: return "Bad Request";
-        case 403: return "Forbidden";
-        case 404: return "Not Found";
-        case 405: return "Method Not Allowed";
-        case 408: return "Request Timeout";
-        case 409: return "Conflict";
-        case 422: return "Unprocessable Content";
-        case 431: return "Request Header Fields Too Large";
-        default: return "Internal Server Error";
-    }
-}
-
 /// For a header, which has no place for line ends and other letters.
 std::string percent_encoded(std::string_view text) {
     std::string encoded;
@@ -109,8 +94,8 @@ int whole_number(const Request& request, const std::string& name, int min, int m
 }
 
 std::string to_bytes(const Response& response) {
-    std::string bytes = "HTTP/1.1 " + std::to_string(response.status) + " " +
-                        reason(response.status) + "\r\nContent-Type: " + response.type +
+    std::string bytes = "HTTP/1.1 " + std::to_string(response.status) +
+                        " \r\nContent-Type: " + response.type +
                         "\r\nContent-Length: " + std::to_string(response.body.size());
     if (!response.report.empty()) bytes += "\r\nX-Report: " + percent_encoded(response.report);
     // Nothing is kept, nothing comes from elsewhere, and no other page may look in.

@@ -37,7 +37,8 @@ bool wait_for(Connection connection, short event, Clock::time_point deadline) {
     for (;;) {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-        std::array<pollfd, 2> questions{{{connection.socket, event, 0}, {connection.listener, 0, 0}}};
+        std::array<pollfd, 2> questions{
+            {{connection.socket, event, 0}, {connection.listener, 0, 0}}};
         const int ready = poll(questions.data(), 2, int(std::max<long long>(left.count(), 0)));
         if (ready != -1 || errno != EINTR) return ready > 0 && questions[0].revents != 0;
     }
@@ -97,8 +98,8 @@ Server::Server(int port) {
         listen(listener_, most_waiting) != 0 || getsockname(listener_, generic, &size) != 0) {
         const int why = errno;
         if (listener_ != -1) close(listener_);
-        throw InputError({}, "port " + std::to_string(port) + " of 127.0.0.1 cannot be used: " +
-                                 std::strerror(why));
+        throw InputError({}, "port " + std::to_string(port) +
+                                 " of 127.0.0.1 cannot be used: " + std::strerror(why));
     }
     port_ = ntohs(address.sin_port);
 }

@@ -3,6 +3,17 @@
 namespace rt {
 
 bool Turns::take(int page, const Work& work) {
+    Turn& turn = enter(page);
+    try {
+        if (!turn.cancelled) work(turn.cancelled);
+    } catch (...) {
+        leave(turn);
+        throw;
+    }
+    return leave(turn);
+}
+
+Turns::Turn& Turns::enter(int page) {
     std::unique_lock lock(mutex_);
     for (Turn& turn : turns_)
         if (turn.page == page) turn.cancelled = true;
@@ -11,11 +22,11 @@ bool Turns::take(int page, const Work& work) {
     turn.page = page;
     turn.cancelled = over_;
     changed_.wait(lock, [&] { return turn.cancelled || &turn == &turns_.front(); });
-    if (!turn.cancelled) {
-        lock.unlock();
-        work(turn.cancelled);
-        lock.lock();
-    }
+    return turn;
+}
+
+bool Turns::leave(const Turn& turn) {
+    const std::scoped_lock lock(mutex_);
     const bool finished = !turn.cancelled;
     turns_.remove_if([&](const Turn& other) { return &other == &turn; });
     changed_.notify_all();

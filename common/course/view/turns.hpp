@@ -26,6 +26,10 @@ private:
         std::atomic<bool> cancelled = false;
     };
 
+    Turn& enter(int page);
+    /// Returns whether it was not cancelled.
+    bool leave(const Turn& turn);
+
     std::mutex mutex_;
     std::condition_variable changed_;
     std::list<Turn> turns_;  // the first one's it is

@@ -24,6 +24,7 @@ namespace {
 constexpr int most_pages = 1'000'000'000;  // a page calls itself by a number of its own
 constexpr double farthest = 10'000;        // that a camera may stand
 constexpr int most_shrunk = 16;
+constexpr std::size_t longest_report = 4096;
 constexpr int largest_side = 8192;  // of a picture, as in scenes
 
 constexpr const char* json_type = "application/json";
@@ -107,27 +108,32 @@ private:
     }
 
     Response stages() const {
-        std::string list;
-        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-            list += (stage == 1 ? "" : ",") + ("{\"name\":" + json(stage_name(stage))) +
-                    ",\"started\":" +
-                    (student_files(settings_, stage).empty() ? "false" : "true") + "}";
-        return {.body = "{\"first\":" + std::to_string(settings_.stage) + ",\"stages\":[" + list +
+        std::string names;
+        for (const std::string_view name : stage_names)
+            names += (names.empty() ? "" : ",") + json(name);
+        return {.body = "{\"first\":" + std::to_string(settings_.stage) + ",\"stages\":[" + names +
                         "]}",
                 .type = json_type};
+    }
+
+    [[nodiscard]] std::string started() const {
+        std::string list;
+        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+            if (!student_files(settings_, stage).empty())
+                list += (list.empty() ? "" : ",") + std::to_string(stage);
+        return "[" + list + "]";
     }
 
     Response news(const Request& request) {
         const int stage = parse_stage(request);
         const auto seen = request.parameters.find("seen");
-        const News news =
-            watcher_.wait(parse_page(request), stage,
-                          seen == request.parameters.end() ? "" : seen->second);
+        const News news = watcher_.wait(parse_page(request), stage,
+                                        seen == request.parameters.end() ? "" : seen->second);
         const SceneView view = scene_view(settings_, stage);
         std::string body = "{\"seen\":" + json(fingerprint(news)) +
                            ",\"programs\":" + json(news.programs) +
                            ",\"building\":" + (news.building ? "true" : "false") +
-                           ",\"error\":" + json(news.error) +
+                           ",\"error\":" + json(news.error) + ",\"started\":" + started() +
                            ",\"width\":" + std::to_string(view.width) +
                            ",\"height\":" + std::to_string(view.height) + ",\"camera\":";
         if (const auto& camera = view.camera) {
@@ -153,7 +159,8 @@ private:
             });
         if (!finished) throw Refusal{409, "another picture was asked for"};
         if (made.png.empty()) throw Refusal{422, made.report};
-        return {.body = made.png, .type = "image/png", .report = made.report};
+        return {
+            .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
     }
 
     Response story(const Request& request) {
@@ -161,8 +168,8 @@ private:
         const int row = whole_number(request, "row", 0, largest_side);
         const int column = whole_number(request, "column", 0, largest_side);
         std::vector<std::string> told;
-        const bool finished = stories_.take(
-            parse_page(request), [&](const std::atomic<bool>& cancelled) {
+        const bool finished =
+            stories_.take(parse_page(request), [&](const std::atomic<bool>& cancelled) {
                 told = studio_.stories(drawing, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was asked for"};

@@ -81,8 +81,8 @@ void Watcher::look_at(int stage, std::unique_lock<std::mutex>& lock) {
 }
 
 std::string Watcher::programs(int stage) const {
-    return stamp(program(settings_, stage, Whose::mine)) + "-" +
-           stamp(program(settings_, stage, Whose::reference)) + "-" +
+    return stamp(program(settings_, stage, Whose::mine)) + "_" +
+           stamp(program(settings_, stage, Whose::reference)) + "_" +
            stamp(scene_file(settings_, stage));
 }
 
@@ -96,7 +96,7 @@ std::string Watcher::sources() const {
 
 std::string fingerprint(const News& news) {
     const std::size_t error = std::hash<std::string>()(news.error);
-    return news.programs + (news.building ? "-building-" : "-") + std::to_string(error);
+    return news.programs + (news.building ? "_building_" : "_") + std::to_string(error);
 }
 
 }  // namespace rt

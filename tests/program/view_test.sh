@@ -1,0 +1,254 @@
+#!/bin/sh
+# What the page of `./course view` shows, in Chromium: view_test.sh BUILD_FOLDER PROJECT_FOLDER
+# Needs chromium, driven through its own DevTools pipe, and curl; 77 says that they are not there.
+build=$1
+project=$2
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || exit 77
+command -v curl > /dev/null || exit 77
+folder=$(mktemp -d)
+cd "$folder" || exit 1
+failed=0
+server=
+chromium=
+
+end() {
+    exec 8>&- 9<&-
+    for process in $server $chromium; do kill "$process" 2> /dev/null; done
+    wait 2> /dev/null
+    rm -rf "$folder"
+}
+trap end EXIT
+trap 'exit 1' HUP INT TERM
+
+fail() {
+    echo "FAILED: $1"
+    failed=1
+}
+
+# A project of our own: a student who has started stage 5 and shows normals in place of colours.
+mkdir -p project/common/course project/steps/step05_triangle/student built temporary
+ln -s "$project/scenes" project/scenes
+ln -s "$project/common/course/view" project/common/course/view
+touch project/steps/step05_triangle/student/triangle.cpp
+program() {
+    printf '#!/bin/sh\nexec "%s/step05_triangle" "$@" %s\n' "$build" "$2" > built/new
+    chmod +x built/new
+    mv built/new "built/$1"
+}
+program step05_triangle "--shade normal"
+program step05_triangle_of_reference
+
+# script COMMANDS: the student's program is these.
+script() {
+    printf '#!/bin/sh\n%s\n' "$1" > built/new
+    chmod +x built/new
+    mv built/new built/step05_triangle
+}
+
+TMPDIR=$folder/temporary "$build/view_server" project built 5 > address &
+server=$!
+tries=0
+until grep -q http address || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
+address=$(head -n 1 address)
+origin=${address%/*/}
+port=${origin##*:}
+
+# ---- who is let in
+
+# status WORDS…: the status that curl gets.
+status() {
+    curl -s -m 20 -o out -w '%{http_code}' "$@"
+}
+
+answers() {
+    [ "$(status "${address}stages")" = 200 ] || fail "it still answers after $1"
+}
+
+is() {
+    what=$1
+    expected=$2
+    shift 2
+    got=$(status "$@")
+    [ "$got" = "$expected" ] || fail "$what: $expected, not $got"
+}
+
+drawing="stage=5&page=1&moved=0&shrink=4&precision=0&shade=0&term=0"
+is "the page" 200 "$address"
+is "the page by the name localhost" 200 "http://localhost:$port/${address#"$origin/"}"
+is "no token" 403 "$origin/"
+is "a wrong token" 403 "$origin/0123456789abcdef0123456789abcdef/"
+is "another host's name" 403 -H "Host: example.org:$port" "$address"
+is "a host without the port" 403 -H "Host: localhost" "$address"
+is "no host" 400 -H "Host:" "$address"
+is "a post" 405 -d x "$address"
+is "a file" 404 --path-as-is "$address../../../etc/passwd"
+is "a picture" 200 "${address}picture?$drawing&whose=0"
+[ "$(head -c 4 out | tail -c 3)" = PNG ] || fail "a picture is a PNG"
+is "a stage of words" 400 "${address}picture?stage=../5&whose=0"
+is "no 14th stage" 400 "${address}picture?stage=14&shrink=1&whose=0"
+is "a size of nothing" 400 "${address}picture?$drawing&whose=0&shrink=0"
+is "a camera at no place" 400 \
+    "${address}picture?$drawing&whose=0&moved=1&x=nan&y=0&z=0&yaw=0&pitch=0&fov=60"
+is "a pixel with a shell in it" 400 "${address}story?$drawing&row=1;id&column=2"
+is "a pixel outside" 200 "${address}story?$drawing&row=8000&column=2"
+grep -q 'is outside the picture' out || fail "a pixel outside is told"
+curl -s "$address" -D headers -o out
+grep -qi '^access-control' headers && fail "other pages may not read it"
+ss -ltn 2> /dev/null | grep ":$port " | grep -vq '127\.0\.0\.1' && fail "it listens to this machine"
+
+is "a long address" 431 "$address?$(printf '%020000d' 0)"
+is "a long header" 431 -H "X: $(printf '%050000d' 0)" "$address"
+answers "what is too long"
+head -c 100000 /dev/urandom | curl -s -m 5 "telnet://127.0.0.1:$port" > out 2>&1
+answers "garbage"
+slow=
+for connection in 1 2 3 4 5 6 7 8; do
+    (printf 'GET / HTTP/1.1\r\n'; sleep 7) |
+        curl -s -m 20 "telnet://127.0.0.1:$port" > "slow$connection" 2>&1 &
+    slow="$slow $!"
+done
+sleep 0.3
+answers "slow ones"
+wait $slow
+[ "$(grep -l 408 slow? | wc -l)" = 8 ] || fail "slow ones are sent away"
+
+# A newer picture ends the older, and what draws it.
+endless='echo $$ > endless; sleep 301 & wait'
+began() {
+    tries=0
+    until [ -s endless ] || [ $((tries += 1)) -gt 200 ]; do sleep 0.05; done
+    [ -s endless ]
+}
+script "$endless"
+curl -s -m 20 -o older_picture -w '%{http_code}' "${address}picture?$drawing&whose=0" > older &
+older=$!
+began || fail "a program without end is run"
+is "a program that is not there" 500 "${address}picture?$drawing&whose=0&stage=6"
+wait $older
+[ "$(cat older)" = 409 ] || fail "a newer picture ends the older"
+kill -0 "$(cat endless)" 2> /dev/null && fail "a newer picture ends the older's program"
+rm endless
+program step05_triangle "--shade normal"
+
+# ---- what the page shows
+
+mkfifo to from
+"$browser" --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --window-size=1280,800 \
+    --user-data-dir="$folder/profile" --remote-debugging-pipe \
+    3<> to 4<> from 2> chromium_log > /dev/null &
+chromium=$!
+exec 8<> to 9<> from
+stdbuf -o0 tr '\0' '\n' <&9 > answers &
+chromium="$chromium $!"
+question=0
+
+# ask METHOD PARAMETERS: what DevTools answer, in $answer.
+ask() {
+    question=$((question + 1))
+    printf '{"id":%d,"method":"%s",%s"params":{%s}}\0' $question "$1" "$session" "$2" >&8
+    tries=0
+    until answer=$(grep -m 1 "^{\"id\":$question," answers); do
+        [ $((tries += 1)) -lt 400 ] || { fail "$1 is not answered"; exit 1; }
+        sleep 0.05
+    done
+}
+
+# value SCRIPT: what it comes to, as text, in $value. No double quotes in it.
+value() {
+    ask Runtime.evaluate "\"expression\":\"String($(echo "$1" | tr '\n' ' '))\""
+    value=$(printf '%s' "$answer" | sed 's/.*"value":"\([^"]*\)".*/\1/')
+}
+
+# shows WHAT SCRIPT: becomes true before long.
+shows() {
+    waits=0
+    until value "$2" && [ "$value" = true ]; do
+        [ $((waits += 1)) -lt 100 ] || { fail "$1: $value"; return; }
+        sleep 0.1
+    done
+}
+
+session=
+ask Target.createTarget "\"url\":\"$address\""
+target=$(printf '%s' "$answer" | sed 's/.*"targetId":"\([^"]*\)".*/\1/')
+ask Target.attachToTarget "\"targetId\":\"$target\",\"flatten\":true"
+session=$(printf '%s' "$answer" | sed 's/.*"sessionId":"\([^"]*\)".*/"sessionId":"\1",/')
+
+caption="document.querySelector('[data-of=difference] figcaption').textContent"
+shows "both pictures, whole" \
+    "['mine', 'reference'].every(id => document.getElementById(id).width === 640)"
+shows "where they differ" "/^[0-9]+ of 307200 pixels differ/.test($caption)"
+shows "thirteen stages, one of them started" "document.getElementsByName('stage').length === 13 &&
+    document.querySelectorAll('.started').length === 1 && document.title === '5 · triangle'"
+shows "a picture that is not black" "images.mine.data.some((v, i) => v > 0 && i % 4 < 3)"
+
+# A slider, by the keyboard: another picture, of the scene as the camera then sees it.
+sum="images.reference.data.reduce((a, v) => (a * 31 + v) % 1000003, 0)"
+value "$sum"
+before=$value
+ask Runtime.evaluate '"expression":"document.getElementById(`yaw`).focus()"'
+for key in 1 2 3 4 5; do
+    for type in rawKeyDown keyUp; do
+        ask Input.dispatchKeyEvent \
+            "\"type\":\"$type\",\"key\":\"ArrowRight\",\"windowsVirtualKeyCode\":39"
+    done
+done
+shows "the slider moved" "document.getElementById('yaw').value === '5'"
+shows "another picture, whole again" "document.getElementById('status').textContent === '' &&
+    images.reference.width === 640 &&
+    $sum !== $before"
+ask Runtime.evaluate '"expression":"document.getElementById(`reset`).click()"'
+shows "the scene's own camera again" "images.reference.width === 640 &&
+    $sum === $before"
+
+# A click: both stories of the pixel under it, and the first line that differs.
+value "(b => Math.round(b.left + b.width / 2) + ' ' + Math.round(b.top + b.height / 2))(
+    document.getElementById('mine').getBoundingClientRect())"
+box=$value
+for type in mousePressed mouseReleased; do
+    ask Input.dispatchMouseEvent \
+        "\"type\":\"$type\",\"x\":${box% *},\"y\":${box#* },\"button\":\"left\",\"clickCount\":1"
+done
+shows "the pixel in the middle" "Math.abs(document.getElementById('row').value - 240) <= 2 &&
+    Math.abs(document.getElementById('column').value - 320) <= 2"
+shows "its story" "['d_r = ', 'Triangle{', '8-bit = '].every(
+    words => document.getElementById('story').textContent.includes(words))"
+shows "one first line that differs, the colour" "document.querySelectorAll('.first').length === 1 &&
+    document.querySelector('.first .mine').textContent.includes('color = ') &&
+    document.querySelector('.first .mine').textContent !==
+    document.querySelector('.first .reference').textContent"
+
+# What the compiler says, and then a right program: told, and redrawn, without a click.
+echo "triangle.cpp:7:3: error: expected ';'" > project/compiler_says
+echo "a line" >> project/steps/step05_triangle/student/triangle.cpp
+shows "the compiler's error" "!document.querySelector('[data-of=mine] pre').hidden &&
+    document.querySelector('[data-of=mine] pre').textContent.includes('triangle.cpp:7:3: error')"
+rm project/compiler_says
+program step05_triangle
+echo "another" >> project/steps/step05_triangle/student/triangle.cpp
+shows "no difference once it is right" "$caption === 'The same in every pixel.'"
+shows "no error any more" "document.querySelector('[data-of=mine] pre').hidden"
+shows "the same story" \
+    "document.getElementById('told').textContent === 'Both tell the same story.'"
+program step05_triangle "--shade normal"
+shows "a program that is replaced is drawn anew" "/pixels differ/.test($caption)"
+
+# A program that crashes, and one without end: told, and the page goes on.
+script 'kill -SEGV $$'
+shows "a crash" "document.querySelector('[data-of=mine] pre').textContent.includes('it crashed')"
+script "$endless"
+began || fail "a program without end is drawn"
+is "the reference does not wait for it" 200 "${address}picture?$drawing&whose=1"
+
+# Ctrl-C ends it at once, with what it runs, and leaves nothing.
+started=$(date +%s)
+kill -INT "$server"
+wait "$server"
+[ $? = 0 ] || fail "Ctrl-C is a good end"
+server=
+[ $(($(date +%s) - started)) -lt 4 ] || fail "Ctrl-C ends it at once"
+[ -z "$(ls temporary)" ] || fail "Ctrl-C leaves no file"
+kill -0 "$(cat endless)" 2> /dev/null && fail "Ctrl-C leaves no program"
+shows "that it has ended" "document.getElementById('status').textContent.includes('has ended')"
+
+exit $failed
