@@ -1,7 +1,7 @@
 #include "common/box_ranges.hpp"
 
-#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace rt::inline RT_PRECISION {
 
@@ -14,26 +14,14 @@ void grow(WideBox& box, const WideBox& other) {
     box.max = max(other.max, box.max);
 }
 
-void grow(WideBox& box, Lanes point) {
+void grow(WideBox& box, Floats point) {
     box.min = min(point, box.min);
     box.max = max(point, box.max);
 }
 
 /// The centre, times two.
-Lanes middle(const WideBox& box) {
+Floats middle(const WideBox& box) {
     return box.min + box.max;
-}
-
-WideBox widened(const Box& box) {
-    return {.min = lanes_of({box.min.x, box.min.y, box.min.z, 0}),
-            .max = lanes_of({box.max.x, box.max.y, box.max.z, 0})};
-}
-
-Real largest_coordinate(const WideBox& box) {
-    Real largest = 0;
-    for (const Lanes corner : {box.min, box.max})
-        for (const Real value : values(corner)) largest = std::max(largest, std::fabs(value));
-    return largest;
 }
 
 /// The axes from first to before last.
@@ -64,34 +52,35 @@ struct BoxRanges::Bin {
 struct BoxRanges::Cut {
     std::size_t axis = 0;
     std::size_t slice = 0;
-    Real cost = infinity;  ///< infinite: nowhere
+    float cost = WideBox::end;  ///< infinite: nowhere
 };
 
 /// Numbers the slices of a range.
 class BoxRanges::Slicer {
 public:
     explicit Slicer(const WideBox& middles)
-        : origin_(middles.min), scale_(all_lanes(Real(slices)) / (middles.max - middles.min)) {}
+        : origin_(middles.min), scale_(all_floats(slices) / (middles.max - middles.min)) {}
 
     /// Along each axis. Where all centres are the same, 0 · ∞ is NaN, and the slice 0.
-    [[nodiscard]] std::array<Real, lane_count> operator()(Lanes middle) const {
-        const Lanes slice = (middle - origin_) * scale_;
-        return values(min(max(slice, all_lanes(0)), all_lanes(Real(slices - 1))));
+    [[nodiscard]] std::array<float, lane_count> operator()(Floats middle) const {
+        const Floats slice = (middle - origin_) * scale_;
+        return values(min(max(slice, all_floats(0)), all_floats(slices - 1)));
     }
 
 private:
-    Lanes origin_;
-    Lanes scale_;
+    Floats origin_;
+    Floats scale_;
 };
 
-BoxRanges::BoxRanges(std::span<const Box> boxes, std::size_t leaf_size)
-    : indices_(boxes.size()), leaf_size_(leaf_size) {
-    boxes_.reserve(boxes.size());
-    for (const Box& box : boxes) boxes_.push_back(widened(box));
+float half_area(const WideBox& box) {
+    const auto [x, y, z, none] = values(box.max - box.min);
+    return x * y + y * z + z * x;
+}
+
+BoxRanges::BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size)
+    : boxes_(std::move(boxes)), indices_(boxes_.size()), leaf_size_(leaf_size) {
     std::iota(indices_.begin(), indices_.end(), 0);
     all_ = measured(0, boxes_.size());
-    const Real largest = largest_coordinate(all_.bounds);
-    scale_ = all_lanes(largest > 0 ? 1 / largest : 1);
 }
 
 BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
@@ -103,14 +92,9 @@ BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
     return range;
 }
 
-Real BoxRanges::half_area(const WideBox& box) const {
-    const auto [x, y, z, none] = values(box.max * scale_ - box.min * scale_);
-    return x * y + y * z + z * x;
-}
-
 /// What a ray that meets the part has to expect: a step for each leaf that its boxes fill.
-Real BoxRanges::cost(const Bin& part) const {
-    return half_area(part.bounds) * Real((part.count + leaf_size_ - 1) / leaf_size_);
+float BoxRanges::cost(const Bin& part) const {
+    return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
 }
 
 BoxRanges::Bins BoxRanges::binned(const BoxRange& range) const {
@@ -135,7 +119,7 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
     };
     Cut best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<Real, slices> upper_cost;
+        std::array<float, slices> upper_cost;
         Bin upper;
         for (std::size_t i = slices - 1; i > 0; --i) {
             add(upper, bins[axis][i]);
@@ -144,7 +128,7 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
         Bin lower;
         for (std::size_t i = 1; i < slices; ++i) {
             add(lower, bins[axis][i - 1]);
-            const Real both = cost(lower) + upper_cost[i];
+            const float both = cost(lower) + upper_cost[i];
             // An empty part costs ∞ · 0, and that is no cut.
             if (both < best.cost) best = {.axis = axis, .slice = i, .cost = both};
         }
@@ -155,7 +139,7 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
 std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
     const Bins bins = binned(range);
     const Cut best = cheapest(bins);
-    if (best.cost == infinity) return halves(range);  // all centres are in one slice
+    if (best.cost == WideBox::end) return halves(range);  // all centres are in one slice
 
     BoxRange lower;
     BoxRange upper;
@@ -166,7 +150,7 @@ std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
     std::size_t low = range.begin;
     std::size_t high = range.end;
     while (low < high) {
-        const Lanes center = middle(boxes_[low]);
+        const Floats center = middle(boxes_[low]);
         if (std::size_t(slice_of(center)[best.axis]) < best.slice) {
             grow(lower.middles, center);
             ++low;

@@ -1,10 +1,10 @@
 // Many boxes in a row, and where to cut the row in two: what a hierarchy is built from.
 #pragma once
 
-#include "common/box.hpp"
 #include "common/wide.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,8 +14,10 @@ inline namespace RT_LANES {
 
 /// A box with a coordinate a lane: x, y, z, and one that stays 0.
 struct WideBox {
-    Lanes min = all_lanes(infinity);
-    Lanes max = all_lanes(-infinity);
+    static constexpr float end = std::numeric_limits<float>::infinity();
+
+    Floats min = all_floats(end);
+    Floats max = all_floats(-end);
 };
 
 /// Boxes that stand one after the other, from begin to before end.
@@ -28,11 +30,14 @@ struct BoxRange {
     [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
+/// Half the surface of a box.
+[[nodiscard]] float half_area(const WideBox& box);
+
 /// The row. Cutting a range changes the order inside it only.
 class BoxRanges {
 public:
-    /// The boxes, and how many of them a leaf holds at most.
-    BoxRanges(std::span<const Box> boxes, std::size_t leaf_size);
+    /// The boxes, between -1 and 1 along every axis, and how many of them a leaf holds at most.
+    BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size);
 
     [[nodiscard]] const BoxRange& all() const { return all_; }
 
@@ -46,9 +51,6 @@ public:
     /// Cut in the middle, as the range stands.
     [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
 
-    /// Half the surface of a box, relative to the largest coordinate of all.
-    [[nodiscard]] Real half_area(const WideBox& box) const;
-
 private:
     static constexpr std::size_t slices = 16;
 
@@ -60,13 +62,12 @@ private:
     [[nodiscard]] BoxRange measured(std::size_t begin, std::size_t end) const;
     [[nodiscard]] Bins binned(const BoxRange& range) const;
     [[nodiscard]] Cut cheapest(const Bins& bins) const;
-    [[nodiscard]] Real cost(const Bin& bin) const;
+    [[nodiscard]] float cost(const Bin& bin) const;
 
     std::vector<WideBox> boxes_;
     std::vector<std::uint32_t> indices_;
     std::size_t leaf_size_;
     BoxRange all_;
-    Lanes scale_;  ///< makes every coordinate at most 1, so that no area overflows
 };
 
 }  // namespace RT_LANES

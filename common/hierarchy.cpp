@@ -23,17 +23,52 @@ constexpr std::size_t thread_size = 16384;
 Node empty_node() {
     Node node;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.planes[2 * axis].fill(all_lanes(infinity));
-        node.planes[2 * axis + 1].fill(all_lanes(-infinity));
+        node.planes[2 * axis].fill(all_floats(std::numeric_limits<float>::infinity()));
+        node.planes[2 * axis + 1].fill(all_floats(-std::numeric_limits<float>::infinity()));
     }
     node.children.fill(Node::leaf_bit);  // NaN may lead there
     return node;
 }
 
-void set_lane(Node::Row& row, std::size_t i, Real value) {
-    auto all = std::bit_cast<std::array<Real, Node::width>>(row);
+void set_lane(Node::Row& row, std::size_t i, float value) {
+    auto all = std::bit_cast<std::array<float, Node::width>>(row);
     all[i] = value;
     row = std::bit_cast<Node::Row>(all);
+}
+
+Box around(std::span<const Box> boxes) {
+    Box all;
+    for (const Box& box : boxes) all = united(all, box);
+    return all;
+}
+
+/// By how much boxes are widened for the shapes' tests: where all is far from 0 and small, the
+/// slack of SlabTest is less than these may be off by.
+Real padding_for(const Box& bounds) {
+    return 4 * unit_roundoff *
+           glm::max(largest_component(bounds.min), largest_component(bounds.max));
+}
+
+Frame frame_around(const Box& bounds) {
+    const Vec3 half_size = bounds.max / Real(2) - bounds.min / Real(2) + padding_for(bounds);
+    const Real largest = largest_component(half_size);
+    // Among boxes without end, NaN makes every SlabTest uncertain.
+    return {.center = bounds.min / Real(2) + bounds.max / Real(2),
+            .scale = largest < infinity ? Real(0.5) / power_of_two_below(largest)
+                                        : std::numeric_limits<Real>::quiet_NaN()};
+}
+
+/// Not rounded outwards: SlabTest reckons with what a rounded box lacks.
+std::vector<WideBox> in_frame(std::span<const Box> boxes, const Frame& frame, Real padding) {
+    std::vector<WideBox> result;
+    result.reserve(boxes.size());
+    for (const Box& box : boxes) {
+        const Vec3 min = frame.scale * (box.min - padding - frame.center);
+        const Vec3 max = frame.scale * (box.max + padding - frame.center);
+        result.push_back({.min = floats_of({float(min.x), float(min.y), float(min.z), 0}),
+                          .max = floats_of({float(max.x), float(max.y), float(max.z), 0})});
+    }
+    return result;
 }
 
 }  // namespace
@@ -43,7 +78,9 @@ class TreeGrower {
 public:
     TreeGrower(std::span<const Box> boxes, Hierarchy::Leaves leaves)
         : leaf_size_(leaves == Hierarchy::Leaves::packed ? lane_count : single_leaf_size),
-          ranges_(boxes, leaf_size_) {}
+          bounds_(around(boxes)),
+          frame_(frame_around(bounds_)),
+          ranges_(in_frame(boxes, frame_, padding_for(bounds_)), leaf_size_) {}
 
     [[nodiscard]] Hierarchy tree();
 
@@ -52,27 +89,20 @@ private:
     [[nodiscard]] std::vector<BoxRange> parts(const BoxRange& range, std::size_t depth);
     [[nodiscard]] std::uint32_t add_leaf(Hierarchy& tree, const BoxRange& range) const;
     [[nodiscard]] static std::uint32_t add(Hierarchy& tree, const Hierarchy& part);
-    void set_child(Node& node, std::size_t i, const WideBox& box, std::uint32_t child) const;
+    static void set_child(Node& node, std::size_t i, const WideBox& box, std::uint32_t child);
 
     std::size_t leaf_size_;
+    Box bounds_;
+    Frame frame_;
     BoxRanges ranges_;
-    Lanes padding_;
 };
 
 Hierarchy TreeGrower::tree() {
     Hierarchy tree;
     const BoxRange& all = ranges_.all();
     if (all.size() == 0) return tree;
-    const auto min = values(all.bounds.min);
-    const auto max = values(all.bounds.max);
-    tree.bounds_ = {.min = {min[0], min[1], min[2]}, .max = {max[0], max[1], max[2]}};
-    tree.center_ = tree.bounds_.min / Real(2) + tree.bounds_.max / Real(2);
-    tree.half_size_ = largest_component(tree.bounds_.max / Real(2) - tree.bounds_.min / Real(2));
-    // Where SlabTest's slack is too small to change an origin, as all is far from 0 and small, this
-    // is as much of it as the shapes' tests need.
-    const Real largest =
-        std::max(largest_component(tree.bounds_.min), largest_component(tree.bounds_.max));
-    padding_ = all_lanes(4 * unit_roundoff * largest);
+    tree.bounds_ = bounds_;
+    tree.frame_ = frame_;
     tree.root_ = grow(tree, all, 0);
     return tree;
 }
@@ -111,8 +141,7 @@ std::vector<BoxRange> TreeGrower::parts(const BoxRange& range, std::size_t depth
         for (BoxRange& part : parts) {
             if (part.size() <= leaf_size_) continue;
             // The area of a box without end is NaN, and the largest.
-            if (widest == nullptr ||
-                !(ranges_.half_area(part.bounds) <= ranges_.half_area(widest->bounds)))
+            if (widest == nullptr || !(half_area(part.bounds) <= half_area(widest->bounds)))
                 widest = &part;
         }
         if (widest == nullptr) break;
@@ -146,10 +175,9 @@ std::uint32_t TreeGrower::add(Hierarchy& tree, const Hierarchy& part) {
     return renamed(part.root_);
 }
 
-void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box,
-                           std::uint32_t child) const {
-    const auto min = values(box.min - padding_);
-    const auto max = values(box.max + padding_);
+void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box, std::uint32_t child) {
+    const auto min = values(box.min);
+    const auto max = values(box.max);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         set_lane(node.planes[2 * axis], i, min[axis]);
         set_lane(node.planes[2 * axis + 1], i, max[axis]);

@@ -56,13 +56,8 @@ private:
     friend class TreeGrower;
     static constexpr std::size_t max_depth = 64;
 
-    [[nodiscard]] Real reach_from(Vec3 origin) const {
-        return half_size_ + largest_component(origin - center_);
-    }
-
     Box bounds_;
-    Vec3 center_;
-    Real half_size_ = 0;  ///< of the bounds, along the axis along which they are longest
+    Frame frame_;
     std::uint32_t root_ = Node::leaf_bit;
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
@@ -84,24 +79,30 @@ private:
 template <class Visit>
 bool Hierarchy::visit_leaves(const Ray& ray, const Interval& interval, Visit visit) const {
     if (empty() || !asks_anything(ray, interval)) return false;
-    const SlabTest slabs(ray, reach_from(ray.origin), interval.min);
+    const SlabTest slabs(ray, frame_);
+    if (!slabs.certain()) {
+        for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
+            if (visit(leaf)) return true;
+        return false;
+    }
+    if (slabs.passes_by()) return false;
     struct Later {
         std::uint32_t child;
-        Real near;
+        float near;
     };
     std::array<Later, (Node::width - 1) * max_depth> later;  // left uninitialised: it is large
     std::size_t waiting = 0;
-    Real limit = SlabTest::limit(interval);
+    float limit = slabs.limit(interval.max);
     std::uint32_t child = root_;
     for (;;) {
         if ((child & Node::leaf_bit) != 0) {
             if (visit(child & ~Node::leaf_bit)) return true;
-            limit = SlabTest::limit(interval);
+            limit = slabs.limit(interval.max);
         } else {
             const Node& node = nodes_[child];
             const auto answer = slabs(node, limit);
             if (unsigned hits = answer.hits; hits != 0) {
-                const auto near = std::bit_cast<std::array<Real, Node::width>>(answer.near);
+                const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
                 std::size_t nearest = take_lowest(hits);
                 const std::size_t first = waiting;
                 while (hits != 0) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/ray.hpp"
+#include "common/vector.hpp"
 #include "common/wide.hpp"
 
 #include <algorithm>
@@ -14,6 +15,13 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
+/// What boxes are measured in: all of them lie between -1 and 1 along every axis. There floats are
+/// enough, of which a register holds twice as many as doubles.
+struct Frame {
+    Vec3 center;
+    Real scale = 1;  ///< a power of two, so that it rounds nothing
+};
+
 /// Eight boxes and what is in each: a node, or with the leaf bit a leaf. A box not used is empty.
 /// Eight as twice four: half as many nodes one after the other, each of which waits for the last,
 /// are worth up to a quarter even where vectors have only four lanes.
@@ -21,102 +29,143 @@ struct alignas(64) Node {
     static constexpr std::size_t width = 2 * lane_count;
     static constexpr std::uint32_t leaf_bit = std::uint32_t(1) << 31;
 
-    using Row = std::array<Lanes, 2>;
+    using Row = std::array<Floats, 2>;
 
-    std::array<Row, 6> planes;  ///< smallest x, largest x, smallest y, …
+    std::array<Row, 6> planes;  ///< in the frame: smallest x, largest x, smallest y, …
     std::array<std::uint32_t, width> children;
 };
 
 /// A ray, ready to be asked which of a node's boxes it meets. No box that it meets is lost, nor any
 /// with a shape that the shape's own rounded test would say it meets (Ize 2013, "Robust BVH Ray
 /// Traversal"; Woop, Benthin, Wald 2013, §4).
+///
+/// The ray is taken from a place on it that is near the boxes, and its direction's largest
+/// component made 1: then times are distances, and what a float rounds is known beforehand. Let D
+/// be the distance of the ray's origin from the frame's, along the axis along which it is largest.
+/// A ray that meets [-1, 1]³ does so after D - 1 at the earliest and D + 1 at the latest, as no
+/// axis takes it further than the direction's largest component. So at D - 2 it has 3 to go at
+/// most, and is within 4 of the middle; if it is not, it meets nothing.
 class SlabTest {
 public:
-    /// `reach` is how far any box is at most from the ray's origin, along any axis.
-    SlabTest(const Ray& ray, Real reach, Real min)
-        : min_(all_lanes(min)),
-          x_(0, ray.origin.x, ray.direction.x, reach),
-          y_(1, ray.origin.y, ray.direction.y, reach),
-          z_(2, ray.origin.z, ray.direction.z, reach) {}
+    SlabTest(const Ray& ray, const Frame& frame) {
+        const auto& [origin, direction] = ray;
+        const Real size = largest_component(direction);
+        speed_ = frame.scale * size;
+        Vec3 place = frame.scale * (origin - frame.center);
+        const Real distance = largest_component(place);
+        if (distance > 2) {
+            start_ = (distance - 2) / speed_;
+            place += start_ * (frame.scale * direction);
+            passes_by_ = largest_component(place) > 5;
+        }
+        const Real real_slack = rounding * (distance + 1);
+        slack_ = float(real_slack) + float_slack;
+        // Of a slower one, what its components lack as multiples of the smallest number adds up.
+        constexpr Real slowest = std::numeric_limits<Real>::denorm_min() / unit_roundoff;
+        certain_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
+        x_ = Axis(0, place.x, size / direction.x, slack_);
+        y_ = Axis(1, place.y, size / direction.y, slack_);
+        z_ = Axis(2, place.z, size / direction.z, slack_);
+    }
+
+    /// Whether it can tell at all: from so far away that all boxes are within rounding of each
+    /// other, it cannot, nor where a number is infinite or NaN.
+    [[nodiscard]] bool certain() const { return certain_; }
+
+    /// Whether the ray meets none of the boxes, in whichever node.
+    [[nodiscard]] bool passes_by() const { return passes_by_; }
 
     struct Answer {
-        Node::Row near;  ///< the t at which the ray enters each box
+        Node::Row near;  ///< where the ray enters each box
         unsigned hits;   ///< one bit a box
     };
 
-    /// The boxes that the ray enters before limit, which is finite.
-    [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, Real limit) const {
-        const Lanes latest = all_lanes(limit);
+    /// The boxes that the ray enters before limit.
+    [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, float limit) const {
+        const Floats latest = all_floats(limit);
         const Node::Row near = {entry(node, 0), entry(node, 1)};
         return {.near = near,
                 .hits = bits(near[0] <= exit(node, 0, latest)) |
                         bits(near[1] <= exit(node, 1, latest)) << lane_count};
     }
 
-    /// A finite t before which the ray enters every box that it meets inside the interval. Finite,
-    /// as a ray beside a box and parallel to it enters the box at infinity.
-    [[nodiscard]] static Real limit(const Interval& interval) {
-        return std::min(interval.max * padding, std::numeric_limits<Real>::max());
+    /// The ray enters every box that it meets before t = max before this. It is finite, as a ray
+    /// beside a box and parallel to it enters the box at infinity.
+    [[nodiscard]] float limit(Real max) const {
+        // In this order not NaN.
+        return float(std::min(Real(8), (max - start_) * speed_)) * padding + slack_;
     }
 
 private:
-    /// A slab's t has three roundings, at its far end four: 1 + γ₃ + γ₄ (Ize 2013, §2).
-    static constexpr Real padding = 1 + 8 * unit_roundoff;
-    /// How far the rounded test of a shape may move a ray, relative to its reach: 8 u for the
-    /// watertight triangle, at most 4 u for the others.
-    static constexpr Real slack = 16 * unit_roundoff;
+    /// How far, relative to D + 1, a ray is moved by the rounded test of a shape, 8 u for the
+    /// watertight triangle and at most 4 u for the others, and by bringing it here, 5 u.
+    static constexpr Real rounding = 16 * unit_roundoff;
+    static constexpr float float_roundoff = 0x1p-24F;
+    /// No place is further than 6 from the middle, and it is rounded twice, by 4 u each time; boxes
+    /// are off by 2 u.
+    static constexpr float float_slack = 16 * float_roundoff;
+    /// A slab's time has four roundings, one more where the ray leaves: 1 + γ₄ + γ₅ (Ize 2013, §2).
+    static constexpr float padding = 1 + 12 * float_roundoff;
 
     /// The ray along one axis.
     struct Axis {
-        Lanes near_origin;
-        Lanes far_origin;
-        Lanes near_inverse;  ///< of the direction
-        Lanes far_inverse;   ///< the same, padded
+        Floats near_origin;
+        Floats far_origin;
+        Floats near_inverse;  ///< of the direction
+        Floats far_inverse;   ///< the same, padded
         std::size_t near_plane;
         std::size_t far_plane;
 
-        [[gnu::always_inline]] Axis(std::size_t axis, Real origin, Real direction, Real reach) {
-            const Real inverse = 1 / direction;
-            const Real forward = std::copysign(slack * reach, inverse);
-            near_origin = all_lanes(origin + forward);
-            far_origin = all_lanes(origin - forward);
-            near_inverse = all_lanes(inverse);
-            far_inverse = all_lanes(inverse * padding);
+        Axis() = default;
+
+        [[gnu::always_inline]] Axis(std::size_t axis, Real place, Real inverse_direction,
+                                    float slack) {
+            const auto inverse = float(inverse_direction);
+            const float forward = std::copysign(slack, inverse);
+            near_origin = all_floats(float(place) + forward);
+            far_origin = all_floats(float(place) - forward);
+            near_inverse = all_floats(inverse);
+            far_inverse = all_floats(inverse * padding);
             const auto backward = std::size_t(std::signbit(inverse));
             near_plane = (2 * axis + backward) * sizeof(Node::Row);
             far_plane = (2 * axis + 1 - backward) * sizeof(Node::Row);
         }
 
-        [[nodiscard, gnu::always_inline]] Lanes near(const Node& node, std::size_t half) const {
+        [[nodiscard, gnu::always_inline]] Floats near(const Node& node, std::size_t half) const {
             return (plane(node, near_plane, half) - near_origin) * near_inverse;
         }
 
-        [[nodiscard, gnu::always_inline]] Lanes far(const Node& node, std::size_t half) const {
+        [[nodiscard, gnu::always_inline]] Floats far(const Node& node, std::size_t half) const {
             return (plane(node, far_plane, half) - far_origin) * far_inverse;
         }
     };
 
     /// A row by its place in bytes: making that from an index would take as long as the test.
-    [[nodiscard, gnu::always_inline]] static Lanes plane(const Node& node, std::size_t row,
-                                                         std::size_t half) {
-        Lanes lanes;
-        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + half * sizeof(Lanes),
+    [[nodiscard, gnu::always_inline]] static Floats plane(const Node& node, std::size_t row,
+                                                          std::size_t half) {
+        Floats lanes;
+        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + half * sizeof(Floats),
                     sizeof lanes);
         return lanes;
     }
 
     // Where the ray runs in a box's face, 0 · ∞ is NaN: in this order it only drops a condition.
 
-    [[nodiscard, gnu::always_inline]] Lanes entry(const Node& node, std::size_t half) const {
-        return max(max(x_.near(node, half), y_.near(node, half)), max(z_.near(node, half), min_));
+    [[nodiscard, gnu::always_inline]] Floats entry(const Node& node, std::size_t half) const {
+        return max(max(x_.near(node, half), y_.near(node, half)),
+                   max(z_.near(node, half), all_floats(0)));
     }
 
-    [[nodiscard, gnu::always_inline]] Lanes exit(const Node& node, std::size_t half,
-                                                 Lanes latest) const {
+    [[nodiscard, gnu::always_inline]] Floats exit(const Node& node, std::size_t half,
+                                                  Floats latest) const {
         return min(min(x_.far(node, half), y_.far(node, half)), min(z_.far(node, half), latest));
     }
 
-    Lanes min_;
+    Real start_ = 0;  ///< the t of the place
+    Real speed_;      ///< by how much distance grows with t
+    float slack_;     ///< how far the ray may be from where it is taken to be
+    bool certain_;
+    bool passes_by_ = false;
     Axis x_;
     Axis y_;
     Axis z_;

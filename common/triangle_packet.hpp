@@ -59,12 +59,12 @@ public:
         const Lanes beta = c.x * a.y - c.y * a.x;
         const Lanes gamma = a.x * b.y - a.y * b.x;
         const Lanes zero = all_lanes(0);
-        const Mask left = zero <= min(min(alpha, beta), gamma);
-        const Mask right = max(max(alpha, beta), gamma) <= zero;
+        const auto left = zero <= min(min(alpha, beta), gamma);
+        const auto right = max(max(alpha, beta), gamma) <= zero;
         const Lanes t =
             (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
         // NaN must miss: t is, where an area is or all three are 0.
-        const Mask inside = (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
+        const auto inside = (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
         return {.areas = {alpha, beta, gamma}, .t = t, .hits = bits((left | right) & inside)};
     }
 

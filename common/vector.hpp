@@ -12,8 +12,8 @@ namespace rt {
 
 /// |x|, |y| or |z|, whichever is largest.
 [[nodiscard]] inline Real largest_component(Vec3 v) {
-    const Vec3 size = glm::abs(v);
-    return glm::max(size.x, glm::max(size.y, size.z));
+    // Not glm::abs, which is a branch for each.
+    return glm::max(std::fabs(v.x), glm::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
 /// The largest power of two that is not above a positive number: a unit to compute in, since a

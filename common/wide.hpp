@@ -27,94 +27,127 @@ namespace rt::inline RT_PRECISION {
 
 /// What four lanes are made of: one number, or the 16 bytes that every machine's vectors hold.
 namespace lane_parts {
-using scalar_lanes = Real;
+template <class Number>
+struct scalar_lanes {
+    using Part = Number;
+    using Mask = int;
+};
 #ifdef __GNUC__
-using vector_lanes = Real __attribute__((vector_size(16)));
+template <class Number>
+struct vector_lanes {
+    typedef Number Part __attribute__((vector_size(16)));
+    using Mask = decltype(Part{} < Part{});
+};
 #endif
 }  // namespace lane_parts
 
 inline namespace RT_LANES {
 
-using LanePart = lane_parts::RT_LANES;
-using LaneMask =
-    std::conditional_t<std::is_same_v<LanePart, Real>, int, decltype(LanePart{} < LanePart{})>;
+template <class Number>
+using LanePart = typename lane_parts::RT_LANES<Number>::Part;
+template <class Number>
+using LaneMask = typename lane_parts::RT_LANES<Number>::Mask;
 
 inline constexpr std::size_t lane_count = 4;
-inline constexpr std::size_t lane_part_count = lane_count * sizeof(Real) / sizeof(LanePart);
+template <class Number>
+inline constexpr std::size_t lane_part_count = lane_count * sizeof(Number) /
+                                               sizeof(LanePart<Number>);
 
 /// op(0), op(1), … for every part. Written out: a loop over two parts would keep them in memory.
-template <class Result, class Op>
-[[nodiscard]] inline Result each_part(Op op) {
-    if constexpr (lane_part_count == 1) return Result{{op(0)}};
-    if constexpr (lane_part_count == 2) return Result{{op(0), op(1)}};
-    if constexpr (lane_part_count == 4) return Result{{op(0), op(1), op(2), op(3)}};
+template <class Number, template <class> class Result, class Op>
+[[nodiscard]] inline Result<Number> each_part(Op op) {
+    if constexpr (lane_part_count<Number> == 1) return {{op(0)}};
+    if constexpr (lane_part_count<Number> == 2) return {{op(0), op(1)}};
+    if constexpr (lane_part_count<Number> == 4) return {{op(0), op(1), op(2), op(3)}};
 }
 
 /// What a comparison says of each lane.
-struct Mask {
-    std::array<LaneMask, lane_part_count> parts;
+template <class Number>
+struct MaskOf {
+    std::array<LaneMask<Number>, lane_part_count<Number>> parts;
 };
 
 /// Four numbers that every operation treats alike.
-struct alignas(16) Lanes {
-    std::array<LanePart, lane_part_count> parts;
+template <class Number>
+struct alignas(16) LanesOf {
+    std::array<LanePart<Number>, lane_part_count<Number>> parts;
 };
+
+using Lanes = LanesOf<Real>;
+using Floats = LanesOf<float>;  ///< in either precision
 
 /// The same number four times.
 [[nodiscard]] inline Lanes all_lanes(Real value) {
-    return each_part<Lanes>([value](std::size_t) { return value - LanePart{}; });
+    return each_part<Real, LanesOf>([value](std::size_t) { return value - LanePart<Real>{}; });
 }
 
-[[nodiscard]] inline Lanes lanes_of(const std::array<Real, lane_count>& values) {
-    return std::bit_cast<Lanes>(values);
+[[nodiscard]] inline Floats all_floats(float value) {
+    return each_part<float, LanesOf>([value](std::size_t) { return value - LanePart<float>{}; });
 }
 
-[[nodiscard]] inline std::array<Real, lane_count> values(Lanes lanes) {
-    return std::bit_cast<std::array<Real, lane_count>>(lanes);
+[[nodiscard]] inline Floats floats_of(const std::array<float, lane_count>& values) {
+    return std::bit_cast<Floats>(values);
 }
 
-[[nodiscard]] inline Lanes operator+(Lanes a, Lanes b) {
-    return each_part<Lanes>([&](std::size_t i) { return a.parts[i] + b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline std::array<Number, lane_count> values(LanesOf<Number> lanes) {
+    return std::bit_cast<std::array<Number, lane_count>>(lanes);
 }
 
-[[nodiscard]] inline Lanes operator-(Lanes a, Lanes b) {
-    return each_part<Lanes>([&](std::size_t i) { return a.parts[i] - b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> operator+(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] + b.parts[i]; });
 }
 
-[[nodiscard]] inline Lanes operator*(Lanes a, Lanes b) {
-    return each_part<Lanes>([&](std::size_t i) { return a.parts[i] * b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> operator-(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] - b.parts[i]; });
 }
 
-[[nodiscard]] inline Lanes operator/(Lanes a, Lanes b) {
-    return each_part<Lanes>([&](std::size_t i) { return a.parts[i] / b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> operator*(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] * b.parts[i]; });
+}
+
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> operator/(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] / b.parts[i]; });
 }
 
 /// The smaller of each pair; b's, where either is NaN.
-[[nodiscard]] inline Lanes min(Lanes a, Lanes b) {
-    return each_part<Lanes>(
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> min(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>(
         [&](std::size_t i) { return a.parts[i] < b.parts[i] ? a.parts[i] : b.parts[i]; });
 }
 
 /// The larger of each pair; b's, where either is NaN.
-[[nodiscard]] inline Lanes max(Lanes a, Lanes b) {
-    return each_part<Lanes>(
+template <class Number>
+[[nodiscard]] inline LanesOf<Number> max(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, LanesOf>(
         [&](std::size_t i) { return a.parts[i] > b.parts[i] ? a.parts[i] : b.parts[i]; });
 }
 
-[[nodiscard]] inline Mask operator<(Lanes a, Lanes b) {
-    return each_part<Mask>([&](std::size_t i) { return a.parts[i] < b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline MaskOf<Number> operator<(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, MaskOf>([&](std::size_t i) { return a.parts[i] < b.parts[i]; });
 }
 
-[[nodiscard]] inline Mask operator<=(Lanes a, Lanes b) {
-    return each_part<Mask>([&](std::size_t i) { return a.parts[i] <= b.parts[i]; });
+template <class Number>
+[[nodiscard]] inline MaskOf<Number> operator<=(LanesOf<Number> a, LanesOf<Number> b) {
+    return each_part<Number, MaskOf>([&](std::size_t i) { return a.parts[i] <= b.parts[i]; });
 }
 
-[[nodiscard]] inline Mask operator&(Mask a, Mask b) {
-    return each_part<Mask>([&](std::size_t i) { return LaneMask(a.parts[i] & b.parts[i]); });
+template <class Number>
+[[nodiscard]] inline MaskOf<Number> operator&(MaskOf<Number> a, MaskOf<Number> b) {
+    return each_part<Number, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number>(a.parts[i] & b.parts[i]); });
 }
 
-[[nodiscard]] inline Mask operator|(Mask a, Mask b) {
-    return each_part<Mask>([&](std::size_t i) { return LaneMask(a.parts[i] | b.parts[i]); });
+template <class Number>
+[[nodiscard]] inline MaskOf<Number> operator|(MaskOf<Number> a, MaskOf<Number> b) {
+    return each_part<Number, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number>(a.parts[i] | b.parts[i]); });
 }
 
 /// One bit a lane, the first lane's lowest.
@@ -134,23 +167,23 @@ struct alignas(16) Lanes {
 }
 #endif
 
-template <class Part>
-[[nodiscard]] inline unsigned bits(const std::array<Part, lane_part_count>& parts) {
-    unsigned result = 0;
+template <class Number>
+[[nodiscard]] inline unsigned bits(MaskOf<Number> mask) {
+    if constexpr (std::is_same_v<LaneMask<Number>, int>) {
+        return bits(mask.parts);
+    } else {
+        unsigned result = 0;
 #ifdef __SSE2__
-    for (std::size_t i = 0; i < lane_part_count; ++i)
-        result |= sign_bits(std::bit_cast<LanePart>(parts[i]))
-                  << (i * lane_count / lane_part_count);
+        for (std::size_t i = 0; i < mask.parts.size(); ++i)
+            result |= sign_bits(std::bit_cast<LanePart<Number>>(mask.parts[i]))
+                      << (i * lane_count / mask.parts.size());
 #else
-    using Word = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    const auto words = std::bit_cast<std::array<Word, lane_count>>(parts);
-    for (std::size_t i = 0; i < lane_count; ++i) result |= unsigned(words[i] & 1) << i;
+        using Word = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
+        const auto words = std::bit_cast<std::array<Word, lane_count>>(mask.parts);
+        for (std::size_t i = 0; i < lane_count; ++i) result |= unsigned(words[i] & 1) << i;
 #endif
-    return result;
-}
-
-[[nodiscard]] inline unsigned bits(Mask mask) {
-    return bits(mask.parts);
+        return result;
+    }
 }
 
 }  // namespace RT_LANES

@@ -445,8 +445,9 @@ TEST_CASE("a ray along the faces of boxes meets them (contract)") {
 }
 
 TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
-    // Whole numbers: the ray passes through the corner exactly, and often through nothing else of
-    // the box. Rounded slabs without padding miss it two times in a hundred.
+    // Whole numbers, times a power of two: the ray passes through the corner exactly, and often
+    // through nothing else of the box. It comes from near or far, at any scale. Rounded slabs
+    // without padding miss it two times in a hundred.
     const auto whole_point = [](Random& random, int reach) {
         const auto whole = [&] { return Real(random.below(2 * reach + 1) - reach); };
         return Vec3(whole(), whole(), whole());
@@ -464,8 +465,11 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
                 if (random.coin()) corner[axis] = boxes[target].max[axis];
             const Vec3 direction = whole_point(random, 9);
             if (direction == Vec3(0)) return Verdict{};
-            const Ray ray{.origin = corner - Real(1 + random.below(64)) * direction,
-                          .direction = direction};
+            const Real steps = Real(1 + random.below(1 << random.below(18)));
+            const Real scale = std::ldexp(Real(1), random.below(121) - 60);
+            for (Box& box : boxes) box = {.min = scale * box.min, .max = scale * box.max};
+            const Ray ray{.origin = scale * (corner - steps * direction),
+                          .direction = std::ldexp(Real(1), random.below(41) - 20) * direction};
             return verdict(visited(Hierarchy(boxes), ray, {}).count(target) == 1,
                            code(ray) + " misses the box from " + text(boxes[target].min) + " to " +
                                text(boxes[target].max) + " whose corner it passes through");

@@ -11,8 +11,8 @@ namespace rt {
 
 Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     const Vec3 away = from - light.position;
-    const Vec3 axis = unit(away);
-    const Real distance = dot(away, axis);  // as length(away), but no square over- or underflows
+    const auto [x, y, z] = basis_around(away);
+    const Real distance = dot(away, z);  // as length(away), but no square over- or underflows
     // NaN, where the point is the light's own centre, is inside too.
     if (!(light.radius > 0) || !(distance > light.radius)) return light.position;
 
@@ -21,13 +21,14 @@ Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     // Jakob, Humphreys 2023, §6.2.4).
     const Real sine_max = light.radius / distance;
     const Real cosine_max = std::sqrt((1 - sine_max) * (1 + sine_max));
-    const Real one_minus_cosine = sample.x * sine_max * sine_max / (1 + cosine_max);
+    const Real share = sample.x / (1 + cosine_max);
+    const Real one_minus_cosine = share * sine_max * sine_max;
     const Real cosine = 1 - one_minus_cosine;
 
     // Where the direction enters the sphere it makes an angle with the normal whose sine is
     // sine / sine_max, by the law of sines. Seen from the light's centre, the place is off the axis
     // by what that angle exceeds the direction's.
-    const Real slant_sine_squared = sample.x * (2 - one_minus_cosine) / (1 + cosine_max);
+    const Real slant_sine_squared = share * (2 - one_minus_cosine);
     const Real slant_sine = std::sqrt(slant_sine_squared);
     const Real slant_cosine = std::sqrt(std::max(1 - slant_sine_squared, Real(0)));
     const Real sine = slant_sine * sine_max;
@@ -35,7 +36,6 @@ Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     const Real polar_cosine = slant_cosine * cosine + slant_sine * sine;
 
     const Real turn = 2 * pi * sample.y;
-    const auto [x, y, z] = basis_around(axis);
     return light.position + light.radius * (polar_sine * std::cos(turn) * x +
                                             polar_sine * std::sin(turn) * y + polar_cosine * z);
 }
