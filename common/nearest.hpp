@@ -60,7 +60,9 @@ public:
     /// The nearest of everything looked through so far, or nothing.
     [[nodiscard]] std::optional<Hit> hit() const {
         if (winner_ == nullptr) return std::nullopt;
-        return describe_(*this);
+        const Hit hit = describe_(*this);
+        if (story_ != nullptr) tell_hit(*story_, hit.point, hit.normal);
+        return hit;
     }
 
 private:

@@ -58,6 +58,9 @@ std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c);
 void tell_screen(Story& story, Pixel pixel, Resolution resolution, Real vertical_fov);
 void tell_basis(Story& story, const Camera& camera);
 
+/// The nearest hit: its point, and what the stage's `normal` answers there.
+void tell_hit(Story& story, Vec3 point, Vec3 normal);
+
 /// What `intersect` answered for one shape, after the quantities that explain it.
 template <class Shape>
 void tell_candidate(Story& story, const Ray& ray, const Shape& shape, Interval interval,

@@ -15,6 +15,7 @@ std::string field(const char* name, const std::string& value) {
 }  // namespace
 
 std::string text(Real value) {
+    if (std::isnan(value)) return "nan";  // whose sign tells nothing
     std::array<char, 64> buffer{};
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), end};

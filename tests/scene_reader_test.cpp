@@ -337,3 +337,11 @@ TEST_CASE("of several R or A the last counts in lenient reading; cameras all sta
               "scene.rt:6:1: warning: a second \"C\": expected one; "
               "all are kept, and pictures use the first"});
 }
+
+TEST_CASE("a scene's square has the basis of stage 2 around its normal (MRT §6)") {
+    const Scene scene = strict("C 0,0,5 0,0,-1 60\nsq 0,0,0 0.6,0,0.8 2 255,255,255\n");
+    const Square& square = scene.squares.at(0).shape;
+    CHECK(gives("X", square.basis.x, Vec3(Real(0.8), 0, Real(-0.6))));
+    CHECK(gives("Y", square.basis.y, Vec3(0, 1, 0)));
+    CHECK(gives("Z", square.basis.z, Vec3(Real(0.6), 0, Real(0.8))));
+}

@@ -117,6 +117,9 @@ TEST_CASE("each component is within 10 u of the exact one (contract)") {
 }
 
 TEST_CASE("the camera's basis is that around the opposite direction (MRT §2, Z = -c)") {
+    CHECK(basis_is(
+        {Real(0.6), 0, Real(-0.8)},
+        {.x = {Real(0.8), 0, Real(0.6)}, .y = {0, 1, 0}, .z = {Real(-0.6), 0, Real(0.8)}}));
     CHECK(for_all([](Random& random) {
         const Vec3 direction = draw_direction(random);
         const auto& [x, y, z] = basis_around(-direction);

@@ -152,6 +152,7 @@ TEST_CASE("the torch lights by the cosine between normal and eye (M1)") {
     CHECK(close(torch(point, {1, 0, 0}, eye), 0));
     CHECK(close(torch(point, {0, 0, -1}, eye), 0));
     CHECK(close(torch(point, {0, 0, 1}, Vec3(4, 1, 5)), Real(0.8)));
+    CHECK(torch(point, {0, 0, 1}, point) == 0);  // no direction, hence no angle
 }
 
 TEST_CASE("the picture of the stage (HAI; CR §2.2)") {

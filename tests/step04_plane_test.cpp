@@ -35,6 +35,16 @@ TEST_CASE("a plane is met from either side (MRT §4)") {
     CHECK(hits(Ray{.origin = {0, 3, 0}, .direction = {1, -1, 1}}, ground, 3));
 }
 
+TEST_CASE("a plane across any axis is met (MRT §4)") {
+    const Vec3 point(1, 2, 3);
+    const Vec3 direction(2, -1, 4);
+    for (int axis = 0; axis < 3; ++axis) {
+        Plane plane{.point = point, .normal = Vec3(0)};
+        plane.normal[axis] = 3;
+        CHECK(hits(Ray{.origin = point - Real(5) * direction, .direction = direction}, plane, 5));
+    }
+}
+
 TEST_CASE("any point of the plane will do (MRT §4)") {
     const Ray ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
     CHECK(hits(ray, Plane{.point = {7, 1, -9}, .normal = {0, 1, 0}}, 4));

@@ -53,6 +53,7 @@ TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)
 }
 
 TEST_CASE("each half-plane is asked (MRT §5)") {
+    CHECK(hits(down_at(1, 2), right_angled, 2));
     // Just outside one edge, well inside the other two.
     CHECK(misses(down_at(1, Real(-0.125)), right_angled));
     CHECK(misses(down_at(Real(2.125), 2), right_angled));
@@ -66,12 +67,27 @@ TEST_CASE("it is met from either side, whichever way its corners turn (MRT §5)"
     CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, turned, 3));
 }
 
+TEST_CASE("it is met along any direction, some of it zero (MRT §5)") {
+    // On x + y + z = 3, around (1, 1, 1).
+    const Triangle leaning{.a = {3, 0, 0}, .b = {0, 3, 0}, .c = {0, 0, 3}};
+    for (int i = 0; i < 125; ++i) {
+        const Vec3 direction(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2);
+        if (direction.x + direction.y + direction.z == 0) continue;  // along the plane
+        CHECK(
+            hits(Ray{.origin = Vec3(1) - Real(2) * direction, .direction = direction}, leaning, 2));
+    }
+}
+
 TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)") {
     const Triangle other{.a = {4, 4, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
     CHECK(hits(down_at(2, 2), right_angled, 2));
     CHECK(hits(down_at(2, 2), other, 2));
     CHECK(hits(down_at(2, 0), right_angled, 2));
     CHECK(hits(down_at(0, 2), right_angled, 2));
+    const Triangle turned{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
+    CHECK(hits(down_at(2, 2), turned, 2));
+    CHECK(hits(down_at(2, 0), turned, 2));
+    CHECK(hits(down_at(0, 2), turned, 2));
 }
 
 TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)") {

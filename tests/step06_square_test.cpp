@@ -1,11 +1,12 @@
 // Stage 6 against MRT §6, HAI and CR §2.3–2.4.
-#include "common/scene_reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step06_square/square.hpp"
 
 #include "tests/kit/picture.hpp"
 #include "tests/kit/shape_checks.hpp"
+
+#include "common/scene_reader.hpp"
 
 using namespace rt;
 
@@ -72,14 +73,6 @@ TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
         .center = {0, 0, 0}, .basis = {.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}}, .side = 4};
     CHECK(hits(Ray{.origin = {3, 1, Real(1.5)}, .direction = {-1, 0, 0}}, upright, 3));
     CHECK(misses(Ray{.origin = {3, 1, Real(2.5)}, .direction = {-1, 0, 0}}, upright));
-}
-
-TEST_CASE("a scene's square has the basis of stage 2 around its normal (MRT §6)") {
-    const Scene scene = parse_scene("C 0,0,5 0,0,-1 60\nsq 0,0,0 0.6,0,0.8 2 255,255,255\n", "");
-    const Square& square = scene.squares.at(0).shape;
-    CHECK(gives("X", square.basis.x, Vec3(Real(0.8), 0, Real(-0.6))));
-    CHECK(gives("Y", square.basis.y, Vec3(0, 1, 0)));
-    CHECK(gives("Z", square.basis.z, Vec3(Real(0.6), 0, Real(0.8))));
 }
 
 TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {

@@ -79,6 +79,8 @@ TEST_CASE("there are no caps (MRT §7)") {
     // In through the top, out through the bottom, never near the side.
     CHECK(misses(Ray{.origin = {1, 9, 0}, .direction = {0, -1, 0}}, upright));
     CHECK(misses(Ray{.origin = {-1, 8, 0}, .direction = {1, -8, 0}}, upright));
+    // In through the top, and against the side from inside.
+    CHECK(hits(Ray{.origin = {-5, 8, 0}, .direction = {1, -1, 0}}, upright, 7));
 }
 
 TEST_CASE("a ray along the axis misses: a = 0 (erratum 6, MRT §7)") {

@@ -133,6 +133,12 @@ TEST_CASE("a ray along the axis meets nothing but the apex (MRT §8)") {
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, upward));
 }
 
+TEST_CASE("a ray that touches the side, or the apex, meets it (PHY, B² − 4AC = 0; 0 ≤ z_p)") {
+    // In the plane z = y, which touches the side along (0, 1, 1).
+    CHECK(hits(Ray{.origin = {-5, 2, 2}, .direction = {1, 0, 0}}, right_angled, 5));
+    CHECK(hits(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, right_angled, 5));
+}
+
 TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)") {
     CHECK(hits(Ray{.origin = {0, 4, 5}, .direction = {0, 0, -1}}, upward, 3));
 }

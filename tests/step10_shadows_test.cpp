@@ -127,6 +127,20 @@ Verdict no_acne_from_outside(Random& random, const Shape& shape, Vec3 aim, Vec3 
                    shape);
 }
 
+/// A lamp in a square around the centre sheds light on what lies the way behind it.
+Verdict lamp_is_not_shadowed(Random& random, Vec3 center, const Basis& basis, Vec3 way) {
+    const Square lamp_in{.center = center, .basis = basis, .side = 2};
+    const Vec3 across = random.between(Real(-0.9), Real(0.9)) * basis.x +
+                        random.between(Real(-0.9), Real(0.9)) * basis.y;
+    const Vec3 light = projected(lamp_in, center + across).point;
+    Surface surface = draw_surface(random, light - way);
+    if (dot(surface.side, way) < 0) {
+        surface.normal = -surface.normal;
+        surface.side = -surface.side;
+    }
+    return not_in_the_way(surface, light, lamp_in);
+}
+
 /// The colour seen along the ray, as main.cpp has it.
 Color colour(const Scene& scene, const Ray& ray) {
     Context context;
@@ -211,17 +225,15 @@ TEST_CASE("a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.
     CHECK(not_in_the_way(on_floor, Vec3(Real(0.3), 1, Real(-0.7)), ceiling));
     CHECK(for_all([](Random& random) {
         const Basis basis = random.basis();
-        const Square lamp_in{.center = random.point(3), .basis = basis, .side = 2};
-        const Vec3 across = random.between(Real(-0.9), Real(0.9)) * basis.x +
-                            random.between(Real(-0.9), Real(0.9)) * basis.y;
-        const Vec3 light = projected(lamp_in, lamp_in.center + across).point;
-        const Vec3 to_light = draw_leaving(random, basis.z, Real(0.5));
-        Surface surface = draw_surface(random, light - random.between(Real(0.5), 4) * to_light);
-        if (dot(surface.side, to_light) < 0) {
-            surface.normal = -surface.normal;
-            surface.side = -surface.side;
-        }
-        return not_in_the_way(surface, light, lamp_in);
+        const Vec3 way = random.between(Real(0.5), 4) * draw_leaving(random, basis.z, Real(0.5));
+        return lamp_is_not_shadowed(random, random.point(3), basis, way);
+    }));
+    CHECK(for_all([](Random& random) {
+        // Near the world's origin, where the light's own coordinates do not tell how far away the
+        // surface is, and how much is rounded there.
+        const Basis basis = random.basis();
+        const Vec3 way = random.between(100, 1000) * draw_leaving(random, basis.z, Real(0.5));
+        return lamp_is_not_shadowed(random, random.point(1), basis, way);
     }));
 }
 

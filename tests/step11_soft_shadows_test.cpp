@@ -364,6 +364,9 @@ TEST_CASE("the points are spread evenly over the solid angle that the light fill
 }
 
 TEST_CASE("they are spread around the light's centre, not beside it (CR §3.3, erratum 16)") {
+    CHECK(verdict(light_point(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
+                      light_point(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
+                  "Every sample is aimed at one point."));
     const auto property = [](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
@@ -430,6 +433,8 @@ TEST_CASE("just outside the light, the point is still on it (contract)") {
         const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
         for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
             const Vec3 came = light_point(above, from, {x, Real(0.25)});
+            if (x > 0 && above_surface > 0)
+                CHECK(came != light_point(above, from, {x, Real(0.75)}));
             const Real off = distance(came, above.position);  // its centre will do on the surface
             CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +
                                                         "\n  came:     " + text(came) +
@@ -526,6 +531,7 @@ TEST_CASE("the error is the same for free and blocked rays exchanged (contract)"
     for (const int reached : {0, 1, 5, 20, 32}) {
         const ShadowRays rays{.sent = 64, .reached = reached};
         const ShadowRays exchanged{.sent = 64, .reached = 64 - reached};
+        CHECK(share_error(rays) > 0);
         CHECK(is("share_error(" + code(rays) + ")", share_error(rays), share_error(exchanged),
                  "close(share_error(" + code(rays) + "), share_error(" + code(exchanged) + "))"));
     }
@@ -535,6 +541,7 @@ TEST_CASE("four times the rays halve the error at least, or nearly (contract)") 
     for (const int sent : {8, 32, 128, 512}) {
         const ShadowRays few{.sent = sent, .reached = sent / 4};
         const ShadowRays many{.sent = 4 * sent, .reached = sent};
+        CHECK(share_error(many) > 0);
         CHECK(verdict(share_error(many) <= Real(0.55) * share_error(few),
                       "share_error(" + code(many) + ")\n  came:     " + text(share_error(many)) +
                           "\n  expected: about half of share_error(" + code(few) + "), " +

@@ -30,12 +30,14 @@ endfunction()
 
 # raysteps_stage_suite(<stage>)
 #
-# The suite of a stage: the chosen one, on the reference of all the others.
+# The suite of a stage, and the student's own tests: the chosen one, on the reference of all the
+# others.
 function(raysteps_stage_suite stage)
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(TRANSFORM stages APPEND _reference)
     list(REMOVE_ITEM stages ${stage}_reference)
-    raysteps_suite(${stage} LABEL ${stage} SOURCES ${stage}_test.cpp
+    file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
+    raysteps_suite(${stage} LABEL ${stage} SOURCES ${stage}_test.cpp ${own_tests}
         STAGES ${stage} ${stage}_picture ${stages})
     if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
         raysteps_contract(${stage} ${stages})

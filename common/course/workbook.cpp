@@ -87,8 +87,9 @@ std::string Workbook::summary() const {
 
 std::string Workbook::fingerprint() const {
     std::uint64_t all = 0xcbf29ce484222325u;
-    for (const fs::path& file : files())
-        all = hash(read_text(file), hash(file.filename().string(), all));
+    for (const fs::path& folder : {folder_, folder_ / "tests"})
+        for (const fs::path& file : files_in(folder, ".cpp"))
+            all = hash(read_text(file), hash(file.filename().string(), all));
     std::ostringstream out;
     out << std::hex << all;
     return out.str();

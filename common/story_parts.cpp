@@ -20,4 +20,10 @@ std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c) {
     return roots;
 }
 
+void tell_hit(Story& story, Vec3 point, Vec3 normal) {
+    story.heading("The nearest hit");
+    story.line("p", text(point));
+    story.line("n", text(normal));
+}
+
 }  // namespace rt
