@@ -1,0 +1,193 @@
+#include "tests/mutation/mutants.hpp"
+
+#include "tests/mutation/exchanges.hpp"
+#include "tests/mutation/tokens.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace mutation {
+
+namespace {
+
+class Maker {
+public:
+    explicit Maker(std::string_view source) : source_(source), tokens_(tokens_of(source)) {}
+
+    std::vector<Mutant> made() {
+        for (int i = 0; i < size(); ++i) {
+            if (text(i) == "(") {
+                function_ = text(i - 1);
+                i = tokens_[i].partner;  // the parameters
+                if (text(i + 1) != "{") continue;
+                mutate(i + 2, tokens_[i + 1].partner);
+                i = tokens_[i + 1].partner;
+            } else if (text(i) == "=") {  // of a constant outside of functions
+                function_ = text(i - 1);
+                const int first = i + 1;
+                while (text(i) != ";") ++i;
+                mutate(first, i);
+            }
+        }
+        return std::move(mutants_);
+    }
+
+private:
+    [[nodiscard]] int size() const { return int(tokens_.size()); }
+    [[nodiscard]] std::string_view text(int i) const {
+        return i < size() ? tokens_[i].text : std::string_view();
+    }
+    [[nodiscard]] std::size_t start(int i) const {
+        return std::size_t(tokens_[i].text.data() - source_.data());
+    }
+    [[nodiscard]] std::size_t end(int i) const { return start(i) + tokens_[i].text.size(); }
+    /// The source of the tokens from first to last.
+    [[nodiscard]] std::string code(int first, int last) const {
+        return std::string(source_.substr(start(first), end(last) - start(first)));
+    }
+
+    void mutate(int first, int last) {
+        for (int i = first; i < last; ++i) {
+            if (tokens_[i].binary) change_operator(i);
+            if (text(i) == "?") change_condition(left_operand(i, 1), i - 1);
+            if (text(i) == "if") change_condition(i + 2, tokens_[i + 1].partner - 1);
+            if (!tokens_[i].binary && (text(i) == "-" || text(i) == "!")) put(i, i, "");
+            const bool of_type = text(i + 1) == ">" && !tokens_[i + 1].binary;
+            if (is_number(tokens_[i]) && !of_type)
+                for (const std::string& other : instead_of_number(text(i))) put(i, i, other);
+            if (is_name(tokens_[i]) && !designates(i)) change_name(i);
+            if (is_name(tokens_[i]) && text(i + 1) == "(") change_call(i);
+            if (among(text(i - 1), {";", "{", "}"})) leave_out_assignment(i);
+        }
+    }
+
+    void change_operator(int i) {
+        for (const std::string_view other : instead_of_operator(text(i)))
+            put(i, i, std::string(other));
+        if (!among(text(i), {"+", "-", "*", "/", "%", "&&", "||"})) return;
+        const int first = left_operand(i, binding(tokens_[i]));
+        const int last = right_operand(i, binding(tokens_[i]));
+        put(first, last, code(first, i - 1));
+        if (text(i) == "-") put(first, last, "-" + code(i + 1, last));
+        if (text(i) == "+" || text(i) == "-") put(first, i - 1, "-(" + code(first, i - 1) + ")");
+        if (among(text(i), {"+", "*", "&&", "||"})) put(first, last, code(i + 1, last));
+    }
+
+    void change_condition(int first, int last) {
+        put(first, last, "true");
+        put(first, last, "false");
+    }
+
+    void change_name(int i) {
+        for (const std::string_view other : instead_of_name(text(i))) put(i, i, std::string(other));
+        static const Words components = {"x", "y", "z"};
+        if (text(i - 1) != "." || !among(text(i), components)) return;
+        for (const std::string_view other : components)
+            if (other != text(i)) put(i, i, std::string(other));
+    }
+
+    /// Its arguments exchanged, or it left out and an argument taken as it is.
+    void change_call(int i) {
+        const bool of_type = std::isupper(static_cast<unsigned char>(text(i)[0])) != 0;
+        const bool declares = is_name(tokens_[i - 1]) && text(i - 1) != "return";
+        if (of_type || declares || text(i - 1) == "." ||
+            among(text(i), {"if", "for", "while", "return"}))
+            return;
+        const int close = tokens_[i + 1].partner;
+        const int first = text(i - 1) == "::" ? i - 2 : i;
+        std::vector<std::string> arguments;
+        for (int from = i + 2; from < close;) {
+            const int last = argument_end(from, close);
+            arguments.push_back(code(from, last));
+            from = last + 2;
+        }
+        if (arguments.size() > 2) return;
+        for (const std::string& argument : arguments) put(first, close, "(" + argument + ")");
+        if (arguments.size() == 2 && !among(text(i), {"dot", "min", "max", "swap"}))
+            put(i + 2, close - 1, arguments[1] + ", " + arguments[0]);
+    }
+
+    void leave_out_assignment(int i) {
+        if (!is_name(tokens_[i]) || !among(text(i + 1), {".", "->", "[", "="})) return;
+        int last = i;
+        while (text(last) != ";") ++last;
+        put(i, last, ";");
+    }
+
+    /// Whether the name stands as in {.name = …}.
+    [[nodiscard]] bool designates(int i) const {
+        return text(i - 1) == "." && text(i + 1) == "=" &&
+               (opens(tokens_[i - 2]) || text(i - 2) == ",");
+    }
+
+    [[nodiscard]] int argument_end(int from, int close) const {
+        int i = from;
+        while (i < close && text(i) != ",") i = opens(tokens_[i]) ? tokens_[i].partner + 1 : i + 1;
+        return i - 1;
+    }
+
+    /// Where the operand before an operator starts, of all that binds as strongly or more.
+    [[nodiscard]] int left_operand(int i, int bound) const {
+        int first = i;
+        while (true) {
+            const Token& token = tokens_[first - 1];
+            const int binds = binding(token);
+            if (opens(token) || ends_operand(token) || (binds > 0 && binds < bound)) return first;
+            first = closes(token) ? token.partner : first - 1;
+        }
+    }
+
+    /// Where the operand behind an operator ends, of all that binds more strongly.
+    [[nodiscard]] int right_operand(int i, int bound) const {
+        int last = i;
+        while (true) {
+            const Token& token = tokens_[last + 1];
+            const int binds = binding(token);
+            if (closes(token) || ends_operand(token) || (binds > 0 && binds <= bound)) return last;
+            last = opens(token) ? token.partner : last + 1;
+        }
+    }
+
+    /// A mutant with other text for the tokens from first to last.
+    void put(int first, int last, const std::string& other) {
+        const std::size_t from = start(first);
+        const std::size_t to = end(last);
+        Mutant mutant;
+        mutant.source = source_;
+        mutant.source.replace(from, to - from, other);
+        if (!seen_.insert(mutant.source).second) return;
+        mutant.line = 1 + int(std::count(source_.begin(), source_.begin() + from, '\n'));
+        mutant.function = function_;
+        mutant.before = lines(source_, from, to);
+        mutant.after = lines(mutant.source, from, from + other.size());
+        mutants_.push_back(mutant);
+    }
+
+    /// The lines that have these characters, without their comments.
+    static std::string lines(std::string_view source, std::size_t from, std::size_t to) {
+        from = source.rfind('\n', from) + 1;
+        to = source.find('\n', to);
+        std::istringstream rest{std::string(source.substr(from, to - from))};
+        std::string joined;
+        for (std::string line; std::getline(rest, line);) {
+            std::istringstream words(line.substr(0, line.find("//")));
+            for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
+        }
+        return joined;
+    }
+
+    std::string_view source_;
+    std::vector<Token> tokens_;
+    std::string function_;
+    std::vector<Mutant> mutants_;
+    std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::vector<Mutant> mutants_of(std::string_view source) {
+    return Maker(source).made();
+}
+
+}  // namespace mutation

@@ -1,0 +1,60 @@
+// Where mutants of a stage are compiled and judged by its suite. POSIX.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mutation {
+
+enum class Fate {
+    not_compiled,
+    same_code,  ///< it compiles to the reference's own code
+    killed,
+    survived,
+};
+
+struct Outcome {
+    Fate fate;
+    std::vector<std::string> killers;  ///< the cases that failed: the first one, or all
+};
+
+/// A stage's suites stand ready, linked but for the stage's library. Each mutant becomes that
+/// library.
+class Workshop {
+public:
+    /// Throws std::runtime_error if the reference does not pass.
+    Workshop(const std::string& stage, const std::string& reference, bool every_case);
+    Workshop(const Workshop&) = delete;
+    Workshop& operator=(const Workshop&) = delete;
+    ~Workshop();
+
+    /// What the suite of double makes of a source and, where it finds nothing, the one of float.
+    [[nodiscard]] Outcome judge(const std::string& source) const;
+
+    /// The suite's cases, by name.
+    [[nodiscard]] const std::vector<std::string>& cases() const { return cases_; }
+
+private:
+    struct Precision {
+        std::filesystem::path options;    ///< the compiler's
+        std::filesystem::path prelude;    ///< what the source includes, compiled once
+        std::filesystem::path library;    ///< what is judged
+        std::filesystem::path suite;      ///< the program that judges it
+        std::string code_of_reference{};  ///< the library's
+    };
+
+    void prepare(Precision& precision, const std::string& reference);
+    [[nodiscard]] bool compile(const Precision& precision, const std::string& source) const;
+    [[nodiscard]] Outcome judge(const Precision& precision, const std::string& source) const;
+
+    std::filesystem::path work_;  ///< this process' own
+    std::filesystem::path source_;
+    std::filesystem::path report_;
+    std::vector<Precision> precisions_;
+    std::vector<std::string> suite_options_;
+    std::vector<std::string> cases_;
+    int seconds_ = 60;  ///< of the processor that a suite may take
+};
+
+}  // namespace mutation
