@@ -34,18 +34,40 @@ struct Outcome {
     [[nodiscard]] bool passed() const { return in_double.passed && in_float.passed; }
 };
 
-/// Both suites' cases, in the order of the suite. One that a crash has kept from being asked has
-/// not passed.
-std::vector<Outcome> outcomes(const SuiteResult& in_double, const SuiteResult& in_float) {
-    std::vector<Outcome> all;
-    const auto& most =
-        in_double.cases.size() >= in_float.cases.size() ? in_double.cases : in_float.cases;
-    const auto at = [](const SuiteResult& suite, std::size_t i, const std::string& name) {
-        return i < suite.cases.size() ? suite.cases[i] : CaseResult{.name = name};
-    };
-    for (std::size_t i = 0; i < most.size(); ++i)
-        all.push_back({at(in_double, i, most[i].name), at(in_float, i, most[i].name)});
-    return all;
+/// What both suites say.
+struct Judgement {
+    SuiteResult in_double;
+    SuiteResult in_float;
+    std::vector<Outcome> outcomes;  ///< in the order of the suite
+
+    [[nodiscard]] bool ended() const { return in_double.ended.empty() && in_float.ended.empty(); }
+    [[nodiscard]] int passed() const {
+        return int(std::count_if(outcomes.begin(), outcomes.end(),
+                                 [](const Outcome& outcome) { return outcome.passed(); }));
+    }
+    [[nodiscard]] bool right() const {
+        return ended() && !outcomes.empty() && passed() == int(outcomes.size());
+    }
+    [[nodiscard]] bool written() const {
+        return in_double.output.find("is not written yet") == std::string::npos;
+    }
+};
+
+/// Runs both suites beside one another. A case that a crash has kept from being asked has not
+/// passed.
+Judgement judge(const std::string& name) {
+    std::future<SuiteResult> beside =
+        std::async(std::launch::async, [&name] { return run_suite(name + "_test_float"); });
+    Judgement judgement{.in_double = run_suite(name + "_test_double")};
+    judgement.in_float = beside.get();
+    const auto& doubles = judgement.in_double.cases;
+    const auto& floats = judgement.in_float.cases;
+    for (std::size_t i = 0; i < std::max(doubles.size(), floats.size()); ++i) {
+        const std::string& asked = i < doubles.size() ? doubles[i].name : floats[i].name;
+        judgement.outcomes.push_back({i < doubles.size() ? doubles[i] : CaseResult{.name = asked},
+                                      i < floats.size() ? floats[i] : CaseResult{.name = asked}});
+    }
+    return judgement;
 }
 
 std::string now() {
@@ -70,11 +92,15 @@ void show_output(const SuiteResult& suite) {
     if (!seen.empty()) std::puts("");
 }
 
-void explain_failure(const Outcome& first, const SuiteResult& in_double,
-                     const SuiteResult& in_float) {
-    const bool float_only = first.in_double.passed;
-    const CaseResult& failed = float_only ? first.in_float : first.in_double;
-    const SuiteResult& suite = float_only ? in_float : in_double;
+/// Explains the first failure, if there is one.
+void explain_failure(const Judgement& judgement) {
+    const auto& outcomes = judgement.outcomes;
+    const auto first = std::find_if(outcomes.begin(), outcomes.end(),
+                                    [](const Outcome& outcome) { return !outcome.passed(); });
+    if (first == outcomes.end()) return;
+    const bool float_only = first->in_double.passed;
+    const CaseResult& failed = float_only ? first->in_float : first->in_double;
+    const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
     std::printf("\n%s%s\n", painted(failed.name, Paint::bold).c_str(),
                 float_only ? "  (in float only)" : "");
     for (const std::string& line : lines_of(failed.failure)) std::printf("    %s\n", line.c_str());
@@ -114,6 +140,27 @@ void show_cases(const std::vector<Outcome>& all) {
                                 : painted("  ✗ " + outcome.in_double.name, Paint::bad).c_str());
 }
 
+void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
+    Record record = workbook.record();
+    record.checked = now();
+    record.passed = judgement.passed();
+    record.cases = int(judgement.outcomes.size()) + (judgement.ended() ? 0 : 1);
+    record.checked_files = files;
+    workbook.remember(record);
+}
+
+void show_count(const Judgement& judgement, int stage) {
+    const std::string count = std::to_string(judgement.passed()) + " of " +
+                              std::to_string(judgement.outcomes.size()) +
+                              " cases pass, in float and double";
+    std::printf("\n%s: %s\n", painted(std::string(stage_name(stage)), Paint::bold).c_str(),
+                painted(count, judgement.right() ? Paint::good : Paint::bad).c_str());
+    if (!judgement.right())
+        std::printf("Stuck? ./course hint %d\n", stage);
+    else if (stage < int(stage_names.size()))
+        std::printf("Next: ./course start %d\n", stage + 1);
+}
+
 }  // namespace
 
 int check(int stage) {
@@ -128,40 +175,17 @@ int check(int stage) {
         return 1;
     }
     const std::string files = workbook.fingerprint();
-    std::future<SuiteResult> beside =
-        std::async(std::launch::async, [&name] { return run_suite(name + "_test_float"); });
-    const SuiteResult in_double = run_suite(name + "_test_double");
-    const SuiteResult in_float = beside.get();
+    const Judgement judgement = judge(name);
+    remember(judgement, files, workbook);
 
-    const std::vector<Outcome> all = outcomes(in_double, in_float);
-    const auto passed = std::count_if(all.begin(), all.end(),
-                                      [](const Outcome& outcome) { return outcome.passed(); });
-    const bool ended = in_double.ended.empty() && in_float.ended.empty();
-    const bool right = ended && !all.empty() && passed == std::ptrdiff_t(all.size());
-    Record record = workbook.record();
-    record.checked = now();
-    record.passed = int(passed);
-    record.cases = int(all.size()) + (ended ? 0 : 1);
-    record.checked_files = files;
-    workbook.remember(record);
-
-    show_output(in_double);
-    show_cases(all);
+    show_output(judgement.in_double);
+    show_cases(judgement.outcomes);
     std::fputs(first_warning(built.output).c_str(), stdout);
-    const auto first = std::find_if(all.begin(), all.end(),
-                                    [](const Outcome& outcome) { return !outcome.passed(); });
-    if (first != all.end()) explain_failure(*first, in_double, in_float);
-    if (ended) show_picture(stage);
-    const bool written = in_double.output.find("is not written yet") == std::string::npos;
-    if (ended && !right && written) show_diagnosis(stage);
-    const std::string count = std::to_string(passed) + " of " + std::to_string(all.size()) +
-                              " cases pass, in float and double";
-    std::printf("\n%s: %s\n", painted(name, Paint::bold).c_str(),
-                painted(count, right ? Paint::good : Paint::bad).c_str());
-    if (right && stage < int(stage_names.size()))
-        std::printf("Next: ./course start %d\n", stage + 1);
-    if (!right) std::printf("Stuck? ./course hint %d\n", stage);
-    return right ? 0 : 1;
+    explain_failure(judgement);
+    if (judgement.ended()) show_picture(stage);
+    if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);
+    show_count(judgement, stage);
+    return judgement.right() ? 0 : 1;
 }
 
 void watch(int stage) {

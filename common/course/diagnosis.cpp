@@ -28,11 +28,11 @@ void show_diagnosis(int stage) {
     const std::filesystem::path drawing = project_folder / slice;
     std::error_code none;
     std::filesystem::remove(drawing, none);
-    const Ending ending = listen_to(
-        {program("diagnose"),
-         (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
-         program(student), program(reference), drawing.string()},
-        time_limit);
+    const Ending ending =
+        listen_to({program("diagnose"),
+                   (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
+                   program(student), program(reference), drawing.string()},
+                  time_limit);
     if (ending.out_of_time || ending.status != 1) return;
     std::puts("");
     for (const std::string& line : lines_of(ending.output)) {

@@ -8,11 +8,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <functional>
+#include <thread>
 
 extern char** environ;
 
@@ -22,9 +25,12 @@ namespace {
 
 constexpr std::size_t most_output = 64 * 1024;
 constexpr int signalled = 128;
+constexpr int milliseconds_between_looks = 10;
+
+enum class Group { ours, its_own };
 
 /// Starts the program; `output` takes both its streams, unless it is -1.
-pid_t start(const Command& command, int output) {
+pid_t start(const Command& command, int output, Group group) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -34,7 +40,9 @@ pid_t start(const Command& command, int output) {
     sigemptyset(&interrupt);
     sigaddset(&interrupt, SIGINT);
     posix_spawnattr_setsigdefault(&attributes, &interrupt);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    short flags = POSIX_SPAWN_SETSIGDEF;
+    if (group == Group::its_own) flags |= POSIX_SPAWN_SETPGROUP;
+    posix_spawnattr_setflags(&attributes, flags);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     if (output != -1) {
@@ -51,6 +59,19 @@ pid_t start(const Command& command, int output) {
     return process;
 }
 
+/// Keeps what comes from the program, until it closes the pipe or is `given_up`.
+void listen(int ear, const std::function<bool()>& given_up, std::string& output) {
+    std::array<char, 4096> heard{};
+    while (!given_up()) {
+        pollfd question{ear, POLLIN, 0};
+        if (poll(&question, 1, milliseconds_between_looks) != 1) continue;
+        const ssize_t count = read(ear, heard.data(), heard.size());
+        if (count == -1 && errno == EINTR) continue;
+        if (count <= 0) return;
+        output.append(heard.data(), std::min(std::size_t(count), most_output - output.size()));
+    }
+}
+
 int wait_for(pid_t process) {
     int answer = 0;
     while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
@@ -62,7 +83,7 @@ int wait_for(pid_t process) {
 int run_process(const Command& command) {
     // Ctrl-C is the program's to answer: who waits for it must live to hear how it ended.
     const auto previous = std::signal(SIGINT, SIG_IGN);
-    const int status = wait_for(start(command, -1));
+    const int status = wait_for(start(command, -1, Group::ours));
     std::signal(SIGINT, previous);
     // A shell would say so, but it only sees us.
     if (!crash(status).empty() && status != signalled + SIGINT)
@@ -70,41 +91,36 @@ int run_process(const Command& command) {
     return status;
 }
 
-Ending listen_to(const Command& command, std::chrono::seconds limit) {
-    using Clock = std::chrono::steady_clock;
+Ending listen_to(const Command& command, std::chrono::milliseconds limit,
+                 const std::atomic<bool>* cancelled) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left to listen with");
     const auto [ear, mouth] = ends;
-    const Clock::time_point end = Clock::now() + limit;
-    Ending ending;
+    const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
     pid_t process = 0;
     try {
-        process = start(command, mouth);
+        process = start(command, mouth, group);
     } catch (...) {
         close(ear);
         close(mouth);
         throw;
     }
     close(mouth);
-    std::array<char, 4096> heard{};
-    for (pollfd question{ear, POLLIN, 0};;) {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        const int ready = poll(&question, 1, int(std::max<long long>(left, 0)));
-        if (ready == -1 && errno == EINTR) continue;
-        if (ready == 0) {
-            ending.out_of_time = true;
-            kill(process, SIGKILL);
-            break;
-        }
-        const ssize_t count = read(ear, heard.data(), heard.size());
-        if (count == -1 && errno == EINTR) continue;
-        if (count <= 0) break;
-        const std::size_t room = most_output - ending.output.size();
-        ending.output.append(heard.data(), std::min(std::size_t(count), room));
-    }
+    const auto deadline = std::chrono::steady_clock::now() + limit;
+    Ending ending;
+    const auto given_up = [&] {
+        ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
+        return ending.out_of_time || (cancelled != nullptr && *cancelled);
+    };
+    listen(ear, given_up, ending.output);
     close(ear);
-    ending.status = wait_for(process);
+    // It may have closed its streams, and go on.
+    int answer = 0;
+    while (waitpid(process, &answer, WNOHANG) == 0) {
+        if (given_up()) kill(group == Group::ours ? process : -process, SIGKILL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ending.status = exit_status(answer);
     return ending;
 }
 

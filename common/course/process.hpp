@@ -1,6 +1,7 @@
 // Other programs.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <stdexcept>
 #include <string>
@@ -29,8 +30,10 @@ struct Ending {
 };
 
 /// Runs a program that says nothing to anybody but us, for so long at most. Throws InputError if
-/// it cannot be started.
-[[nodiscard]] Ending listen_to(const Command& command, std::chrono::seconds limit);
+/// it cannot be started. With `cancelled` it ends as soon as that is set, and what it has started
+/// with it; Ctrl-C is then ours to hear, and not the program's.
+[[nodiscard]] Ending listen_to(const Command& command, std::chrono::milliseconds limit,
+                               const std::atomic<bool>* cancelled = nullptr);
 
 /// The exit status that waitpid and pclose hide in their answer; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);

@@ -1,7 +1,6 @@
 #include "common/course/view/drawing.hpp"
 
 #include "common/course/files.hpp"
-#include "common/course/view/child.hpp"
 #include "common/input_error.hpp"
 
 #include <unistd.h>
@@ -122,7 +121,7 @@ Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene
                            std::to_string(std::max(1, view.height / drawing.shrink))};
     command.insert(command.end(), drawing.options.begin(), drawing.options.end());
     command.insert(command.end(), rest.begin(), rest.end());
-    Ending ending = listen_until(cancelled, command, settings_.render_limit);
+    Ending ending = listen_to(command, settings_.render_limit, &cancelled);
     if (ending.out_of_time)
         ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
                          " s: is there a loop without end?\n";
