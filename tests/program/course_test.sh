@@ -32,7 +32,7 @@ says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
 says_not() { ! grep -qF -- "$1" out || fail "it does not say \"$1\""; }
 
 course 0
-[ "$(grep -c ' [0-9]  step[01][0-9]_' out)" = 13 ] || fail "thirteen lines"
+[ "$(grep -c '[0-9]  step[01][0-9]_' out)" = 13 ] || fail "thirteen lines"
 says "Next: ./course start 1"
 
 course 2 check 3
