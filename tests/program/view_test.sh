@@ -48,7 +48,7 @@ script() {
 TMPDIR=$folder/temporary "$build/view_server" project built 5 > address &
 server=$!
 tries=0
-until grep -q http address || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
+until grep -qs http address || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
 address=$(head -n 1 address)
 origin=${address%/*/}
 port=${origin##*:}
