@@ -4,7 +4,9 @@
 
 #include "common/real.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace rt::inline RT_PRECISION {
 
@@ -32,6 +34,12 @@ namespace rt {
     return {.value = product, .dropped = std::fma(a, b, -product)};
 }
 
+/// origin + t · direction, each coordinate rounded once: exactly on the line, but for that.
+[[nodiscard]] inline Vec3 fused_at(Vec3 origin, Real t, Vec3 direction) {
+    return {std::fma(t, direction.x, origin.x), std::fma(t, direction.y, origin.y),
+            std::fma(t, direction.z, origin.z)};
+}
+
 /// a · b − c · d within 1.5 ulp, where the plain form can lose every digit (Jeannerod, Louvet,
 /// Muller 2013, Kahan's algorithm). Its sign is therefore exact, and exchanging the two products
 /// changes it, though not always to the same digits.
@@ -42,14 +50,39 @@ namespace rt {
     return difference + dropped;
 }
 
-/// ⟨a, b⟩ as if computed with twice the digits, then rounded (Ogita, Rump, Oishi 2005, Dot2).
+/// The sum of the terms as if computed with three times the digits, then rounded (Ogita, Rump,
+/// Oishi 2005, SumK).
+template <std::size_t count>
+[[nodiscard]] Real compensated_sum(std::array<Real, count> terms) {
+    for (int pass = 0; pass < 2; ++pass)
+        for (std::size_t i = 1; i < count; ++i) {
+            const Rounded sum = exact_sum(terms[i - 1], terms[i]);
+            terms[i - 1] = sum.dropped;
+            terms[i] = sum.value;
+        }
+    Real sum = 0;
+    for (const Real term : terms) sum += term;
+    return sum;
+}
+
+/// Whether a sum computed with twice the digits, of terms that are together so large, has lost no
+/// more than half of them to cancellation: then it is right to the last one.
+[[nodiscard]] inline bool enough_left(Real sum, Real size) {
+    return std::abs(sum) >= 8 * unit_roundoff * size;
+}
+
+/// ⟨a, b⟩ as if computed with twice the digits, then rounded (Ogita, Rump, Oishi 2005, Dot2); with
+/// three times as many where the products cancel most of that.
 [[nodiscard]] inline Real compensated_dot(Vec3 a, Vec3 b) {
     const Rounded x = exact_product(a.x, b.x);
     const Rounded y = exact_product(a.y, b.y);
     const Rounded z = exact_product(a.z, b.z);
     const Rounded xy = exact_sum(x.value, y.value);
     const Rounded xyz = exact_sum(xy.value, z.value);
-    return xyz.value + (xyz.dropped + xy.dropped + x.dropped + y.dropped + z.dropped);
+    const Real sum = xyz.value + (xyz.dropped + xy.dropped + x.dropped + y.dropped + z.dropped);
+    if (enough_left(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
+        return sum;
+    return compensated_sum(std::array{x.dropped, y.dropped, z.dropped, x.value, y.value, z.value});
 }
 
 /// ⟨n, a − b⟩ with the difference taken exactly, else as compensated_dot.
@@ -59,7 +92,20 @@ namespace rt {
     const Rounded z = exact_sum(a.z, -b.z);
     const Vec3 rounded(x.value, y.value, z.value);
     const Vec3 dropped(x.dropped, y.dropped, z.dropped);
-    return compensated_dot(n, rounded) + glm::dot(n, dropped);
+    const Real sum = compensated_dot(n, rounded) + glm::dot(n, dropped);
+    const Vec3 sizes = glm::abs(n * rounded);
+    if (enough_left(sum, sizes.x + sizes.y + sizes.z)) [[likely]]
+        return sum;
+    std::array<Real, 12> terms;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        const Rounded small = exact_product(n[i], dropped[i]);
+        const Rounded large = exact_product(n[i], rounded[i]);
+        terms[std::size_t(i)] = small.dropped;
+        terms[std::size_t(i) + 3] = small.value;
+        terms[std::size_t(i) + 6] = large.dropped;
+        terms[std::size_t(i) + 9] = large.value;
+    }
+    return compensated_sum(terms);
 }
 
 }  // namespace rt

@@ -19,7 +19,7 @@ Vec3 sheared(Vec3 vertex, const Ray& ray, glm::length_t x, glm::length_t y, glm:
 
 /// Twice the signed area of the triangle that the edge from p to q makes with the ray. Its sign
 /// is exactly opposite for the edge from q to p.
-Real edge_function(Vec3 p, Vec3 q) {
+Real edge_function(Vec2 p, Vec2 q) {
     return difference_of_products(p.x, q.y, p.y, q.x);
 }
 
@@ -37,29 +37,43 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
     const Vec3 b = sheared(triangle.b, ray, x, y, z);
     const Vec3 c = sheared(triangle.c, ray, x, y, z);
 
-    const Real alpha = edge_function(b, c);  // opposite to a, hence the weight of a
-    const Real beta = edge_function(c, a);
-    const Real gamma = edge_function(a, b);
+    // Areas are products of lengths, and would leave float's range at sizes of 1e-20 and 1e20: they
+    // are taken in units of the triangle's size as the ray sees it, by which nothing rounds.
+    const Vec3 size_seen = glm::max(abs(a), glm::max(abs(b), abs(c)));
+    const Real scale = 1 / power_of_two_below(glm::max(size_seen.x, size_seen.y));
+    const Vec2 a_seen = scale * Vec2(a);
+    const Vec2 b_seen = scale * Vec2(b);
+    const Vec2 c_seen = scale * Vec2(c);
+    const Real alpha = edge_function(b_seen, c_seen);  // opposite to a, hence the weight of a
+    const Real beta = edge_function(c_seen, a_seen);
+    const Real gamma = edge_function(a_seen, b_seen);
     const bool left = alpha >= 0 && beta >= 0 && gamma >= 0;  // "or on": an edge belongs
     const bool right = alpha <= 0 && beta <= 0 && gamma <= 0;
     if (!left && !right) return std::nullopt;  // NaN must miss
 
-    const Real t = (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma);
+    // α a.z + β b.z + γ c.z over their sum, but from a: then only that rounds in the distance.
+    const Real t = a.z + (beta * (b.z - a.z) + gamma * (c.z - a.z)) / (alpha + beta + gamma);
     if (!interval.contains(t)) return std::nullopt;  // seen edge-on, 0 / 0
     return t;
 }
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
     // Signed areas over the whole: M1's ratios and CR's, but negative outside, so they sum to 1.
+    // Products of four lengths stay in range in units of the triangle's own.
     const auto& [a, b, c] = triangle;
-    const Vec3 n = cross(b - a, c - a);
-    const Vec3 areas(dot(n, cross(c - b, point - b)), dot(n, cross(a - c, point - c)),
-                     dot(n, cross(b - a, point - a)));
+    const Real length_unit =
+        power_of_two_below(glm::max(largest_component(b - a), largest_component(c - a)));
+    const auto way = [length_unit](Vec3 from, Vec3 to) { return (to - from) / length_unit; };
+    const Vec3 n = cross(way(a, b), way(a, c));
+    const Vec3 areas(dot(n, cross(way(b, c), way(b, point))),
+                     dot(n, cross(way(c, a), way(c, point))),
+                     dot(n, cross(way(a, b), way(a, point))));
     return areas / dot(n, n);
 }
 
 Vec3 normal(const Triangle& triangle, Vec3 /*point*/) {
-    return unit(cross(triangle.b - triangle.a, triangle.c - triangle.a));
+    // Each edge made unit length first: their product would leave float's range at 1e-20.
+    return unit(cross(unit(triangle.b - triangle.a), unit(triangle.c - triangle.a)));
 }
 
 }  // namespace rt

@@ -17,17 +17,21 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     const auto& [x, y, z] = square.basis;
     const Vec3 o = ray.origin - square.center;
     const Vec3& d = ray.direction;
-    const Real height = dot(o, z);
     const Real slope = dot(d, z);
     if (square.one_sided && !(slope < 0)) return std::nullopt;
-    const Real t = -height / slope;
+    const Real near = -dot(o, z) / slope;
+    // From that point on, which is close to the square's plane though rounded: then what is left
+    // rounds in the square's size, not in the distance of the origin.
+    const Vec3 p = o + near * d;
+    const Real height = dot(p, z);
+    const Real t = near - height / slope;
     if (!interval.contains(t)) return std::nullopt;  // a ray in the square's plane has t NaN
 
-    // |o.x + t d.x| ≤ side / 2 multiplied by |d.z|, in the square's frame: deciding without the
-    // rounded t needs no epsilon, and a grazing ray is as good as any other.
+    // |p.x − p.z d.x / d.z| ≤ side / 2 multiplied by |d.z|, in the square's frame: deciding without
+    // the rounded t needs no epsilon, and a grazing ray is as good as any other.
     const Real limit = square.side / 2 * std::abs(slope);
-    const bool inside = std::abs(dot(o, x) * slope - height * dot(d, x)) <= limit &&
-                        std::abs(dot(o, y) * slope - height * dot(d, y)) <= limit;
+    const bool inside = std::abs(dot(p, x) * slope - height * dot(d, x)) <= limit &&
+                        std::abs(dot(p, y) * slope - height * dot(d, y)) <= limit;
     if (!inside) return std::nullopt;  // NaN must miss
     return t;
 }

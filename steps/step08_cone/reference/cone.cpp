@@ -1,5 +1,6 @@
 #include "steps/step08_cone/cone.hpp"
 
+#include "common/compensated.hpp"
 #include "common/vector.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     // MRT §8's quadratic, times h², from the point of the line nearest to the apex: far away its
     // discriminant would cancel to nothing.
     const Real t_closest = -dot(from_apex, d) / dot(d, d);
-    const Vec3 p = from_apex + t_closest * d;
+    const Vec3 p = fused_at(from_apex, t_closest, d);
     const Real hh = cone.height * cone.height;
     const Real rr = cone.radius * cone.radius;
 
@@ -52,12 +53,15 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
 
     // q / a and c / q, so that no root is a difference. A ray along the side has a = 0: q / a is
     // infinite, and c / q is its one root, −c / b with MRT's b. The order depends on a's sign.
-    std::array<Real, 2> roots = {t_closest + q / a, t_closest + c / q};
+    std::array<Real, 2> roots = {q / a, c / q};
     if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
     for (const Real root : roots) {
-        const Real z = dot(from_apex, cone.axis) + root * dot(d, cone.axis);
-        const Real t = root * (length_unit / speed_unit);
-        if (0 <= z && z <= cone.height && interval.contains(t)) return t;
+        // On the cone z ≤ h is as far as the rim from the apex; but z alone, where the cone is
+        // flat, hardly tells how far that is.
+        const Vec3 point = p + root * d;
+        const Real t = (t_closest + root) * (length_unit / speed_unit);
+        if (dot(point, cone.axis) >= 0 && dot(point, point) <= rr + hh && interval.contains(t))
+            return t;
     }
     return std::nullopt;
 }

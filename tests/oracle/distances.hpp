@@ -1,0 +1,26 @@
+// How far a point is from a surface, and from the part of it that is the shape.
+#pragma once
+
+#include "tests/oracle/shapes.hpp"
+
+namespace rt::oracle {
+
+/// The point's distance from the whole sphere, plane, tube or double cone of which the shape is a
+/// part. Of a double cone, that from the nearest of its lines.
+[[nodiscard]] Number off_surface(const ExactVector& point, const Sphere& sphere);
+[[nodiscard]] Number off_surface(const ExactVector& point, const Plane& plane);
+[[nodiscard]] Number off_surface(const ExactVector& point, const Triangle& triangle);
+[[nodiscard]] Number off_surface(const ExactVector& point, const Square& square);
+[[nodiscard]] Number off_surface(const ExactVector& point, const Cylinder& cylinder);
+[[nodiscard]] Number off_surface(const ExactVector& point, const Cone& cone);
+
+/// How far a ray that misses the shape must be moved, at most, to meet it, if a point of the ray is
+/// known that is near the shape.
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Sphere& sphere);
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Plane& plane);
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Triangle& triangle);
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Square& square);
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Cylinder& cylinder);
+[[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Cone& cone);
+
+}  // namespace rt::oracle

@@ -1,0 +1,238 @@
+#include "tests/stability/judge.hpp"
+
+#include "common/vector.hpp"
+#include "tests/oracle/distances.hpp"
+#include "tests/oracle/inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rt {
+
+namespace {
+
+using oracle::ExactVector;
+using oracle::Number;
+using oracle::Root;
+
+Real reach(const Sphere& sphere) {
+    return largest_component(sphere.center) + sphere.radius;
+}
+
+Real reach(const Plane& plane) {
+    return largest_component(plane.point);
+}
+
+Real reach(const Triangle& triangle) {
+    return std::max({largest_component(triangle.a), largest_component(triangle.b),
+                     largest_component(triangle.c)});
+}
+
+Real reach(const Square& square) {
+    return largest_component(square.center) + square.side / 2;
+}
+
+Real reach(const Cylinder& cylinder) {
+    return largest_component(cylinder.center) + std::max(cylinder.radius, cylinder.height / 2);
+}
+
+Real reach(const Cone& cone) {
+    return largest_component(cone.apex) + std::max(cone.radius, cone.height);
+}
+
+/// u L.
+template <class Shape>
+double unit_of(const Case<Shape>& asked, std::optional<Real> came) {
+    Real largest = std::max(largest_component(asked.ray.origin), reach(asked.shape));
+    if (came) largest = std::max(largest, largest_component(at(asked.ray, *came)));
+    return double(unit_roundoff) * double(largest);
+}
+
+ExactVector point_at(const oracle::Ray& ray, Real t) {
+    return ray.origin + oracle::Exact(t) * ray.direction;
+}
+
+/// The shape's first hit, and whether the ray crosses its surface anywhere else.
+struct Answer {
+    std::vector<Number> roots;
+    std::optional<std::size_t> first;
+};
+
+template <class Shape>
+Answer answer(const oracle::Ray& ray, const Shape& shape) {
+    Answer answer;
+    for (const Root& root : roots(ray, shape)) {
+        if (!answer.first && contains({}, root) && belongs(ray, shape, root))
+            answer.first = answer.roots.size();
+        answer.roots.push_back(root.value());
+    }
+    return answer;
+}
+
+/// Whether the answer is the same: both miss, or both hit and not at another root. Near a
+/// silhouette the two roots are ill-conditioned, but their middle is not: a hit is at the other
+/// root if it is within a quarter of the way to it, and that way is more than what rounds.
+bool same(std::optional<Real> came, const Answer& exact, const Number& rounding) {
+    if (!came || !exact.first) return came.has_value() == exact.first.has_value();
+    const Number& first = exact.roots[*exact.first];
+    return std::ranges::all_of(exact.roots, [&](const Number& other) {
+        const Number way = abs(other - first);
+        return way <= rounding || abs(other - *came) > way / 4;
+    });
+}
+
+/// What a few u L are in t.
+template <class Shape>
+Number rounding(const Case<Shape>& asked, double unit) {
+    return 64 * unit / length(exact(asked.ray.direction));
+}
+
+double ulps_between(Real came, const Number& expected) {
+    // An ulp of the exact value, as far as Real goes.
+    const auto nearest = expected.convert_to<Real>();
+    if (!(nearest < infinity)) return 0;
+    const Real next = std::nextafter(nearest, Real(0));
+    return abs((Number(came) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
+}
+
+template <class Shape>
+Judgement judge(const Case<Shape>& asked, std::optional<Real> came) {
+    const oracle::Ray ray = exact(asked.ray);
+    const auto shape = exact(asked.shape);
+    const double unit = unit_of(asked, came);
+    const Answer expected = answer(ray, shape);
+    Judgement judgement{.wrong = !same(came, expected, rounding(asked, unit))};
+    if (!came) return judgement;
+    judgement.off =
+        Number(off_surface(point_at(ray, *came), shape) / unit).template convert_to<double>();
+    if (!judgement.wrong) judgement.ulps = ulps_between(*came, expected.roots[*expected.first]);
+    return judgement;
+}
+
+/// Whether the answer is right for a ray that is moved by this much, across itself or along.
+template <class Shape>
+bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double distance) {
+    constexpr int ways = 16;
+    const glm::dvec3 d =
+        glm::normalize(glm::dvec3(asked.ray.direction / largest_component(asked.ray.direction)));
+    const glm::dvec3 aside = std::abs(d.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(glm::cross(d, aside));
+    const glm::dvec3 y = glm::cross(d, x);
+    const auto shape = exact(asked.shape);
+    const auto right = [&](glm::dvec3 move) {
+        oracle::Ray ray = exact(asked.ray);
+        move *= distance;
+        ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
+        return same(came, answer(ray, shape), rounding(asked, distance));
+    };
+    for (int i = 0; i < ways; ++i) {
+        const double angle = 2 * std::numbers::pi * i / ways;
+        if (right(std::cos(angle) * x + std::sin(angle) * y)) return true;
+    }
+    return right(d) || right(-d);
+}
+
+template <class Shape>
+double band_of(const Case<Shape>& asked, std::optional<Real> came, double known) {
+    const double unit = unit_of(asked, came);
+    const oracle::Ray ray = exact(asked.ray);
+    const auto shape = exact(asked.shape);
+    double direct = std::numeric_limits<double>::infinity();
+    if (came && !answer(ray, shape).first) {
+        const Number way = gap(ray, point_at(ray, *came), shape) / unit;
+        if (way > 0) direct = way.template convert_to<double>();
+    }
+    if (direct <= known) return known;
+    constexpr double most = 1e6;  // more than that is no longer a matter of rounding
+    if (known >= most || right_if_moved(asked, came, known * unit)) return known;
+    // Between two rims, a large move may be wrong again where a small one is right.
+    constexpr double step = 1.125;
+    double distance = 1.0 / 64;
+    while (distance < std::min(direct, most) && !right_if_moved(asked, came, distance * unit))
+        distance *= step;
+    return std::max(known, std::min(distance, direct));
+}
+
+template <class Shape>
+std::optional<Real> rounded_answer(const Case<Shape>& asked) {
+    const auto root = intersect(exact(asked.ray), exact(asked.shape), oracle::Interval{});
+    if (!root) return std::nullopt;
+    return root->value().template convert_to<Real>();
+}
+
+}  // namespace
+
+Judgement judged(const Case<Sphere>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Sphere>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Sphere>& asked) {
+    return rounded_answer(asked);
+}
+
+Judgement judged(const Case<Plane>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Plane>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Plane>& asked) {
+    return rounded_answer(asked);
+}
+
+Judgement judged(const Case<Triangle>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Triangle>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Triangle>& asked) {
+    return rounded_answer(asked);
+}
+
+Judgement judged(const Case<Square>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Square>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Square>& asked) {
+    return rounded_answer(asked);
+}
+
+Judgement judged(const Case<Cylinder>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Cylinder>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Cylinder>& asked) {
+    return rounded_answer(asked);
+}
+
+Judgement judged(const Case<Cone>& asked, std::optional<Real> came) {
+    return judge(asked, came);
+}
+
+double band(const Case<Cone>& asked, std::optional<Real> came, double known) {
+    return band_of(asked, came, known);
+}
+
+std::optional<Real> exact_answer(const Case<Cone>& asked) {
+    return rounded_answer(asked);
+}
+
+}  // namespace rt

@@ -1,0 +1,152 @@
+// The references at the extremes, against exact arithmetic: docs/stability.md. Prints what it
+// measures. RAYSTEPS_STABILITY=10 asks ten times as many rays.
+#include "tests/stability/judge.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step04_plane/plane.hpp"
+#include "steps/step05_triangle/triangle.hpp"
+#include "steps/step06_square/square.hpp"
+#include "steps/step07_cylinder/cylinder.hpp"
+#include "steps/step08_cone/cone.hpp"
+
+#include "tests/kit/verdict.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// What is promised.
+struct Bars {
+    double off = unbounded;
+    double band = unbounded;
+    double ulps = unbounded;
+};
+
+std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
+    const char* said = std::getenv(variable);
+    return said == nullptr ? otherwise : std::strtoull(said, nullptr, 10);
+}
+
+/// One measure over a sweep, and where it was worst.
+struct Measure {
+    std::vector<double> values;
+    double worst = 0;
+    std::string where;
+
+    void add(double value, const std::function<std::string()>& place) {
+        values.push_back(value);
+        if (!(value > worst)) return;
+        worst = value;
+        where = place();
+    }
+
+    [[nodiscard]] double typical() {
+        if (values.empty()) return 0;
+        const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+        std::ranges::nth_element(values, middle);
+        return *middle;
+    }
+};
+
+struct Row {
+    std::uint64_t rays = 0;
+    std::uint64_t wrong = 0;
+    Measure off;
+    Measure band;
+    Measure ulps;
+};
+
+template <class Shape>
+Row measured(Sweep sweep) {
+    const std::uint64_t seed = number_from("RAYSTEPS_SEED", 2021);
+    Row row{.rays = 8'000 * number_from("RAYSTEPS_STABILITY", 1)};
+    for (std::uint64_t i = 0; i < row.rays; ++i) {
+        Random random(seed + i);
+        Case<Shape> asked;
+        draw(random, sweep, asked);
+        const auto came = intersect(asked.ray, asked.shape, {});
+        const Judgement judgement = judged(asked, came);
+        const auto place = [&] {
+            return told(asked.ray, asked.shape, {}, came, exact_answer(asked)) +
+                   "\n  random:   RAYSTEPS_SEED=" + std::to_string(seed) + ", ray " +
+                   std::to_string(i);
+        };
+        if (judgement.off) row.off.add(*judgement.off, place);
+        if (judgement.ulps) row.ulps.add(*judgement.ulps, place);
+        if (!judgement.wrong) continue;
+        ++row.wrong;
+        row.band.add(band(asked, came, row.band.worst), place);
+    }
+    return row;
+}
+
+Verdict within(const Measure& measure, double bar, const std::string& what) {
+    return verdict(measure.worst <= bar, what + " " + std::to_string(measure.worst) + ", and " +
+                                             std::to_string(bar) + " at most:\n" + measure.where);
+}
+
+/// Measures the sweeps one by one, prints them and holds them to their bars.
+template <class Shape>
+void hold(const char* shape, std::initializer_list<Sweep> sweeps, const Bars& bars) {
+    for (const Sweep sweep : sweeps) {
+        Row row = measured<Shape>(sweep);
+        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2g | %.2g | %.0f |\n", shape,
+                    name(sweep).c_str(), row.off.typical(), row.off.worst, row.band.worst,
+                    row.ulps.typical(), row.ulps.worst, 1e6 * double(row.wrong) / double(row.rays));
+        std::fflush(stdout);
+        CHECK(within(row.off, bars.off, name(sweep) + ": off the surface, in u L:"));
+        CHECK(within(row.band, bars.band, name(sweep) + ": the ray must be moved, in u L:"));
+        CHECK(within(row.ulps, bars.ulps, name(sweep) + ": ulps of t:"));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("spheres at the extremes") {
+    hold<Sphere>("sphere",
+                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                  Sweep::speed},
+                 {.off = 8, .band = 4});
+}
+
+TEST_CASE("planes at the extremes") {
+    hold<Plane>("plane",
+                {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                 Sweep::speed},
+                {.ulps = 4});
+}
+
+TEST_CASE("triangles at the extremes") {
+    hold<Triangle>("triangle",
+                   {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                    Sweep::speed, Sweep::border, Sweep::point, Sweep::sliver},
+                   {.off = 8, .band = 2});
+}
+
+TEST_CASE("squares at the extremes") {
+    hold<Square>("square",
+                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                  Sweep::speed, Sweep::border, Sweep::point},
+                 {.off = 6, .band = 2});
+}
+
+TEST_CASE("cylinders at the extremes") {
+    hold<Cylinder>("cylinder",
+                   {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                    Sweep::speed, Sweep::border, Sweep::parallel},
+                   {.off = 8, .band = 3});
+}
+
+TEST_CASE("cones at the extremes") {
+    hold<Cone>("cone",
+               {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
+                Sweep::speed, Sweep::border, Sweep::point, Sweep::parallel},
+               {.off = 8, .band = 2});
+}

@@ -1,0 +1,298 @@
+#include "tests/stability/sweeps.hpp"
+
+#include "common/motion.hpp"
+#include "common/vector.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+constexpr Real scale_decades = sizeof(Real) == 8 ? 20 : 15;
+constexpr Real beside_decades = sizeof(Real) == 8 ? -18 : -12;
+
+/// 10^low to 10^high, every decade as likely.
+Real decades(Random& random, Real low, Real high) {
+    return std::pow(Real(10), random.between(low, high));
+}
+
+/// How far beside, on either side.
+Real beside(Random& random) {
+    return (random.coin() ? 1 : -1) * decades(random, beside_decades, -1);
+}
+
+/// Any direction at right angles to a unit one.
+Vec3 across(Random& random, Vec3 v) {
+    return unit(cross(v, random.direction()));
+}
+
+/// A point of a surface and the normal there.
+struct Spot {
+    Vec3 point;
+    Vec3 normal;
+};
+
+struct Line {
+    Vec3 point;
+    Vec3 direction;
+};
+
+Line past(Random& random, const Spot& spot) {
+    return {.point = spot.point + beside(random) * spot.normal,
+            .direction = across(random, spot.normal)};
+}
+
+Line along(Random& random, const Spot& spot) {
+    const Vec3 direction = across(random, spot.normal) + beside(random) * spot.normal;
+    return {.point = spot.point, .direction = unit(direction)};
+}
+
+Line towards(Random& random, Vec3 point) {
+    return {.point = point + beside(random) * random.direction(), .direction = random.direction()};
+}
+
+// Every shape: of size about 1 and turned any way; a point of it; the lines that a sweep wants.
+
+Real size(Random& random) {
+    return decades(random, Real(-0.5), Real(0.5));
+}
+
+void draw(Random& random, Sphere& sphere) {
+    sphere = {.center = random.point(2), .radius = size(random)};
+}
+
+Spot spot(Random& random, const Sphere& sphere) {
+    const Vec3 normal = random.direction();
+    return {.point = sphere.center + sphere.radius * normal, .normal = normal};
+}
+
+Line grazing(Random& random, const Sphere& sphere) {
+    return past(random, spot(random, sphere));
+}
+
+void draw(Random& random, Plane& plane) {
+    plane = {.point = random.point(2), .normal = decades(random, -3, 3) * random.direction()};
+}
+
+Spot spot(Random& random, const Plane& plane) {
+    const Vec3 normal = unit(plane.normal);
+    const Real distance = random.between(0, 4);
+    return {.point = plane.point + distance * across(random, normal), .normal = normal};
+}
+
+Line grazing(Random& random, const Plane& plane) {
+    return along(random, spot(random, plane));
+}
+
+void draw(Random& random, Triangle& triangle) {
+    const Vec3 a = random.point(2);
+    triangle = {.a = a,
+                .b = a + size(random) * random.direction(),
+                .c = a + size(random) * random.direction()};
+}
+
+void narrow(Random& random, Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 on_edge = a + random.between(Real(-0.2), Real(1.2)) * (b - a);
+    triangle.c = on_edge + decades(random, -8, -1) * random.direction();
+}
+
+Spot spot(Random& random, const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    Real beta = random.between(0, 1);
+    Real gamma = random.between(0, 1);
+    if (beta + gamma > 1) {
+        beta = 1 - beta;
+        gamma = 1 - gamma;
+    }
+    const Vec3 n = cross(b - a, c - a);  // 0 where the corners are in line
+    return {.point = a + beta * (b - a) + gamma * (c - a),
+            .normal = n == Vec3(0) ? random.direction() : unit(n)};
+}
+
+Vec3 corner(Random& random, const Triangle& triangle) {
+    return std::array{triangle.a, triangle.b, triangle.c}[std::size_t(random.below(3))];
+}
+
+Vec3 border(Random& random, const Triangle& triangle) {
+    const std::array corners = {triangle.a, triangle.b, triangle.c};
+    const auto i = std::size_t(random.below(3));
+    return corners[i] + random.between(0, 1) * (corners[(i + 1) % 3] - corners[i]);
+}
+
+Line grazing(Random& random, const Triangle& triangle) {
+    return along(random, spot(random, triangle));
+}
+
+void draw(Random& random, Square& square) {
+    square = {.center = random.point(2), .basis = random.basis(), .side = size(random)};
+}
+
+Vec3 place(const Square& square, Real x, Real y) {
+    return square.center + square.side / 2 * (x * square.basis.x + y * square.basis.y);
+}
+
+Spot spot(Random& random, const Square& square) {
+    const Real x = random.between(-1, 1);
+    return {.point = place(square, x, random.between(-1, 1)), .normal = square.basis.z};
+}
+
+Vec3 corner(Random& random, const Square& square) {
+    const Real x = random.coin() ? -1 : 1;
+    return place(square, x, random.coin() ? -1 : 1);
+}
+
+Vec3 border(Random& random, const Square& square) {
+    const Real end = random.coin() ? -1 : 1;
+    const Real between = random.between(-1, 1);
+    return random.coin() ? place(square, end, between) : place(square, between, end);
+}
+
+Line grazing(Random& random, const Square& square) {
+    return along(random, spot(random, square));
+}
+
+void draw(Random& random, Cylinder& cylinder) {
+    cylinder = {.center = random.point(2),
+                .axis = random.direction(),
+                .radius = size(random),
+                .height = size(random)};
+}
+
+Spot spot(Random& random, const Cylinder& cylinder) {
+    const Vec3 normal = across(random, cylinder.axis);
+    const Real z = random.between(Real(-0.5), Real(0.5)) * cylinder.height;
+    return {.point = cylinder.center + z * cylinder.axis + cylinder.radius * normal,
+            .normal = normal};
+}
+
+Vec3 border(Random& random, const Cylinder& cylinder) {
+    const Real z = (random.coin() ? -1 : 1) * cylinder.height / 2;
+    return cylinder.center + z * cylinder.axis + cylinder.radius * across(random, cylinder.axis);
+}
+
+Line grazing(Random& random, const Cylinder& cylinder) {
+    return past(random, spot(random, cylinder));
+}
+
+Line parallel(Random& random, const Cylinder& cylinder) {
+    const Vec3 direction = cylinder.axis + beside(random) * random.direction();
+    return {.point = spot(random, cylinder).point, .direction = unit(direction)};
+}
+
+void draw(Random& random, Cone& cone) {
+    cone = {.apex = random.point(2),
+            .axis = random.direction(),
+            .radius = size(random),
+            .height = size(random)};
+}
+
+Vec3 border(Random& random, const Cone& cone) {
+    return cone.apex + cone.height * cone.axis + cone.radius * across(random, cone.axis);
+}
+
+Spot spot(Random& random, const Cone& cone) {
+    const Vec3 outward = across(random, cone.axis);
+    const Vec3 slope = cone.height * cone.axis + cone.radius * outward;
+    return {.point = cone.apex + random.between(0, 1) * slope,
+            .normal = unit(cone.height * outward - cone.radius * cone.axis)};
+}
+
+Vec3 corner(Random& /*random*/, const Cone& cone) {
+    return cone.apex;
+}
+
+Line grazing(Random& random, const Cone& cone) {
+    return past(random, spot(random, cone));
+}
+
+Line parallel(Random& random, const Cone& cone) {
+    const Vec3 direction =
+        unit(border(random, cone) - cone.apex) + beside(random) * random.direction();
+    return {.point = spot(random, cone).point, .direction = unit(direction)};
+}
+
+// What a shape has not is left to another sweep.
+
+template <class Shape>
+Line anywhere(Random& random, const Shape& shape) {
+    return {.point = spot(random, shape).point + random.point(Real(0.5)),
+            .direction = random.direction()};
+}
+
+template <class Shape>
+Line at_border(Random& random, const Shape& shape) {
+    if constexpr (requires { border(random, shape); })
+        return towards(random, border(random, shape));
+    else
+        return grazing(random, shape);
+}
+
+template <class Shape>
+Line draw_line(Random& random, Sweep sweep, const Shape& shape) {
+    if (sweep == Sweep::moderate) return anywhere(random, shape);
+    if (sweep == Sweep::grazing) return grazing(random, shape);
+    if (sweep == Sweep::border) return at_border(random, shape);
+    if constexpr (requires { corner(random, shape); })
+        if (sweep == Sweep::point) return towards(random, corner(random, shape));
+    if constexpr (requires { parallel(random, shape); })
+        if (sweep == Sweep::parallel) return parallel(random, shape);
+    const std::array ways = {anywhere<Shape>, at_border<Shape>,
+                             +[](Random& r, const Shape& s) { return grazing(r, s); }};
+    return ways[std::size_t(random.below(3))](random, shape);
+}
+
+template <class Shape>
+void draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
+    draw(random, drawn.shape);
+    if constexpr (requires { narrow(random, drawn.shape); })
+        if (sweep == Sweep::sliver) narrow(random, drawn.shape);
+
+    const Line line = draw_line(random, sweep, drawn.shape);
+    const Real distance = sweep == Sweep::distance ? decades(random, 0, 8) : random.between(2, 10);
+    drawn.ray = {.origin = line.point - distance * line.direction,
+                 .direction = random.between(Real(0.5), 2) * line.direction};
+
+    Motion motion;
+    if (sweep == Sweep::offset) motion.translation = decades(random, 0, 8) * random.direction();
+    if (sweep == Sweep::scale) motion.scale = decades(random, -scale_decades, scale_decades);
+    drawn.shape = moved(drawn.shape, motion);
+    drawn.ray.origin = moved(drawn.ray.origin, motion);
+    if (sweep == Sweep::speed) drawn.ray.direction *= decades(random, -18, 18);
+}
+
+}  // namespace
+
+std::string name(Sweep sweep) {
+    const std::array names = {"moderate", "distance", "grazing", "offset",   "scale",
+                              "speed",    "border",   "point",   "parallel", "sliver"};
+    return names[std::size_t(sweep)];
+}
+
+void draw(Random& random, Sweep sweep, Case<Sphere>& sphere) {
+    draw_case(random, sweep, sphere);
+}
+
+void draw(Random& random, Sweep sweep, Case<Plane>& plane) {
+    draw_case(random, sweep, plane);
+}
+
+void draw(Random& random, Sweep sweep, Case<Triangle>& triangle) {
+    draw_case(random, sweep, triangle);
+}
+
+void draw(Random& random, Sweep sweep, Case<Square>& square) {
+    draw_case(random, sweep, square);
+}
+
+void draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder) {
+    draw_case(random, sweep, cylinder);
+}
+
+void draw(Random& random, Sweep sweep, Case<Cone>& cone) {
+    draw_case(random, sweep, cone);
+}
+
+}  // namespace rt

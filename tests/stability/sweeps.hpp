@@ -1,0 +1,42 @@
+// Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades.
+#pragma once
+
+#include "common/ray.hpp"
+#include "common/shapes.hpp"
+#include "tests/kit/random.hpp"
+
+#include <string>
+
+namespace rt {
+
+enum class Sweep {
+    moderate,  ///< nothing: shapes of size 1, rays from 2 to 10 away
+    distance,  ///< from 1 to 1e8 away
+    grazing,   ///< past a silhouette, or along a face, by 1e-1 to 1e-12
+    offset,    ///< everything moved by 1 to 1e8
+    scale,     ///< everything 1e-20 to 1e20 times as large; in float 1e-15 to 1e15
+    speed,     ///< directions of length 1e-18 to 1e18
+    border,    ///< aimed at an edge or a rim, and 1e-1 to 1e-12 beside it
+    point,     ///< aimed at a corner or an apex, and 1e-1 to 1e-12 beside it
+    parallel,  ///< the same angles from the axis of a cylinder, from a line on a cone
+    sliver,    ///< triangles 1e-1 to 1e-8 as wide as long
+};
+
+[[nodiscard]] std::string name(Sweep sweep);
+
+template <class Shape>
+struct Case {
+    Ray ray;
+    Shape shape;
+};
+
+// Each draws one case of the sweep.
+
+void draw(Random& random, Sweep sweep, Case<Sphere>& sphere);
+void draw(Random& random, Sweep sweep, Case<Plane>& plane);
+void draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
+void draw(Random& random, Sweep sweep, Case<Square>& square);
+void draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
+void draw(Random& random, Sweep sweep, Case<Cone>& cone);
+
+}  // namespace rt
