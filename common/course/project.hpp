@@ -8,11 +8,11 @@
 
 namespace rt {
 
-inline const std::filesystem::path project_folder = RAYSTEPS_ROOT;
-inline const std::filesystem::path build_folder = RAYSTEPS_BUILD;
+extern const std::filesystem::path project_folder;
+extern const std::filesystem::path build_folder;
 
 /// Whether OpenMesh is there, without which stage 13 is left out of the build.
-inline constexpr bool has_meshes = RAYSTEPS_MESHES;
+extern const bool has_meshes;
 
 /// "steps/step05_triangle/student", say: what somebody sees who stands in the project's folder.
 [[nodiscard]] inline std::string step_path(int stage, const std::string& rest) {

@@ -14,7 +14,8 @@ inline void put(Writer& to, const PlacedMesh& placed) {
 }
 
 inline PlacedMesh get_placed_mesh(Reader& from) {
-    Model model{.mesh = get<Mesh>(from)};
+    Model model;
+    model.mesh = get<Mesh>(from);
     model.bounds = bounds(model.mesh);
     if (model.mesh.triangles.size() >= packing_pays_from) model.packed.emplace(model.mesh);
     return {.model = std::make_shared<const Model>(std::move(model)),

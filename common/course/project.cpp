@@ -1,0 +1,9 @@
+#include "common/course/project.hpp"
+
+namespace rt {
+
+const std::filesystem::path project_folder = RAYSTEPS_ROOT;
+const std::filesystem::path build_folder = RAYSTEPS_BUILD;
+const bool has_meshes = RAYSTEPS_MESHES;
+
+}  // namespace rt
