@@ -433,7 +433,7 @@ TEST_CASE("just outside the light, the point is still on it (contract)") {
         const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
         for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
             const Vec3 came = light_point(above, from, {x, Real(0.25)});
-            if (x > 0 && above_surface > 0)
+            if (x > 0 && above_surface > 64 * epsilon)  // nearer, they may all be one
                 CHECK(came != light_point(above, from, {x, Real(0.75)}));
             const Real off = distance(came, above.position);  // its centre will do on the surface
             CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +

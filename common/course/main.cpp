@@ -20,7 +20,6 @@
 #include <array>
 #include <csignal>
 #include <iostream>
-#include <regex>
 #include <thread>
 
 namespace {
@@ -186,12 +185,17 @@ rt::Contest contest(int stage, const Words& words) {
         .stage = stage, .all_mine = words.mine || !words.reference.empty(), .words = words.rest};
 }
 
+/// "ROW,COLUMN"
+bool is_pixel(const std::string& word) {
+    int row = 0;
+    int column = 0;
+    char rest = 0;
+    return std::sscanf(word.c_str(), "%d,%d%c", &row, &column, &rest) == 2;
+}
+
 int explain(int stage, Words words) {
-    static const std::regex pixel(R"(-?\d+,-?\d+)");
     std::string which;
-    const auto word =
-        std::find_if(words.rest.begin(), words.rest.end(),
-                     [](const std::string& each) { return std::regex_match(each, pixel); });
+    const auto word = std::find_if(words.rest.begin(), words.rest.end(), is_pixel);
     if (word != words.rest.end()) {
         which = *word;
         words.rest.erase(word);
