@@ -1,0 +1,45 @@
+#!/bin/sh
+# matrix.sh [stage] [build folder]: runs every known mistake of a stage, or of all, and prints which
+# case of the stage's suite catches it in which precision. All must be built (RAYSTEPS_MISTAKES).
+set -u
+root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
+build=${2-$root/build}
+case ${1-all} in
+    all) stage=step ;;
+    [1-9] | 1[0-3]) stage=$(printf 'step%02d_' "$1") ;;
+    *) stage=$(basename "$root"/tests/mistakes/*"$1") ;;
+esac
+
+log=$(mktemp) || exit 2
+trap 'rm -f "$log"' EXIT
+ctest --test-dir "$build" -R "^mistake_$stage" -j "$(nproc)" > "$log" 2>&1
+
+# "1/38 Test #7: mistake_step04_plane_one_side_float ....   Passed    0.01 sec"
+for file in "$root"/tests/mistakes/"$stage"*/*.cpp; do
+    folder=${file%/*}
+    mistake=$(basename "$file" .cpp)
+    echo "${folder##*/}	$mistake	$(sed -n 's|^// caught by: ||p' "$file" | head -n 1)"
+done | awk -F '\t' -v log_file="$log" '
+    function mark(name) {
+        if (!(name in passed)) return "?"
+        caught += passed[name]
+        return passed[name] ? "yes" : "NO"
+    }
+    BEGIN {
+        while ((getline line < log_file) > 0)
+            if (match(line, /mistake_[a-z0-9_]+/))
+                passed[substr(line, RSTART, RLENGTH)] = line ~ / Passed /
+    }
+    $1 != stage {
+        stage = $1
+        printf "%s%-34s float  double  caught by\n", (NR > 1 ? "\n" : ""), stage
+    }
+    {
+        name = "mistake_" $1 "_" $2
+        printf "  %-32s %-5s  %-6s  %s\n", $2, mark(name "_float"), mark(name "_double"), $3
+        ++mistakes
+    }
+    END {
+        printf "\n%d mistakes, %d of %d caught\n", mistakes, caught, 2 * mistakes
+        exit mistakes == 0 || caught != 2 * mistakes
+    }'
