@@ -11,7 +11,10 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
+#include <vector>
 
 extern char** environ;
 
@@ -36,6 +39,26 @@ std::string plain(std::string words) {
     return words;
 }
 
+/// The program, or, where strangers' code is graded, the launcher that becomes it, sealed.
+std::vector<std::string> command_of(const std::string& program) {
+    const char* sealed = std::getenv("RAYSTEPS_SEALED");
+    if (sealed == nullptr) return {program};
+    std::vector<std::string> command{sealed};
+    if (const char* limits = std::getenv("RAYSTEPS_LIMITS")) {
+        std::istringstream words(limits);
+        for (std::string word; words >> word;) command.push_back(word);
+    }
+    command.insert(command.end(), {"--", program});
+    return command;
+}
+
+/// What ended it, in half a sentence.
+std::string words_of_signal(int signal) {
+    if (signal == SIGSYS) return "tried what it may not: files, processes and networks are closed";
+    if (signal == SIGXCPU) return "took more computing time than it may";
+    return "crashed: " + std::string(strsignal(signal));
+}
+
 }  // namespace
 
 Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
@@ -49,18 +72,21 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
+    const std::vector<std::string> command = command_of(program);
+    const bool sealed = command.size() > 1;  // then only the launcher's complaints get out
+    if (!sealed) posix_spawn_file_actions_adddup2(&actions, 1, 2);
     posix_spawn_file_actions_adddup2(&actions, sockets[1], worker_descriptor);
-    std::string name = program;
-    char* arguments[] = {name.data(), nullptr};
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
     const int error =
-        posix_spawn(&process_, program.c_str(), &actions, nullptr, arguments, environ);
+        posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(sockets[1]);
     if (error != 0) {
         process_ = 0;
         close(socket_);
-        throw CannotStart(program + " does not start: " + std::strerror(error));
+        throw CannotStart(command[0] + " does not start: " + std::strerror(error));
     }
 }
 
@@ -90,8 +116,7 @@ void Worker::it_has_ended() {
         if (waitpid(process_, &status, WNOHANG) == process_) {
             process_ = 0;
             close(socket_);
-            if (WIFSIGNALED(status))
-                throw NoAnswer("crashed: " + std::string(strsignal(WTERMSIG(status))));
+            if (WIFSIGNALED(status)) throw NoAnswer(words_of_signal(WTERMSIG(status)));
             throw NoAnswer("ended the program, with status " + std::to_string(WEXITSTATUS(status)));
         }
         usleep(1000);

@@ -1,4 +1,7 @@
 // The asking end: another process that answers, and what became of it.
+//
+// RAYSTEPS_SEALED   the launcher `sealed`, if the process is to be sealed
+// RAYSTEPS_LIMITS   what it may use up, as the launcher has it: "cpu=10 memory=512"
 #pragma once
 
 #include <sys/types.h>
