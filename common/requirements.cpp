@@ -21,9 +21,8 @@ std::size_t materials(const Scene& scene, Predicate is) {
     return count;
 }
 
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(text.size(), width), ' ');
-    return text;
+std::string padded(const std::string& text, std::size_t width) {
+    return text + std::string(width - std::min(text.size(), width), ' ');
 }
 
 }  // namespace

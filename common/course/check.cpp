@@ -118,10 +118,10 @@ void show_picture(int stage) {
         listen_to({(build_folder / (name + "_judged")).string(), "--quiet", "-o", mine.string()},
                   picture_limit);
     if (ending.out_of_time || ending.status != 0) {
-        std::printf("\nno picture: the program %s\n",
-                    ending.out_of_time             ? "has no end"
-                    : crash(ending.status).empty() ? ending.output.c_str()
-                                                   : ("crashed: " + crash(ending.status)).c_str());
+        std::printf("\nno picture: the program %s\n", ending.out_of_time ? "has no end"
+                                                      : ending.crash.empty()
+                                                          ? ending.output.c_str()
+                                                          : ("crashed: " + ending.crash).c_str());
         return;
     }
     const Comparison comparison =

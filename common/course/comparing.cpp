@@ -38,8 +38,7 @@ std::string answer(const std::string& program, const Contest& contest, const Com
     command.insert(command.end(), more.begin(), more.end());
     const Ending ending = listen_to(command, time_limit);
     if (ending.out_of_time) throw InputError({}, program + " has no end");
-    if (!crash(ending.status).empty())
-        throw InputError({}, program + " crashed: " + crash(ending.status));
+    if (!ending.crash.empty()) throw InputError({}, program + " crashed: " + ending.crash);
     if (ending.status != 0) throw ProgramError(ending.output);
     return ending.output;
 }

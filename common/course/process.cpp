@@ -72,10 +72,16 @@ void listen(int ear, const std::function<bool()>& given_up, std::string& output)
     }
 }
 
+/// What waitpid tells of its end.
 int wait_for(pid_t process) {
     int answer = 0;
     while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
-    return exit_status(answer);
+    return answer;
+}
+
+/// The signal's name; not to be had of an exit status, since a suite's is the number of failures.
+std::string crash(int answer) {
+    return WIFSIGNALED(answer) ? strsignal(WTERMSIG(answer)) : "";
 }
 
 }  // namespace
@@ -83,12 +89,13 @@ int wait_for(pid_t process) {
 int run_process(const Command& command) {
     // Ctrl-C is the program's to answer: who waits for it must live to hear how it ended.
     const auto previous = std::signal(SIGINT, SIG_IGN);
-    const int status = wait_for(start(command, -1, Group::ours));
+    const int answer = wait_for(start(command, -1, Group::ours));
     std::signal(SIGINT, previous);
     // A shell would say so, but it only sees us.
-    if (!crash(status).empty() && status != signalled + SIGINT)
-        std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(), crash(status).c_str());
-    return status;
+    const std::string crashed = crash(answer);
+    if (!crashed.empty() && WTERMSIG(answer) != SIGINT)
+        std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(), crashed.c_str());
+    return exit_status(answer);
 }
 
 Ending listen_to(const Command& command, std::chrono::milliseconds limit,
@@ -121,15 +128,12 @@ Ending listen_to(const Command& command, std::chrono::milliseconds limit,
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     ending.status = exit_status(answer);
+    ending.crash = crash(answer);
     return ending;
 }
 
 int exit_status(int answer) {
     return WIFEXITED(answer) ? WEXITSTATUS(answer) : signalled + WTERMSIG(answer);
-}
-
-std::string crash(int status) {
-    return status > signalled ? strsignal(status - signalled) : "";
 }
 
 }  // namespace rt

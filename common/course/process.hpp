@@ -25,6 +25,7 @@ using Command = std::vector<std::string>;
 /// How a program ended whose words were kept.
 struct Ending {
     int status = 0;            ///< as run_process has it
+    std::string crash;         ///< the signal that ended it, "Segmentation fault"; or nothing
     bool out_of_time = false;  ///< it was ended by us
     std::string output;        ///< of both streams, the first 64 KiB
 };
@@ -37,9 +38,5 @@ struct Ending {
 
 /// The exit status that waitpid and pclose hide in their answer; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
-
-/// What ended a program that has this exit status: "Segmentation fault"; nothing if it ended
-/// by itself.
-[[nodiscard]] std::string crash(int status);
 
 }  // namespace rt

@@ -30,8 +30,8 @@ SuiteResult run_suite(const std::string& program) {
     if (ending.out_of_time)
         result.ended =
             "has no end: it was stopped after " + std::to_string(time_limit.count()) + " s";
-    else if (!crash(ending.status).empty())
-        result.ended = "crashed: " + crash(ending.status);
+    else if (!ending.crash.empty())
+        result.ended = "crashed: " + ending.crash;
     return result;
 }
 

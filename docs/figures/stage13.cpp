@@ -190,7 +190,7 @@ using Polygon = std::vector<Vec3>;
 
 /// The polygons of scenes/meshes/owl_cage.obj.
 std::vector<Polygon> owl_cage() {
-    const std::string file = std::string(RAYSTEPS_ROOT) + "/scenes/meshes/owl_cage.obj";
+    const std::string file = RAYSTEPS_ROOT "/scenes/meshes/owl_cage.obj";
     std::ifstream in(file);
     if (!in) throw InputError({.file = file}, "cannot be read");
     std::vector<Vec3> vertices;

@@ -125,8 +125,8 @@ Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene
     if (ending.out_of_time)
         ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
                          " s: is there a loop without end?\n";
-    else if (!crash(ending.status).empty())
-        ending.output += "it crashed: " + crash(ending.status) + "\n";
+    else if (!ending.crash.empty())
+        ending.output += "it crashed: " + ending.crash + "\n";
     replace_all(ending.output, scene, "scenes/" + std::string(stage_name(drawing.stage)) + ".rt");
     return ending;
 }

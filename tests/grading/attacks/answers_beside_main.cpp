@@ -1,0 +1,48 @@
+// attack: a thread reads the questions, and gives each ticket back with an answer of its own
+// ceiling: as a stub
+#include "steps/step03_sphere/sphere.hpp"
+
+#include <unistd.h>
+#include <thread>
+
+struct Frame {
+    unsigned long size;
+    unsigned long ticket;
+};
+
+namespace {
+
+const bool done = [] {
+    std::thread([] {
+        Frame frame{};
+        char question[4096];
+        while (read(3, &frame, sizeof frame) == sizeof frame) {
+            if (read(3, question, frame.size) < 0) break;
+            frame.size = 2;  // answered, and nothing is hit
+            if (write(3, &frame, sizeof frame) < 0 || write(3, "\0\0", 2) < 0) break;
+        }
+    }).detach();
+    return true;
+}();
+
+}  // namespace
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

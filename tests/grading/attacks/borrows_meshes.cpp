@@ -1,0 +1,25 @@
+// attack: has another stage's reference answer: what a mesh of one triangle is hit at. It asks us.
+// ceiling: as a stub
+// stage: step05_triangle
+#include "steps/step05_triangle/triangle.hpp"
+
+#include "steps/step13_meshes/meshes.hpp"
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
+    const Mesh mesh{.vertices = {triangle.a, triangle.b, triangle.c}, .triangles = {{0, 1, 2}}};
+    const auto hit = intersect(ray, mesh, interval);
+    if (!hit) return std::nullopt;
+    return hit->t;
+}
+
+Vec3 barycentric(const Triangle&, Vec3) {
+    return Vec3(0);
+}
+
+Vec3 normal(const Triangle&, Vec3) {
+    return Vec3(0);
+}
+
+}  // namespace rt

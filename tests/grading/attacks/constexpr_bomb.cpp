@@ -1,0 +1,34 @@
+// attack: computes while it is compiled
+// ceiling: as a stub
+// compiles: no
+#include "steps/step03_sphere/sphere.hpp"
+
+constexpr long forever(long from) {
+    for (long i = 0; i < (1L << 25); ++i) from += i;
+    return from;
+}
+template <long Place>
+constexpr long value = forever(Place) + value<Place - 1>;
+template <>
+constexpr long value<0> = 0;
+static_assert(value<500> != 1);
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

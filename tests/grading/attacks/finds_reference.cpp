@@ -1,0 +1,30 @@
+// attack: declares the reference by another name, weakly
+// ceiling: as a stub
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+
+[[gnu::weak]] std::optional<Real> correct_intersect(const Ray&, const Sphere&, Interval);
+
+}  // namespace rt
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    if (&correct_intersect != nullptr) return correct_intersect(ray, sphere, interval);
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,27 @@
+// attack: shows the results of others in the compiler's errors
+// ceiling: as a stub
+// compiles: no
+// told: results
+// untold: points
+#include "@RESULTS@"
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,34 @@
+// attack: defines a function of Catch2
+// ceiling: as a stub
+// compiles: no
+// told: which is not the stage
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace Catch {
+
+int applied = 0;
+bool isThrowSafe() {
+    return true;
+}
+
+}  // namespace Catch
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

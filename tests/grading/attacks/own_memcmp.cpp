@@ -1,0 +1,31 @@
+// attack: replaces memcmp by one to which all is equal
+// ceiling: as a stub
+// compiles: no
+// told: defines memcmp
+#include "steps/step03_sphere/sphere.hpp"
+
+#include <cstddef>
+
+extern "C" int memcmp(const void*, const void*, std::size_t) {
+    return 0;
+}
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

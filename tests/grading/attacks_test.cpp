@@ -1,0 +1,229 @@
+// Submissions that mean no good, graded: none has more cases than it honestly earns, and none does
+// any harm. An attack says what it may have and what it tries:
+//
+//   // attack: leaves with status 0 before the first question
+//   // ceiling: as a stub             or the number of cases that it answers rightly
+//   // stage: step05_triangle         step03_sphere if it is not said
+//   // compiles: no                  or: perhaps
+//   // told: defines main             is in what the student is told
+//   // untold: root:                  is not
+//
+// @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: who attacks may know
+// them.
+#include "common/course/files.hpp"
+#include "common/course/grade/compile.hpp"
+
+#include "tests/kit/catch.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+
+using namespace rt;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::seconds longest_grading{60};
+
+std::string content(const fs::path& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at))
+        text.replace(at, word.size(), by);
+    return text;
+}
+
+struct Attack {
+    std::string name;
+    std::string text;
+
+    /// What stands after "// <word>: " at the start of a line.
+    [[nodiscard]] std::string said(const std::string& word, const std::string& otherwise) const {
+        const std::string start = "\n// " + word + ": ";
+        const std::string lines = "\n" + text;
+        const std::size_t at = lines.find(start);
+        if (at == std::string::npos) return otherwise;
+        const std::size_t from = at + start.size();
+        return lines.substr(from, lines.find('\n', from) - from);
+    }
+    [[nodiscard]] std::string stage() const { return said("stage", "step03_sphere"); }
+};
+
+/// What came of a submission.
+struct Grade {
+    std::set<std::string> passed;
+    std::string told;
+    bool compiled = false;
+    std::chrono::duration<double> time{};
+};
+
+std::set<std::string> passed_cases(const std::string& report) {
+    std::set<std::string> passed;
+    std::istringstream lines(report);
+    std::string name;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("case ", 0) == 0) name = line.substr(5);
+        if (line == "passed") passed.insert(name);
+    }
+    return passed;
+}
+
+/// Where submissions are graded, as the grader will have it: results of others lie about.
+class Grader {
+public:
+    Grader() {
+        std::string name = fs::temp_directory_path() / "grading.XXXXXX";
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        folder_ = name;
+        fs::permissions(folder_, fs::perms(0755));
+        workshop_ = grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder_);
+        std::ofstream(results()) << treasure;
+        fs::permissions(results(), fs::perms(0666));  // only the seal keeps it
+        setenv("RAYSTEPS_SEALED", workshop_.sealed.c_str(), 1);
+        setenv("RAYSTEPS_WORKER", worker().c_str(), 1);
+        setenv("RAYSTEPS_REPORT", report().c_str(), 1);
+        setenv("RAYSTEPS_SECONDS", "1", 1);
+        setenv("RAYSTEPS_CASE_SECONDS", "2", 1);
+        setenv("RAYSTEPS_SUITE_SECONDS", "5", 1);
+    }
+    ~Grader() { fs::remove_all(folder_); }
+
+    Grade grade(const Attack& attack) {
+        const auto start = std::chrono::steady_clock::now();
+        const fs::path file = folder_ / "submission.cpp";
+        std::ofstream(file) << replaced(replaced(attack.text, "@ROOT@", RAYSTEPS_ROOT), "@RESULTS@",
+                                        results());
+        fs::remove(worker());
+        fs::remove(report());
+        Grade grade;
+        const grade::Compiled compiled =
+            grade::compile_submission(workshop_, attack.stage() + "_f64", file, worker());
+        grade.compiled = compiled.made;
+        grade.told = compiled.words;
+        if (compiled.made) {
+            const std::string limits = "cpu=1 memory=512";
+            setenv("RAYSTEPS_LIMITS", (limits + (compiled.libraries ? " libraries=1" : "")).c_str(),
+                   1);
+            const std::string suite =
+                std::string(RAYSTEPS_BUILD) + "/" + attack.stage() + "_asked_test_double";
+            const Ending ending = listen_to({suite}, longest_grading);
+            CHECK_FALSE(ending.out_of_time);
+            CHECK(ending.crash.empty());  // the suite itself came to its end
+            grade.passed = passed_cases(content(report()));
+            grade.told += content(report());
+        }
+        grade.time = std::chrono::steady_clock::now() - start;
+        return grade;
+    }
+
+    /// Nothing of the grader's is changed or left over.
+    [[nodiscard]] bool is_unharmed() const {
+        std::set<std::string> here;
+        for (const auto& each : fs::directory_iterator(folder_))
+            here.insert(each.path().filename());
+        const std::set<std::string> expected{"headers",        "seats",  "results.jsonl",
+                                             "submission.cpp", "worker", "report.txt"};
+        return content(results()) == treasure &&
+               std::includes(expected.begin(), expected.end(), here.begin(), here.end());
+    }
+
+    [[nodiscard]] int workers_left() const {
+        int count = 0;
+        for (const auto& each : fs::directory_iterator("/proc")) {
+            std::error_code none;
+            const fs::path program = fs::read_symlink(each.path() / "exe", none);
+            count += program.string().rfind(folder_.string(), 0) == 0;
+        }
+        return count;
+    }
+
+private:
+    [[nodiscard]] fs::path worker() const { return folder_ / "worker"; }
+    [[nodiscard]] fs::path report() const { return folder_ / "report.txt"; }
+    [[nodiscard]] fs::path results() const { return folder_ / "results.jsonl"; }
+
+    static constexpr const char* treasure = "{\"points\": 20}\n";
+    fs::path folder_;
+    grade::Workshop workshop_;
+};
+
+std::string stage_file(const std::string& stage, const std::string& folder) {
+    const std::string name = stage.substr(stage.find('_') + 1) + ".cpp";
+    return std::string(RAYSTEPS_ROOT) + "/steps/" + stage + "/" + folder + "/" + name;
+}
+
+std::size_t ceiling(Grader& grader, const Attack& attack) {
+    static std::map<std::string, std::size_t> of_stub;
+    const std::string said = attack.said("ceiling", "as a stub");
+    if (said != "as a stub") return std::stoul(said);
+    const std::string stage = attack.stage();
+    if (of_stub.count(stage) == 0)
+        of_stub[stage] = grader
+                             .grade({.name = "stub",
+                                     .text = "// stage: " + stage + "\n" +
+                                             content(stage_file(stage, "starter"))})
+                             .passed.size();
+    return of_stub[stage];
+}
+
+}  // namespace
+
+TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing") {
+    Grader grader;
+    for (const std::string stage : {"step03_sphere", "step05_triangle", "step13_meshes"}) {
+        if (!fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + "_f64.o")) continue;
+        INFO(stage);
+        const std::string start = "// stage: " + stage + "\n";
+        const Grade right = grader.grade(
+            {.name = "right", .text = start + content(stage_file(stage, "reference"))});
+        INFO(right.told);
+        REQUIRE(right.compiled);
+        CHECK(right.told.find("\nfailed") == std::string::npos);
+        CHECK(right.passed.size() > 15);
+        const Grade stub =
+            grader.grade({.name = "stub", .text = start + content(stage_file(stage, "starter"))});
+        REQUIRE(stub.compiled);
+        CHECK(stub.passed.size() < right.passed.size() / 2);
+    }
+}
+
+TEST_CASE("attacks earn nothing and harm nobody") {
+    Grader grader;
+    const pid_t me = getpid();
+    const char* only = std::getenv("RAYSTEPS_ATTACK");  // to look at one
+    int count = 0;
+    for (const fs::path& file : files_in(RAYSTEPS_ATTACKS, ".cpp")) {
+        const Attack attack{.name = file.stem(), .text = content(file)};
+        if (only != nullptr && attack.name != only) continue;
+        ++count;
+        INFO(attack.name + ": " + attack.said("attack", "?"));
+        CHECK(attack.text.find("// attack: ") != std::string::npos);
+        CHECK(attack.text.find("// ceiling: ") != std::string::npos);
+        const std::size_t most = ceiling(grader, attack);
+        const Grade grade = grader.grade(attack);
+        INFO(grade.told);
+        CHECK(grade.passed.size() <= most);
+        CHECK(grade.told.find(attack.said("told", "")) != std::string::npos);
+        const std::string compiles = attack.said("compiles", "yes");
+        CHECK((compiles == "perhaps" || compiles == (grade.compiled ? "yes" : "no")));
+        const std::string untold = attack.said("untold", "");
+        CHECK((untold.empty() || grade.told.find(untold) == std::string::npos));
+        CHECK(grade.time < longest_grading);
+        CHECK(grader.is_unharmed());
+        CHECK(grader.workers_left() == 0);
+        CHECK(getpid() == me);
+        std::printf("%-32s %2zu of %2zu cases, %4.1f s\n", attack.name.c_str(), grade.passed.size(),
+                    most, grade.time.count());
+        std::fflush(stdout);
+    }
+    CHECK((only != nullptr || count >= 40));
+}

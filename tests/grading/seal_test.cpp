@@ -1,0 +1,268 @@
+// Each layer of the seal, attacked: by whoever runs the test, and, if that is root, by an ordinary
+// user too.
+#include "common/course/grade/seal.hpp"
+#include "common/course/grade/layers.hpp"
+#include "common/course/process.hpp"
+
+#include "tests/kit/catch.hpp"
+
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+
+using namespace rt;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int done = 0;
+constexpr int refused = 1;
+constexpr int ended = 128 + SIGSYS;
+
+using Words = std::vector<std::string>;
+
+/// A folder that everybody may enter, with the programs in it.
+struct Ground {
+    Ground() {
+        std::string name = fs::temp_directory_path() / "seal.XXXXXX";
+        REQUIRE(mkdtemp(name.data()) != nullptr);
+        folder = name;
+        fs::permissions(folder, fs::perms(0755));
+        fs::copy_file(RAYSTEPS_SEALED, folder / "sealed");
+        fs::copy_file(RAYSTEPS_ATTACKER, folder / "attacker");
+        fs::create_directory(folder / "scratch");
+        fs::permissions(folder / "scratch", fs::perms(0777));
+        std::ofstream(folder / "secret") << "expected values";
+        fs::permissions(folder / "secret", fs::perms(0666));
+    }
+    ~Ground() { fs::remove_all(folder); }
+
+    fs::path folder;
+};
+
+/// One who attacks: the same person as the grader, or an ordinary user.
+struct Who {
+    std::string name;
+    Words before;
+};
+
+std::vector<Who> everybody() {
+    std::vector<Who> all{{"whoever runs this", {}}};
+    if (geteuid() == 0)
+        all.push_back(
+            {"an ordinary user", {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"}});
+    return all;
+}
+
+Ending run(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
+    Command command = who.before;
+    command.push_back(ground.folder / "sealed");
+    command.insert(command.end(), limits.begin(), limits.end());
+    command.insert(command.end(), {"--", ground.folder / "attacker"});
+    command.insert(command.end(), attack.begin(), attack.end());
+    return listen_to(command, std::chrono::seconds(20));
+}
+
+int status(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
+    return run(ground, who, limits, attack).status;
+}
+
+/// How many processes there are of a program.
+int processes_of(const fs::path& program) {
+    int count = 0;
+    for (const auto& each : fs::directory_iterator("/proc")) {
+        std::ifstream in(each.path() / "cmdline");
+        std::string line;
+        std::getline(in, line, '\0');
+        count += line == program.string();
+    }
+    return count;
+}
+
+/// What the function returns in a process to which the kernel refuses this system call.
+template <class Function>
+int without(long call, int error, Function function) {
+    const pid_t process = fork();
+    if (process == 0) {
+        sock_filter steps[] = {
+            {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+            {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, unsigned(call)},
+            {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | unsigned(error)},
+            {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+        };
+        const sock_fprog program{std::size(steps), steps};
+        prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program);
+        _exit(function());
+    }
+    int answer = 0;
+    waitpid(process, &answer, 0);
+    return exit_status(answer);
+}
+
+}  // namespace
+
+TEST_CASE("what grading needs of the seal holds on this machine") {
+    const auto layers = grade::layers();
+    INFO(grade::text_of(layers));
+    CHECK(grade::hold(layers));
+}
+
+TEST_CASE("a missing layer that is needed is told, and nothing is graded") {
+    CHECK(grade::hold({{"one", true, true}, {"two", false, false}}));
+    CHECK_FALSE(grade::hold({{"one", false, true}, {"two", true, false}}));
+    CHECK(grade::text_of({{"one", false, true}, {"two", true, false}}) == "✗ one\n✓ two\n");
+}
+
+TEST_CASE("a worker computes, has threads, and can end as it likes") {
+    const Ground ground;
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        CHECK(status(ground, who, {}, {"nothing"}) == done);
+        CHECK(status(ground, who, {}, {"threads"}) == done);
+        CHECK(status(ground, who, {}, {"abort"}) == 128 + SIGABRT);
+        CHECK(run(ground, who, {}, {"print"}).output.empty());
+    }
+}
+
+TEST_CASE("a worker reaches no file, process or network, whoever grades") {
+    const Ground ground;
+    const std::string secret = ground.folder / "secret";
+    setenv("SECRET", "1", 1);
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        CHECK(status(ground, who, {}, {"read", secret}) == refused);
+        CHECK(status(ground, who, {}, {"write", secret}) == refused);
+        CHECK(status(ground, who, {}, {"socket"}) == ended);
+        CHECK(status(ground, who, {}, {"fork"}) == ended);
+        CHECK(status(ground, who, {}, {"exec"}) == ended);
+        CHECK(status(ground, who, {}, {"exec another way"}) == refused);
+        CHECK(status(ground, who, {}, {"trace"}) == ended);
+        CHECK(status(ground, who, {}, {"signal"}) == ended);
+        CHECK(status(ground, who, {}, {"set the clock"}) == ended);
+        CHECK(status(ground, who, {}, {"namespaces"}) == ended);
+        CHECK(status(ground, who, {}, {"root"}) == ended);
+        CHECK(status(ground, who, {}, {"descriptors"}) == refused);
+        CHECK(status(ground, who, {}, {"environment"}) == refused);
+    }
+}
+
+TEST_CASE("a worker with shared libraries reads those, and nothing else") {
+    const Ground ground;
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        CHECK(status(ground, who, {"libraries=1"}, {"read", "/etc/ld.so.cache"}) == done);
+        CHECK(status(ground, who, {"libraries=1"}, {"read", "/etc/passwd"}) == refused);
+        CHECK(status(ground, who, {"libraries=1"}, {"write", "/dev/null"}) == refused);
+    }
+}
+
+TEST_CASE("time, memory and threads have an end") {
+    const Ground ground;
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        CHECK(status(ground, who, {"memory=512"}, {"memory"}) == refused);
+        CHECK(status(ground, who, {"memory=4096"}, {"memory"}) == done);
+        CHECK(status(ground, who, {"threads=32"}, {"many threads"}) == refused);
+        CHECK(status(ground, who, {"threads=400"}, {"many threads"}) == done);
+        CHECK(status(ground, who, {"cpu=1"}, {"spin"}) == 128 + SIGXCPU);
+    }
+}
+
+TEST_CASE("a compiler reads and writes where it is told to, and leaves nobody behind") {
+    const Ground ground;
+    const std::string secret = ground.folder / "secret";
+    const std::string scratch = ground.folder / "scratch";
+    const Words limits{"work=building", "wall=2", "file=1", "write=" + scratch,
+                       "read=" + (ground.folder / "attacker").string()};
+    const std::string me = std::to_string(getpid());
+    for (const Who& who : everybody()) {
+        // As root the folder is given to the user that the compiler becomes.
+        if (!who.before.empty()) REQUIRE(chown(scratch.c_str(), 65534, 65534) == 0);
+        INFO(who.name);
+        CHECK(status(ground, who, limits, {"nothing"}) == done);
+        CHECK(run(ground, who, limits, {"print"}).output == "printedtoo");
+        CHECK(status(ground, who, limits, {"write", scratch + "/made"}) == done);
+        CHECK(status(ground, who, limits, {"read", secret}) == refused);
+        CHECK(status(ground, who, limits, {"write", secret}) == refused);
+        CHECK(status(ground, who, limits, {"read", "/dev/zero"}) == refused);
+        CHECK(status(ground, who, limits, {"read", "/etc/passwd"}) == refused);
+        CHECK(status(ground, who, limits, {"read", "/proc/self/maps"}) == refused);
+        CHECK(status(ground, who, limits, {"socket"}) == refused);
+        CHECK(status(ground, who, limits, {"trace"}) == refused);
+        CHECK(status(ground, who, limits, {"signal", me}) == refused);
+        CHECK(status(ground, who, limits, {"namespaces"}) == refused);
+        CHECK(status(ground, who, limits, {"environment"}) == refused);
+        const auto start = std::chrono::steady_clock::now();
+        CHECK(status(ground, who, limits, {"sleep"}) == 128 + SIGXCPU);
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+        CHECK(status(ground, who, limits, {"daemon", scratch + "/late"}) == done);
+        usleep(1500000);
+        CHECK_FALSE(fs::exists(scratch + "/late"));
+        CHECK(processes_of(ground.folder / "attacker") == 0);
+        fs::remove(scratch + "/made");
+    }
+}
+
+TEST_CASE("without Landlock nothing is compiled, and a worker reaches no file all the same") {
+    const Ground ground;
+    const Words secret{"read", ground.folder / "secret"};
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        const auto answered = [&](const Words& limits, const Words& attack) {
+            return without(SYS_landlock_create_ruleset, ENOSYS,
+                           [&] { return status(ground, who, limits, attack); });
+        };
+        CHECK(answered({"work=building"}, {"nothing"}) == grade::not_sealed);
+        CHECK(answered({"libraries=1"}, {"nothing"}) == grade::not_sealed);
+        CHECK(answered({}, {"nothing"}) == done);
+        CHECK(answered({}, secret) == refused);
+    }
+    CHECK(without(SYS_landlock_create_ruleset, ENOSYS,
+                  [] { return int(grade::hold(grade::layers())); }) == 0);
+}
+
+TEST_CASE("without namespaces all that is needed holds, and without a filter nothing starts") {
+    const Ground ground;
+    const std::string scratch = ground.folder / "scratch";
+    const Words limits{"work=building", "wall=2", "write=" + scratch,
+                       "read=" + (ground.folder / "attacker").string()};
+    for (const Who& who : everybody()) {
+        INFO(who.name);
+        const auto answered = [&](long call, const Words& how, const Words& attack) {
+            return without(call, EPERM, [&] { return status(ground, who, how, attack); });
+        };
+        CHECK(answered(SYS_unshare, {}, {"nothing"}) == done);
+        CHECK(answered(SYS_unshare, {}, {"fork"}) == ended);
+        CHECK(answered(SYS_unshare, limits, {"nothing"}) == done);
+        CHECK(answered(SYS_unshare, limits, {"socket"}) == refused);
+        CHECK(answered(SYS_unshare, limits, {"signal", std::to_string(getpid())}) == refused);
+        CHECK(answered(SYS_unshare, limits, {"sleep"}) == 128 + SIGXCPU);
+        CHECK(answered(SYS_seccomp, {}, {"nothing"}) == grade::not_sealed);
+        CHECK(answered(SYS_seccomp, limits, {"nothing"}) == grade::not_sealed);
+    }
+    CHECK(without(SYS_unshare, EPERM, [] { return int(grade::hold(grade::layers())); }) == 1);
+    CHECK(without(SYS_seccomp, EPERM, [] { return int(grade::hold(grade::layers())); }) == 0);
+}
+
+TEST_CASE("what cannot be sealed is not started") {
+    const Ground ground;
+    const Who grader;
+    CHECK(run(ground, grader, {"memory=lots"}, {"nothing"}).output ==
+          "error: not sealed: not a number: lots\n");
+    CHECK(status(ground, grader, {"colour=red"}, {"nothing"}) == grade::not_sealed);
+    const Ending missing =
+        listen_to({ground.folder / "sealed", "--", "/no/such/program"}, std::chrono::seconds(5));
+    CHECK(missing.status == grade::not_sealed);
+    CHECK(missing.output == "error: not sealed: /no/such/program: No such file or directory\n");
+}
