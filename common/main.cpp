@@ -10,9 +10,11 @@
 
 namespace rt {
 
+#ifndef RT_EXACT
 inline namespace f32 {
 bool run(const Program& program, const Options& options, const std::atomic<bool>& stop);
 }
+#endif
 inline namespace f64 {
 bool run(const Program& program, const Options& options, const std::atomic<bool>& stop);
 }
@@ -32,10 +34,18 @@ void on_interrupt(int /*signal*/) {
 }
 
 int run_program(int argc, char** argv) {
-    const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT};
+#ifdef RT_EXACT
+    constexpr bool exact = true;
+#else
+    constexpr bool exact = false;
+#endif
+    const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
     const auto options = rt::parse_options(program, argc, argv);
     if (!options) return 0;
-    const auto run = options->precision == rt::Precision::f32 ? rt::f32::run : rt::f64::run;
+    auto run = rt::f64::run;
+#ifndef RT_EXACT
+    if (options->precision == rt::Precision::f32) run = rt::f32::run;
+#endif
     return run(program, *options, stop) ? 0 : interrupted;
 }
 

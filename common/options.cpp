@@ -64,6 +64,28 @@ void add_choice(CLI::App& app, const std::string& name, bool& second,
         ->type_name(words[0] + "|" + words[1]);
 }
 
+void add_precision(CLI::App& app, const Program& program, Precision& precision) {
+    const std::map<std::string, Precision> words = {
+        {"double", Precision::f64}, {"float", Precision::f32}, {"exact", Precision::exact}};
+    precision = program.exact ? Precision::exact : Precision::f64;
+    app.add_option("--precision", precision,
+                   "the numbers to compute with; double if not given; exact: every ray meets what "
+                   "exact arithmetic says, by the references, no file of a student's")
+        ->transform(CLI::CheckedTransformer(words).description(""))
+        ->type_name("double|float|exact");
+}
+
+/// Throws, and says which other program it is, if this one has not that precision.
+void check_precision(const Program& program, Precision precision) {
+    if ((precision == Precision::exact) == program.exact) return;
+    const std::string name(stage_name(program.stage));
+    if (program.exact)
+        throw InputError({}, "--precision float and double are another program: " + name);
+    throw InputError({}, "--precision exact is another program: ninja -C build " + name +
+                             "_exact builds it, ./course run " + std::to_string(program.stage) +
+                             " --precision exact builds and runs it");
+}
+
 /// The options of the stages that have light.
 void add_light_options(CLI::App& app, int stage, Look& look) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
@@ -113,7 +135,6 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     Options options;
     options.threads = std::max(1, int(std::thread::hardware_concurrency()));
     bool horizontal = false;
-    bool single = false;
     bool normal = false;
 
     CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
@@ -126,7 +147,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
            "--size", [&](const std::string& text) { options.size = parse_size(text); },
            "the picture's size in pixels, in place of the scene's")
         ->type_name("WIDTHxHEIGHT");
-    add_choice(app, "--precision", single, {"double", "float"}, "the numbers to compute with");
+    add_precision(app, program, options.precision);
     app.add_option("--threads", options.threads, "as many as there are cores if not given")
         ->check(CLI::Range(1, max_threads).description(""))
         ->type_name("N");
@@ -161,7 +182,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     if (std::isnan(options.look.tolerance))  // which is in no range, and outside none
         throw InputError({}, "--tolerance must be a number from 0 to 1");
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
-    if (single) options.precision = Precision::f32;
+    check_precision(program, options.precision);
     if (normal) options.look.shading = Shading::normal;
     if (options.look.tolerance > 0 && app.get_option("--shadow-samples")->empty())
         options.look.shadow_samples = tolerance_samples;

@@ -13,10 +13,11 @@ namespace rt {
 /// The program that somebody runs.
 struct Program {
     int stage = 1;
-    std::string root;  ///< the folder of the project: own scenes and pictures are in there
+    std::string root;    ///< the folder of the project: own scenes and pictures are in there
+    bool exact = false;  ///< of certified kernels
 };
 
-enum class Precision { f32, f64 };
+enum class Precision { f32, f64, exact };
 
 struct Options {
     std::string scene;   ///< a file

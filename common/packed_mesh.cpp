@@ -1,5 +1,9 @@
 #include "common/packed_mesh.hpp"
 
+#ifdef RT_EXACT
+#include "common/exact/triangle_test.hpp"
+#endif
+
 #include <future>
 
 namespace rt::inline RT_PRECISION {
@@ -7,6 +11,12 @@ namespace rt::inline RT_PRECISION {
 inline namespace RT_LANES {
 
 namespace {
+
+#ifdef RT_EXACT
+using Test = ExactTriangleTest;
+#else
+using Test = TriangleTest;
+#endif
 
 /// The power of two that brings the largest coordinate between 1 and 2, so that no area over- or
 /// underflows; or as near to it as its inverse stays finite.
@@ -64,7 +74,7 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
 
 std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const TriangleTest test(seen);
+    const Test test(seen);
     Interval left = scaled(interval);
     const std::uint32_t* triangle = nullptr;
     Vec3 areas;
@@ -89,7 +99,7 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
 
 bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const TriangleTest test(seen);
+    const Test test(seen);
     const Interval left = scaled(interval);
     return hierarchy_.visit_leaves(
         seen, left, [&](std::size_t leaf) { return test(packets_[leaf], left).hits != 0; });

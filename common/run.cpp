@@ -17,7 +17,10 @@ namespace rt {
 
 namespace {
 
-constexpr const char* precision_name = sizeof(Real) == sizeof(float) ? "float" : "double";
+const char* name(Precision precision) {
+    if (precision == Precision::exact) return "exact";
+    return precision == Precision::f32 ? "float" : "double";
+}
 
 std::string size_text(Resolution size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
@@ -74,13 +77,13 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
     return {{"Title", std::filesystem::path(options.scene).filename().string()},
             {"Software", "Raysteps " + std::string(stage_name(program.stage))},
             {"Size", size_text(size)},
-            {"Precision", precision_name},
+            {"Precision", name(options.precision)},
             {"Options", used}};
 }
 
 void report(const Rendering& rendering, const Options& options, double seconds) {
     std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
-                size_text(rendering.image.resolution).c_str(), precision_name, seconds,
+                size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
                 static_cast<long long>(rendering.rays));
     if (rendering.sized_light_rays > 0)
         std::printf(", %lld of them to lights with a size",
@@ -123,7 +126,7 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     const Camera& camera = scene.cameras.front();
     Story story(std::cout);
     story.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
-                  size_text(size) + " pixels, " + precision_name);
+                  size_text(size) + " pixels, " + name(options.precision));
     tell_screen(story, pixel, size, vertical_fov(camera, size));
     if (program.stage >= 2) tell_basis(story, camera);
     const Ray ray = pixel_rays(camera, size)(pixel);

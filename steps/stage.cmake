@@ -1,13 +1,17 @@
+include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
+include(${PROJECT_SOURCE_DIR}/common/exact/exact.cmake)
+
 # raysteps_stage()
 #
 # The stage in whose folder it is called: its reference, the student's file once there is one, and
 # the executable of the stage's name, made of every stage up to this one.
 #
-# stepNN_name_reference_f64   object library of reference/*.cpp (and _f32)
+# stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             whichever of the two is chosen, by name
 # stepNN_name                 the executable; _of_reference and _judged are the same program of the
 #                             references, and of this stage's chosen file on the others' references
+# stepNN_name_exact           the same program of certified kernels: common/exact/exact.cmake
 # stepNN_name_picture_f64     the stage's picture: main.cpp, and what this stage and those before it
 #                             hand on: the other files beside a main.cpp, story.cpp apart
 function(raysteps_stage)
@@ -16,7 +20,15 @@ function(raysteps_stage)
 
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
     file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
-    raysteps_compile_twice(${name}_reference ${reference})
+    if(reference)
+        raysteps_compile_twice(${name}_reference ${reference})
+        raysteps_archive(${name}_reference steps/${name}/reference .)
+    else()
+        foreach(precision IN ITEMS f32 f64)
+            add_library(${name}_reference_${precision} INTERFACE)
+        endforeach()
+        raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
+    endif()
     set(chosen reference)
     if(student)
         raysteps_compile_twice(${name}_student ${student})
@@ -27,10 +39,19 @@ function(raysteps_stage)
 
     foreach(precision IN ITEMS f32 f64)
         add_library(${name}_${precision} INTERFACE)
-        target_sources(${name}_${precision} INTERFACE
-            $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+        get_target_property(type ${name}_${chosen}_${precision} TYPE)
+        if(type STREQUAL "OBJECT_LIBRARY")
+            target_sources(${name}_${precision} INTERFACE
+                $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+        else()  # an archive
+            target_link_libraries(${name}_${precision} INTERFACE ${name}_${chosen}_${precision})
+        endif()
     endforeach()
     set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
+    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
+    if(exact)
+        raysteps_exact(${name}_exact ${exact})
+    endif()
 
     set(meshes raysteps_without_meshes)
     if(number GREATER_EQUAL 13)
@@ -67,6 +88,9 @@ function(raysteps_stage)
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(APPEND stages step02_camera_basis)  # which the scene reader calls, before stage 2 too
     list(REMOVE_DUPLICATES stages)
+    if((TARGET step08_cone_exact_f64 OR number LESS 8) AND reference)  # a hand-out has no kernels
+        raysteps_exact_program(${name} ${number} ${stages})
+    endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
     set(others ${references})
     list(REMOVE_ITEM others ${name}_reference)

@@ -75,7 +75,7 @@ TEST_CASE("the default camera has the world's axes (MRT §2)") {
     CHECK(basis_is({0, 0, -1}, {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}}));
 }
 
-TEST_CASE("Z is against the direction, X to the right, Y upwards (MRT §2)") {
+TEST_CASE("Z is against the direction, X to the right, Y upwards (MRT §2)", "[3 points]") {
     CHECK(basis_is({1, 0, 0}, {.x = {0, 0, 1}, .y = {0, 1, 0}, .z = {-1, 0, 0}}));
     CHECK(basis_is({0, 0, 1}, {.x = {-1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, -1}}));
     CHECK(basis_is({-1, 0, 0}, {.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}}));

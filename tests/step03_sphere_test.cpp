@@ -21,7 +21,8 @@ Sample<Sphere> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)") {
+TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)",
+          "[3 points]") {
     CHECK(hits(ahead, unit_sphere, 4));
 }
 

@@ -19,7 +19,7 @@ Sample<Plane> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)") {
+TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)", "[3 points]") {
     const Ray ray{.origin = {2, -3, 1}, .direction = {-1, 2, -3}};
     const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};
     CHECK(hits(ray, plane, Real(8) / 15));

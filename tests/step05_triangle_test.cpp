@@ -44,7 +44,7 @@ Sample<Triangle> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)") {
+TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)", "[3 points]") {
     CHECK(hits(down_at(1, 1), right_angled, 2));
     CHECK(misses(down_at(3, 3), right_angled));
     CHECK(misses(down_at(-1, 1), right_angled));

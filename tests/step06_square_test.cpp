@@ -35,7 +35,7 @@ Sample<Square> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)") {
+TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[3 points]") {
     CHECK(hits(down_at(0, 0), flat, 2));
     CHECK(hits(down_at(Real(1.75), Real(-1.75)), flat, 2));
     CHECK(misses(down_at(Real(2.25), 0), flat));

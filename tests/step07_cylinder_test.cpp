@@ -31,7 +31,7 @@ Sample<Cylinder> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray across meets the near side (MRT §7)") {
+TEST_CASE("a ray across meets the near side (MRT §7)", "[3 points]") {
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {-7, 1, 0}, .direction = {1, 0, 0}}, upright, 5));
     CHECK(hits(Ray{.origin = {0, 5, 5}, .direction = {0, -1, -1}}, upright, 3));

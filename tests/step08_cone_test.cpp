@@ -55,7 +55,7 @@ Verdict hits_behind(Real passed, Random& random) {
 
 }  // namespace
 
-TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)") {
+TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)", "[3 points]") {
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upward, Real(3.5)));
     CHECK(hits(Ray{.origin = {-6, 1, 0}, .direction = {1, 0, 0}}, upward, Real(5.5)));

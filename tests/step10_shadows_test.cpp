@@ -161,7 +161,7 @@ const Ray to_the_origin{.origin = {4, 1, 1}, .direction = {-4, -1, -1}};
 
 }  // namespace
 
-TEST_CASE("the way leads from the point to the light (CR §3.2)") {
+TEST_CASE("the way leads from the point to the light (CR §3.2)", "[3 points]") {
     CHECK(leads_there(on_floor, Vec3(0, 4, 0)));
     CHECK(leads_there(on_floor, Vec3(3, Real(0.5), -4)));
     CHECK(for_all([](Random& random) {

@@ -197,7 +197,7 @@ const Ray round_the_square{.origin = {0, -1, 0}, .direction = {1, 0, 0}};
 
 }  // namespace
 
-TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)") {
+TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)", "[3 points]") {
     const Real s = Real(0.6);
     const Real c = Real(0.8);
     const Ray down{.origin = {1, 2, 3}, .direction = {s, -c, 0}};

@@ -336,7 +336,7 @@ Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color 
 
 }  // namespace
 
-TEST_CASE("a ray is in the box from the last t_min to the first t_max (M1)") {
+TEST_CASE("a ray is in the box from the last t_min to the first t_max (M1)", "[3 points]") {
     CHECK(inside(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, block, {2, 8}));
     // Through x in 4 to 6, y in 3 to 7, z in 2 to 8.
     CHECK(inside(Ray{.origin = {5, 5, 5}, .direction = {-1, -1, -1}}, block, {4, 6}));

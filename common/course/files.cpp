@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 std::string read_text(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
-    if (!in || !(text << in.rdbuf())) throw InputError({file.string()}, "cannot be read");
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // fails on nothing
+    if (in.bad() || !in.is_open() || !text) throw InputError({file.string()}, "cannot be read");
     return text.str();
 }
 

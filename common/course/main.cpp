@@ -5,10 +5,14 @@
 #include "common/course/comparing.hpp"
 #include "common/course/compiler_errors.hpp"
 #include "common/course/files.hpp"
+#include "common/course/handout.hpp"
 #include "common/course/hints.hpp"
+#include "common/course/manifest.hpp"
+#include "common/course/measure.hpp"
 #include "common/course/paint.hpp"
 #include "common/course/process.hpp"
 #include "common/course/project.hpp"
+#include "common/course/update.hpp"
 #include "common/course/view/view.hpp"
 #include "common/course/workbook.hpp"
 
@@ -54,7 +58,11 @@ constexpr const char* commands = R"(
 ./course solution N        the reference: once you have passed, or ask twice
 ./course reset N           start anew; what you have is kept beside
 ./course test [N] [options of ctest]    the suite as it is, or every test
+./course update NEW        a newer hand-out, folder or archive; what you have written stays
 ./course audit             for who writes stages: is each of them whole?
+./course measure [STUDY…]  speed against accuracy on this machine: docs/accuracy.md
+./course grade SUBMISSIONS… --out DIR   for who teaches: marks, sealed; --help lists options
+./course handout DIR       for who teaches: all of this without the solutions; or DIR.tar.gz
 
 N is a number or a name: 5, triangle, step05_triangle; without it, the stage you are at.
 run, compare, explain: --mine with all stages you have written, --reference 3,5 without these.)";
@@ -138,6 +146,8 @@ int hint(int stage) {
 }
 
 int solution(int stage) {
+    const auto files = rt::files_in(rt::project_folder / rt::step_path(stage, "reference"), ".cpp");
+    if (files.empty()) throw rt::InputError({}, "the solutions are not part of this hand-out");
     rt::Workbook workbook(stage);
     rt::Record record = workbook.record();
     ++record.solution_asked;
@@ -147,8 +157,6 @@ int solution(int stage) {
                     rt::stage_name(stage).data(), stage);
         return 1;
     }
-    const auto files = rt::files_in(rt::project_folder / rt::step_path(stage, "reference"), ".cpp");
-    if (files.empty()) throw rt::InputError({}, "the solutions are not part of this hand-out");
     for (const auto& file : files)
         std::printf("// %s\n%s", file.lexically_relative(rt::project_folder).c_str(),
                     rt::read_text(file).c_str());
@@ -170,10 +178,24 @@ void build_all_mine(int stage) {
     }
 }
 
+/// Whether the program is asked for that precision, which has a program of its own.
+bool wants_exact(const std::vector<std::string>& words) {
+    const auto name = std::find(words.begin(), words.end(), "--precision");
+    return std::find(words.begin(), words.end(), "--precision=exact") != words.end() ||
+           (words.end() - name >= 2 && name[1] == "exact");
+}
+
 int run(int stage, const Words& words) {
-    const std::string name = rt::stage_target(stage);
     rt::choose_reference(parse_stages(words.reference));
-    build_all_mine(stage);
+    std::string name = rt::stage_target(stage);
+    if (wants_exact(words.rest)) {
+        if (rt::is_handout(rt::project_folder))
+            throw rt::InputError({}, "--precision exact is not part of this hand-out");
+        name = rt::stage_target(stage, "_exact");
+        rt::build({name});
+    } else {
+        build_all_mine(stage);
+    }
     rt::Command command = {(rt::build_folder / name).string()};
     command.insert(command.end(), words.rest.begin(), words.rest.end());
     return rt::run_process(command);
@@ -238,12 +260,31 @@ int test(std::vector<std::string> words) {
     return status;
 }
 
+/// The grader is a program of its own: no student needs what it is made of.
+int grade(const std::vector<std::string>& words) {
+    const bool attacks = std::find(words.begin(), words.end(), "--self-test") != words.end();
+    rt::choose_reference("all");
+    if (attacks)
+        rt::build({"grading", "seal_test", "attacks_test"});
+    else
+        rt::build({"grading"});
+    rt::Command command = {(rt::build_folder / "grade").string()};
+    command.insert(command.end(), words.begin(), words.end());
+    return rt::run_process(command);
+}
+
 int run_command(int argc, char** argv) {
     CLI::App app{"Raysteps: a ray tracer in thirteen steps", "course"};
     app.require_subcommand(0, 1);
     // Words after `test` are its own, options among them.
     CLI::App* test_app = app.add_subcommand("test")->prefix_command();
     CLI::App* audit_app = app.add_subcommand("audit");
+    CLI::App* grade_app = app.add_subcommand("grade")->prefix_command();
+    grade_app->set_help_flag();  // it is the grader's to answer
+    CLI::App* measure_app = app.add_subcommand("measure")->allow_extras();
+    std::string place;
+    for (const char* name : {"handout", "update"})
+        app.add_subcommand(name)->add_option("place", place)->required();
     Words words;
     for (const char* name : {"start", "check", "watch", "hint", "solution", "reset", "view"})
         app.add_subcommand(name)->add_option("stage", words.stage);
@@ -264,11 +305,16 @@ int run_command(int argc, char** argv) {
                                                       "\": ./course lists the commands"
                                                 : chosen[0]->get_name() + ": " + error.what());
     }
+    if (!app.got_subcommand("update")) rt::warn_of_half_update();
     if (test_app->parsed()) return test(test_app->remaining());
+    if (grade_app->parsed()) return grade(grade_app->remaining());
+    if (measure_app->parsed()) return rt::measure(measure_app->remaining());
     if (audit_app->parsed()) return rt::audit();
     if (app.get_subcommands().empty()) return list();
     CLI::App* command = app.get_subcommands()[0];
     const std::string name = command->get_name();
+    if (name == "handout") return rt::hand_out(place);
+    if (name == "update") return rt::update(place);
     words.rest = command->remaining();
     const int stage = parse_stage(words.stage);
     if (name == "start") return start(stage);

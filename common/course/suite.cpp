@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::chrono::seconds time_limit{10};  // the slowest suite takes one
 
-/// What follows the word, if the line starts with it.
-bool starts_with(const std::string& line, const std::string& word, std::string& rest) {
-    if (line.rfind(word, 0) != 0) return false;
-    rest = line.substr(word.size());
-    return true;
-}
-
 }  // namespace
 
 SuiteResult run_suite(const std::string& program) {
@@ -33,20 +26,6 @@ SuiteResult run_suite(const std::string& program) {
     else if (!ending.crash.empty())
         result.ended = "crashed: " + ending.crash;
     return result;
-}
-
-std::vector<CaseResult> read_report(const std::string& text) {
-    std::vector<CaseResult> cases;
-    for (const std::string& line : lines_of(text)) {
-        std::string rest;
-        if (starts_with(line, "case ", rest)) cases.push_back({.name = rest});
-        if (cases.empty()) continue;
-        CaseResult& last = cases.back();
-        if (starts_with(line, "at ", rest)) last.place = rest;
-        if (starts_with(line, "| ", rest)) last.failure += rest + "\n";
-        if (line == "passed") last.passed = true;
-    }
-    return cases;
 }
 
 }  // namespace rt

@@ -173,6 +173,7 @@ std::string Worker::ask(const std::string& question, double seconds) {
     frame += question;
     send(frame.data(), frame.size(), deadline, seconds);
 
+    wait_until_ready(POLLIN, deadline, seconds);  // to look for it first is always too early
     Frame came{};
     receive(reinterpret_cast<char*>(&came), sizeof came, deadline, seconds);
     if (came.ticket != asked.ticket || came.size < 1 || came.size > largest_frame)

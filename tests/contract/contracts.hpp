@@ -134,7 +134,9 @@ template <>
 inline constexpr auto record<Number> = record_of("Number", field("stage", &Number::stage),
                                                  field("place", &Number::place));
 
-/// The place of what is asked for one whole picture: behind every contract's functions.
+// The places of what is asked for at once, whole pictures and many points of a light: behind every
+// contract's functions.
 inline constexpr std::uint8_t picture_place = 255;
+inline constexpr std::uint8_t light_points_place = 254;
 
 }  // namespace rt::contract

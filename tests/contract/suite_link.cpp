@@ -8,11 +8,12 @@
 // RAYSTEPS_RECORD         a file that all questions are written to, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "tests/contract/asking.hpp"
-#include "tests/contract/scene_bytes.hpp"
+#include "tests/contract/picture_question.hpp"
 #include "tests/contract/stub.hpp"
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/drawn.hpp"
+#include "tests/kit/light_points.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -153,22 +154,25 @@ std::string answer_of_worker(const std::string& question) {
 
 namespace rt {
 
-/// One question a picture: asked ray by ray, it would take a hundred times as long as it does.
 Image drawn(const Scene& scene, const Look& look, int every) {
     using namespace contract;
+    return picture_in(link().ask(picture_question(scene, look, every)), scene.resolution);
+}
+
+std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed, int count) {
+    using namespace contract;
     Writer question;
-    put(question, Number{.stage = 0, .place = picture_place});
-    put_scene(question, scene);
-    put(question, look);
-    put(question, every);
+    put(question, Number{.stage = 0, .place = light_points_place});
+    put(question, light);
+    put(question, from);
+    put(question, seed);
+    put(question, count);
     const std::string bytes = link().ask(question.bytes());
     Reader reader(bytes);
-    Image image(scene.resolution);
-    const std::size_t size = image.pixels.size();
-    image.pixels = get<std::vector<Rgb>>(reader);
+    auto points = get<std::vector<Vec3>>(reader);
     reader.end();
-    if (image.pixels.size() != size) throw Malformed("a picture of another size");
-    return image;
+    if (points.size() != std::size_t(count)) throw Malformed("another number of points");
+    return points;
 }
 
 }  // namespace rt

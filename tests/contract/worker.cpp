@@ -5,6 +5,7 @@
 #include "tests/contract/scene_bytes.hpp"
 
 #include "tests/kit/drawn.hpp"
+#include "tests/kit/light_points.hpp"
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -30,6 +31,16 @@ void answer_with_picture(Reader& question, Writer& answer) {
     put(answer, drawn(scene, look, every).pixels);
 }
 
+void answer_with_light_points(Reader& question, Writer& answer) {
+    const auto light = get<Light>(question);
+    const auto from = get<Vec3>(question);
+    const auto seed = get<std::uint32_t>(question);
+    const int count = get<int>(question);
+    question.end();
+    if (count < 0 || count > 65536) throw Malformed("too many points");
+    put(answer, light_points(light, from, seed, count));
+}
+
 std::map<int, Answer> all_answers() {
     std::map<int, Answer> answers;
     std::array<int, stage_count + 1> places{};
@@ -37,6 +48,7 @@ std::map<int, Answer> all_answers() {
         answers[stage << 8 | places.at(std::size_t(stage))++] = F::answer;
     });
     answers[picture_place] = answer_with_picture;
+    answers[light_points_place] = answer_with_light_points;
     return answers;
 }
 
@@ -106,9 +118,9 @@ int serve() {
             throw Malformed("a frame cut short");
         const Writer answer = answer_to(question, answers);
         frame.size = answer.bytes().size();
-        if (!write_all(reinterpret_cast<const char*>(&frame), sizeof frame) ||
-            !write_all(answer.bytes().data(), answer.bytes().size()))
-            return 1;
+        std::string bytes(reinterpret_cast<const char*>(&frame), sizeof frame);
+        bytes += answer.bytes();
+        if (!write_all(bytes.data(), bytes.size())) return 1;
     }
     return 0;
 }

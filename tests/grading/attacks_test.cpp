@@ -12,6 +12,8 @@
 // them.
 #include "common/course/files.hpp"
 #include "common/course/grade/compile.hpp"
+#include "common/course/report.hpp"
+#include "common/stages.hpp"
 
 #include "tests/kit/catch.hpp"
 
@@ -68,12 +70,8 @@ struct Grade {
 
 std::set<std::string> passed_cases(const std::string& report) {
     std::set<std::string> passed;
-    std::istringstream lines(report);
-    std::string name;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.rfind("case ", 0) == 0) name = line.substr(5);
-        if (line == "passed") passed.insert(name);
-    }
+    for (const CaseResult& each : read_report(report))
+        if (each.passed) passed.insert(each.name);
     return passed;
 }
 
@@ -99,20 +97,20 @@ public:
 
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
-        const fs::path file = folder_ / "submission.cpp";
-        std::ofstream(file) << replaced(replaced(attack.text, "@ROOT@", RAYSTEPS_ROOT), "@RESULTS@",
-                                        results());
+        const int stage = *find_stage(attack.stage());
+        const std::string text =
+            replaced(replaced(attack.text, "@ROOT@", RAYSTEPS_ROOT), "@RESULTS@", results());
         fs::remove(worker());
         fs::remove(report());
         Grade grade;
-        const grade::Compiled compiled =
-            grade::compile_submission(workshop_, attack.stage() + "_f64", file, worker());
-        grade.compiled = compiled.made;
-        grade.told = compiled.words;
-        if (compiled.made) {
-            const std::string limits = "cpu=1 memory=512";
-            setenv("RAYSTEPS_LIMITS", (limits + (compiled.libraries ? " libraries=1" : "")).c_str(),
-                   1);
+        grade::Made made = grade::compile_submission(workshop_, stage, text, object());
+        if (made.succeeded)
+            made = grade::link_worker(workshop_, stage, {{stage, object()}}, worker());
+        grade.compiled = made.succeeded;
+        grade.told = made.words;
+        if (made.succeeded) {
+            const std::string limits = grade::worker_limits(stage) + " cpu=1";
+            setenv("RAYSTEPS_LIMITS", limits.c_str(), 1);
             const std::string suite =
                 std::string(RAYSTEPS_BUILD) + "/" + attack.stage() + "_asked_test_double";
             const Ending ending = listen_to({suite}, longest_grading);
@@ -130,8 +128,8 @@ public:
         std::set<std::string> here;
         for (const auto& each : fs::directory_iterator(folder_))
             here.insert(each.path().filename());
-        const std::set<std::string> expected{"headers",        "seats",  "results.jsonl",
-                                             "submission.cpp", "worker", "report.txt"};
+        const std::set<std::string> expected{"headers",      "seats",  "results.jsonl",
+                                             "submission.o", "worker", "report.txt"};
         return content(results()) == treasure &&
                std::includes(expected.begin(), expected.end(), here.begin(), here.end());
     }
@@ -147,6 +145,7 @@ public:
     }
 
 private:
+    [[nodiscard]] fs::path object() const { return folder_ / "submission.o"; }
     [[nodiscard]] fs::path worker() const { return folder_ / "worker"; }
     [[nodiscard]] fs::path report() const { return folder_ / "report.txt"; }
     [[nodiscard]] fs::path results() const { return folder_ / "results.jsonl"; }
@@ -180,7 +179,7 @@ std::size_t ceiling(Grader& grader, const Attack& attack) {
 TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing") {
     Grader grader;
     for (const std::string stage : {"step03_sphere", "step05_triangle", "step13_meshes"}) {
-        if (!fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + "_f64.o")) continue;
+        if (!fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + ".o")) continue;
         INFO(stage);
         const std::string start = "// stage: " + stage + "\n";
         const Grade right = grader.grade(

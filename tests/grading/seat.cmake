@@ -1,42 +1,35 @@
-# raysteps_seat(<stage> <precision> <reference of another stage>...)
+# raysteps_seat(<stage>)
 #
-# A seat is a worker that lacks one file, the student's. For the stage and precision (f32, f64):
+# What a graded worker of the stage is linked from, besides the student's own file, in double:
 #
-# seats/<stage>_<precision>.o    all of the worker but the stage's own file, as one object
-# seats/<stage>_<precision>.txt  how that file is compiled and linked to it, an option a line
+# seats/<stage>.o             all of it but the thirteen stages' own files, as one object
+# seats/references/<stage>.o  the stage's reference, for who is graded on another
+# seats/<stage>.txt           how a file of the stage is compiled, and all of it linked: an option a
+#                             line
 #
-# <stage>_<precision>_seat is the target that makes both.
-function(raysteps_seat stage precision)
+# <stage>_seat is the target that makes them.
+function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
-    set(object ${folder}/${stage}_${precision}.o)
-    set(objects)
-    foreach(part IN ITEMS
-            raysteps_worker_${precision} raysteps_common_${precision} raysteps_neutral)
-        list(APPEND objects $<TARGET_OBJECTS:${part}>)
-    endforeach()
+    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_neutral)
     set(libraries -static)
     set(own_libraries)
     if(stage STREQUAL "step13_meshes")  # whose OpenMesh is a shared library
-        list(APPEND objects $<TARGET_OBJECTS:raysteps_mesh_file>)
+        list(APPEND parts raysteps_mesh_file)
         set(libraries)
         set(own_libraries "$<TARGET_LINKER_FILE:OpenMeshCore>")
     endif()
-    foreach(other IN LISTS ARGN)
-        list(APPEND objects $<TARGET_OBJECTS:${other}_${precision}>)
+    set(objects $<TARGET_PROPERTY:${stage}_picture_f64,INTERFACE_SOURCES>)
+    foreach(part IN LISTS parts)
+        list(APPEND objects $<TARGET_OBJECTS:${part}>)
     endforeach()
-    list(APPEND objects $<TARGET_PROPERTY:${stage}_picture_${precision},INTERFACE_SOURCES>)
-    set(objects "$<FILTER:${objects},EXCLUDE,cmake_pch>")  # which CMake counts as one
-    add_custom_command(OUTPUT ${object}
-        COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-        COMMAND ${CMAKE_CXX_COMPILER} -r -nostdlib -o ${object} "${objects}"
-        DEPENDS "${objects}" COMMAND_EXPAND_LISTS VERBATIM)
-    add_custom_target(${stage}_${precision}_seat DEPENDS ${object})
+    raysteps_one_object(${folder}/${stage}.o "${objects}")
+    raysteps_one_object(${folder}/references/${stage}.o $<TARGET_OBJECTS:${stage}_reference_f64>)
+    add_custom_target(${stage}_seat DEPENDS ${folder}/${stage}.o ${folder}/references/${stage}.o)
 
     set(few_errors -fmax-errors=20)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
         set(few_errors -ferror-limit=20)
     endif()
-    set(of_precision $<$<STREQUAL:${precision},f32>:-DRT_FLOAT>)
     set(fast_linker $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>)
     set(definitions $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_DEFINITIONS>)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
@@ -50,11 +43,20 @@ function(raysteps_seat stage precision)
         "compile -w"  # they are told to who writes the file, not to who grades it
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
-        "compile ${of_precision}"
         "link ${libraries}"
         "link ${fast_linker}"
         "library ${own_libraries}"
         "library -lpng" "library -lz")
     list(JOIN lines "\n" text)
-    file(GENERATE OUTPUT ${folder}/${stage}_${precision}.txt CONTENT "${text}\n")
+    file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
+endfunction()
+
+# raysteps_one_object(<file> <objects>)
+function(raysteps_one_object file objects)
+    set(objects "$<FILTER:${objects},EXCLUDE,cmake_pch>")  # which CMake counts as one
+    get_filename_component(folder ${file} DIRECTORY)
+    add_custom_command(OUTPUT ${file}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+        COMMAND ${CMAKE_CXX_COMPILER} -r -nostdlib -o ${file} "${objects}"
+        DEPENDS "${objects}" COMMAND_EXPAND_LISTS VERBATIM)
 endfunction()

@@ -24,15 +24,14 @@ std::string text(Pixel pixel) {
     return std::to_string(pixel.row) + "," + std::to_string(pixel.column);
 }
 
-/// Whether the colour is as near to the reference as right answers are.
+}  // namespace
+
 bool fits(Rgb came, Rgb reference, Rgb spread) {
     for (std::size_t i = 0; i < came.size(); ++i)
         if (spread[i] != not_judged && std::abs(came[i] - reference[i]) > spread[i] + rounding)
             return false;
     return true;
 }
-
-}  // namespace
 
 std::string project_file(const std::string& name) {
     return RAYSTEPS_ROOT "/" + name;

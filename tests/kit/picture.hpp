@@ -3,6 +3,7 @@
 
 #include "tests/kit/verdict.hpp"
 
+#include "common/image.hpp"
 #include "common/look.hpp"
 
 namespace rt {
@@ -16,6 +17,10 @@ struct Drawing {
     Look look;
     int every = 1;  ///< of a picture that takes seconds, so many-th pixels and rows are enough
 };
+
+/// Whether a pixel's colour is as near to the reference's as right answers are, by what the picture
+/// of the same name in tests/pictures says of it.
+[[nodiscard]] bool fits(Rgb came, Rgb reference, Rgb spread);
 
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///

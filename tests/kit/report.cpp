@@ -2,6 +2,7 @@
 // file is named by the environment variable RAYSTEPS_REPORT; without it nothing is told.
 //
 //   case edges belong to the triangle (MRT §5)
+//   points 2                                   if its tag says so: [2 points]; else it is worth 1
 //   at tests/step05_triangle_test.cpp:61       only of a case that fails: its first failure
 //   | intersect(Ray{…                          its lines
 //   failed                                     or passed
@@ -44,6 +45,14 @@ std::string place(const Catch::SourceLineInfo& source) {
            std::to_string(source.line);
 }
 
+/// What "[light][2 points]" is worth.
+int points_in(const std::string& tags) {
+    int points = 1;
+    for (std::size_t at = tags.find('['); at != std::string::npos; at = tags.find('[', at + 1))
+        if (std::sscanf(tags.c_str() + at, "[%d points]", &points) == 1) break;
+    return points;
+}
+
 class Report : public Listener {
 public:
     using Listener::Listener;
@@ -59,6 +68,8 @@ public:
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
         Listener::testCaseStarting(info);
         out_ << "case " << info.name << std::endl;
+        if (const int points = points_in(info.tagsAsString()); points != 1)
+            out_ << "points " << points << std::endl;
         told_ = false;
     }
 

@@ -42,6 +42,7 @@ refused "half a size" "--size must be" step03_sphere --size 640
 refused "a pixel outside" "outside the picture" step03_sphere --pixel 480,0
 refused "no pixel" "--pixel must be" step03_sphere --pixel 1;
 refused "an unknown precision" "half" step03_sphere --precision half
+refused "another program's precision" "ninja -C build step03_sphere_exact" step03_sphere --precision exact
 refused "no threads" "threads" step03_sphere --threads 0
 refused "an unknown option" "--frobnicate" step03_sphere --frobnicate
 refused "two scenes" "error" step03_sphere "$scenes/one_sphere.rt" "$scenes/two_spheres.rt"

@@ -37,16 +37,21 @@ struct Spot {
 struct Line {
     Vec3 point;
     Vec3 direction;
+    Real beside = 0;
 };
 
 Line past(Random& random, const Spot& spot) {
-    return {.point = spot.point + beside(random) * spot.normal,
-            .direction = across(random, spot.normal)};
+    const Real by = beside(random);
+    return {.point = spot.point + by * spot.normal,
+            .direction = across(random, spot.normal),
+            .beside = std::abs(by)};
 }
 
 Line along(Random& random, const Spot& spot) {
-    const Vec3 direction = across(random, spot.normal) + beside(random) * spot.normal;
-    return {.point = spot.point, .direction = unit(direction)};
+    const Real by = beside(random);
+    return {.point = spot.point,
+            .direction = unit(across(random, spot.normal) + by * spot.normal),
+            .beside = std::abs(by)};
 }
 
 Line towards(Random& random, Vec3 point) {
@@ -245,7 +250,7 @@ Line draw_line(Random& random, Sweep sweep, const Shape& shape) {
 }
 
 template <class Shape>
-void draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
+Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
     draw(random, drawn.shape);
     if constexpr (requires { narrow(random, drawn.shape); })
         if (sweep == Sweep::sliver) narrow(random, drawn.shape);
@@ -261,6 +266,7 @@ void draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
     drawn.shape = moved(drawn.shape, motion);
     drawn.ray.origin = moved(drawn.ray.origin, motion);
     if (sweep == Sweep::speed) drawn.ray.direction *= decades(random, -18, 18);
+    return line.beside;
 }
 
 }  // namespace
@@ -271,28 +277,28 @@ std::string name(Sweep sweep) {
     return names[std::size_t(sweep)];
 }
 
-void draw(Random& random, Sweep sweep, Case<Sphere>& sphere) {
-    draw_case(random, sweep, sphere);
+Real draw(Random& random, Sweep sweep, Case<Sphere>& sphere) {
+    return draw_case(random, sweep, sphere);
 }
 
-void draw(Random& random, Sweep sweep, Case<Plane>& plane) {
-    draw_case(random, sweep, plane);
+Real draw(Random& random, Sweep sweep, Case<Plane>& plane) {
+    return draw_case(random, sweep, plane);
 }
 
-void draw(Random& random, Sweep sweep, Case<Triangle>& triangle) {
-    draw_case(random, sweep, triangle);
+Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle) {
+    return draw_case(random, sweep, triangle);
 }
 
-void draw(Random& random, Sweep sweep, Case<Square>& square) {
-    draw_case(random, sweep, square);
+Real draw(Random& random, Sweep sweep, Case<Square>& square) {
+    return draw_case(random, sweep, square);
 }
 
-void draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder) {
-    draw_case(random, sweep, cylinder);
+Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder) {
+    return draw_case(random, sweep, cylinder);
 }
 
-void draw(Random& random, Sweep sweep, Case<Cone>& cone) {
-    draw_case(random, sweep, cone);
+Real draw(Random& random, Sweep sweep, Case<Cone>& cone) {
+    return draw_case(random, sweep, cone);
 }
 
 }  // namespace rt

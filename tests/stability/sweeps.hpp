@@ -30,13 +30,14 @@ struct Case {
     Shape shape;
 };
 
-// Each draws one case of the sweep.
+// Each draws one case of the sweep. It returns by how much the ray is meant to pass a silhouette,
+// or to lean on a face; 0 if it is not.
 
-void draw(Random& random, Sweep sweep, Case<Sphere>& sphere);
-void draw(Random& random, Sweep sweep, Case<Plane>& plane);
-void draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
-void draw(Random& random, Sweep sweep, Case<Square>& square);
-void draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
-void draw(Random& random, Sweep sweep, Case<Cone>& cone);
+Real draw(Random& random, Sweep sweep, Case<Sphere>& sphere);
+Real draw(Random& random, Sweep sweep, Case<Plane>& plane);
+Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
+Real draw(Random& random, Sweep sweep, Case<Square>& square);
+Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
+Real draw(Random& random, Sweep sweep, Case<Cone>& cone);
 
 }  // namespace rt

@@ -3,15 +3,12 @@
 #include "common/course/grade/seal.hpp"
 #include "common/course/grade/symbols.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
+#include "common/stages.hpp"
+
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <fstream>
-#include <map>
-#include <optional>
 
 namespace rt::grade {
 
@@ -19,14 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t longest_words = 4000;
 constexpr int wall_seconds = 30;
 
 /// How a seat is compiled and linked, as seats/*.txt has it: a name and an option a line.
 using Options = std::multimap<std::string, std::string>;
 
-Options read_options(const fs::path& file) {
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+fs::path reference_of(const Workshop& workshop, int stage) {
+    return workshop.folder / "seats/references" / (name_of(stage) + ".o");
+}
+
+Options read_options(const Workshop& workshop, int stage) {
+    const fs::path file = workshop.folder / "seats" / (name_of(stage) + ".txt");
     Options options;
     std::ifstream in(file);
     if (!in) throw ProgramError(file.string() + " is not there");
@@ -43,55 +48,88 @@ void append(Command& command, const Options& options, const std::string& name) {
     for (auto each = first; each != last; ++each) command.push_back(each->second);
 }
 
-/// The file's text, if it is one: no link, no device, no pipe, of a size that a person writes.
-std::optional<std::string> source_text(const fs::path& file) {
-    const int source = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (source == -1) return std::nullopt;
-    struct stat about {};
-    std::string text(largest_source + 1, '\0');
-    const bool is_file = fstat(source, &about) == 0 && S_ISREG(about.st_mode);
-    const ssize_t size = is_file ? read(source, text.data(), text.size()) : -1;
-    close(source);
-    if (size < 0 || std::size_t(size) > largest_source) return std::nullopt;
-    text.resize(std::size_t(size));
-    return text;
+/// What is told of a tool that failed: its own words, without our folders' names.
+std::string told(const Ending& ending, const Workshop& workshop, const Scratch& scratch,
+                 const std::string& otherwise) {
+    // Which limit ends a bomb depends on what else the machine does; what is told does not.
+    if (ending.out_of_time || ending.status == 128 + SIGXCPU ||
+        ending.output.find("signal terminated program") != std::string::npos)
+        return otherwise + " took too much time or memory.";
+    std::string words = ending.output;
+    for (const fs::path& folder :
+         {scratch.folder(), workshop.folder / "headers", workshop.folder}) {
+        const std::string name = folder.string() + "/";
+        for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at))
+            words.erase(at, name.size());
+    }
+    if (words.size() > longest_words) words.resize(longest_words);
+    return words.empty() ? otherwise + " failed." : words;
 }
 
-/// A folder that is gone with its scope.
-class Scratch {
-public:
-    explicit Scratch(const fs::path& parent) {
-        std::string name = parent / "scratch.XXXXXX";
-        if (mkdtemp(name.data()) == nullptr) throw ProgramError("no folder in " + parent.string());
-        folder_ = name;
+void copy_headers(const fs::path& project, const fs::path& folder, const fs::path& headers) {
+    for (const auto& each : fs::directory_iterator(folder)) {
+        if (each.path().extension() != ".hpp") continue;
+        const fs::path copy = headers / each.path().lexically_relative(project);
+        fs::create_directories(copy.parent_path());
+        fs::copy_file(each.path(), copy, fs::copy_options::overwrite_existing);
     }
-    ~Scratch() {
-        std::error_code none;
-        fs::remove_all(folder_, none);
+}
+
+/// Moves what a sealed tool has made, and owns. Not a copy of ours: a process that another thread
+/// starts meanwhile would hold it open, and a program that is written to cannot be run.
+void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
+    fs::rename(made, to);
+    if (lchown(to.c_str(), geteuid(), getegid()) != 0) throw ProgramError(to.string() + ": owner");
+    fs::permissions(to, permissions);
+}
+
+}  // namespace
+
+Scratch::Scratch(const fs::path& parent) {
+    std::string name = parent / "scratch.XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) throw ProgramError("no folder in " + parent.string());
+    folder_ = name;
+}
+
+Scratch::~Scratch() {
+    std::error_code none;
+    fs::remove_all(folder_, none);
+}
+
+Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
+    copy_headers(project, project / "common", folder / "headers");
+    for (const auto& stage : fs::directory_iterator(project / "steps"))
+        if (stage.is_directory()) copy_headers(project, stage, folder / "headers");
+    fs::copy(build / "seats", folder / "seats",
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    return {.folder = folder, .sealed = build / "sealed"};
+}
+
+void precompile_headers(const Workshop& workshop) {
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        const std::string name = name_of(stage);
+        const std::string header =
+            workshop.folder / "headers/steps" / name / (name.substr(7) + ".hpp");
+        if (!fs::exists(workshop.folder / "seats" / (name + ".o"))) continue;
+        const Options options = read_options(workshop, stage);
+        Command compile;
+        append(compile, options, "compiler");
+        append(compile, options, "compile");
+        const std::string headers = workshop.folder / "headers";
+        compile.insert(compile.end(),
+                       {"-I" + headers, "-x", "c++-header", header, "-o", header + ".gch"});
+        const Ending ending = listen_to(compile, std::chrono::seconds(2 * wall_seconds));
+        if (ending.status != 0) throw ProgramError(ending.output);
     }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
+}
 
-    [[nodiscard]] const fs::path& folder() const { return folder_; }
-
-private:
-    fs::path folder_;
-};
-
-/// Runs a tool that reads what it is given, and writes into the scratch folder only. Not even all
-/// seats: another stage's has the reference of this one in it.
-Ending run_sealed(const Workshop& workshop, const Scratch& scratch, const fs::path& readable,
-                  const Command& command) {
-    Command sealed{workshop.sealed,
-                   "work=building",
-                   "cpu=15",
-                   "wall=" + std::to_string(wall_seconds),
-                   "memory=1500",
-                   "file=32",
-                   "threads=256",
-                   "read=" + readable.string(),
-                   "write=" + scratch.folder().string(),
-                   "--"};
+Ending run_sealed(const Workshop& workshop, const fs::path& writable,
+                  const std::vector<fs::path>& readable, const Command& command) {
+    Command sealed{
+        workshop.sealed, "work=building", "cpu=15",      "wall=" + std::to_string(wall_seconds),
+        "memory=1500",   "file=32",       "threads=256", "write=" + writable.string()};
+    for (const fs::path& each : readable) sealed.push_back("read=" + each.string());
+    sealed.push_back("--");
     sealed.insert(sealed.end(), command.begin(), command.end());
     // The launcher watches the clock; we do in case that it cannot.
     Ending ending = listen_to(sealed, std::chrono::seconds(wall_seconds + 10));
@@ -99,73 +137,58 @@ Ending run_sealed(const Workshop& workshop, const Scratch& scratch, const fs::pa
     return ending;
 }
 
-/// What is told of a tool that failed: its own words, without our folders' names.
-std::string told(const Ending& ending, const Scratch& scratch, const std::string& otherwise) {
-    if (ending.out_of_time || ending.status == 128 + SIGXCPU) return otherwise + " took too long.";
-    std::string words = ending.output;
-    const std::string folder = scratch.folder().string() + "/";
-    for (std::size_t at = words.find(folder); at != std::string::npos; at = words.find(folder, at))
-        words.erase(at, folder.size());
-    if (words.size() > longest_words) words.resize(longest_words);
-    return words.empty() ? otherwise + " failed." : words;
-}
-
-}  // namespace
-
-Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
-    const fs::path headers = folder / "headers";
-    const auto copy_header = [&](const fs::path& header) {
-        const fs::path copy = headers / header.lexically_relative(project);
-        fs::create_directories(copy.parent_path());
-        fs::copy_file(header, copy, fs::copy_options::overwrite_existing);
-    };
-    for (const auto& each : fs::directory_iterator(project / "common"))
-        if (each.path().extension() == ".hpp") copy_header(each.path());
-    for (const auto& stage : fs::directory_iterator(project / "steps"))
-        if (stage.is_directory())
-            for (const auto& each : fs::directory_iterator(stage))
-                if (each.path().extension() == ".hpp") copy_header(each.path());
-    fs::copy(build / "seats", folder / "seats",
-             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
-    return {.folder = folder, .sealed = build / "sealed"};
-}
-
-Compiled compile_submission(const Workshop& workshop, const std::string& seat, const fs::path& file,
-                            const fs::path& worker) {
-    const std::optional<std::string> text = source_text(file);
-    if (!text) return {.words = "Your file cannot be read, or has more than 256 KiB."};
-    const Options options = read_options(workshop.folder / "seats" / (seat + ".txt"));
+Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
+                        const fs::path& object) {
+    const Options options = read_options(workshop, stage);
     const Scratch scratch(workshop.folder);
-    const std::string source = scratch.folder() / file.filename();
-    const std::string object = scratch.folder() / "submission.o";
-    const std::string made = scratch.folder() / "worker";
-    std::ofstream(source) << *text;
+    // Named as the student knows it: the compiler's words say so.
+    const std::string source = scratch.folder() / (name_of(stage).substr(7) + ".cpp");
+    const std::string made = scratch.folder() / "submission.o";
+    std::ofstream(source) << text;
     fs::permissions(source, fs::perms(0644));
 
     const fs::path headers = workshop.folder / "headers";
     Command compile;
     append(compile, options, "compiler");
     append(compile, options, "compile");
-    compile.insert(compile.end(), {"-I" + headers.string(), "-c", source, "-o", object});
-    const Ending compiled = run_sealed(workshop, scratch, headers, compile);
-    if (compiled.status != 0) return {.words = told(compiled, scratch, "The compile")};
+    compile.insert(compile.end(), {"-I" + headers.string(), "-c", source, "-o", made});
+    const Ending compiled = run_sealed(workshop, scratch.folder(), {headers}, compile);
+    if (compiled.status != 0) return {.words = told(compiled, workshop, scratch, "The compile")};
 
-    const Ending symbols = run_sealed(workshop, scratch, {}, {"/usr/bin/nm", "-g", "-P", object});
+    const Ending symbols =
+        run_sealed(workshop, scratch.folder(), {}, {"/usr/bin/nm", "-g", "-P", made});
     if (symbols.status != 0) return {.words = "Your object cannot be read."};
     if (std::string words = foreign_symbol(symbols.output); !words.empty()) return {.words = words};
+    take(made, object, fs::perms(0644));
+    return {.succeeded = true};
+}
 
-    const fs::path others = workshop.folder / "seats" / (seat + ".o");
+Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::path>& objects,
+                 const fs::path& worker) {
+    const Options options = read_options(workshop, stage);
+    const Scratch scratch(workshop.folder);
+    const std::string made = scratch.folder() / "worker";
+    // Of the references those that are needed: not even the linker sees the graded stage's.
+    std::vector<fs::path> parts{workshop.folder / "seats" / (name_of(stage) + ".o")};
+    for (int each = 1; each <= int(stage_names.size()); ++each) {
+        const auto own = objects.find(each);
+        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
+        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
+    }
     Command link;
     append(link, options, "compiler");
     append(link, options, "link");
-    link.insert(link.end(), {others, object, "-o", made});
+    link.insert(link.end(), parts.begin(), parts.end());
+    link.insert(link.end(), {"-o", made});
     append(link, options, "library");
-    const Ending linked = run_sealed(workshop, scratch, others, link);
-    if (linked.status != 0) return {.words = told(linked, scratch, "The link")};
-    fs::copy_file(made, worker, fs::copy_options::overwrite_existing);
-    fs::permissions(worker, fs::perms(0755));
-    const bool is_static = std::find(link.begin(), link.end(), "-static") != link.end();
-    return {.made = true, .words = compiled.output, .libraries = !is_static};
+    const Ending linked = run_sealed(workshop, scratch.folder(), parts, link);
+    if (linked.status != 0) return {.words = told(linked, workshop, scratch, "The link")};
+    take(made, worker, fs::perms(0755));
+    return {.succeeded = true};
+}
+
+std::string worker_limits(int stage) {
+    return stage == mesh_stage ? "cpu=10 memory=1024 libraries=1" : "cpu=10 memory=512";
 }
 
 }  // namespace rt::grade

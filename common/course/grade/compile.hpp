@@ -1,15 +1,17 @@
-// From a stranger's file to a worker, without a look at anything but the headers.
+// From a stranger's files to a worker, without a look at anything but the headers.
 #pragma once
 
 #include "common/course/process.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace rt::grade {
 
-/// A folder of nothing but what a compile may see: the project's headers, and the seats. Whoever
-/// compiles is nobody in particular, so the folders above it must be open to all.
+/// A folder of nothing but what a compile may see: the project's headers, and the seats
+/// (tests/grading/seat.cmake). Whoever compiles is nobody in particular, so the folders above it
+/// must be open to all.
 struct Workshop {
     std::filesystem::path folder;
     std::filesystem::path sealed;  ///< the launcher
@@ -20,16 +22,49 @@ struct Workshop {
                                      const std::filesystem::path& build,
                                      const std::filesystem::path& folder);
 
-struct Compiled {
-    bool made = false;
-    std::string words;       ///< why not; or what the compiler warned of
-    bool libraries = false;  ///< the worker is sealed with "libraries=1"
+/// Compiles the stages' headers ahead, so that each file after them takes half its time. With g++.
+/// Throws ProgramError.
+void precompile_headers(const Workshop& workshop);
+
+/// What came of a compile or a link.
+struct Made {
+    bool succeeded = false;
+    std::string words;  ///< why not, fit for who wrote the file
 };
 
-/// Makes the worker of a stage from a file: seat is "step03_sphere_f64". Whatever is wrong with
-/// the file is told in the words. Throws ProgramError, or filesystem_error, if it is we who fail.
-[[nodiscard]] Compiled compile_submission(const Workshop& workshop, const std::string& seat,
-                                          const std::filesystem::path& file,
-                                          const std::filesystem::path& worker);
+// Both throw ProgramError, or filesystem_error, if it is we who fail.
+
+/// Compiles what was handed in for a stage. Refuses what defines symbols that are not his to
+/// define.
+[[nodiscard]] Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
+                                      const std::filesystem::path& object);
+
+/// Links a stage's worker of the student's objects, by stage, and the references of all others.
+[[nodiscard]] Made link_worker(const Workshop& workshop, int stage,
+                               const std::map<int, std::filesystem::path>& objects,
+                               const std::filesystem::path& worker);
+
+/// How the stage's worker is sealed: what RAYSTEPS_LIMITS says to it. Stage 13's has shared
+/// libraries.
+[[nodiscard]] std::string worker_limits(int stage);
+
+/// Runs a tool that may read these, and write into the folder only, which it starts in.
+[[nodiscard]] Ending run_sealed(const Workshop& workshop, const std::filesystem::path& writable,
+                                const std::vector<std::filesystem::path>& readable,
+                                const Command& command);
+
+/// A folder that is gone with its scope.
+class Scratch {
+public:
+    explicit Scratch(const std::filesystem::path& parent);
+    ~Scratch();
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    std::filesystem::path folder_;
+};
 
 }  // namespace rt::grade

@@ -1,0 +1,207 @@
+#include "common/course/grade/elsewhere.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/process.hpp"
+#include "common/input_error.hpp"
+
+namespace rt::grade {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::minutes time_limit{5};
+
+constexpr const char* setup = R"sh(#!/bin/sh
+# Gradescope runs this once, as root, when it makes the image of the autograder.
+set -eu
+root=${AUTOGRADER:-/autograder}
+packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
+    nlohmann-json3-dev"
+dpkg-query -W $packages > /dev/null 2>&1 || {
+    apt-get update
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages
+}
+# Builds the grader, for every submission.
+sh "$root/source/raysteps/course" grade --help > /dev/null
+)sh";
+
+constexpr const char* run_autograder = R"sh(#!/bin/sh
+# Gradescope runs this for each submission: the files are in submission/, and what a student reads
+# comes from results/results.json.
+root=${AUTOGRADER:-/autograder}
+results=$(mktemp -d)
+trap 'rm -rf "$results"' EXIT
+"$root/source/raysteps/build/grade" "$root/submission" --out "$results" --seed @SEED@ \
+    --gradescope "$root/results/results.json"
+)sh";
+
+constexpr const char* workflow = R"sh(# Grades the class in submissions/, in eight parts at a time.
+# For .github/workflows of a private clone of the project: it has every solution.
+name: grade
+on:
+  workflow_dispatch:
+    inputs:
+      seed:
+        description: Of the cases that are drawn at random
+        required: true
+env:
+  PACKAGES: >-
+    cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
+    nlohmann-json3-dev
+jobs:
+  grade:
+    runs-on: ubuntu-24.04
+    strategy:
+      fail-fast: false
+      matrix:
+        part: [1, 2, 3, 4, 5, 6, 7, 8]
+    steps:
+      - uses: actions/checkout@v4
+      - run: sudo apt-get update && sudo apt-get install -y --no-install-recommends $PACKAGES
+      - run: ./course grade submissions --out results --seed "$SEED" --part ${{ matrix.part }}/8
+        env:
+          SEED: ${{ inputs.seed }}
+      - uses: actions/upload-artifact@v4
+        with:
+          name: part-${{ matrix.part }}
+          path: results
+          include-hidden-files: true
+  report:
+    needs: grade
+    runs-on: ubuntu-24.04
+    steps:
+      - uses: actions/checkout@v4
+      - run: sudo apt-get update && sudo apt-get install -y --no-install-recommends $PACKAGES
+      - uses: actions/download-artifact@v4
+        with:
+          pattern: part-*
+          path: results
+          merge-multiple: true
+      - run: ./course grade --report --out results
+      - uses: actions/upload-artifact@v4
+        with:
+          name: results
+          path: results
+)sh";
+
+constexpr const char* submit = R"sh(#!/bin/sh
+# submit.sh CLASS OUT [SEED]: grades a class with Slurm. The project, CLASS and OUT are in folders
+# that all nodes share. Interrupted, or a node lost: the same command, with the same seed, goes on.
+set -eu
+here=$(CDPATH='' cd -- "$(dirname "$0")" && pwd)
+class=$(CDPATH='' cd -- "$1" && pwd)
+mkdir -p "$2"
+out=$(CDPATH='' cd -- "$2" && pwd)
+# Built once, before many tasks use it.
+@PROJECT@/course grade --help > /dev/null
+job=$(sbatch --parsable "$here/grade.sbatch" "$class" "$out" "${3:-@SEED@}")
+sbatch --kill-on-invalid-dep=yes --dependency="afterok:${job%%;*}" "$here/report.sbatch" "$out"
+)sh";
+
+constexpr const char* array = R"sh(#!/bin/sh
+#SBATCH --job-name=raysteps
+#SBATCH --array=1-16
+#SBATCH --cpus-per-task=2
+#SBATCH --time=02:00:00
+exec @PROJECT@/build/grade "$1" --out "$2" --seed "$3" --jobs "${SLURM_CPUS_PER_TASK:-1}" \
+    --part "$SLURM_ARRAY_TASK_ID/${SLURM_ARRAY_TASK_COUNT:-16}"
+)sh";
+
+constexpr const char* report = R"sh(#!/bin/sh
+#SBATCH --job-name=raysteps_report
+#SBATCH --time=00:30:00
+exec @PROJECT@/build/grade --report --out "$1"
+)sh";
+
+constexpr const char* in_parallel = R"sh(#!/bin/sh
+# in_parallel.sh CLASS OUT [SEED]: the same with GNU parallel, on this machine or, with its
+# --sshloginfile, on others that share the folders.
+set -eu
+@PROJECT@/course grade --help > /dev/null
+seq 16 | parallel --quote @PROJECT@/build/grade "$1" --out "$2" --seed "${3:-@SEED@}" --jobs 1 \
+    --part {}/16
+@PROJECT@/build/grade --report --out "$2"
+)sh";
+
+/// Copies what belongs to the project: what git knows, or else all but what comes of it.
+constexpr const char* copy_project = R"sh(
+cd "$1" || exit
+if git -c safe.directory="$1" ls-files --error-unmatch course > /dev/null 2>&1; then
+    git -c safe.directory="$1" ls-files -z | tar --null -T - -cf -
+else
+    tar -cf - --exclude=./build --exclude=./renders --exclude=./results --exclude=./.git \
+        --exclude='./steps/*/student*' .
+fi | tar -xf - -C "$2"
+)sh";
+
+/// A word as a shell takes it literally.
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+}
+
+void replace(std::string& text, const std::string& what, const std::string& by) {
+    for (std::size_t i = 0; (i = text.find(what, i)) != std::string::npos; i += by.size())
+        text.replace(i, what.size(), by);
+}
+
+/// Writes files of one place.
+class Writer {
+public:
+    Writer(const fs::path& project, std::uint64_t seed)
+        : project_(quoted(project.string())), seed_(std::to_string(seed)) {}
+
+    void write(const fs::path& file, std::string text) const {
+        replace(text, "@PROJECT@", project_);
+        replace(text, "@SEED@", seed_);
+        write_text(file, text);
+        if (text.rfind("#!", 0) == 0)
+            fs::permissions(file,
+                            fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                            fs::perm_options::add);
+    }
+
+private:
+    std::string project_;
+    std::string seed_;
+};
+
+void run(const Command& command) {
+    const Ending ending = listen_to(command, time_limit);
+    if (ending.status != 0) throw ProgramError("error: " + command[0] + " fails\n" + ending.output);
+}
+
+void write_autograder(const fs::path& folder, const fs::path& project, const Writer& writer) {
+    const fs::path packed = folder / "autograder";
+    fs::remove_all(packed);
+    fs::create_directories(packed / "raysteps");
+    run({"sh", "-c", copy_project, "copy", project.string(), (packed / "raysteps").string()});
+    writer.write(packed / "setup.sh", setup);
+    writer.write(packed / "run_autograder", run_autograder);
+    const fs::path archive = fs::absolute(folder / "autograder.zip");
+    run({"cmake", "-E", "chdir", packed.string(), "cmake", "-E", "tar", "cf", archive.string(),
+         "--format=zip", "setup.sh", "run_autograder", "raysteps"});
+    fs::remove_all(packed);
+}
+
+}  // namespace
+
+void write_for(const std::string& place, const fs::path& folder, const fs::path& project,
+               std::uint64_t seed) {
+    if (place != "gradescope" && place != "github" && place != "slurm")
+        throw InputError({}, "--for gradescope, github or slurm, not \"" + place + "\"");
+    fs::create_directories(folder);
+    const Writer writer(project, seed);
+    if (place == "gradescope") write_autograder(folder, project, writer);
+    if (place == "github") writer.write(folder / "grade.yml", workflow);
+    if (place == "slurm") {
+        writer.write(folder / "submit.sh", submit);
+        writer.write(folder / "grade.sbatch", array);
+        writer.write(folder / "report.sbatch", report);
+        writer.write(folder / "in_parallel.sh", in_parallel);
+    }
+}
+
+}  // namespace rt::grade

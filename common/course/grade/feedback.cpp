@@ -1,0 +1,133 @@
+#include "common/course/grade/feedback.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/grade/html.hpp"
+#include "common/course/grade/submissions.hpp"
+#include "common/stages.hpp"
+
+#include <algorithm>
+
+namespace rt::grade {
+
+namespace {
+
+std::string preformatted(const std::string& words, const std::string& kind = "") {
+    if (words.empty()) return "";
+    const std::string start = kind.empty() ? "<pre>" : "<pre class=\"" + kind + "\">";
+    return start + escaped(words.substr(0, words.find_last_not_of('\n') + 1)) + "</pre>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& inside) {
+    return "<details><summary>" + summary + "</summary>\n" + inside + "</details>\n";
+}
+
+std::string drawing(const std::string& file, const std::string& caption) {
+    return "<figure><img src=\"" + address(file) + "\" alt=\"" + caption + "\"/>\n<figcaption>" +
+           caption + "</figcaption></figure>\n";
+}
+
+std::string of_points(int points, int most) {
+    return std::to_string(points) + " of " + counted(most, "point");
+}
+
+std::string failed_case(const CaseMark& each) {
+    return "<h3>" + escaped(each.name) + " <small>" + counted(each.points, "point") +
+           "</small></h3>\n" + preformatted(each.words, "wrong") + "<small>" + escaped(each.place) +
+           "</small>\n";
+}
+
+std::string diagnosis(const Mark& mark) {
+    std::string html;
+    for (const std::string& sentence : lines_of(mark.mistake))
+        html +=
+            "<p class=\"hint\">It answers as a known mistake does: " + escaped(sentence) + "</p>\n";
+    if (!mark.smallest.empty())
+        html += "<h3>Where it goes wrong, at its plainest</h3>\n" +
+                preformatted(mark.smallest, "wrong");
+    if (!mark.slice.empty()) html += drawing(mark.slice, "The same, drawn");
+    return html;
+}
+
+std::string picture(const PictureMark& picture) {
+    const std::string caption =
+        "By your stages up to this one, by the references', and the difference: " +
+        (picture.different == 0 ? "none of " + counted(picture.pixels, "pixel") + " differs"
+                                : std::to_string(picture.different) + " of " +
+                                      counted(picture.pixels, "pixel") + " differ");
+    return drawing(picture.file, caption);
+}
+
+std::string judged(const Mark& mark) {
+    std::string failed;
+    std::string passed;
+    int passes = 0;
+    for (const CaseMark& each : mark.cases) {
+        if (!each.passed) failed += failed_case(each);
+        if (each.passed) passed += "<li>" + escaped(each.name) + "</li>\n";
+        if (each.passed) ++passes;
+    }
+    const int fails = int(mark.cases.size()) - passes;
+    std::string html;
+    if (fails > 0)
+        html = "<p>" + counted(fails, "case") + " of " + std::to_string(mark.cases.size()) +
+               (fails == 1 ? " fails.</p>\n" : " fail.</p>\n");
+    if (passes > 0 && mark.points() == 0)
+        html +=
+            "<p>What passes does so in the starter too: there are points for it once anything "
+            "else passes.</p>\n";
+    html += diagnosis(mark) + failed;
+    const bool differs = mark.picture && mark.picture->different > 0;
+    if (differs) html += "<h3>Your picture</h3>\n" + picture(*mark.picture);
+    if (mark.picture && !differs) html += folded("Your picture is right", picture(*mark.picture));
+    const std::string what_passes =
+        fails == 0 ? "Every case passes"
+                   : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
+    if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
+    if (!mark.words.empty()) html += folded("What was said of your file", preformatted(mark.words));
+    return html;
+}
+
+std::string section(const Mark& mark, int most) {
+    const std::string html = "<section id=\"" + std::string(stage_name(mark.stage)) +
+                             "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
+                             "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
+    if (mark.verdict == Verdict::missing)
+        return html + "<p>No file was handed in.</p>\n" + preformatted(mark.words, "wrong") +
+               "</section>\n";
+    if (mark.verdict == Verdict::refused)
+        return html + "<p>Your file cannot be judged:</p>\n" + preformatted(mark.words, "wrong") +
+               "</section>\n";
+    return html + judged(mark) + "</section>\n";
+}
+
+/// The stages at a glance, each a link.
+std::string overview(const Submission& submission, const std::map<int, int>& stages) {
+    std::string html = "<ul class=\"stages\">\n";
+    for (const auto& [stage, mark] : submission.marks) {
+        const int most = stages.at(stage);
+        html += "<li><a class=\"share\" style=\"--share: " +
+                std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
+                std::string(stage_name(stage)) + "\">" + stage_title(stage) + "<small>" +
+                std::to_string(mark->points()) + " of " + std::to_string(most) +
+                (mark->verdict == Verdict::missing ? ", not handed in" : "") +
+                "</small></a></li>\n";
+    }
+    return html + "</ul>\n";
+}
+
+}  // namespace
+
+void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks) {
+    const std::map<int, int> stages = graded_stages(marks);
+    for (const Submission& submission : submissions(marks)) {
+        std::string body = "<header><h1>" + escaped(submission.student) + "</h1> <p>" +
+                           of_points(submission.points(), most_points(stages)) + "</p></header>\n" +
+                           overview(submission, stages);
+        for (const auto& [stage, mark] : submission.marks) body += section(*mark, stages.at(stage));
+        const std::filesystem::path file =
+            mark_file(results, submission.student, 1).parent_path() / "feedback.html";
+        write_text(file, page(submission.student, body));
+    }
+}
+
+}  // namespace rt::grade

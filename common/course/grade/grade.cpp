@@ -1,0 +1,200 @@
+#include "common/course/grade/grade.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/grade/class_report.hpp"
+#include "common/course/grade/feedback.hpp"
+#include "common/course/grade/grade_book.hpp"
+#include "common/course/grade/judge.hpp"
+#include "common/course/grade/junit.hpp"
+#include "common/course/grade/layers.hpp"
+
+#include "common/input_error.hpp"
+#include "common/stages.hpp"
+#include "common/terminal.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <thread>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t headers_pay_from = 4;  // submissions
+
+std::atomic<bool> stop = false;
+
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+void check_seal() {
+    const std::vector<Layer> all = layers();
+    std::fputs(text_of(all).c_str(), stderr);
+    if (!hold(all))
+        throw ProgramError(
+            "error: strangers' code is not run without these. docs/instructors.md\n");
+}
+
+/// The results are one run's at a time, or one part's.
+class Lock {
+public:
+    Lock(const fs::path& results, int part) {
+        const fs::path file = results / (".lock." + std::to_string(part));
+        descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+        if (descriptor_ == -1 || flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+            throw InputError({results}, "another run writes there, or nobody may");
+    }
+    ~Lock() { close(descriptor_); }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+private:
+    int descriptor_;
+};
+
+/// The one that was asked for; else that of the run before; else a new one, kept for the next.
+std::uint64_t agreed_seed(const Order& order) {
+    const fs::path file = order.results / "seed.txt";
+    std::uint64_t seed = 0;
+    if (order.seed)
+        seed = *order.seed;
+    else if (fs::exists(file))
+        seed = std::strtoull(read_text(file).c_str(), nullptr, 10);
+    else
+        seed = std::random_device()();
+    write_text(file, std::to_string(seed) + "\n");
+    return seed;
+}
+
+/// Open to all, as compilers and workers are nobody in particular; of a name that says whose it is,
+/// so that what a killed run has left is gone with the next.
+fs::path workshop_folder(const Order& order) {
+    const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
+    const fs::path folder =
+        fs::temp_directory_path() /
+        ("raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part));
+    std::error_code none;
+    fs::remove_all(folder, none);
+    if (!fs::create_directory(folder))
+        throw InputError({folder}, "is there, and is not ours to remove");
+    fs::permissions(folder, fs::perms(0755));
+    return folder;
+}
+
+class Workplace {
+public:
+    explicit Workplace(const Order& order) : folder_(workshop_folder(order)) {}
+    ~Workplace() {
+        std::error_code none;
+        fs::remove_all(folder_, none);
+    }
+    Workplace(const Workplace&) = delete;
+    Workplace& operator=(const Workplace&) = delete;
+
+    [[nodiscard]] const fs::path& folder() const { return folder_; }
+
+private:
+    fs::path folder_;
+};
+
+std::set<int> stages_of(const Order& order) {
+    std::set<int> stages;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (fs::exists(order.build / "seats" / (name_of(stage) + ".o")) &&
+            (order.stages.empty() || order.stages.count(stage) == 1))
+            stages.insert(stage);
+    if (stages.empty()) throw InputError({}, "none of these stages is built");
+    return stages;
+}
+
+/// The envelopes of this part.
+std::vector<Envelope> envelopes_of(const Order& order) {
+    std::vector<Envelope> mine;
+    const std::vector<Envelope> all = find_envelopes(order.places);
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (int(i) % order.parts == order.part - 1) mine.push_back(all[i]);
+    return mine;
+}
+
+/// Does the work for each number below count, on several threads. Throws what one of them threw,
+/// after all have ended.
+template <class Work>
+void in_parallel(int threads, std::size_t count, Work work) {
+    std::atomic<std::size_t> next = 0;
+    std::mutex mutex;
+    std::exception_ptr failure;
+    const auto run = [&] {
+        for (std::size_t i = next++; i < count && !stop; i = next++) {
+            try {
+                work(i);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                failure = std::current_exception();
+                stop = true;
+            }
+        }
+    };
+    std::vector<std::thread> all;
+    for (int i = 0; i < threads; ++i) all.emplace_back(run);
+    for (std::thread& each : all) each.join();
+    if (failure) std::rethrow_exception(failure);
+}
+
+std::map<int, Yardstick> judge_references(const Order& order, const Grading& grading) {
+    const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
+    std::vector<Yardstick> found(stages.size());
+    in_parallel(order.jobs, stages.size(), [&](std::size_t i) {
+        found[i] = judge_reference(grading, stages[i], grading.workshop.folder);
+    });
+    std::map<int, Yardstick> yardsticks;
+    for (std::size_t i = 0; i < stages.size(); ++i)
+        if (!found[i].cases.empty()) yardsticks[stages[i]] = found[i];
+    return yardsticks;
+}
+
+}  // namespace
+
+bool grade(const Order& order) {
+    check_seal();
+    const std::vector<Envelope> envelopes = envelopes_of(order);
+    fs::create_directories(order.results);
+    const Lock lock(order.results, order.part);
+    const Workplace workplace(order);
+    Grading grading{.project = order.project,
+                    .build = order.build,
+                    .results = fs::absolute(order.results),
+                    .workshop = open_workshop(order.project, order.build, workplace.folder()),
+                    .seed = agreed_seed(order),
+                    .stages = stages_of(order)};
+    if (envelopes.size() >= headers_pay_from) precompile_headers(grading.workshop);
+    std::signal(SIGINT, [](int) { stop = true; });
+    Judge judge(grading, judge_references(order, grading));
+    std::fprintf(stderr, "%zu submissions, %zu stages, seed %llu\n", envelopes.size(),
+                 grading.stages.size(), static_cast<unsigned long long>(grading.seed));
+    Progress progress(errors_on_terminal(), int(envelopes.size()));
+    in_parallel(order.jobs, envelopes.size(), [&](std::size_t i) {
+        judge.judge(envelopes[i], stop);
+        progress.advance();
+    });
+    return !stop;
+}
+
+void write_reports(const fs::path& results, const fs::path& project) {
+    const std::vector<Mark> marks = read_marks(results);
+    if (marks.empty()) throw InputError({results}, "holds no marks");
+    write_grade_book(results, marks);
+    write_feedback(results, marks);
+    write_class_report(results, project, marks);
+    write_junit(results, marks);
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,284 @@
+#include "common/course/grade/judge.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/report.hpp"
+
+#include "common/stages.hpp"
+
+#include <cstdio>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// By the clock. Right answers take a tenth of this at most, and a busy machine must not cost
+// points.
+constexpr int answer_seconds = 10;
+constexpr int case_seconds = 20;
+constexpr int suite_seconds = 40;
+constexpr std::chrono::seconds longest_suite{3 * suite_seconds};
+constexpr std::chrono::seconds longest_diagnosis{60};
+
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+/// A number made of texts (FNV-1a): other texts make another, but for one in 2⁶⁴.
+class Fingerprint {
+public:
+    Fingerprint& add(const std::string& text) {
+        for (const char c : std::to_string(text.size()) + ":" + text)
+            hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
+        return *this;
+    }
+    [[nodiscard]] std::string text() const {
+        char digits[17];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
+        return digits;
+    }
+
+private:
+    std::uint64_t hash_ = 14695981039346656037u;
+};
+
+/// One of our programs that asks a stranger's worker, which the launcher seals.
+Ending run_asking(const Grading& grading, int stage, Command program, const Command& variables,
+                  std::chrono::seconds limit) {
+    Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
+                    "RAYSTEPS_LIMITS=" + worker_limits(stage)};
+    command.insert(command.end(), variables.begin(), variables.end());
+    command.push_back(grading.build / program.front());
+    command.insert(command.end(), program.begin() + 1, program.end());
+    return listen_to(command, limit);
+}
+
+/// The cases that the stage's starter passes.
+std::set<std::string> given_cases(const Grading& grading, int stage) {
+    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
+    if (!fs::exists(file)) return {};
+    const std::vector<std::string> lines = lines_of(read_text(file));
+    return {lines.begin(), lines.end()};
+}
+
+/// What the stage's suite says of the worker. The cases that were reached.
+std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker) {
+    const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
+    const Command variables{"RAYSTEPS_WORKER=" + worker.string(),
+                            "RAYSTEPS_REPORT=" + report.string(),
+                            "RAYSTEPS_SEED=" + std::to_string(grading.seed),
+                            "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
+                            "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
+                            "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
+    (void)run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
+                     variables, longest_suite);
+    std::vector<CaseMark> cases;
+    if (!fs::exists(report))
+        throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
+    const std::set<std::string> given = given_cases(grading, stage);
+    for (const CaseResult& each : read_report(read_text(report)))
+        cases.push_back({.name = each.name,
+                         .points = each.points,
+                         .passed = each.passed,
+                         .given = given.count(each.name) == 1,
+                         .place = each.place,
+                         .words = each.failure});
+    fs::remove(report);
+    return cases;
+}
+
+/// As there would be marks for, had all cases been reached.
+std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
+    for (std::size_t i = cases.size(); i < all.size(); ++i)
+        cases.push_back({.name = all[i].name,
+                         .points = all[i].points,
+                         .given = all[i].given,
+                         .words = "was not reached: the cases before it took too long\n"});
+    return cases;
+}
+
+/// What the program `diagnose` says, by the word that its lines start with.
+void read_diagnosis(const std::string& output, Mark& mark) {
+    std::string* part = nullptr;
+    for (const std::string& line : lines_of(output)) {
+        if (line.rfind("mistake: ", 0) == 0) {
+            const std::size_t sentence = line.find(": ", 9);
+            mark.mistake += (mark.mistake.empty() ? "" : "\n") + line.substr(sentence + 2);
+            part = nullptr;
+        } else {
+            if (line.rfind("smallest: ", 0) == 0 || line.rfind("always: ", 0) == 0)
+                part = &mark.smallest;
+            if (part != nullptr) *part += line + "\n";
+        }
+    }
+}
+
+}  // namespace
+
+Yardstick judge_reference(const Grading& grading, int stage, const fs::path& folder) {
+    Yardstick yardstick{.worker = folder / (name_of(stage) + "_reference")};
+    const Made made = link_worker(grading.workshop, stage, {}, yardstick.worker);
+    if (!made.succeeded) throw ProgramError(made.words);
+    yardstick.cases = ask_suite(grading, stage, yardstick.worker);
+    for (const CaseMark& each : yardstick.cases)
+        if (!each.passed)
+            throw ProgramError("error: the reference of " + name_of(stage) +
+                               " itself fails: " + each.name + "\n" + each.words);
+    yardstick.key = Fingerprint()
+                        .add(std::to_string(grading.seed))
+                        .add(read_text(grading.build / (name_of(stage) + "_asked_test_double")))
+                        .add(read_text(yardstick.worker))
+                        .text();
+    return yardstick;
+}
+
+/// A submission on the table.
+class Judge::Desk {
+public:
+    Desk(const Grading& grading, const Envelope& envelope)
+        : grading_(grading),
+          student_(envelope.student),
+          handed_in_(take_in(grading.workshop, envelope)),
+          scratch_(grading.workshop.folder) {
+        // The workers here are for anybody to run.
+        fs::permissions(scratch_.folder(), fs::perms(0755));
+        fs::create_directories(grading_.results / student_ / "submitted");
+        for (const auto& [stage, text] : handed_in_.files)
+            write_text(
+                grading_.results / student_ / "submitted" / (name_of(stage).substr(7) + ".cpp"),
+                text);
+    }
+
+    [[nodiscard]] const std::string& student() const { return student_; }
+    [[nodiscard]] bool has(int stage) const { return handed_in_.files.count(stage) == 1; }
+    [[nodiscard]] const std::string& text(int stage) const { return handed_in_.files.at(stage); }
+
+    [[nodiscard]] std::string words(int stage) const {
+        const auto found = handed_in_.words.find(stage);
+        return found == handed_in_.words.end() ? handed_in_.words_on_all : found->second;
+    }
+
+    /// Of all that decides the mark of a stage.
+    [[nodiscard]] std::string key(int stage, const Yardstick& yardstick) const {
+        Fingerprint fingerprint;
+        fingerprint.add(yardstick.key).add(words(stage));
+        for (int each = 1; each <= stage; ++each)
+            fingerprint.add(has(each) ? text(each) : "").add(std::to_string(each));
+        return fingerprint.text();
+    }
+
+    /// Compiled once.
+    const Made& compiled(int stage) {
+        const auto known = compiled_.find(stage);
+        if (known != compiled_.end()) return known->second;
+        return compiled_[stage] =
+                   compile_submission(grading_.workshop, stage, text(stage), object(stage));
+    }
+
+    /// The worker of the student's stage, among the references.
+    Made link(int stage) {
+        return link_worker(grading_.workshop, stage, {{stage, object(stage)}}, worker());
+    }
+
+    /// The worker of his own stages up to this one.
+    Made link_chain(int stage) {
+        std::map<int, fs::path> objects;
+        for (int each = 1; each <= stage; ++each)
+            if (has(each) && compiled(each).succeeded) objects[each] = object(each);
+        return link_worker(grading_.workshop, stage, objects, worker());
+    }
+
+    [[nodiscard]] fs::path worker() const { return scratch_.folder() / "worker"; }
+
+    /// In the results, beside the mark.
+    [[nodiscard]] fs::path beside(int stage, const std::string& ending) const {
+        return grading_.results / student_ / (name_of(stage) + ending);
+    }
+
+private:
+    [[nodiscard]] fs::path object(int stage) const {
+        return scratch_.folder() / (name_of(stage) + ".o");
+    }
+
+    const Grading& grading_;
+    std::string student_;
+    HandedIn handed_in_;
+    Scratch scratch_;
+    std::map<int, Made> compiled_;
+};
+
+namespace {
+
+/// Of what the picture shows of the student's own stages.
+std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
+                                      const fs::path& file) {
+    const Ending ending =
+        run_asking(grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()},
+                   {}, longest_diagnosis);
+    PictureMark mark{.file = file.filename()};
+    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) return {};
+    return mark;
+}
+
+}  // namespace
+
+Mark Judge::mark(Desk& desk, int stage) {
+    const Yardstick& yardstick = yardsticks_.at(stage);
+    Mark mark{.student = desk.student(), .stage = stage, .words = desk.words(stage)};
+    for (const CaseMark& each : yardstick.cases) mark.most += each.points;
+    if (!desk.has(stage)) return mark;
+    mark.source = Fingerprint().add(desk.text(stage)).text();
+    const std::string known = name_of(stage) + mark.source + mark.words;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = known_.find(known);
+        if (found != known_.end()) {
+            const Mark& same = found->second;
+            if (!same.slice.empty())
+                fs::copy_file(grading_.results / same.student / same.slice,
+                              desk.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
+            return same;
+        }
+    }
+    Made made = desk.compiled(stage);
+    if (made.succeeded) made = desk.link(stage);
+    mark.verdict = made.succeeded ? Verdict::judged : Verdict::refused;
+    mark.words += made.words;
+    if (made.succeeded) {
+        mark.cases = completed(ask_suite(grading_, stage, desk.worker()), yardstick.cases);
+        if (mark.points() < mark.most) {
+            const std::string probes =
+                grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
+            const Ending ending =
+                run_asking(grading_, stage,
+                           {"diagnose", probes, desk.worker().string(), yardstick.worker.string(),
+                            desk.beside(stage, ".svg").string()},
+                           {}, longest_diagnosis);
+            if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
+            if (fs::exists(desk.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    known_[known] = mark;
+    return mark;
+}
+
+void Judge::judge(const Envelope& envelope, const std::atomic<bool>& stop) {
+    Desk desk(grading_, envelope);
+    for (const auto& [stage, yardstick] : yardsticks_) {
+        if (stop) return;
+        const std::string key = desk.key(stage, yardstick);
+        const std::optional<Mark> before = read_mark(grading_.results, desk.student(), stage);
+        if (before && before->key == key) continue;
+        for (const char* ending : {".svg", ".png"}) fs::remove(desk.beside(stage, ending));
+        Mark came = mark(desk, stage);
+        came.student = desk.student();
+        came.key = key;
+        if (came.verdict == Verdict::judged && desk.link_chain(stage).succeeded)
+            came.picture = picture_of(grading_, stage, desk.worker(), desk.beside(stage, ".png"));
+        write_mark(grading_.results, came);
+    }
+}
+
+}  // namespace rt::grade

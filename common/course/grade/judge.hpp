@@ -1,0 +1,60 @@
+// One submission, judged.
+#pragma once
+
+#include "common/course/grade/intake.hpp"
+#include "common/course/grade/results.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace rt::grade {
+
+/// Where a class is graded, and by what.
+struct Grading {
+    std::filesystem::path project;
+    std::filesystem::path build;
+    std::filesystem::path results;
+    Workshop workshop;
+    std::uint64_t seed = 0;  ///< of the cases that are drawn at random
+    std::set<int> stages;
+};
+
+/// What judging the references gave: what each stage's cases are worth.
+struct Yardstick {
+    std::filesystem::path worker;  ///< of the references alone
+    std::string key;               ///< of what decides a mark, apart from the student's files
+    std::vector<CaseMark> cases;   ///< all passed
+};
+
+/// Judges the reference of a stage, whose worker goes to the folder. Throws ProgramError if it has
+/// not all the points: then nobody could.
+[[nodiscard]] Yardstick judge_reference(const Grading& grading, int stage,
+                                        const std::filesystem::path& folder);
+
+/// Judges submissions, on several threads.
+class Judge {
+public:
+    Judge(const Grading& grading, std::map<int, Yardstick> yardsticks)
+        : grading_(grading), yardsticks_(std::move(yardsticks)) {}
+
+    /// Writes a mark for each stage, unless there is one already that the same would come of.
+    /// Stops between two stages once it is told to. Throws ProgramError, InputError or
+    /// filesystem_error if it is we who fail.
+    void judge(const Envelope& envelope, const std::atomic<bool>& stop);
+
+private:
+    class Desk;
+
+    [[nodiscard]] Mark mark(Desk& desk, int stage);
+
+    const Grading& grading_;
+    const std::map<int, Yardstick> yardsticks_;
+    std::mutex mutex_;
+    std::map<std::string, Mark> known_;  ///< by stage and file: what was judged in this run
+};
+
+}  // namespace rt::grade

@@ -1,0 +1,121 @@
+// `./course grade`: what comes of submissions.
+#include "common/course/grade/elsewhere.hpp"
+#include "common/course/grade/grade.hpp"
+#include "common/course/grade/gradescope.hpp"
+#include "common/course/process.hpp"
+
+#include "common/input_error.hpp"
+#include "common/stages.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <random>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using rt::grade::Order;
+
+/// "5" and "triangle", each a stage.
+std::set<int> parse_stages(const std::vector<std::string>& words) {
+    std::set<int> stages;
+    for (const std::string& word : words) {
+        const std::optional<int> stage = rt::find_stage(word);
+        if (!stage) throw rt::InputError({}, "no stage \"" + word + "\"");
+        stages.insert(*stage);
+    }
+    return stages;
+}
+
+/// "2/8": the second of eight parts of a class.
+void parse_part(const std::string& word, Order& order) {
+    char rest = 0;
+    const bool is_part =
+        std::sscanf(word.c_str(), "%d/%d%c", &order.part, &order.parts, &rest) == 2;
+    if (!is_part || order.part < 1 || order.part > order.parts)
+        throw rt::InputError({}, "--part wants K/N, 1/8 to 8/8 say, not \"" + word + "\"");
+}
+
+/// The seal, attacked.
+int self_test(const fs::path& build) {
+    const int seal = rt::run_process({build / "seal_test"});
+    const int attacks = rt::run_process({build / "attacks_test"});
+    return seal == 0 && attacks == 0 ? 0 : 1;
+}
+
+int run(int count, char** words) {
+    CLI::App app{"Grades submissions: folders, archives, or folders of these", "course grade"};
+    Order order{.project = RAYSTEPS_ROOT, .build = RAYSTEPS_BUILD};
+    std::vector<std::string> stages;
+    std::string part;
+    fs::path gradescope;
+    std::string elsewhere;
+    bool report = false;
+    bool attack = false;
+    order.jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+    app.add_option("submissions", order.places);
+    app.add_option("--out", order.results,
+                   "folder of the results, which an interrupted run goes on");
+    app.add_option("--seed", order.seed, "of the cases that are drawn at random");
+    app.add_option("--stages", stages, "5,triangle: of all thirteen")->delimiter(',');
+    app.add_option("--jobs", order.jobs, "how many are judged at a time")
+        ->check(CLI::Range(1, 256));
+    app.add_option("--part", part,
+                   "K/N: this part of the class, for N machines that share a folder");
+    app.add_option("--gradescope", gradescope, "write the one student's results.json");
+    app.add_option("--for", elsewhere,
+                   "gradescope, github or slurm: write what grades there into the folder given");
+    app.add_flag("--report", report, "write the reports of what is judged already");
+    app.add_flag("--self-test", attack, "attack the seal: does it hold on this machine?");
+    try {
+        app.parse(count, words);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return 0;
+    } catch (const CLI::ParseError& error) {
+        throw rt::InputError({}, std::string("grade: ") + error.what());
+    }
+    if (attack) return self_test(order.build);
+    if (!elsewhere.empty()) {
+        if (order.places.size() != 1) throw rt::InputError({}, "grade: --for wants one folder");
+        const std::uint64_t seed = order.seed.value_or(std::random_device{}());
+        rt::grade::write_for(elsewhere, order.places[0], order.project, seed);
+        return 0;
+    }
+    if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR says where to");
+    if (report) {
+        rt::grade::write_reports(order.results, order.project);
+        return 0;
+    }
+    if (order.places.empty()) throw rt::InputError({}, "grade: which submissions?");
+    order.stages = parse_stages(stages);
+    if (!part.empty()) parse_part(part, order);
+    if (!rt::grade::grade(order)) {
+        std::cerr << "interrupted: the same command goes on from here\n";
+        return 1;
+    }
+    if (order.parts > 1) return 0;  // --report follows when all parts are there
+    rt::grade::write_reports(order.results, order.project);
+    if (!gradescope.empty())
+        rt::grade::write_gradescope(gradescope, rt::grade::read_marks(order.results));
+    std::cout << (order.results / "grades.csv").string() << '\n'
+              << (order.results / "class.html").string() << '\n';
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        return run(count, words);
+    } catch (const rt::InputError& error) {
+        std::cerr << error.what() << '\n';
+    } catch (const rt::ProgramError& error) {
+        std::cerr << error.what();
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+    }
+    return 2;
+}

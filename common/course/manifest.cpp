@@ -1,0 +1,78 @@
+#include "common/course/manifest.hpp"
+
+#include "common/course/files.hpp"
+#include "common/input_error.hpp"
+
+#include <cstdint>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+bool Manifest::matches(const fs::path& folder, const std::string& path) const {
+    const auto known = fingerprints.find(path);
+    return known != fingerprints.end() &&
+           fs::symlink_status(folder / path).type() == fs::file_type::regular &&
+           known->second.count(fingerprint(folder / path)) > 0;
+}
+
+bool is_handout(const fs::path& folder) {
+    std::error_code none;
+    return fs::is_regular_file(folder / manifest_file, none);
+}
+
+Manifest read_manifest(const fs::path& folder) {
+    const auto refuse = [&folder] {
+        throw InputError({folder.string()},
+                         "no hand-out of Raysteps: it is what ./course handout writes");
+    };
+    if (!is_handout(folder)) refuse();
+    Manifest manifest;
+    for (const std::string& line : lines_of(read_text(folder / manifest_file))) {
+        const std::size_t space = line.find(' ', line.find(' ') + 1);
+        if (space == std::string::npos) refuse();
+        if (manifest.title.empty())
+            manifest.title = line;
+        else
+            manifest.fingerprints[line.substr(space + 1)].insert(line.substr(0, space));
+    }
+    if (manifest.title.rfind("Raysteps, ", 0) != 0 || manifest.fingerprints.empty()) refuse();
+    return manifest;
+}
+
+void write_manifest(const fs::path& folder, const Manifest& manifest) {
+    std::string text = manifest.title + "\n";
+    for (const auto& [path, fingerprints] : manifest.fingerprints)
+        for (const std::string& fingerprint : fingerprints) text += fingerprint + " " + path + "\n";
+    write_text(folder / manifest_file, text);
+}
+
+std::string fingerprint(const fs::path& file) {
+    const std::string text = read_text(file);
+    std::uint32_t crc = 0;
+    const auto take = [&crc](std::size_t byte) {
+        crc ^= std::uint32_t(byte) << 24;
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc << 1) ^ ((crc & 0x80000000u) != 0 ? 0x04c11db7u : 0);
+    };
+    for (const char c : text) take(static_cast<unsigned char>(c));
+    for (std::size_t length = text.size(); length > 0; length >>= 8) take(length & 0xff);
+    return std::to_string(~crc) + " " + std::to_string(text.size());
+}
+
+void copy_whole(const fs::path& from, const fs::path& to) {
+    const fs::path beside = to.parent_path() / ("." + to.filename().string() + ".new");
+    fs::create_directories(to.parent_path());
+    std::error_code ignored;
+    try {
+        fs::remove(beside);  // of a command that was interrupted
+        fs::copy_file(from, beside);
+        fs::permissions(beside, fs::perms::owner_write, fs::perm_options::add);
+        fs::rename(beside, to);
+    } catch (...) {
+        fs::remove(beside, ignored);
+        throw;
+    }
+}
+
+}  // namespace rt

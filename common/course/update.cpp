@@ -1,0 +1,167 @@
+#include "common/course/update.hpp"
+
+#include "common/course/files.hpp"
+#include "common/course/manifest.hpp"
+#include "common/course/process.hpp"
+#include "common/course/project.hpp"
+#include "common/course/workbook.hpp"
+#include "common/input_error.hpp"
+
+#include <cstdio>
+#include <regex>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::minutes time_limit{5};
+constexpr const char* under_way = "Raysteps, half updated: run ./course update again";
+
+/// Places that are never a hand-out's.
+const std::regex not_to_touch(R"(/.*|(.*/)?\.\.(/.*)?|(build|renders|results)/.*)"
+                              R"(|steps/[^/]*/student[^/]*/.*)");
+
+bool is_there(const fs::path& path) {
+    return fs::symlink_status(path).type() != fs::file_type::not_found;
+}
+
+/// Refuses what was not written whole, or is meant for other places.
+Manifest read_whole(const fs::path& folder) {
+    Manifest manifest = read_manifest(folder);
+    for (const auto& [path, fingerprints] : manifest.fingerprints) {
+        if (std::regex_match(path, not_to_touch))
+            throw InputError({folder.string()}, "no hand-out, as it has " + path);
+        if (fingerprints.size() != 1 || !manifest.matches(folder, path))
+            throw InputError({folder.string()},
+                             path + " is not as it was handed out: get the hand-out once more");
+    }
+    return manifest;
+}
+
+/// The folder of a hand-out that may be packed.
+fs::path unpacked(const fs::path& newer) {
+    if (fs::is_directory(newer)) return newer;
+    if (!fs::exists(newer)) throw InputError({newer.string()}, "is not there");
+    const fs::path folder = build_folder / "newer_handout";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    const Ending ending = listen_to(
+        {"tar", "-xf", fs::absolute(newer).string(), "-C", folder.string(), "--no-same-owner"},
+        time_limit);
+    if (ending.status != 0) throw InputError({newer.string()}, "cannot be unpacked");
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (is_handout(entry.path())) return entry.path();
+    throw InputError({newer.string()}, "has no hand-out of Raysteps in it");
+}
+
+class Update {
+public:
+    Update(const fs::path& newer, Manifest mine, Manifest its)
+        : newer_(newer), mine_(std::move(mine)), its_(std::move(its)) {}
+
+    /// What is there no more goes first: it may be in the way.
+    void run() {
+        Manifest both = mine_;
+        both.title = under_way;
+        for (const auto& [path, fingerprints] : its_.fingerprints)
+            both.fingerprints[path].insert(fingerprints.begin(), fingerprints.end());
+        write_manifest(project_folder, both);
+        for (const auto& [path, fingerprints] : mine_.fingerprints)
+            if (its_.fingerprints.count(path) == 0 && is_there(project_folder / path)) drop(path);
+        for (const auto& [path, fingerprints] : its_.fingerprints)
+            if (!its_.matches(project_folder, path)) bring(path);
+        write_manifest(project_folder, its_);
+    }
+
+    void tell() const {
+        if (changed_.empty())
+            std::printf("nothing has changed: %s\n", its_.title.c_str());
+        else
+            std::printf("%zu files of the hand-out have changed; what you have written has not\n",
+                        changed_.size());
+        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+            if (Workbook(stage).state() != State::untouched && concerns(stage))
+                std::printf("Yours may be judged anew: ./course check %d\n", stage);
+    }
+
+private:
+    void drop(const std::string& path) {
+        say("removed", path);
+        if (!mine_.matches(project_folder, path)) return put_aside(path);
+        fs::remove(project_folder / path);
+        std::error_code not_empty;
+        for (fs::path folder = fs::path(path).parent_path(); !folder.empty() && !not_empty;
+             folder = folder.parent_path())
+            fs::remove(project_folder / folder, not_empty);
+    }
+
+    void bring(const std::string& path) {
+        const bool known = is_there(project_folder / path);
+        say(known ? "changed" : "new", path);
+        fs::path place;
+        for (const fs::path& part : fs::path(path).parent_path()) {
+            place /= part;
+            if (is_there(project_folder / place) && !fs::is_directory(project_folder / place))
+                put_aside(place.string());
+        }
+        if (known && !mine_.matches(project_folder, path)) put_aside(path);
+        copy_whole(newer_ / path, project_folder / path);
+    }
+
+    /// What is not as it was handed out is somebody's work.
+    void put_aside(const std::string& path) {
+        int number = 1;
+        std::string kept;
+        do {
+            kept = path + ".yours_" + std::to_string(number++);
+        } while (is_there(project_folder / kept));
+        fs::rename(project_folder / path, project_folder / kept);
+        std::printf("         what you had there is kept in %s\n", kept.c_str());
+    }
+
+    void say(const char* what, const std::string& path) {
+        std::printf("%-8s %s\n", what, path.c_str());
+        changed_.push_back(path);
+    }
+
+    /// The starter, the hints and the page change nothing about what is written.
+    [[nodiscard]] bool concerns(int stage) const {
+        const std::string name(stage_name(stage));
+        for (const std::string& path : changed_)
+            if (path.find(name) != std::string::npos && path.find(".md") == std::string::npos &&
+                path.find("/starter/") == std::string::npos)
+                return true;
+        return false;
+    }
+
+    fs::path newer_;
+    Manifest mine_;
+    Manifest its_;
+    std::vector<std::string> changed_;
+};
+
+}  // namespace
+
+int update(const fs::path& newer) {
+    if (!is_handout(project_folder))
+        throw InputError({}, "this is no hand-out: bring it up to date with git pull");
+    const fs::path folder = unpacked(newer);
+    Manifest mine = read_manifest(project_folder);
+    Update update(folder, std::move(mine), read_whole(folder));
+    // With which `course` goes on if what is half-way there does not build.
+    copy_whole("/proc/self/exe", build_folder / "updater");
+    update.run();
+    update.tell();
+    std::error_code ignored;
+    fs::remove_all(build_folder / "newer_handout", ignored);
+    return 0;
+}
+
+void warn_of_half_update() {
+    if (is_handout(project_folder) && read_manifest(project_folder).title == under_way)
+        std::fprintf(stderr, "warning: an update was interrupted: run ./course update again\n");
+}
+
+}  // namespace rt

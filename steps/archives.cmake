@@ -1,0 +1,70 @@
+# In a hand-out, what shows a solution is an archive of its objects, without sources.
+
+# raysteps_archive(<name> <folder> <objects>)
+#
+# f32.a and f64.a for this folder of a hand-out, of those objects of <name>_f32 and _f64 whose path
+# ends so. The target `archives` makes them all, in the folder archives/ of the build.
+function(raysteps_archive name folder objects)
+    if(NOT TARGET archives)
+        add_custom_target(archives)
+    endif()
+    foreach(precision IN ITEMS f32 f64)
+        set(archive ${name}_archive_${precision})
+        add_library(${archive} STATIC EXCLUDE_FROM_ALL
+            "$<FILTER:$<TARGET_OBJECTS:${name}_${precision}>,INCLUDE,${objects}$>")
+        set_target_properties(${archive} PROPERTIES
+            ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}
+            LINKER_LANGUAGE CXX PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
+        if(CMAKE_STRIP)
+            add_custom_command(TARGET ${archive} POST_BUILD
+                COMMAND ${CMAKE_STRIP} --strip-unneeded $<TARGET_FILE:${archive}> VERBATIM)
+        endif()
+        add_dependencies(archives ${archive})
+    endforeach()
+endfunction()
+
+# raysteps_link_archive(<name> <folder> [WHOLE])
+#
+# Who links <name>_f32 or _f64 has what the folder's archives bring: what is missing, or the whole.
+function(raysteps_link_archive name folder)
+    raysteps_require_fit()
+    foreach(precision IN ITEMS f32 f64)
+        set(file ${PROJECT_SOURCE_DIR}/${folder}/${precision}.a)
+        if(NOT EXISTS ${file})
+            message(FATAL_ERROR "${file} is missing: get the hand-out once more")
+        endif()
+        set(archive ${name}_archive_${precision})
+        add_library(${archive} STATIC IMPORTED GLOBAL)
+        set_target_properties(${archive} PROPERTIES IMPORTED_LOCATION ${file})
+        target_link_libraries(${archive} INTERFACE raysteps_neutral)
+        if("WHOLE" IN_LIST ARGN)
+            set(archive $<LINK_LIBRARY:WHOLE_ARCHIVE,${archive}>)
+        endif()
+        target_link_libraries(${name}_${precision} INTERFACE ${archive})
+    endforeach()
+endfunction()
+
+# raysteps_require_fit()
+#
+# Says so, once, if the archives are not of this compiler's kind, before a linker would.
+function(raysteps_require_fit)
+    get_property(fits GLOBAL PROPERTY RAYSTEPS_FITS)
+    if(fits)
+        return()
+    endif()
+    set(needs ${PROJECT_SOURCE_DIR}/steps/fits.cpp)
+    if(NOT EXISTS ${needs})
+        message(FATAL_ERROR "Sources are missing, and this is no hand-out either")
+    endif()
+    unset(RAYSTEPS_FITS CACHE)  # an update may have brought others
+    try_compile(RAYSTEPS_FITS ${PROJECT_BINARY_DIR}/fits ${needs})
+    if(NOT RAYSTEPS_FITS)
+        file(STRINGS ${needs} kind LIMIT_COUNT 1)
+        string(REPLACE "// " "" kind "${kind}")
+        message(FATAL_ERROR "The references of this hand-out are built for ${kind}. They do not "
+            "fit ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on "
+            "${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}: take such a compiler, or ask for a "
+            "hand-out that was made on a machine like yours.")
+    endif()
+    set_property(GLOBAL PROPERTY RAYSTEPS_FITS ON)
+endfunction()

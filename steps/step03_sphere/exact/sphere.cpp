@@ -1,0 +1,70 @@
+// Stage 3 for `--precision exact`: every decision is that of exact arithmetic, t within 8 ulp.
+#include "steps/step03_sphere/sphere.hpp"
+
+#include "common/exact/certain.hpp"
+#include "common/exact/first_root.hpp"
+
+namespace rt {
+std::optional<Real> reference_intersect(const Ray&, const Sphere&, Interval);
+}
+#define intersect reference_intersect  // the rest of stage 3 is the reference's
+#include "steps/step03_sphere/reference/sphere.cpp"
+#undef intersect
+
+namespace rt {
+
+namespace {
+
+/// ⟨p, p⟩ = r² along the ray.
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Sphere& sphere,
+                                                Interval interval) {
+    const Real unit = power_of_two_below(sphere.radius);
+    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+        const auto o = exactly<T>(near.origin) - exactly<T>(sphere.center / unit);
+        const auto d = exactly<T>(near.direction);
+        const T r = sphere.radius / unit;
+        return Crossing<T, 0>{.a = dot(d, d), .b = dot(o, d), .c = dot(o, o) - r * r};
+    });
+}
+
+}  // namespace
+
+std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    // The reference's form, from the point p of the line nearest to the centre. With what the
+    // difference from the centre drops, p is within 2 u |p| of the line however far the origin is.
+    const Vec3& d = ray.direction;
+    const Rounded x = exact_sum(ray.origin.x, -sphere.center.x);
+    const Rounded y = exact_sum(ray.origin.y, -sphere.center.y);
+    const Rounded z = exact_sum(ray.origin.z, -sphere.center.z);
+    const Vec3 from_center(x.value, y.value, z.value);
+    const Real inverse = 1 / dot(d, d);
+    const Real t_near = -dot(from_center, d) * inverse;
+    const Vec3 p = fused_at(from_center, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
+
+    // ⟨p, p⟩ is within 7 u of itself. That p is not quite the nearest point is what `aside` is for.
+    const Real pp = dot(p, p);
+    const Real aside = dot(p, d) * inverse;
+    const Real half_chord_squared = std::fma(sphere.radius, sphere.radius, -pp);
+    const Real doubt = 7 * unit_roundoff * pp + unit_roundoff * std::abs(half_chord_squared) +
+                       2 * aside * dot(p, d) + underflow;
+    if (half_chord_squared < -doubt) return std::nullopt;
+    if (!(half_chord_squared > 16 * doubt)) return carefully(ray, sphere, interval);
+
+    const Real half_chord = std::sqrt(half_chord_squared * inverse);
+    // Half the doubt's share of the square; 4 u of the division, the root and the sum; and of
+    // aside, 5 u |p| / |d|, which is no more than half_chord's and p's shares of this together.
+    const Real error =
+        half_chord * ((3 * unit_roundoff * pp + doubt) / half_chord_squared + 9 * unit_roundoff) +
+        6 * unit_roundoff * std::abs(aside);
+    for (const Real from_near : {-half_chord, half_chord}) {
+        const Real t = t_near + (from_near - aside);
+        const Estimate root{.t = t, .error = error + 3 * unit_roundoff * std::abs(t)};
+        if (root.before(interval)) continue;
+        if (root.after(interval)) return std::nullopt;
+        if (!root.answers(interval, 32)) return carefully(ray, sphere, interval);
+        return t;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rt

@@ -1,0 +1,80 @@
+// Stage 6 for `--precision exact`: every decision is that of exact arithmetic, t within 8 ulp.
+#include "steps/step06_square/square.hpp"
+
+#include "common/exact/certain.hpp"
+#include "common/exact/first_root.hpp"
+
+namespace rt {
+std::optional<Real> reference_intersect(const Ray&, const Square&, Interval);
+}
+#define intersect reference_intersect  // the rest of stage 6 is the reference's
+#include "steps/step06_square/reference/square.cpp"
+#undef intersect
+
+namespace rt {
+
+namespace {
+
+/// z = 0 along the ray, where |x| and |y| ≤ side / 2 and, of a one-sided square, z falls.
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Square& square,
+                                                Interval interval) {
+    const Real unit = power_of_two_below(square.side);
+    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+        const auto o = exactly<T>(near.origin) - exactly<T>(square.center / unit);
+        const auto d = exactly<T>(near.direction);
+        const auto x = exactly<T>(square.basis.x);
+        const auto y = exactly<T>(square.basis.y);
+        const auto z = exactly<T>(square.basis.z);
+        const T half = square.side / unit / 2;
+        const T slope = dot(d, z);
+        return Crossing<T, 5>{.b = T(Real(0.5)) * slope,
+                              .c = dot(o, z),
+                              .conditions = {{{.c0 = half - dot(o, x), .c1 = -dot(d, x)},
+                                              {.c0 = half + dot(o, x), .c1 = dot(d, x)},
+                                              {.c0 = half - dot(o, y), .c1 = -dot(d, y)},
+                                              {.c0 = half + dot(o, y), .c1 = dot(d, y)},
+                                              {.c0 = square.one_sided ? -slope : T(Real(0))}}}};
+    });
+}
+
+}  // namespace
+
+std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
+    // The reference's form, from the point p of the ray that is almost in the plane: p is within
+    // 2 u |p| of the ray, a ⟨p, x⟩ within 9 u of p's largest coordinate, a ⟨d, x⟩ within 6 u of
+    // d's.
+    const auto& [x, y, z] = square.basis;
+    const Vec3& d = ray.direction;
+    const Rounded o_x = exact_sum(ray.origin.x, -square.center.x);
+    const Rounded o_y = exact_sum(ray.origin.y, -square.center.y);
+    const Rounded o_z = exact_sum(ray.origin.z, -square.center.z);
+    const Vec3 o(o_x.value, o_y.value, o_z.value);
+    const Real slope = dot(d, z);
+    const Real t_near = -dot(o, z) / slope;
+    const Vec3 p = fused_at(o, t_near, d) + Vec3(o_x.dropped, o_y.dropped, o_z.dropped);
+    const Real height = dot(p, z);
+    const Real steepness = std::abs(slope);
+    const Real size_p = largest_component(p);
+    const Real size_d = largest_component(d);
+    if (!(steepness > 64 * unit_roundoff * size_d)) return carefully(ray, square, interval);
+    if (square.one_sided && slope > 0) return std::nullopt;
+
+    const Real limit = square.side / 2 * steepness;
+    const Real doubt = unit_roundoff * size_d * (64 * size_p + 4 * square.side) + underflow;
+    const Real x_beside = std::abs(dot(p, x) * slope - height * dot(d, x)) - limit;
+    const Real y_beside = std::abs(dot(p, y) * slope - height * dot(d, y)) - limit;
+    if (x_beside > doubt || y_beside > doubt) return std::nullopt;
+    const bool inside = x_beside < -doubt && y_beside < -doubt;
+    if (!inside) return carefully(ray, square, interval);
+
+    const Real from_near = height / slope;
+    const Real t = t_near - from_near;
+    const Real error = unit_roundoff * (10 * size_p / steepness + 3 * std::abs(t)) +
+                       std::abs(from_near) / 8 + underflow;
+    const Estimate root{.t = t, .error = error};
+    if (root.before(interval) || root.after(interval)) return std::nullopt;
+    if (!root.answers(interval, 32)) return carefully(ray, square, interval);
+    return t;
+}
+
+}  // namespace rt

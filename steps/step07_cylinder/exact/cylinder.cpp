@@ -1,0 +1,97 @@
+// Stage 7 for `--precision exact`: every decision is that of exact arithmetic, t within 8 ulp.
+#include "steps/step07_cylinder/cylinder.hpp"
+
+#include "common/exact/certain.hpp"
+#include "common/exact/first_root.hpp"
+
+namespace rt {
+std::optional<Real> reference_intersect(const Ray&, const Cylinder&, Interval);
+}
+#define intersect reference_intersect  // the rest of stage 7 is the reference's
+#include "steps/step07_cylinder/reference/cylinder.cpp"
+#undef intersect
+
+namespace rt {
+
+namespace {
+
+/// ‖p × Z‖² = r² ‖Z‖² along the ray, where z² ≤ (h / 2)² ‖Z‖²: ‖Z‖ is 1 but for its rounding.
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Cylinder& cylinder,
+                                                Interval interval) {
+    const Real unit = power_of_two_below(glm::max(cylinder.radius, cylinder.height));
+    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+        const auto o = exactly<T>(near.origin) - exactly<T>(cylinder.center / unit);
+        const auto d = exactly<T>(near.direction);
+        const auto axis = exactly<T>(cylinder.axis);
+        const auto o_across = cross(o, axis);
+        const auto d_across = cross(d, axis);
+        const T o_along = dot(o, axis);
+        const T d_along = dot(d, axis);
+        const T radius = cylinder.radius / unit;
+        const T half = cylinder.height / unit / 2;
+        const T square = dot(axis, axis);
+        return Crossing<T, 1>{.a = dot(d_across, d_across),
+                              .b = dot(o_across, d_across),
+                              .c = dot(o_across, o_across) - square * radius * radius,
+                              .conditions = {{{.c0 = square * half * half - o_along * o_along,
+                                               .c1 = -(o_along + o_along) * d_along,
+                                               .c2 = -d_along * d_along}}}};
+    });
+}
+
+}  // namespace
+
+std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
+    // The reference's form, from the point p of the line nearest to the centre, within 2 u |p| of
+    // it, in the cross-section.
+    const Vec3& d = ray.direction;
+    const Vec3& axis = cylinder.axis;
+    const Rounded x = exact_sum(ray.origin.x, -cylinder.center.x);
+    const Rounded y = exact_sum(ray.origin.y, -cylinder.center.y);
+    const Rounded z = exact_sum(ray.origin.z, -cylinder.center.z);
+    const Vec3 from_center(x.value, y.value, z.value);
+    const Real dd = dot(d, d);
+    const Real t_near = -dot(from_center, d) / dd;
+    const Vec3 p = fused_at(from_center, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
+    const Vec3 p_across = cross(p, axis);
+    const Vec3 d_across = cross(d, axis);
+    const Real a = dot(d_across, d_across);
+    const Real t_closest = -dot(p_across, d_across) / a;
+    const Vec3 closest = p_across + t_closest * d_across;
+    const Real cc = dot(closest, closest);
+    const Real rr = cylinder.radius * cylinder.radius;
+
+    // Across the axis, p is within 7 u |p| and d within 3.5 u |d|, which turns d by as much as the
+    // ray is nearly along the axis: `along` times. So `closest` is within u |p| (12 + 8 along), and
+    // its square within twice that and its length, which is no more than (cc + r²) / 2 r.
+    const Real along = std::sqrt(dd / a);
+    const Real size_p = unit_roundoff * std::sqrt(dot(p, p));
+    const Real half_chord_squared = rr - cc;
+    const Real doubt = size_p * (12 + 8 * along) * (cc + rr) / cylinder.radius +
+                       16 * unit_roundoff * (cc + rr) + underflow;
+    if (half_chord_squared < -doubt) return std::nullopt;
+    if (!(half_chord_squared > 16 * doubt)) return carefully(ray, cylinder, interval);
+
+    const Real half_chord = std::sqrt(half_chord_squared / a);
+    const Real share = doubt / half_chord_squared + unit_roundoff * (4 * along + 6);
+    const Real error = half_chord * share + size_p * (16 + 12 * along) / std::sqrt(a);
+    const Real p_along = dot(p, axis);
+    const Real d_along = dot(d, axis);
+    for (const Real from_p : {t_closest - half_chord, t_closest + half_chord}) {
+        const Real t = t_near + from_p;
+        const Estimate root{.t = t, .error = error + 3 * unit_roundoff * std::abs(t)};
+        if (root.before(interval)) continue;
+        if (root.after(interval)) return std::nullopt;
+        const Real beyond = std::abs(p_along + from_p * d_along) - cylinder.height / 2;
+        const Real z_doubt = 8 * size_p + 8 * unit_roundoff * cylinder.height +
+                             std::sqrt(dd) * (8 * unit_roundoff * std::abs(from_p) + 2 * error) +
+                             underflow;
+        if (beyond > z_doubt) continue;
+        if (!(beyond < -z_doubt) || !root.answers(interval, 64))
+            return carefully(ray, cylinder, interval);
+        return t;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rt

@@ -1,0 +1,66 @@
+// ask_picture WORKER STAGE OUT.png
+//
+// Has the stage's scene drawn by a worker, every fourth pixel of every fourth row. Prints how many
+// pixels that is, and how many are other than right answers are; writes them beside the
+// reference's.
+#include "tests/contract/asking.hpp"
+#include "tests/contract/picture_question.hpp"
+
+#include "tests/kit/picture.hpp"
+
+#include "common/course/pictures.hpp"
+#include "common/mesh_loading.hpp"
+#include "common/png.hpp"
+#include "common/scene_reader.hpp"
+
+#include <iostream>
+
+namespace {
+
+using namespace rt;
+
+constexpr int every = 4;
+constexpr double longest = 30;  // seconds
+
+/// The pixels that were drawn, as a picture of their own.
+Image thinned(const Image& image) {
+    const auto [width, height] = image.resolution;
+    Image small({(width + every - 1) / every, (height + every - 1) / every});
+    for (Pixel pixel; pixel.row < small.resolution.height; ++pixel.row)
+        for (pixel.column = 0; pixel.column < small.resolution.width; ++pixel.column)
+            small[pixel] = image[{pixel.row * every, pixel.column * every}];
+    return small;
+}
+
+Image asked_of(const std::string& program, const Scene& scene) {
+    contract::Worker worker(program);
+    const std::string question = contract::picture_question(scene, {}, every);
+    return contract::picture_in(worker.ask(question, longest), scene.resolution);
+}
+
+void ask(const std::string& program, const std::string& stage, const std::string& file) {
+    const Image reference = read_png(project_file("docs/pictures/" + stage + ".png"));
+    const Image spread = thinned(read_png(project_file("tests/pictures/" + stage + ".png")));
+    Scene scene = load_scene(project_file("scenes/" + stage + ".rt"), {.strict = true});
+    load_meshes(scene);
+    scene.resolution = reference.resolution;
+    const Image mine = thinned(asked_of(program, scene));
+    const Image expected = thinned(reference);
+    int different = 0;
+    for (std::size_t i = 0; i < mine.pixels.size(); ++i)
+        if (!fits(mine.pixels[i], expected.pixels[i], spread.pixels[i])) ++different;
+    write_png(file, compare(mine, expected).side_by_side, {});
+    std::cout << mine.pixels.size() << ' ' << different << '\n';
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        if (count != 4) throw std::runtime_error("ask_picture WORKER STAGE OUT.png");
+        ask(words[1], words[2], words[3]);
+    } catch (const std::exception& error) {
+        std::cerr << "error: " << error.what() << '\n';
+        return 2;
+    }
+}

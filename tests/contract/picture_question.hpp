@@ -1,0 +1,32 @@
+// One question a picture: asked ray by ray, it would take a hundred times as long as it does.
+#pragma once
+
+#include "tests/contract/contracts.hpp"
+#include "tests/contract/scene_bytes.hpp"
+
+#include "common/look.hpp"
+
+namespace rt::contract {
+
+/// As drawn() has it, tests/kit/drawn.hpp.
+inline std::string picture_question(const Scene& scene, const Look& look, int every) {
+    Writer question;
+    put(question, Number{.stage = 0, .place = picture_place});
+    put_scene(question, scene);
+    put(question, look);
+    put(question, every);
+    return question.bytes();
+}
+
+/// Throws Malformed if the answer is no picture of this size.
+inline Image picture_in(const std::string& answer, Resolution size) {
+    Reader reader(answer);
+    Image image(size);
+    const std::size_t pixels = image.pixels.size();
+    image.pixels = get<std::vector<Rgb>>(reader);
+    reader.end();
+    if (image.pixels.size() != pixels) throw Malformed("a picture of another size");
+    return image;
+}
+
+}  // namespace rt::contract

@@ -1,0 +1,185 @@
+// Files that are alike, and files that only answer the same question.
+#include "common/course/grade/likeness.hpp"
+#include "common/course/files.hpp"
+#include "common/course/grade/fingerprints.hpp"
+#include "common/stages.hpp"
+
+#include "tests/grading/reports_class.hpp"
+#include "tests/kit/catch.hpp"
+
+#include <algorithm>
+#include <random>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path project = RAYSTEPS_ROOT;
+
+struct Class : Results {
+    void hand_in(const std::string& student, int stage, const std::string& text,
+                 const std::string& source = "") {
+        const std::string name(stage_name(stage).substr(7));
+        write_mark(folder, {.student = student,
+                            .stage = stage,
+                            .verdict = Verdict::judged,
+                            .source = source.empty() ? student : source});
+        fs::create_directories(folder / student / "submitted");
+        write_text(folder / student / "submitted" / (name + ".cpp"), text);
+    }
+
+    [[nodiscard]] Likeness found() const { return likeness(folder, project, read_marks(folder)); }
+};
+
+std::string text_of(const std::string& file) {
+    return read_text(project / file);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at))
+        text.replace(at, what.size(), with), at += with.size();
+    return text;
+}
+
+/// Tokens that nobody else has.
+std::string noise(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::string tokens;
+    for (int i = 0; i < count; ++i) tokens += "+-*%<>=&|^!?;,()"[random() % 16];
+    return tokens;
+}
+
+}  // namespace
+
+TEST_CASE("names, numbers, comments and layout are nothing to a file's tokens") {
+    CHECK(normalised("#include <cmath>\nReal f(Real a) { return a * 2.5; }  // half") ==
+          "nn(nn)Rn*0;");
+    CHECK(normalised("const double g_1(double  β)\n{ /* a\nb */ return\tβ*1'000; }") ==
+          "nn(nn)Rn*0;");
+    CHECK(normalised("std::sqrt(x)") == normalised("sqrt(x)"));
+    CHECK(normalised("if (a) { b(\"}//\\\"\"); } else c('\"');") == "I(n)n(t);En(t);");
+    CHECK(normalised("/* no end") == "");
+    CHECK(normalised("\"no end") == "t");
+    CHECK(normalised("\\") == "\\");
+    CHECK(normalised("# a \\\n b\nc") == "n");
+}
+
+TEST_CASE("any 23 tokens have a fingerprint of the file in which they stand") {
+    const std::string tokens = noise(500, 1);
+    const std::vector<std::uint64_t> prints = fingerprints(tokens);
+    const std::vector<std::uint64_t> all = passages(tokens);
+    CHECK(all.size() == 500 - 15);
+    CHECK(prints.size() < all.size() / 3);
+    CHECK(std::includes(all.begin(), all.end(), prints.begin(), prints.end()));
+    for (std::size_t i = 0; i + 23 <= tokens.size(); ++i) {
+        const std::vector<std::uint64_t> part = passages(tokens.substr(i, 23));
+        CHECK(std::find_first_of(part.begin(), part.end(), prints.begin(), prints.end()) !=
+              part.end());
+        CHECK(fingerprints(tokens.substr(i, 23)).size() == 1);
+    }
+    CHECK(fingerprints(tokens.substr(0, 15)).empty());
+}
+
+TEST_CASE("right answers that were written apart are not near") {
+    Class results;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        const std::string name(stage_name(stage));
+        std::vector<fs::path> files = files_in(project / "steps" / name / "reference", ".cpp");
+        for (const fs::path& file : files_in(project / "tests/alternatives" / name, ".cpp"))
+            files.push_back(file);
+        REQUIRE(files.size() > 2);
+        for (const fs::path& file : files) results.hand_in(file.stem(), stage, read_text(file));
+    }
+    const Likeness found = results.found();
+    CHECK(found.same.empty());
+    CHECK(found.near.empty());
+}
+
+TEST_CASE("a file stays near whatever it is renamed to, and with a line here and there") {
+    Class results;
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    std::string edited = "// all mine\n" + file;
+    for (const auto& [what, with] : {std::pair{"Real", "double"}, {"sphere", "ball"}, {"ray", "r"}})
+        edited = replaced(edited, what, with);
+    edited = replaced(edited, "return", "const int unused = 0;\n    return");
+    results.hand_in("anna", 3, file);
+    results.hand_in("ben", 3, edited);
+    results.hand_in("carl", 3, text_of("tests/alternatives/step03_sphere/geometric.cpp"));
+    const Likeness found = results.found();
+    CHECK(found.same.empty());
+    REQUIRE(found.near.size() == 1);
+    CHECK(found.near[0].one == "anna");
+    CHECK(found.near[0].other == "ben");
+    CHECK(found.near[0].percent.size() == 1);
+    CHECK(found.near[0].percent.at(3) >= near_percent);
+    CHECK(found.near[0].percent.at(3) < 100);
+}
+
+TEST_CASE("what many write alike counts little") {
+    Class results;
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    for (unsigned i = 0; i < 10; ++i)
+        results.hand_in("student " + std::to_string(i), 3, file + noise(80, i));
+    CHECK(results.found().near.empty());
+    results.hand_in("student 10", 3, file + noise(80, 9) + " // mine");
+    const Likeness found = results.found();
+    REQUIRE(found.near.size() == 1);
+    CHECK(found.near[0].one == "student 10");  // "1" before "9"
+    CHECK(found.near[0].other == "student 9");
+    CHECK(found.near[0].percent.at(3) == 100);
+}
+
+TEST_CASE("who is near in most stages comes first") {
+    Class results;
+    const auto hand_in = [&](const std::string& one, const std::string& other, int stage) {
+        const std::string text = noise(200, unsigned(stage) + unsigned(one[0]));
+        results.hand_in(one, stage, text);
+        results.hand_in(other, stage, text);
+    };
+    hand_in("anna", "ben", 3);
+    hand_in("carl", "dora", 3);
+    hand_in("carl", "dora", 4);
+    const Likeness found = results.found();
+    REQUIRE(found.near.size() == 2);
+    CHECK(found.near[0].one == "carl");
+    CHECK(found.near[0].percent == std::map<int, int>{{3, 100}, {4, 100}});
+    CHECK(found.near[1].one == "anna");
+}
+
+TEST_CASE("who handed in the same file is told once, and nobody of the starter") {
+    Class results;
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    const std::string starter = text_of("steps/step03_sphere/starter/sphere.cpp");
+    results.hand_in("anna", 3, file, "17");
+    results.hand_in("ben", 3, file, "17");
+    results.hand_in("carl", 3, starter, "18");
+    results.hand_in("dora", 3, starter, "18");
+    results.hand_in("emil", 3, "int x;", "19");
+    results.hand_in("fred", 3, "", "20");
+    const std::string too_short = noise(40, 1);
+    results.hand_in("gil", 3, too_short);
+    results.hand_in("hal", 3, too_short);
+    const Likeness found = results.found();
+    REQUIRE(found.same.size() == 1);
+    CHECK(found.same[0].stage == 3);
+    CHECK(found.same[0].students == std::vector<std::string>{"anna", "ben"});
+    CHECK(found.near.empty());
+}
+
+TEST_CASE("what is not a file of a person's size is not read") {
+    Class results;
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    results.hand_in("anna", 3, file);
+    results.hand_in("ben", 3, file + std::string(300 * 1024, ' '));
+    results.hand_in("carl", 3, "");
+    const fs::path link = results.folder / "carl" / "submitted" / "sphere.cpp";
+    fs::remove(link);
+    fs::create_symlink(results.folder / "anna" / "submitted" / "sphere.cpp", link);
+    results.hand_in("dora", 3, "");
+    fs::remove_all(results.folder / "dora" / "submitted");
+    CHECK(results.found().near.empty());
+}
+
+}  // namespace rt::grade

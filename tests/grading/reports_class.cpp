@@ -1,0 +1,50 @@
+#include "tests/grading/reports_class.hpp"
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace rt::grade {
+
+Results::Results() {
+    std::string name = std::filesystem::temp_directory_path() / "reports.XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder");
+    folder = name;
+}
+
+Results::~Results() {
+    std::filesystem::remove_all(folder);
+}
+
+std::vector<Mark> class_of_two() {
+    const CaseMark met{.name = "it is met", .points = 1, .passed = true};
+    const CaseMark missed{.name = "a < b & \"c\"",
+                          .points = 1,
+                          .given = true,
+                          .place = "tests/step04_plane_test.cpp:9",
+                          .words = no_utf8 + "\nexpected: <hit>\n"};
+    const CaseMark edges{.name = "edges", .points = 3, .passed = true};
+    return {
+        {.student = odd,
+         .stage = 4,
+         .key = "k4",
+         .verdict = Verdict::judged,
+         .words = "warning: <unused>",
+         .source = "17",
+         .mistake = "You compare with <0>.",
+         .smallest = "intersect(…)\n  came: 1\n",
+         .slice = "step04 slice.svg",
+         .cases = {met, missed},
+         .picture = PictureMark{.pixels = 12, .different = 5, .file = "step04_plane.png"},
+         .most = 2},
+        {.student = odd, .stage = 5, .verdict = Verdict::refused, .words = "no <vec>", .most = 4},
+        {.student = "zoe", .stage = 4, .verdict = Verdict::missing, .words = "<none>", .most = 2},
+        {.student = "zoe",
+         .stage = 5,
+         .verdict = Verdict::judged,
+         .cases = {edges, {.name = missed.name, .points = 1, .place = "here:1", .words = "no"}},
+         .picture = PictureMark{.pixels = 12, .file = "step05_triangle.png"},
+         .most = 4},
+    };
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,32 @@
+// A class made by hand, whose marks are known.
+#pragma once
+
+#include "common/course/grade/results.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt::grade {
+
+/// A folder name that a stranger may choose: a formula, a tag, quotes, a line of its own.
+inline const std::string odd = "=cmd|\"<b>&\n";
+
+/// What a stranger's code may print: it is no UTF-8.
+inline const std::string no_utf8 = "came: \xff\xc3(";
+
+/// A folder that is gone with its scope.
+struct Results {
+    Results();
+    ~Results();
+    Results(const Results&) = delete;
+    Results& operator=(const Results&) = delete;
+
+    std::filesystem::path folder;
+};
+
+/// Two students, stages 4 and 5, of 2 and 4 points. The odd one has 1 of stage 4, and stage 5 is
+/// refused; zoe has not handed in stage 4, and has 3 of stage 5.
+[[nodiscard]] std::vector<Mark> class_of_two();
+
+}  // namespace rt::grade

@@ -1,0 +1,288 @@
+// What is made of a class's marks, its numbers worked out by hand.
+#include "common/course/files.hpp"
+#include "common/course/grade/class_report.hpp"
+#include "common/course/grade/feedback.hpp"
+#include "common/course/grade/grade_book.hpp"
+#include "common/course/grade/gradescope.hpp"
+#include "common/course/grade/html.hpp"
+#include "common/course/grade/junit.hpp"
+
+#include "tests/grading/reports_class.hpp"
+#include "tests/kit/catch.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Class : Results {
+    Class() {
+        for (const Mark& mark : class_of_two()) write_mark(folder, mark);
+        marks = read_marks(folder);
+    }
+
+    std::vector<Mark> marks;
+};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Whether each tag that opens is closed, in order, and what is not a tag has no bare "<" or "&".
+bool well_formed(const std::string& xml) {
+    static const std::regex token(
+        R"(<(/?)([A-Za-z0-9]+)((?: [a-z-]+="[^"<]*")*)(/?)>|<[!?][^<>]*>|)"
+        R"(&(?:lt|gt|amp|quot|#39);|[^<&])");
+    std::vector<std::string> open;
+    std::ptrdiff_t end = 0;
+    for (std::sregex_iterator each(xml.begin(), xml.end(), token), none; each != none; ++each) {
+        if (each->position() != end) return false;
+        end += each->length();
+        const std::string name = (*each)[2];
+        const bool closes = (*each)[1].length() > 0;
+        if (name.empty() || (*each)[4].length() > 0) continue;
+        if (closes && (open.empty() || open.back() != name)) return false;
+        if (closes)
+            open.pop_back();
+        else
+            open.push_back(name);
+    }
+    return open.empty() && end == std::ptrdiff_t(xml.size());
+}
+
+}  // namespace
+
+TEST_CASE("text that everybody can read is UTF-8 without control characters") {
+    CHECK(readable("a\tb\nc\r\nd §→") == "a\tb\nc\nd §→");
+    CHECK(readable("a\x01\x7f\rb") == "a���b");
+    CHECK(readable("\xff") == "�");
+    CHECK(readable("\xc3") == "�");
+    CHECK(readable("\xc0\x80") == "��");  // too long for what it says
+    CHECK(readable("\xe0\x80\xaf") == "���");
+    CHECK(readable("\xed\xa0\x80") == "���");              // half a pair of UTF-16
+    CHECK(readable("\xf8\x90\x80\x80") == "����");         // beyond Unicode
+    CHECK(readable("\xef\xbf\xbf") == "���");              // not in XML
+    CHECK(readable("1\xe2\x80\xae of 9") == "1��� of 9");  // turns the direction of writing
+    CHECK(readable("\xf0\x9f\x8e\xa8") == "\xf0\x9f\x8e\xa8");
+}
+
+TEST_CASE("strangers' text is text in a page, and their files' names are addresses") {
+    CHECK(escaped("<b a='1'>\"&amp;\"") == "&lt;b a=&#39;1&#39;&gt;&quot;&amp;amp;&quot;");
+    CHECK(address("a_b-1.png") == "a_b-1.png");
+    CHECK(address("../é\n") == "..%2F%C3%A9%0A");
+    CHECK(well_formed("<p>a &lt; b<br/></p>"));
+    CHECK_FALSE(well_formed("<p>a < b</p>"));
+    CHECK_FALSE(well_formed("<p>a & b</p>"));
+    CHECK_FALSE(well_formed("<p><b></p></b>"));
+    CHECK_FALSE(well_formed("<p>"));
+}
+
+TEST_CASE("a share is rounded down: only what is whole is 100 %") {
+    CHECK(percent(199, 200) == "99 %");
+    CHECK(percent(3, 3) == "100 %");
+    CHECK(percent(0, 3) == "0 %");
+    CHECK(percent(0, 0) == "");
+}
+
+TEST_CASE("a cell of the grade book is no formula, and keeps to itself") {
+    CHECK(cell("anna") == "anna");
+    CHECK(cell("Martin, Léa") == "\"Martin, Léa\"");
+    CHECK(cell("the \"fast\" one") == "\"the \"\"fast\"\" one\"");
+    CHECK(cell("two\nlines") == "\"two\nlines\"");
+    CHECK(cell("=1+1") == "'=1+1");
+    CHECK(cell("+1") == "'+1");
+    CHECK(cell("-1") == "'-1");
+    CHECK(cell("@SUM") == "'@SUM");
+    CHECK(cell("  =1") == "'  =1");
+    CHECK(cell("\t=1") == "\"'\t=1\"");
+    CHECK(cell("＝1") == "'＝1");
+    CHECK(cell("a=1-2") == "a=1-2");
+    CHECK(cell("") == "");
+}
+
+TEST_CASE("the grade book has a line a student") {
+    const Class two;
+    write_grade_book(two.folder, two.marks);
+    CHECK(read_text(two.folder / "grades.csv") ==
+          "student,step04_plane,step05_triangle,total,of\r\n"
+          "\"'=cmd|\"\"<b>&\n\",1,0,1,6\r\n"
+          "zoe,0,3,3,6\r\n");
+}
+
+TEST_CASE("JUnit's XML has a testsuite a student and stage") {
+    const Class two;
+    write_junit(two.folder, two.marks);
+    const std::string xml = read_text(two.folder / "junit.xml");
+    CHECK(well_formed(xml));
+    const std::string name = "=cmd|&quot;&lt;b&gt;&amp;\n";
+    CHECK(has(xml, "<testsuite name=\"" + name +
+                       ".step04_plane\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">"));
+    CHECK(has(xml, "name=\"it is met\"/>"));
+    CHECK(has(xml,
+              "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"came: ��(\">"
+              "tests/step04_plane_test.cpp:9\ncame: ��(\nexpected: &lt;hit&gt;\n</failure>"));
+    CHECK(has(xml, ".step05_triangle\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">"));
+    CHECK(has(xml, "<error>no &lt;vec&gt;</error>"));
+    CHECK(has(xml,
+              "<testsuite name=\"zoe.step04_plane\" tests=\"1\" failures=\"0\" errors=\"0\" "
+              "skipped=\"1\">"));
+    CHECK(has(xml, "<skipped message=\"&lt;none&gt;\"/>"));
+}
+
+TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged") {
+    const Class two;
+    write_gradescope(two.folder / "results.json", {two.marks[2], two.marks[3]});
+    const std::string same = R"(      "output_format": "text",
+      "visibility": "visible"
+    })";
+    CHECK(read_text(two.folder / "results.json") == R"({
+  "score": 3,
+  "output": "",
+  "output_format": "text",
+  "visibility": "visible",
+  "tests": [
+    {
+      "name": "4 plane",
+      "score": 0,
+      "max_score": 2,
+      "status": "failed",
+      "output": "No file was handed in.\n<none>",
+)" + same + R"(,
+    {
+      "name": "5 triangle: edges",
+      "score": 3,
+      "max_score": 3,
+      "status": "passed",
+      "output": "",
+)" + same + R"(,
+    {
+      "name": "5 triangle: a < b & \"c\"",
+      "score": 0,
+      "max_score": 1,
+      "status": "failed",
+      "output": "here:1\nno",
+)" + same + "\n  ]\n}\n");
+
+    const std::vector<Mark> unread = class_of_two();  // with bytes that are no UTF-8
+    write_gradescope(two.folder / "results.json", {unread[0], unread[1]});
+    const std::string json = read_text(two.folder / "results.json");
+    CHECK(has(json, "\"output\": \"4 plane: You compare with <0>.\\n\\n\""));
+    CHECK(has(json, "\"output\": \"Your file cannot be judged:\\nno <vec>\""));
+}
+
+TEST_CASE("a feedback page says what failed, and folds away what passed") {
+    const Class two;
+    write_feedback(two.folder, two.marks);
+    const std::string page = read_text(two.folder / odd / "feedback.html");
+    CHECK(well_formed(page));
+    CHECK_FALSE(has(page, "<script"));
+    CHECK_FALSE(has(page, "<b>"));
+    CHECK(has(page, "<h1>=cmd|&quot;&lt;b&gt;&amp;\n</h1> <p>1 of 6 points</p>"));
+    CHECK(has(page, "<h2>4 plane</h2> <span>1 of 2 points</span>"));
+    CHECK(has(page, "<p>1 case of 2 fails.</p>"));
+    CHECK(has(page, "known mistake does: You compare with &lt;0&gt;.</p>"));
+    CHECK(has(page, "<pre class=\"wrong\">intersect(…)\n  came: 1</pre>"));
+    CHECK(has(page, "<img src=\"step04%20slice.svg\""));
+    CHECK(has(page,
+              "<h3>a &lt; b &amp; &quot;c&quot; <small>1 point</small></h3>\n"
+              "<pre class=\"wrong\">came: ��(\nexpected: &lt;hit&gt;</pre>\n"
+              "<small>tests/step04_plane_test.cpp:9</small>"));
+    CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"step04_plane.png\""));
+    CHECK(has(page, "the difference: 5 of 12 pixels differ"));
+    CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is met</li>\n</ul>"));
+    CHECK(has(page, "<pre>warning: &lt;unused&gt;</pre>"));
+    CHECK(
+        has(page, "<p>Your file cannot be judged:</p>\n<pre class=\"wrong\">no &lt;vec&gt;</pre>"));
+
+    const std::string other = read_text(two.folder / "zoe" / "feedback.html");
+    CHECK(well_formed(other));
+    CHECK(has(other, "<p>3 of 6 points</p>"));
+    CHECK(has(other, "<p>No file was handed in.</p>\n<pre class=\"wrong\">&lt;none&gt;</pre>"));
+    CHECK(has(other, "<details><summary>Your picture is right</summary>"));
+}
+
+TEST_CASE("a starter that is handed in has no points, and is told why") {
+    const Results results;
+    const Mark mark{.student = "anna",
+                    .stage = 3,
+                    .verdict = Verdict::judged,
+                    .cases = {{.name = "behind", .passed = true, .given = true}, {.name = "met"}},
+                    .most = 2};
+    write_mark(results.folder, mark);
+    write_feedback(results.folder, {mark});
+    const std::string page = read_text(results.folder / "anna" / "feedback.html");
+    CHECK(has(page, "<span>0 of 2 points</span>"));
+    CHECK(has(page, "<p>What passes does so in the starter too"));
+    write_gradescope(results.folder / "results.json", {mark});
+    const std::string json = read_text(results.folder / "results.json");
+    CHECK(has(json, "\"score\": 0,\n      \"max_score\": 1,\n      \"status\": \"passed\""));
+    CHECK_FALSE(has(json, "\"score\": 1"));
+}
+
+TEST_CASE("the class report has every mark, and where to look first") {
+    Class two;
+    std::vector<Mark> more = two.marks;  // zoe's stage 5, by two others, one of whom has it all
+    for (const std::string student : {"ben", "carl"}) {
+        Mark mark = two.marks[3];
+        mark.student = student;
+        mark.mistake = "You take <a> for b.\nYou forget c.";
+        mark.cases[1].passed = student == "carl";
+        more.push_back(mark);
+    }
+    write_class_report(two.folder, RAYSTEPS_ROOT, more);
+    const std::string page = read_text(two.folder / "class.html");
+    CHECK(well_formed(page));
+    CHECK(has(page, "4 students, 2 stages, 6 points"));
+    CHECK(has(page,
+              "<a href=\"%3Dcmd%7C%22%3Cb%3E%26%0A/feedback.html\">"
+              "=cmd|&quot;&lt;b&gt;&amp;\n</a></th>"
+              "<td class=\"share\" style=\"--share: 50%\">50</td>"
+              "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be judged\">×</td>"
+              "<td class=\"share\" style=\"--share: 16%\">1</td>"));
+    CHECK(has(page,
+              "zoe</a></th><td class=\"soft\" title=\"not handed in\">–</td>"
+              "<td class=\"share\" style=\"--share: 75%\">75</td>"
+              "<td class=\"share\" style=\"--share: 50%\">3</td>"));
+    // Of stage 5, 0 + 3 + 3 + 4 of 16 points were won.
+    CHECK(has(page,
+              "mean, handed in</th><td class=\"share\" style=\"--share: 50%\">50</td>"
+              "<td class=\"share\" style=\"--share: 62%\">62</td>"));
+    const std::size_t often = page.find(
+        "--share: 66%\">2</td><td class=\"text\">5 triangle</td>"
+        "<td class=\"text\">You take &lt;a&gt; for b.</td>");
+    CHECK(has(page,
+              "--share: 66%\">2</td><td class=\"text\">5 triangle</td>"
+              "<td class=\"text\">You forget c.</td>"));
+    const std::size_t once = page.find(
+        "--share: 100%\">1</td><td class=\"text\">4 plane</td>"
+        "<td class=\"text\">You compare with &lt;0&gt;.</td>");
+    CHECK(often < once);
+    CHECK(once != std::string::npos);
+    const std::size_t hardest = page.find(
+        "0 %</td><td>1</td><td class=\"text\">4 plane</td>"
+        "<td class=\"text\">a &lt; b &amp; &quot;c&quot;</td>");
+    const std::size_t less_hard = page.find(
+        "33 %</td><td>3</td><td class=\"text\">5 triangle</td>"
+        "<td class=\"text\">a &lt; b &amp; &quot;c&quot;</td>");
+    CHECK(hardest < less_hard);
+    CHECK(less_hard != std::string::npos);
+    CHECK_FALSE(has(page, "it is met"));
+    CHECK(has(page, "Likeness is no proof."));
+}
+
+TEST_CASE("nobody's marks make empty reports") {
+    const Results results;
+    write_grade_book(results.folder, {});
+    write_junit(results.folder, {});
+    write_feedback(results.folder, {});
+    write_class_report(results.folder, RAYSTEPS_ROOT, {});
+    CHECK(read_text(results.folder / "grades.csv") == "student,total,of\r\n");
+    CHECK(well_formed(read_text(results.folder / "junit.xml")));
+    CHECK(well_formed(read_text(results.folder / "class.html")));
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,142 @@
+// Marks, written and read: whole, or not at all.
+#include "common/course/files.hpp"
+#include "common/input_error.hpp"
+
+#include "tests/grading/reports_class.hpp"
+#include "tests/kit/catch.hpp"
+
+#include <fstream>
+
+namespace rt::grade {
+
+namespace {
+
+void write(const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// With `came` for `expected`, once.
+std::string changed(std::string text, const std::string& expected, const std::string& came) {
+    const std::size_t at = text.find(expected);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, expected.size(), came);
+}
+
+}  // namespace
+
+TEST_CASE("a mark is a file of lines: what is known of the stage, then a case a line") {
+    const Results results;
+    Mark mark{.student = "anna",
+              .stage = 5,
+              .key = "k",
+              .verdict = Verdict::judged,
+              .source = "8",
+              .cases = {{.name = "edges", .points = 2, .passed = true, .given = true}},
+              .picture = PictureMark{.pixels = 12, .different = 3, .file = "p.png"},
+              .most = 2};
+    write_mark(results.folder, mark);
+    CHECK(mark_file("results", "anna", 5) == "results/anna/step05_triangle.jsonl");
+    CHECK(read_text(mark_file(results.folder, "anna", 5)) ==
+          R"({"raysteps":1,"student":"anna","stage":5,"key":"k","verdict":"judged","words":"",)"
+          R"("source":"8","mistake":"","smallest":"","slice":"","most":2,"cases":1,)"
+          R"("picture":{"pixels":12,"different":3,"file":"p.png"}})"
+          "\n"
+          R"({"name":"edges","points":2,"passed":true,"given":true,"place":"","words":""})"
+          "\n");
+}
+
+TEST_CASE("a mark that is read is the one that was written, but for bytes that are no UTF-8") {
+    const Results results;
+    for (const Mark& mark : class_of_two()) write_mark(results.folder, mark);
+    const std::vector<Mark> marks = read_marks(results.folder);
+    REQUIRE(marks.size() == 4);
+    const Mark& first = marks[0];
+    CHECK(first.student == odd);
+    CHECK(first.stage == 4);
+    CHECK(first.key == "k4");
+    CHECK(first.verdict == Verdict::judged);
+    CHECK(first.words == "warning: <unused>");
+    CHECK(first.source == "17");
+    CHECK(first.mistake == "You compare with <0>.");
+    CHECK(first.smallest == "intersect(…)\n  came: 1\n");
+    CHECK(first.slice == "step04 slice.svg");
+    CHECK(first.most == 2);
+    CHECK(first.points() == 1);
+    REQUIRE(first.cases.size() == 2);
+    CHECK(first.cases[0].name == "it is met");
+    CHECK(first.cases[0].passed);
+    CHECK_FALSE(first.cases[0].given);
+    CHECK(first.cases[1].given);
+    CHECK(first.cases[1].points == 1);
+    CHECK_FALSE(first.cases[1].passed);
+    CHECK(first.cases[1].place == "tests/step04_plane_test.cpp:9");
+    CHECK(first.cases[1].words == "came: ��(\nexpected: <hit>\n");
+    REQUIRE(first.picture);
+    CHECK(first.picture->pixels == 12);
+    CHECK(first.picture->different == 5);
+    CHECK(first.picture->file == "step04_plane.png");
+    CHECK(marks[1].verdict == Verdict::refused);
+    CHECK_FALSE(marks[1].picture);
+    CHECK(marks[2].student == "zoe");
+    CHECK(marks[2].verdict == Verdict::missing);
+    CHECK(marks[2].points() == 0);
+    CHECK(marks[3].points() == 3);
+}
+
+TEST_CASE("what the starter passes is worth points once anything else passes") {
+    Mark mark{.cases = {{.points = 2, .passed = true, .given = true}, {.points = 3}}};
+    CHECK(mark.points() == 0);
+    mark.cases[1].passed = true;
+    CHECK(mark.points() == 5);
+    mark.cases[0].passed = false;
+    CHECK(mark.points() == 3);
+}
+
+TEST_CASE("a student's name may be any bytes that a folder may have") {
+    const Results results;
+    const std::string name = "\xff\xfe";
+    write_mark(results.folder, {.student = name, .stage = 1, .key = "k"});
+    const std::optional<Mark> mark = read_mark(results.folder, name, 1);
+    REQUIRE(mark);
+    CHECK(mark->student == name);
+    for (const std::string& bad : {std::string(), std::string("."), std::string(".."),
+                                   std::string("../x"), std::string("/x"), std::string("a\0b", 3)})
+        CHECK_THROWS_AS(write_mark(results.folder, {.student = bad}), InputError);
+}
+
+TEST_CASE("a file that ends early is no mark, wherever it ends") {
+    const Results results;
+    write_mark(results.folder, class_of_two().front());
+    const std::filesystem::path file = mark_file(results.folder, odd, 4);
+    const std::string whole = read_text(file);
+    for (std::size_t size = whole.size(); size-- > 0;) {
+        std::filesystem::resize_file(file, size);
+        CHECK_FALSE(read_mark(results.folder, odd, 4));
+    }
+    write(file, whole);
+    CHECK(read_mark(results.folder, odd, 4));
+}
+
+TEST_CASE("what is not a file of ours is no mark") {
+    const Results results;
+    write_mark(results.folder, {.student = "anna", .stage = 2, .cases = {{.name = "one"}}});
+    const std::filesystem::path file = mark_file(results.folder, "anna", 2);
+    const std::string whole = read_text(file);
+    for (const std::string& text :
+         {std::string("\n"), std::string("[]\n"), std::string("{}\n"), std::string("null\n"),
+          whole + whole, changed(whole, "\"raysteps\":1", "\"raysteps\":2"),
+          changed(whole, "\"missing\"", "\"passed\""), changed(whole, "\"most\":0", "\"most\":[]"),
+          changed(whole, "\"stage\":2", "\"stage\":3"),
+          changed(whole, "\"points\"", "\"point\"")}) {
+        write(file, text);
+        CHECK_FALSE(read_mark(results.folder, "anna", 2));
+    }
+    CHECK_FALSE(read_mark(results.folder, "nobody", 2));
+    CHECK_FALSE(read_mark(results.folder, "..", 2));
+    write(results.folder / "grades.csv", "student");
+    CHECK(read_marks(results.folder).empty());
+    CHECK(read_marks(results.folder / "nothing").empty());
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,40 @@
+// A scene drawn by the references, in either precision.
+#pragma once
+
+#include "common/image.hpp"
+#include "common/look.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A picture, and the processor's time that it took once the scene was read.
+struct Drawing {
+    Image image;
+    double seconds = 0;
+};
+
+inline namespace f32 {
+[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size, const Look& look);
+}
+inline namespace f64 {
+[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size, const Look& look);
+}
+
+/// The project's scenes, by name.
+[[nodiscard]] std::vector<std::filesystem::path> all_scenes();
+
+/// How far two pictures of one size differ, in steps of 255.
+struct Difference {
+    double error = 0;  ///< the root of its mean square over all pixels, of each the worst channel
+    int most = 0;
+    double other = 0;  ///< the share of the pixels that differ at all
+    double seen = 0;   ///< the share that differ by more than two steps
+    double edges = 0;  ///< the share that differ where b has an edge: a neighbour of another colour
+};
+
+[[nodiscard]] Difference difference(const Image& a, const Image& b);
+
+}  // namespace rt

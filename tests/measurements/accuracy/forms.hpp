@@ -1,0 +1,46 @@
+// The same question put to many formulas: every way of meeting a shape that this repository has.
+#pragma once
+
+#include "common/ray.hpp"
+#include "common/shapes.hpp"
+#include "tests/measurements/accuracy/precision.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+/// A formula, and what plots and tables call it: without a comma.
+template <class Shape>
+struct Form {
+    const char* name;
+    std::optional<Real> (*intersect)(const Ray& ray, const Shape& shape, Interval interval);
+    const char* precision = precision_word;
+};
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+// Of a shape, any: the reference first, then the textbook's form, which costs are ratios to, then
+// the others.
+
+[[nodiscard]] std::vector<Form<Sphere>> forms_of(const Sphere& shape);
+[[nodiscard]] std::vector<Form<Plane>> forms_of(const Plane& shape);
+[[nodiscard]] std::vector<Form<Triangle>> forms_of(const Triangle& shape);
+[[nodiscard]] std::vector<Form<Square>> forms_of(const Square& shape);
+[[nodiscard]] std::vector<Form<Cylinder>> forms_of(const Cylinder& shape);
+[[nodiscard]] std::vector<Form<Cone>> forms_of(const Cone& shape);
+
+/// Calls `study` with each shape's name and a shape of its kind.
+template <class Study>
+void for_every_shape(const Study& study) {
+    study("sphere", Sphere{});
+    study("plane", Plane{});
+    study("triangle", Triangle{});
+    study("square", Square{});
+    study("cylinder", Cylinder{});
+    study("cone", Cone{});
+}
+
+}  // namespace rt

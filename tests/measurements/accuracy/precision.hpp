@@ -1,0 +1,10 @@
+// What a program of one precision writes in its lines.
+#pragma once
+
+#include "common/real.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+inline constexpr const char* precision_word = sizeof(Real) == 4 ? "float" : "double";
+
+}  // namespace rt::inline RT_PRECISION
