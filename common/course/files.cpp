@@ -3,6 +3,7 @@
 #include "common/input_error.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -42,6 +43,17 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
         if (entry.path().extension() == ending) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+    std::string name = parent / "raysteps.XXXXXX";  // which mkdtemp fills in
+    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be made");
+    path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -79,9 +79,6 @@ std::set<std::string> passed_cases(const std::string& report) {
 class Grader {
 public:
     Grader() {
-        std::string name = fs::temp_directory_path() / "grading.XXXXXX";
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        folder_ = name;
         fs::permissions(folder_, fs::perms(0755));
         workshop_ = grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder_);
         std::ofstream(results()) << treasure;
@@ -93,7 +90,6 @@ public:
         setenv("RAYSTEPS_CASE_SECONDS", "2", 1);
         setenv("RAYSTEPS_SUITE_SECONDS", "5", 1);
     }
-    ~Grader() { fs::remove_all(folder_); }
 
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
@@ -151,7 +147,8 @@ private:
     [[nodiscard]] fs::path results() const { return folder_ / "results.jsonl"; }
 
     static constexpr const char* treasure = "{\"points\": 20}\n";
-    fs::path folder_;
+    TemporaryFolder temporary_;
+    const fs::path& folder_ = temporary_.path();
     grade::Workshop workshop_;
 };
 

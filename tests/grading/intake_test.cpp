@@ -5,7 +5,6 @@
 
 #include "tests/kit/catch.hpp"
 
-#include <cstdlib>
 #include <fstream>
 
 using namespace rt;
@@ -18,15 +17,11 @@ namespace {
 class Ground {
 public:
     Ground() {
-        std::string name = fs::temp_directory_path() / "intake.XXXXXX";
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        folder_ = name;
         fs::permissions(folder_, fs::perms(0755));
         for (const char* each : {"class", "workshop"}) fs::create_directory(folder_ / each);
         fs::permissions(folder_ / "workshop", fs::perms(0755));
         workshop_ = {.folder = folder_ / "workshop", .sealed = RAYSTEPS_SEALED};
     }
-    ~Ground() { fs::remove_all(folder_); }
 
     [[nodiscard]] fs::path place(const std::string& name) const { return folder_ / "class" / name; }
 
@@ -55,7 +50,8 @@ public:
     }
 
 private:
-    fs::path folder_;
+    TemporaryFolder temporary_;
+    const fs::path& folder_ = temporary_.path();
     Workshop workshop_;
 };
 

@@ -1,6 +1,7 @@
 // A class made by hand, whose marks are known.
 #pragma once
 
+#include "common/course/files.hpp"
 #include "common/course/grade/results.hpp"
 
 #include <filesystem>
@@ -15,14 +16,10 @@ inline const std::string odd = "=cmd|\"<b>&\n";
 /// What a stranger's code may print: it is no UTF-8.
 inline const std::string no_utf8 = "came: \xff\xc3(";
 
-/// A folder that is gone with its scope.
+/// A folder of results that is gone with its scope.
 struct Results {
-    Results();
-    ~Results();
-    Results(const Results&) = delete;
-    Results& operator=(const Results&) = delete;
-
-    std::filesystem::path folder;
+    TemporaryFolder temporary;
+    std::filesystem::path folder = temporary.path();
 };
 
 /// Two students, stages 4 and 5, of 2 and 4 points. The odd one has 1 of stage 4, and stage 5 is

@@ -1,6 +1,7 @@
 // Each layer of the seal, attacked: by whoever runs the test, and, if that is root, by an ordinary
 // user too.
 #include "common/course/grade/seal.hpp"
+#include "common/course/files.hpp"
 #include "common/course/grade/layers.hpp"
 #include "common/course/process.hpp"
 
@@ -34,9 +35,6 @@ using Words = std::vector<std::string>;
 /// A folder that everybody may enter, with the programs in it.
 struct Ground {
     Ground() {
-        std::string name = fs::temp_directory_path() / "seal.XXXXXX";
-        REQUIRE(mkdtemp(name.data()) != nullptr);
-        folder = name;
         fs::permissions(folder, fs::perms(0755));
         fs::copy_file(RAYSTEPS_SEALED, folder / "sealed");
         fs::copy_file(RAYSTEPS_ATTACKER, folder / "attacker");
@@ -45,9 +43,9 @@ struct Ground {
         std::ofstream(folder / "secret") << "expected values";
         fs::permissions(folder / "secret", fs::perms(0666));
     }
-    ~Ground() { fs::remove_all(folder); }
 
-    fs::path folder;
+    TemporaryFolder temporary;
+    const fs::path& folder = temporary.path();
 };
 
 /// One who attacks: the same person as the grader, or an ordinary user.

@@ -1,5 +1,6 @@
 #include "common/course/grade/compile.hpp"
 
+#include "common/course/files.hpp"
 #include "common/course/grade/seal.hpp"
 #include "common/course/grade/symbols.hpp"
 
@@ -49,15 +50,14 @@ void append(Command& command, const Options& options, const std::string& name) {
 }
 
 /// What is told of a tool that failed: its own words, without our folders' names.
-std::string told(const Ending& ending, const Workshop& workshop, const Scratch& scratch,
+std::string told(const Ending& ending, const Workshop& workshop, const TemporaryFolder& scratch,
                  const std::string& otherwise) {
     // Which limit ends a bomb depends on what else the machine does; what is told does not.
     if (ending.out_of_time || ending.status == 128 + SIGXCPU ||
         ending.output.find("signal terminated program") != std::string::npos)
         return otherwise + " took too much time or memory.";
     std::string words = ending.output;
-    for (const fs::path& folder :
-         {scratch.folder(), workshop.folder / "headers", workshop.folder}) {
+    for (const fs::path& folder : {scratch.path(), workshop.folder / "headers", workshop.folder}) {
         const std::string name = folder.string() + "/";
         for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at))
             words.erase(at, name.size());
@@ -84,17 +84,6 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 }
 
 }  // namespace
-
-Scratch::Scratch(const fs::path& parent) {
-    std::string name = parent / "scratch.XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) throw ProgramError("no folder in " + parent.string());
-    folder_ = name;
-}
-
-Scratch::~Scratch() {
-    std::error_code none;
-    fs::remove_all(folder_, none);
-}
 
 Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
     copy_headers(project, project / "common", folder / "headers");
@@ -140,10 +129,10 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
 Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                         const fs::path& object) {
     const Options options = read_options(workshop, stage);
-    const Scratch scratch(workshop.folder);
+    const TemporaryFolder scratch(workshop.folder);
     // Named as the student knows it: the compiler's words say so.
-    const std::string source = scratch.folder() / (name_of(stage).substr(7) + ".cpp");
-    const std::string made = scratch.folder() / "submission.o";
+    const std::string source = scratch.path() / (name_of(stage).substr(7) + ".cpp");
+    const std::string made = scratch.path() / "submission.o";
     std::ofstream(source) << text;
     fs::permissions(source, fs::perms(0644));
 
@@ -152,11 +141,11 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
     append(compile, options, "compiler");
     append(compile, options, "compile");
     compile.insert(compile.end(), {"-I" + headers.string(), "-c", source, "-o", made});
-    const Ending compiled = run_sealed(workshop, scratch.folder(), {headers}, compile);
+    const Ending compiled = run_sealed(workshop, scratch.path(), {headers}, compile);
     if (compiled.status != 0) return {.words = told(compiled, workshop, scratch, "The compile")};
 
     const Ending symbols =
-        run_sealed(workshop, scratch.folder(), {}, {"/usr/bin/nm", "-g", "-P", made});
+        run_sealed(workshop, scratch.path(), {}, {"/usr/bin/nm", "-g", "-P", made});
     if (symbols.status != 0) return {.words = "Your object cannot be read."};
     if (std::string words = foreign_symbol(symbols.output); !words.empty()) return {.words = words};
     take(made, object, fs::perms(0644));
@@ -166,8 +155,8 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
 Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::path>& objects,
                  const fs::path& worker) {
     const Options options = read_options(workshop, stage);
-    const Scratch scratch(workshop.folder);
-    const std::string made = scratch.folder() / "worker";
+    const TemporaryFolder scratch(workshop.folder);
+    const std::string made = scratch.path() / "worker";
     // Of the references those that are needed: not even the linker sees the graded stage's.
     std::vector<fs::path> parts{workshop.folder / "seats" / (name_of(stage) + ".o")};
     for (int each = 1; each <= int(stage_names.size()); ++each) {
@@ -181,7 +170,7 @@ Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::pa
     link.insert(link.end(), parts.begin(), parts.end());
     link.insert(link.end(), {"-o", made});
     append(link, options, "library");
-    const Ending linked = run_sealed(workshop, scratch.folder(), parts, link);
+    const Ending linked = run_sealed(workshop, scratch.path(), parts, link);
     if (linked.status != 0) return {.words = told(linked, workshop, scratch, "The link")};
     take(made, worker, fs::perms(0755));
     return {.succeeded = true};

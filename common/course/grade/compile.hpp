@@ -53,18 +53,4 @@ struct Made {
                                 const std::vector<std::filesystem::path>& readable,
                                 const Command& command);
 
-/// A folder that is gone with its scope.
-class Scratch {
-public:
-    explicit Scratch(const std::filesystem::path& parent);
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-
-private:
-    std::filesystem::path folder_;
-};
-
 }  // namespace rt::grade

@@ -126,18 +126,17 @@ std::vector<std::string> wanted(const std::string& listed) {
 
 HandedIn take_archive(const Workshop& workshop, const fs::path& archive) {
     constexpr std::size_t most_files = 500;
-    const Scratch scratch(workshop.folder);
-    const std::string copy = scratch.folder() / "archive";
-    const Scratch taken_out(workshop.folder);
+    const TemporaryFolder scratch(workshop.folder);
+    const std::string copy = scratch.path() / "archive";
+    const TemporaryFolder taken_out(workshop.folder);
     std::error_code failed;
     fs::copy_file(archive, copy, failed);
     if (failed) return {.words_on_all = "The archive cannot be read.\n"};
     fs::permissions(copy, fs::perms(0644));
-    fs::permissions(scratch.folder(), fs::perms(0755));
+    fs::permissions(scratch.path(), fs::perms(0755));
     // CMake has all formats, and is there.
     Command tool{RAYSTEPS_CMAKE, "-E", "tar", "tf", copy};
-    const Ending listed =
-        run_sealed(workshop, taken_out.folder(), {copy, RAYSTEPS_CMAKE_ROOT}, tool);
+    const Ending listed = run_sealed(workshop, taken_out.path(), {copy, RAYSTEPS_CMAKE_ROOT}, tool);
     if (listed.status != 0) return {.words_on_all = "The archive cannot be opened.\n"};
     const std::vector<std::string> names = wanted(listed.output);
     if (names.empty()) return {};
@@ -145,9 +144,9 @@ HandedIn take_archive(const Workshop& workshop, const fs::path& archive) {
     tool[3] = "xf";
     tool.push_back("--");
     tool.insert(tool.end(), names.begin(), names.end());
-    if (run_sealed(workshop, taken_out.folder(), {copy, RAYSTEPS_CMAKE_ROOT}, tool).status != 0)
+    if (run_sealed(workshop, taken_out.path(), {copy, RAYSTEPS_CMAKE_ROOT}, tool).status != 0)
         return {.words_on_all = "The archive cannot be opened.\n"};
-    return take_folder(taken_out.folder());
+    return take_folder(taken_out.path());
 }
 
 /// As the name of a folder, in a page, in a table: what is no letter, digit or dot is "_".

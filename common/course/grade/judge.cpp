@@ -142,7 +142,7 @@ public:
           handed_in_(take_in(grading.workshop, envelope)),
           scratch_(grading.workshop.folder) {
         // The workers here are for anybody to run.
-        fs::permissions(scratch_.folder(), fs::perms(0755));
+        fs::permissions(scratch_.path(), fs::perms(0755));
         fs::create_directories(grading_.results / student_ / "submitted");
         for (const auto& [stage, text] : handed_in_.files)
             write_text(
@@ -189,7 +189,7 @@ public:
         return link_worker(grading_.workshop, stage, objects, worker());
     }
 
-    [[nodiscard]] fs::path worker() const { return scratch_.folder() / "worker"; }
+    [[nodiscard]] fs::path worker() const { return scratch_.path() / "worker"; }
 
     /// In the results, beside the mark.
     [[nodiscard]] fs::path beside(int stage, const std::string& ending) const {
@@ -198,13 +198,13 @@ public:
 
 private:
     [[nodiscard]] fs::path object(int stage) const {
-        return scratch_.folder() / (name_of(stage) + ".o");
+        return scratch_.path() / (name_of(stage) + ".o");
     }
 
     const Grading& grading_;
     std::string student_;
     HandedIn handed_in_;
-    Scratch scratch_;
+    TemporaryFolder scratch_;
     std::map<int, Made> compiled_;
 };
 

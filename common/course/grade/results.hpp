@@ -1,7 +1,6 @@
 // What is known of a submission: a file for each of its stages, of JSON lines.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>

@@ -3,8 +3,6 @@
 #include "common/course/files.hpp"
 #include "common/input_error.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -80,21 +78,13 @@ SceneView scene_view(const ViewSettings& settings, int stage) {
 }
 
 Studio::Studio(const ViewSettings& settings) : settings_(settings) {
-    std::string name = (fs::temp_directory_path() / "raysteps_view_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be made");
-    folder_ = name;
     // A scene names its meshes as its own folder sees them.
     std::error_code none;
     for (const fs::directory_entry& entry :
          fs::directory_iterator(settings.project / "scenes", none))
         if (entry.is_directory(none))
             fs::create_directory_symlink(fs::absolute(entry.path()),
-                                         folder_ / entry.path().filename(), none);
-}
-
-Studio::~Studio() {
-    std::error_code gone_already;
-    fs::remove_all(folder_, gone_already);
+                                         folder_.path() / entry.path().filename(), none);
 }
 
 fs::path Studio::scene_of(const Drawing& drawing) {
@@ -106,7 +96,7 @@ fs::path Studio::scene_of(const Drawing& drawing) {
         changed += (is_camera(line) && !found ? text(*drawing.camera) : line) + "\n";
         found = found || is_camera(line);
     }
-    const fs::path copy = folder_ / (std::to_string(++files_) + ".rt");
+    const fs::path copy = folder_.path() / (std::to_string(++files_) + ".rt");
     write_text(copy, changed);
     return copy;
 }
@@ -133,7 +123,7 @@ Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene
 
 Picture Studio::draw(const Drawing& drawing, Whose whose, const std::atomic<bool>& cancelled) {
     const fs::path scene = scene_of(drawing);
-    const fs::path file = folder_ / (std::to_string(++files_) + ".png");
+    const fs::path file = folder_.path() / (std::to_string(++files_) + ".png");
     Ending ending = run(drawing, whose, scene.string(), {"-o", file.string()}, cancelled);
     replace_all(ending.output, file.string() + ": ", "");
     Picture picture{.report = ending.output};

@@ -1,6 +1,7 @@
 // What the two programs are asked to draw, and to tell.
 #pragma once
 
+#include "common/course/files.hpp"
 #include "common/course/view/view.hpp"
 #include "common/stages.hpp"
 
@@ -57,9 +58,6 @@ struct Picture {
 class Studio {
 public:
     explicit Studio(const ViewSettings& settings);
-    ~Studio();
-    Studio(const Studio&) = delete;
-    Studio& operator=(const Studio&) = delete;
 
     [[nodiscard]] Picture draw(const Drawing& drawing, Whose whose,
                                const std::atomic<bool>& cancelled);
@@ -75,7 +73,7 @@ private:
                              const Command& rest, const std::atomic<bool>& cancelled) const;
 
     const ViewSettings& settings_;
-    std::filesystem::path folder_;
+    TemporaryFolder folder_;
     std::atomic<int> files_ = 0;
 };
 
