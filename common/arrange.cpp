@@ -2,9 +2,9 @@
 
 namespace rt {
 
-void arrange(Scene& scene) {
-    for_each_kind(scene, [](auto& items) { items.arrange(); });
-    scene.meshes.arrange();
+void arrange(Scene& scene, std::size_t pays_from) {
+    for_each_kind(scene, [=](auto& items) { items.arrange(pays_from); });
+    scene.meshes.arrange(pays_from);
 }
 
 }  // namespace rt

@@ -13,6 +13,7 @@ class Story;
 struct Context {
     Look look;
     Pixel pixel;
+    double weight = 1;                  ///< how much of the pixel what is lit now counts for
     Story* story = nullptr;             ///< told everything, if there is one: `--pixel`
     std::int64_t rays = 0;              ///< how many were sent
     std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size

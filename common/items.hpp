@@ -49,14 +49,15 @@ public:
     [[nodiscard]] auto end() const { return items_.end(); }
 
     /// Whether they fit into boxes, and are so many that a hierarchy of these pays.
-    [[nodiscard]] bool worth_arranging() const {
-        return Bounded<Shape> && items_.size() >= hierarchy_pays_from;
+    [[nodiscard]] bool worth_arranging(std::size_t pays_from = hierarchy_pays_from) const {
+        return Bounded<Shape> && items_.size() >= pays_from;
     }
 
     /// Builds the hierarchy, if it pays.
-    void arrange() {
+    void arrange(std::size_t pays_from = hierarchy_pays_from) {
+        hierarchy_ = {};
         if constexpr (Bounded<Shape>) {
-            if (!worth_arranging()) return;
+            if (!worth_arranging(pays_from)) return;
             std::vector<Box> boxes;
             boxes.reserve(items_.size());
             for (const Item<Shape>& item : items_) boxes.push_back(bounds(item.shape));

@@ -16,7 +16,8 @@ struct Look {
     Shading shading = Shading::color;
     Term term = Term::all;
     int shadow_samples = 16;  ///< rays to a light with a size, at most
-    double tolerance = 0;     ///< fewer, once the error of the colour is estimated below this
+    double shadow_error = 0;  ///< fewer, once the colour is estimated to be off by less, of 255
+    int shadow_agree = 0;     ///< or once so many all reached the light, or none; 0 for never
     int depth = 8;            ///< mirror upon mirror, at most
 };
 

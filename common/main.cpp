@@ -1,22 +1,25 @@
 // The program of every stage: CMake says which.
+#include "common/choice.hpp"
 #include "common/input_error.hpp"
 #include "common/options.hpp"
+#include "common/terminal.hpp"
 
 #include <atomic>
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace rt {
 
 #ifndef RT_EXACT
 inline namespace f32 {
-bool run(const Program& program, const Options& options, const std::atomic<bool>& stop);
+std::unique_ptr<Session> open_session(const Program& program, const Options& options);
 }
 #endif
 inline namespace f64 {
-bool run(const Program& program, const Options& options, const std::atomic<bool>& stop);
+std::unique_ptr<Session> open_session(const Program& program, const Options& options);
 }
 
 }  // namespace rt
@@ -33,20 +36,42 @@ void on_interrupt(int /*signal*/) {
     stop = true;
 }
 
-int run_program(int argc, char** argv) {
 #ifdef RT_EXACT
-    constexpr bool exact = true;
+constexpr bool exact = true;
+constexpr auto open_float = rt::f64::open_session;  // never: the precision is given
 #else
-    constexpr bool exact = false;
+constexpr bool exact = false;
+constexpr auto open_float = rt::f32::open_session;
 #endif
+
+/// With settings of its own choice, for a tolerance or a time.
+bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
+                    std::unique_ptr<rt::Session> session) {
+    rt::Open other;
+    if (!options.given.precision && !exact) other = [&] { return open_float(program, options); };
+    const bool shown = !options.quiet && rt::errors_on_terminal();
+    if (shown) std::cerr << "trying settings\r" << std::flush;
+    const auto choice = choose(std::move(session), other, options, start, stop);
+    if (shown) std::cerr << "\033[K" << std::flush;
+    if (!choice) return false;
+    options.look = choice->expected.look;
+    options.precision = choice->precision;
+    if (!options.quiet)
+        for (const std::string& reason : choice->reasons) std::cout << reason << '\n';
+    return choice->session->run(options, choice->pace.get(), stop);
+}
+
+int run_program(int argc, char** argv) {
+    const auto start = rt::Clock::now();
     const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
     const auto options = rt::parse_options(program, argc, argv);
     if (!options) return 0;
-    auto run = rt::f64::run;
-#ifndef RT_EXACT
-    if (options->precision == rt::Precision::f32) run = rt::f32::run;
-#endif
-    return run(program, *options, stop) ? 0 : interrupted;
+    auto open = options->precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
+    std::unique_ptr<rt::Session> session = open(program, *options);
+    const bool chosen = (options->tolerance || options->time) && !options->explain;
+    const bool done = chosen ? choose_and_run(program, *options, start, std::move(session))
+                             : session->run(*options, nullptr, stop);
+    return done ? 0 : interrupted;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <thread>
 
 namespace rt {
@@ -21,11 +22,12 @@ namespace {
 
 constexpr int max_side = 8192;  // as in scenes
 constexpr int max_threads = 1024;
-constexpr int max_shadow_samples = 1 << 20;
 constexpr int max_depth = 1000;
 
-/// Enough for a tolerance of half a step of the picture's 256, wherever the shadow's edge is.
-constexpr int tolerance_samples = 1024;
+constexpr double brightest = 255;  ///< in 8-bit steps
+constexpr double least_error = 1e-3;
+constexpr double least_time = 1e-3;  ///< seconds
+constexpr double most_time = 1e6;
 
 /// Two whole numbers with `separator` between them and nothing around them.
 std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
@@ -52,6 +54,24 @@ Pixel parse_pixel(const std::string& text) {
     if (!pixel || (*pixel)[0] < 0 || (*pixel)[1] < 0)
         throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not " + rt::quoted(text));
     return {.row = (*pixel)[0], .column = (*pixel)[1]};
+}
+
+/// An option whose value is a number from least to most, which NaN is not.
+template <class Use>
+void add_number(CLI::App& app, const std::string& name, double least, double most,
+                const std::string& help, const std::string& type, Use use) {
+    app.add_option_function<double>(
+           name,
+           [=](double value) {
+               if (!(least <= value && value <= most)) {
+                   std::ostringstream range;
+                   range << name << " must be a number from " << least << " to " << most;
+                   throw InputError({}, range.str());
+               }
+               use(value);
+           },
+           help)
+        ->type_name(type);
 }
 
 /// An option whose value is one of two words, the first if it is not given.
@@ -86,6 +106,16 @@ void check_precision(const Program& program, Precision precision) {
                              " --precision exact builds and runs it");
 }
 
+/// The options that leave the others to the program.
+void add_goals(CLI::App& app, Options& options) {
+    add_number(app, "--tolerance", least_error, brightest,
+               "choose what is cheapest, if a pixel may be off by this much of 255", "E",
+               [&options](double steps) { options.tolerance = steps; });
+    add_number(app, "--time", least_time, most_time,
+               "choose what is best, if the picture may take this many seconds", "S",
+               [&options](double seconds) { options.time = seconds; });
+}
+
 /// The options of the stages that have light.
 void add_light_options(CLI::App& app, int stage, Look& look) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
@@ -102,11 +132,15 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
         add("--shadow-samples", look.shadow_samples,
-            "rays to a light with a size, at most; 16 if not given, 1024 with --tolerance", "N",
-            CLI::Range(1, max_shadow_samples));
-        add("--tolerance", look.tolerance,
-            "send fewer once the colour is estimated to be off by less than this, of 1", "E",
-            CLI::Range(0.0, 1.0));
+            "rays to a light with a size, at most; 16 if not given", "N",
+            CLI::Range(1, most_shadow_samples));
+        add_number(app, "--shadow-error", least_error, brightest,
+                   "as many as it takes until what a light adds is estimated to be off by less "
+                   "than this, of 255",
+                   "E", [&look](double steps) { look.shadow_error = steps; });
+        add("--shadow-agree", look.shadow_agree,
+            "or until so many have all reached the light, or none; with --shadow-error", "N",
+            CLI::Range(1, most_shadow_samples));
     }
     if (stage >= mirror_stage)
         add("--depth", look.depth, "mirror upon mirror, at most; 8 if not given", "N",
@@ -162,6 +196,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         add_choice(app, "--shade", normal, {"torch", "normal"},
                    "colour by a torch at the eye, or by abs(normal)");
     add_light_options(app, program.stage, options.look);
+    add_goals(app, options);
     add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
                "what a scene's field of view spans");
     add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
@@ -179,13 +214,18 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     } catch (const CLI::ParseError& error) {
         throw InputError({}, std::string(error.what()) + " (--help lists the options)");
     }
-    if (std::isnan(options.look.tolerance))  // which is in no range, and outside none
-        throw InputError({}, "--tolerance must be a number from 0 to 1");
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
     check_precision(program, options.precision);
     if (normal) options.look.shading = Shading::normal;
-    if (options.look.tolerance > 0 && app.get_option("--shadow-samples")->empty())
-        options.look.shadow_samples = tolerance_samples;
+    const auto is_given = [&app](const std::string& option) {
+        const CLI::Option* const known = app.get_option_no_throw(option);
+        return known != nullptr && !known->empty();
+    };
+    if (is_given("--shadow-error") && !is_given("--shadow-samples"))
+        options.look.shadow_samples = most_shadow_samples;
+    options.given = {.precision = is_given("--precision"),
+                     .shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
+                     .depth = is_given("--depth")};
     if (options.scene.empty()) options.scene = default_scene(program);
     if (options.output.empty()) options.output = default_output(program, options.scene);
     return options;

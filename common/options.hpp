@@ -19,6 +19,15 @@ struct Program {
 
 enum class Precision { f32, f64, exact };
 
+constexpr int most_shadow_samples = 1 << 20;
+
+/// Which settings are not to be chosen, because the command line says them.
+struct Given {
+    bool precision = false;
+    bool shadow_samples = false;  ///< or when to stop sampling
+    bool depth = false;
+};
+
 struct Options {
     std::string scene;   ///< a file
     std::string output;  ///< a file
@@ -27,6 +36,9 @@ struct Options {
     std::optional<Pixel> pixel;      ///< tell its story, and make no picture
     Precision precision = Precision::f64;
     Look look;
+    std::optional<double> tolerance;  ///< choose for this error of a pixel, in 8-bit steps
+    std::optional<double> time;       ///< choose for this many seconds
+    Given given;
     bool explain = false;  ///< say what the scene requires, and make no picture
     int threads = 1;
     bool preview = false;

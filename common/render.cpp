@@ -1,6 +1,7 @@
 #include "common/render.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -22,7 +23,7 @@ struct Row {
 
 Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
                const RenderSettings& settings, int row, Image& image) {
-    Context context{.look = settings.look};
+    Context context{.look = settings.pace == nullptr ? settings.look : settings.pace->next()};
     Row result;
     for (Pixel pixel{.row = row}; pixel.column < image.resolution.width; ++pixel.column) {
         context.pixel = pixel;
@@ -34,6 +35,16 @@ Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
     result.rays = context.rays;
     result.sized_light_rays = context.sized_light_rays;
     return result;
+}
+
+/// Every row once, neighbours far apart: any part of them takes its share of the time.
+std::vector<int> scattered(int rows) {
+    constexpr double golden_ratio = 0.6180339887498949;
+    int step = int(golden_ratio * rows);
+    while (std::gcd(step, rows) != 1) ++step;
+    std::vector<int> order;
+    for (int i = 0, row = 0; i < rows; ++i, row = (row + step) % rows) order.push_back(row);
+    return order;
 }
 
 Rendering sum(Image image, const std::vector<Row>& rows) {
@@ -66,9 +77,11 @@ std::optional<Rendering> render(const Scene& scene, const RenderSettings& settin
     const auto stopped = [&settings] { return settings.stop != nullptr && *settings.stop; };
 
     // Threads take rows in turn, so that a costly part of the picture is shared.
-    std::atomic<int> next_row = 0;
+    const std::vector<int> order = scattered(scene.resolution.height);
+    std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-        for (int row = next_row++; row < scene.resolution.height && !stopped(); row = next_row++) {
+        for (std::size_t i = next++; i < order.size() && !stopped(); i = next++) {
+            const int row = order[i];
             rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
             if (settings.row_done) settings.row_done();
         }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/image.hpp"
+#include "common/pace.hpp"
 #include "common/stage.hpp"
 
 #include <atomic>
@@ -14,6 +15,7 @@ namespace rt {
 struct RenderSettings {
     int threads = 1;
     Look look;
+    Pace* pace = nullptr;  ///< another look for each row, if the picture is to take a time
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
     const std::atomic<bool>* stop = nullptr;   ///< set to give up
 };
@@ -31,7 +33,7 @@ struct Rendering {
 [[nodiscard]] Rgb to_rgb(const Color& color);
 
 /// The scene through its first camera: nothing if it was stopped. The same bits for any number of
-/// threads, because no pixel depends on another.
+/// threads, because no pixel depends on another, unless there is a pace.
 [[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace rt

@@ -1,5 +1,6 @@
 #include "common/run.hpp"
 
+#include "common/demands.hpp"
 #include "common/mesh_loading.hpp"
 #include "common/png.hpp"
 #include "common/render.hpp"
@@ -69,11 +70,13 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
     if (look.term == Term::specular) used += " --term specular";
     if (program.stage >= soft_shadow_stage)
         used += " --shadow-samples " + std::to_string(look.shadow_samples);
-    if (look.tolerance > 0) used += " --tolerance " + text(Real(look.tolerance));
+    if (look.shadow_error > 0) used += " --shadow-error " + text(Real(look.shadow_error));
+    if (look.shadow_agree > 0) used += " --shadow-agree " + std::to_string(look.shadow_agree);
     if (program.stage >= mirror_stage) used += " --depth " + std::to_string(look.depth);
     if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
     if (options.reading.cylinder_from_base) used += " --cyl base";
     if (options.reading.strict) used += " --strict";
+    if (options.time) used += " --time " + text(Real(*options.time));
     return {{"Title", std::filesystem::path(options.scene).filename().string()},
             {"Software", "Raysteps " + std::string(stage_name(program.stage))},
             {"Size", size_text(size)},
@@ -81,13 +84,16 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
             {"Options", used}};
 }
 
-void report(const Rendering& rendering, const Options& options, double seconds) {
+void report(const Rendering& rendering, const Options& options, const Pace* pace, double seconds) {
     std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
                 size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
                 static_cast<long long>(rendering.rays));
     if (rendering.sized_light_rays > 0)
         std::printf(", %lld of them to lights with a size",
                     static_cast<long long>(rendering.sized_light_rays));
+    if (pace != nullptr)
+        std::printf("; 99 of 100 pixels within %.2g of 255, as far as the trials tell",
+                    pace->error());
     std::printf("\n");
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;
@@ -97,7 +103,7 @@ void report(const Rendering& rendering, const Options& options, double seconds) 
                 first.row, first.column);
 }
 
-bool make_picture(const Program& program, const Options& options, const Scene& scene,
+bool make_picture(const Program& program, const Options& options, const Scene& scene, Pace* pace,
                   const std::atomic<bool>& stop) {
     check_output(options);
     const auto start = std::chrono::steady_clock::now();
@@ -106,6 +112,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
         rendering = render(scene, {.threads = options.threads,
                                    .look = options.look,
+                                   .pace = pace,
                                    .row_done = [&progress] { progress.advance(); },
                                    .stop = &stop});
     }
@@ -113,7 +120,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     if (!rendering) return false;
     write_png(options.output, rendering->image, texts(program, options, scene.resolution));
     if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
-    if (!options.quiet) report(*rendering, options, seconds.count());
+    if (!options.quiet) report(*rendering, options, pace, seconds.count());
     return true;
 }
 
@@ -144,18 +151,47 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
                             std::to_string(rgb[2]));
 }
 
-}  // namespace
+class ReadScene : public Session {
+public:
+    ReadScene(const Program& program, const Options& options)
+        : program_(program), look_(options.look), scene_(load(program, options)) {}
 
-bool RT_PRECISION::run(const Program& program, const Options& options,
-                       const std::atomic<bool>& stop) {
-    const Scene scene = load(program, options);
-    if (options.explain) {
-        std::cout << options.scene << explanation(scene);
+    [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
+
+    [[nodiscard]] Demands demands() const override {
+        return demands_of(scene_, program_.stage, look_);
+    }
+
+    void arrange(std::size_t pays_from) override { rt::arrange(scene_, pays_from); }
+
+    [[nodiscard]] Shot shot(const Look& look, std::size_t pixels, int round,
+                            const std::atomic<bool>& stop) const override {
+        return shot_of(scene_, look, pixels, round, stop);
+    }
+
+    [[nodiscard]] bool run(const Options& options, Pace* pace,
+                           const std::atomic<bool>& stop) const override {
+        if (options.explain) {
+            std::cout << options.scene << explanation(scene_);
+        } else if (options.pixel) {
+            tell_pixel(program_, options, scene_, *options.pixel);
+        } else {
+            return make_picture(program_, options, scene_, pace, stop);
+        }
         return true;
     }
-    if (!options.pixel) return make_picture(program, options, scene, stop);
-    tell_pixel(program, options, scene, *options.pixel);
-    return true;
+
+private:
+    Program program_;
+    Look look_;
+    Scene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Session> RT_PRECISION::open_session(const Program& program,
+                                                    const Options& options) {
+    return std::make_unique<ReadScene>(program, options);
 }
 
 }  // namespace rt

@@ -90,6 +90,6 @@ void for_each_kind(SomeScene& scene, Visit visit) {
 
 /// Builds the hierarchies over the kinds of shape that are many, once the scene is whole. Pictures
 /// are the same without, but later.
-void arrange(Scene& scene);
+void arrange(Scene& scene, std::size_t pays_from = hierarchy_pays_from);
 
 }  // namespace rt

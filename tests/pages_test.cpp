@@ -2,6 +2,7 @@
 // degree sign, or thousands with a comma, and some whole numbers. A number that nobody works out
 // fails, and so does one that is worked out and not printed.
 #include "common/mesh_loading.hpp"
+#include "common/options.hpp"
 #include "common/sampling.hpp"
 #include "common/scene_reader.hpp"
 #include "common/stage.hpp"
@@ -355,7 +356,7 @@ std::string decimals(double value, int digits) {
     return out.str();
 }
 
-constexpr std::size_t coarse = 4;  ///< the row of --tolerance 0.01
+constexpr std::size_t coarse = 4;  ///< the row of --shadow-error 2.5
 
 std::vector<Row> soft_shadow_table() {
     auto expected = std::async(std::launch::async, drawn_lamp, Look{.shadow_samples = 4096});
@@ -363,9 +364,10 @@ std::vector<Row> soft_shadow_table() {
     for (const int samples : {16, 64, 256, 512})
         rows.push_back({.option = "--shadow-samples " + std::to_string(samples),
                         .look = {.shadow_samples = samples}});
-    for (const char* tolerance : {"0.01", "0.002"})
-        rows.push_back({.option = std::string("--tolerance ") + tolerance,
-                        .look = {.shadow_samples = 1024, .tolerance = std::stod(tolerance)}});
+    for (const char* steps : {"2.5", "0.5"})
+        rows.push_back(
+            {.option = std::string("--shadow-error ") + steps,
+             .look = {.shadow_samples = most_shadow_samples, .shadow_error = std::stod(steps)}});
     for (Row& row : rows) row.drawn = drawn_lamp(row.look);
     const Drawn right = expected.get();
     for (Row& row : rows) row.errors = errors_of(row.drawn, right);
@@ -381,9 +383,10 @@ Knowledge stage11() {
                                  decimals(row.errors.largest, 3) + " |";
         CHECK(says("step11_soft_shadows", told));
         for (const Printed& number : numbers_in(told)) all.push_back({row.option, number.value});
+        if (row.look.shadow_error > 0) all.push_back({row.option, row.look.shadow_error});
     }
 
-    // "The same error for two thirds of the rays at 0.01, and for less than half at 0.002."
+    // "The same error for two thirds of the rays at 2.5, and for less than half at 0.5."
     const auto errors_alike = [&table](std::size_t i, std::size_t k) {
         return std::abs(table[i].errors.root_mean_square / table[k].errors.root_mean_square - 1) <
                0.1;
@@ -393,9 +396,9 @@ Knowledge stage11() {
     CHECK(errors_alike(coarse + 1, 3));
     CHECK(table[coarse + 1].drawn.rays / table[3].drawn.rays < 0.5);
 
-    // How many pixels are off by more than the tolerance of 0.01, to tens.
+    // How many pixels are off by more than those 2.5 steps, to tens.
     const std::vector<double>& off = table.at(coarse).errors.of_pixels;
-    const double limit = table[coarse].look.tolerance;
+    const double limit = table[coarse].look.shadow_error / 255;
     const auto beyond = [&off](double most) {
         return std::count_if(off.begin(), off.end(), [most](double error) { return error > most; });
     };

@@ -38,6 +38,7 @@ const std::vector<File> files = {
     {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
     {"meshes", "decimation", {"decimation"}, 1, 4, true},
     {"pictures", "pictures", {"pictures"}, 1, 18, true},
+    {"choices", "choices", {"choices"}, 1, 120, true},
 };
 
 /// "measuring: 45 %, 80 s left", in place.

@@ -40,5 +40,6 @@ struct Study {
 [[nodiscard]] Study mirrors(const std::filesystem::path& folder);
 [[nodiscard]] Study meshes(const std::filesystem::path& folder);
 [[nodiscard]] Study pictures(const std::filesystem::path& folder);
+[[nodiscard]] Study choices(const std::filesystem::path& folder);
 
 }  // namespace rt::accuracy

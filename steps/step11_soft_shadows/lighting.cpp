@@ -11,12 +11,16 @@ constexpr int fewest_samples = 8;
 
 }  // namespace
 
-bool accurate(const ShadowRays& rays, const Color& color, const Look& look) {
+bool accurate(const ShadowRays& rays, const Color& color, const Context& context) {
+    const Look& look = context.look;
+    if (look.shadow_error <= 0) return false;
+    const bool agree = rays.reached == 0 || rays.reached == rays.sent;
+    if (agree && look.shadow_agree > 0 && rays.sent >= look.shadow_agree) return true;
     // Asked at powers of two, where the points are as even as they get.
-    if (look.tolerance <= 0 || rays.sent < fewest_samples) return false;
-    if (!std::has_single_bit(unsigned(rays.sent))) return false;
+    if (rays.sent < fewest_samples || !std::has_single_bit(unsigned(rays.sent))) return false;
     const Real largest = glm::max(color.r, glm::max(color.g, color.b));
-    return share_error(rays) * largest <= Real(look.tolerance);
+    const Real steps = 255 * share_error(rays) * largest * Real(context.weight);
+    return steps <= Real(look.shadow_error);
 }
 
 }  // namespace rt

@@ -10,10 +10,14 @@
 #include "steps/step10_shadows/shadows.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace rt {
 
-/// Whether the error of what the light adds to the pixel, a color times a share, is small enough.
-[[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Look& look);
+/// Whether the error of what the light adds to the pixel, a color times a share, is small enough,
+/// or is taken to be nothing because all rays agree.
+[[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
 // Each main.cpp knows what can stand in the way of a shadow ray, and hands it on as `blocked`. The
 // functions that ask are templates, so that they are compiled into its `trace`: a scene whose
@@ -24,10 +28,15 @@ template <class Blocked>
 [[nodiscard]] Real share_reached(const Surface& surface, const Light& light, const Color& color,
                                  std::uint32_t seed, const Blocked& blocked, Context& context) {
     ShadowRays rays;
-    while (rays.sent < context.look.shadow_samples && !accurate(rays, color, context.look)) {
-        const Vec2 sample = spread_sample(std::uint32_t(rays.sent), seed);
-        const Vec3 aim = light_point(light, surface.point, sample);
-        if (!blocked(shadow_ray(surface, aim))) ++rays.reached;
+    // A few ways ahead: a processor works out several at once, if nothing is asked in between.
+    std::array<ShadowRay, 4> ways;
+    while (rays.sent < context.look.shadow_samples && !accurate(rays, color, context)) {
+        const std::size_t next = std::size_t(rays.sent) % ways.size();
+        for (std::size_t i = 0; next == 0 && i < ways.size(); ++i) {
+            const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
+            ways[i] = shadow_ray(surface, light_point(light, surface.point, sample));
+        }
+        if (!blocked(ways[next])) ++rays.reached;
         ++rays.sent;
     }
     context.sized_light_rays += rays.sent;
@@ -38,7 +47,7 @@ template <class Blocked>
 }
 
 /// What all the lights do at the surface, which is the bounce-th that the eye's ray has come to. A
-/// light with a size is asked for by several rays, until --shadow-samples or --tolerance is
+/// light with a size is asked for by several rays, until --shadow-samples or --shadow-error is
 /// reached.
 template <class Blocked>
 [[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce,

@@ -26,6 +26,7 @@ Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, 
     const Surface surface = surface_at(*hit, ray);
     const Real mirror = surface.material.mirror;
     Color own(0);
+    context.weight = double(weight * (1 - mirror));
     if (mirror < 1) own = shown(lighting(scene, surface, bounces, in_the_way, context), context);
     if (mirror == 0) return own;
 

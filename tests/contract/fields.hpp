@@ -143,7 +143,8 @@ template <>
 inline constexpr auto record<Look> = record_of("Look", field("shading", &Look::shading),
                                                field("term", &Look::term),
                                                field("shadow_samples", &Look::shadow_samples),
-                                               field("tolerance", &Look::tolerance),
+                                               field("shadow_error", &Look::shadow_error),
+                                               field("shadow_agree", &Look::shadow_agree),
                                                field("depth", &Look::depth));
 
 template <class T>

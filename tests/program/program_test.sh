@@ -58,6 +58,9 @@ refused "no samples" "--shadow-samples" step11_soft_shadows --shadow-samples 0
 refused "300 digits of samples" "--shadow-samples" step11_soft_shadows --shadow-samples "$long"
 refused "a negative tolerance" "--tolerance" step11_soft_shadows --tolerance=-1
 refused "no tolerance" "--tolerance" step11_soft_shadows --tolerance nan
+refused "300 digits of a tolerance" "--tolerance" step11_soft_shadows --tolerance "$long"
+refused "no error" "--shadow-error" step11_soft_shadows --shadow-error 0
+refused "no time" "--time" step03_sphere --time 0
 refused "a negative depth" "--depth" step12_mirror --depth=-1
 refused "a torch among lights" "--shade" step09_phong --shade torch
 refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step11_soft_shadows.rt"
@@ -109,15 +112,28 @@ done
 "$build/step05_triangle" "$scenes/one_sphere.rt" --explain > out
 grep -q 'nothing is a mirror' out || fail "--explain tells what is left out"
 
-# Fewer rays by --tolerance, which the report counts, and the same bytes on any number of threads.
+# Fewer rays by --shadow-error, which the report counts, and the same bytes on any number of threads.
 soft=$scenes/step11_soft_shadows.rt
 rays() { sed 's/.*rays, \([0-9]*\) of them to lights with a size/\1/' out; }
-"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --threads 1 --tolerance 0.02 > out
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --threads 1 --shadow-error 5 > out
 few=$(rays)
-"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --threads 3 --tolerance 0.02 > out
+"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --threads 3 --shadow-error 5 > out
 [ "$few" = "$(rays)" ] && cmp -s 1.png 2.png || fail "threads change soft shadows"
 "$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --shadow-samples 1024 > out
-[ "$few" -lt "$(rays)" ] || fail "--tolerance spares rays: $few"
+[ "$few" -lt "$(rays)" ] || fail "--shadow-error spares rays: $few"
+
+# What --tolerance and --time choose is told, and what they say can be asked for.
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 > out
+for words in hierarchy depth precision expected trials; do
+    grep -q "^  $words  " out || fail "--tolerance tells of the $words"
+done
+error=$(sed -n 's/.*estimated to be off by less than \([0-9.]*\) steps*$/\1/p' out)
+"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --shadow-error "$error" --quiet
+cmp -s 1.png 2.png || fail "--tolerance says with which --shadow-error: $error"
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
+grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
+"$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out
+[ ! -s out ] || fail "--quiet is quiet about choices"
 
 "$build/step05_triangle" --help > out
 grep -q -- '--pixel' out || fail "--help lists the options"

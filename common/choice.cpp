@@ -1,0 +1,427 @@
+#include "common/choice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+constexpr int endless = 64;  ///< a depth: what is left is seen by no more than half a step
+
+/// Of longer lists nobody needs to try whether a hierarchy pays.
+constexpr std::size_t longest_list = 64;
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// u of float.
+constexpr double float_roundoff = std::numeric_limits<float>::epsilon() / 2;
+
+/// Half a step is what rounding to the picture's colors takes.
+constexpr double unseen = 0.5;
+
+/// A gain that is more than the clock's noise.
+constexpr double gain = 0.95;
+
+/// How far the color is from another one, in the strongest channel.
+double distance(const Shade& a, const Shade& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::isnan(a[i]) != std::isnan(b[i])) return 255;
+        if (!std::isnan(a[i])) most = std::max(most, std::abs(a[i] - b[i]));
+    }
+    return most;
+}
+
+std::vector<double> distances(const Shot& a, const Shot& b) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < a.shades.size(); ++i)
+        all.push_back(distance(a.shades[i], b.shades[i]));
+    return all;
+}
+
+/// The share of the pixels that may be further off than the tolerance: so many of those tried that
+/// with 95 % certainty no more than one in a hundred are, of all.
+double exceptions(std::size_t tried) {
+    constexpr double promised = 0.01;
+    constexpr double certain = 1.64;  // standard errors
+    return std::max(promised - certain * std::sqrt(promised / double(tried)), 0.);
+}
+
+/// The share of pixels that are further off than the limit.
+double share_beyond(const Shot& a, const Shot& b, double limit) {
+    const std::vector<double> all = distances(a, b);
+    const auto beyond = std::ranges::count_if(all, [=](double d) { return d > limit; });
+    return double(beyond) / double(all.size());
+}
+
+/// All but such a share of pixels are off by no more than this.
+double error_but_for(double share, const Shot& a, const Shot& b) {
+    std::vector<double> all = distances(a, b);
+    const auto place = all.end() - 1 - std::ptrdiff_t(share * double(all.size()));
+    std::ranges::nth_element(all, place);
+    return *place;
+}
+
+/// What a rounding of the precision may do to a color, in 8-bit steps. A point on a shape is off by
+/// up to 8 u of its coordinates (docs/stability.md), the normal there by that over the shape's
+/// size, and a highlight by so many times that as its exponent says.
+double rounding_error(const Demands& demands, double unit_roundoff) {
+    if (demands.feature == 0) return 0;
+    return 255 * 8 * unit_roundoff * demands.extent / demands.feature * demands.shininess;
+}
+
+/// What there is to try for lights with a size, from one ray to a thirty-second of a step. Each
+/// look's error is about 1/√2 of the one's before.
+std::vector<Look> sampling_looks(Look look) {
+    std::vector<Look> all;
+    look.shadow_error = 0;
+    for (const int samples : {1, 2, 4}) {
+        look.shadow_samples = samples;
+        all.push_back(look);
+    }
+    look.shadow_samples = most_shadow_samples;
+    for (double steps = 16; steps > 1.0 / 33; steps /= std::sqrt(2)) {
+        look.shadow_error = steps;
+        all.push_back(look);
+    }
+    return all;
+}
+
+/// A look tried beside one of 1/√2 of its error is off by what they differ in, but for the other's.
+constexpr double both_errors = 1.22;
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value >= 99.5 ? "%.0f" : "%.2g", value);
+    return text;
+}
+
+/// A number that is told whole, and no larger than the value, which is positive.
+double two_digits(double value) {
+    const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return std::stod(number(digit * std::floor(value / digit)));
+}
+
+std::string percent(double share) {
+    return number(100 * share) + " %";
+}
+
+std::string steps(double value) {
+    return number(value) + (value == 1 ? " step" : " steps");
+}
+
+double since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Looks that were not tried, up to those that take too long. Next to each other their errors are
+/// as √2 to 1, which takes 2^(2/3) times the rays.
+void extend(Ladder& ladder, const std::vector<Look>& looks, double seconds) {
+    const double without_rays = ladder.within_time(0).seconds;
+    for (const Look& look : looks) {
+        const Trial top = ladder.top();
+        if (top.seconds > seconds) return;
+        const double rays = (top.seconds - without_rays) * std::exp2(2.0 / 3);
+        ladder.add(
+            {.look = look, .seconds = without_rays + rays, .error = top.error / std::sqrt(2)});
+    }
+}
+
+/// Thrown between trials.
+struct Stopped {};
+
+class Chooser {
+public:
+    Chooser(std::unique_ptr<Session> session, const Options& options, Clock::time_point start,
+            const std::atomic<bool>& stop)
+        : options_(options),
+          stop_(stop),
+          start_(start),
+          read_(Clock::now()),
+          demands_(session->demands()),
+          size_(session->resolution()),
+          pixels_(std::min(all_pixels(), std::max<std::size_t>(1000, all_pixels() / 96))),
+          hierarchy_from_(demands_.hierarchy_from),
+          exceptions_left_(exceptions(pixels_)),
+          look_(options.look) {
+        choice_.session = std::move(session);
+        choice_.precision = options.precision;
+    }
+
+    void choose_hierarchy();
+    void choose_depth();
+    void choose_samples();
+    void choose_precision(const Open& open_float);
+    [[nodiscard]] Choice done();
+
+private:
+    [[nodiscard]] std::size_t all_pixels() const {
+        return std::size_t(size_.width) * std::size_t(size_.height);
+    }
+
+    /// What an error may be before it counts.
+    [[nodiscard]] double limit() const { return options_.tolerance.value_or(unseen); }
+
+    /// Of the whole picture, on all threads.
+    [[nodiscard]] double seconds(const Shot& shot) const {
+        return shot.seconds * double(all_pixels()) / options_.threads;
+    }
+
+    [[nodiscard]] Shot shot(const Session& session, const Look& look, std::size_t pixels,
+                            int round) const {
+        Shot shot = session.shot(look, pixels, round, stop_);
+        if (stop_) throw Stopped();
+        return shot;
+    }
+
+    [[nodiscard]] Shot shot(const Look& look, int round) const {
+        return shot(*choice_.session, look, pixels_, round);
+    }
+
+    /// The look, with one shadow ray: where more would not matter.
+    [[nodiscard]] Look at_depth(int depth) const {
+        Look look = look_;
+        look.depth = depth;
+        if (!options_.given.shadow_samples) look.shadow_samples = 1;
+        return look;
+    }
+
+    /// Which of two sessions, each made ready, takes how long for a pixel: the least of a few tries
+    /// in turn.
+    template <class First, class Second>
+    [[nodiscard]] std::pair<double, double> in_turn(const Look& look, First first,
+                                                    Second second) const;
+
+    /// Trials may take a tenth of the time.
+    [[nodiscard]] bool no_time_to_try() const {
+        return options_.time && since(read_) > *options_.time / 10;
+    }
+
+    void fit_depth_into_time();
+    void believe_agreement(const Shot& finest);
+
+    void say(const std::string& what, const std::string& why) {
+        constexpr std::size_t width = sizeof "shadow samples" + 1;
+        choice_.reasons.push_back("  " + what + std::string(width - what.size(), ' ') + why);
+    }
+
+    const Options& options_;
+    const std::atomic<bool>& stop_;
+    Clock::time_point start_;
+    Clock::time_point read_;
+    Demands demands_;
+    Resolution size_;
+    std::size_t pixels_;
+    std::size_t hierarchy_from_;
+    double exceptions_left_;
+    Look look_;
+    Choice choice_;
+};
+
+template <class First, class Second>
+std::pair<double, double> Chooser::in_turn(const Look& look, First first, Second second) const {
+    const auto seconds = [&](const Session& session) {
+        return shot(session, look, (pixels_ + 7) / 8, 0).seconds;
+    };
+    std::pair least = {infinite, infinite};
+    for (int i = 0; i < 3; ++i) {
+        least.first = std::min(least.first, seconds(first()));
+        least.second = std::min(least.second, seconds(second()));
+    }
+    return least;
+}
+
+void Chooser::choose_hierarchy() {
+    const std::size_t count = demands_.most_alike;
+    if (count < 2) return say("hierarchy", "none: no two shapes are of a kind");
+    if (count > longest_list)
+        return say("hierarchy", "yes: " + std::to_string(count) + " of a kind are too many to ask");
+    const bool is_usual = count >= demands_.hierarchy_from;
+    const auto arranged = [this](std::size_t pays_from) -> const Session& {
+        choice_.session->arrange(pays_from);
+        return *choice_.session;
+    };
+    const std::size_t from = is_usual ? demands_.hierarchy_from : 2;
+    const auto [list, hierarchy] = in_turn(
+        at_depth(look_.depth), [&]() -> const Session& { return arranged(never); },
+        [&]() -> const Session& { return arranged(from); });
+    const bool pays = is_usual ? gain * hierarchy < list : hierarchy < gain * list;
+    hierarchy_from_ = pays ? from : never;
+    choice_.session->arrange(hierarchy_from_);
+    const std::string of_a_kind = "for up to " + std::to_string(count) + " of a kind ";
+    say("hierarchy",
+        pays ? "yes: " + of_a_kind + "a list takes " + number(list / hierarchy) + " times as long"
+             : "none: " + of_a_kind + "it takes " + number(hierarchy / list) +
+                   " times as long as a list");
+}
+
+void Chooser::choose_depth() {
+    if (options_.given.depth) return say("depth", std::to_string(look_.depth) + ", as given");
+    if (!demands_.mirrors) return say("depth", "none: nothing is a mirror");
+    constexpr std::array depths = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, endless};
+    const Shot whole = shot(at_depth(endless), 0);
+    std::array<double, depths.size()> cut_off{};  // pixels that are off by more than the limit
+    const auto too_shallow = [&](const int& depth) {
+        double& share = cut_off[std::size_t(&depth - depths.data())];
+        share = depth == endless ? 0 : share_beyond(shot(at_depth(depth), 0), whole, limit());
+        return share > exceptions_left_ / 2;
+    };
+    const auto least =
+        std::size_t(std::ranges::partition_point(depths, too_shallow) - depths.begin());
+    look_.depth = depths[least];
+    exceptions_left_ -= cut_off[least];
+    say("depth", std::to_string(look_.depth) +
+                     (least == 0 ? ": no reflection shows"
+                                 : ": with " + std::to_string(depths[least - 1]) + ", " +
+                                       percent(cut_off[least - 1]) +
+                                       " of the pixels are off by more than " + steps(limit())));
+}
+
+void Chooser::fit_depth_into_time() {
+    if (!options_.time || options_.given.depth || !demands_.mirrors) return;
+    const int wanted = look_.depth;
+    while (look_.depth > 0 && seconds(shot(at_depth(look_.depth), 0)) > *options_.time)
+        look_.depth /= 2;
+    if (look_.depth < wanted) say("", "but " + std::to_string(look_.depth) + " for the time");
+}
+
+/// Most pixels are in full light or in none, and most of the rays are spent to make sure of it.
+/// Where few are in a penumbra, rays that agree may be believed, if the others are sampled a little
+/// better.
+void Chooser::believe_agreement(const Shot& finest) {
+    const double allowed = *options_.tolerance;
+    Look look = choice_.expected.look;
+    if (look.shadow_error == 0) return;
+    constexpr double better = 0.8;
+    look.shadow_error *= better;
+    constexpr std::array numbers = {6,  7,  8,  10, 12, 14, 17, 20,  24,
+                                    29, 35, 42, 50, 60, 72, 86, 104, 128};
+    int round = 100;  // which no other trial has
+    const auto passes = [&] {
+        const Shot believing = shot(look, ++round);
+        const double off = error_but_for(exceptions_left_, believing, finest) / both_errors;
+        const bool good = off <= allowed;
+        if (good && seconds(believing) < gain * choice_.expected.seconds)
+            choice_.expected = {.look = look, .seconds = seconds(believing), .error = off};
+        return good;
+    };
+    (void)std::ranges::partition_point(numbers, [&](int number) {
+        look.shadow_agree = number;
+        return !passes();
+    });
+    look = choice_.expected.look;
+    if (look.shadow_agree == 0) return;
+    look.shadow_error *= std::min(allowed / choice_.expected.error, 1 / better);
+    (void)passes();
+}
+
+void Chooser::choose_samples() {
+    fit_depth_into_time();
+    Ladder ladder;
+    if (options_.given.shadow_samples || !demands_.sized_lights) {
+        ladder.add({.look = look_, .seconds = seconds(shot(look_, 1))});
+        choice_.expected = ladder.top();
+        return say("shadow samples",
+                   options_.given.shadow_samples ? "as given" : "one: no light has a size");
+    }
+    const std::vector<Look> looks = sampling_looks(look_);
+    Shot finest = shot(looks[0], 1);
+    for (std::size_t i = 1; i < looks.size(); ++i) {
+        const Shot before = std::exchange(finest, shot(looks[i], int(i) + 1));
+        const double off = error_but_for(exceptions_left_, before, finest) / both_errors;
+        ladder.add({.look = looks[i - 1], .seconds = seconds(before), .error = off});
+        if (options_.tolerance && off <= *options_.tolerance) break;
+        if (options_.time && seconds(before) > *options_.time) break;
+        if (no_time_to_try() && ladder.top().look.shadow_error > 0) {
+            extend(ladder, {looks.begin() + std::ptrdiff_t(i), looks.end()}, *options_.time);
+            break;
+        }
+    }
+    choice_.expected = options_.tolerance ? ladder.within_error(*options_.tolerance) : ladder.top();
+    if (options_.tolerance) believe_agreement(finest);
+    if (options_.time) {
+        if (choice_.expected.seconds > *options_.time)
+            choice_.expected = ladder.within_time(*options_.time);
+        const auto time = std::chrono::duration<double>(*options_.time);
+        choice_.pace = std::make_unique<Pace>(
+            ladder, size_.height, start_ + std::chrono::duration_cast<Clock::duration>(time));
+    }
+    Look& look = choice_.expected.look;
+    if (look.shadow_error > 0) look.shadow_error = two_digits(look.shadow_error);
+    say("shadow samples",
+        look.shadow_error > 0
+            ? "until a light is estimated to be off by less than " + steps(look.shadow_error) +
+                  (look.shadow_agree > 0
+                       ? ", or " + std::to_string(look.shadow_agree) + " rays agree"
+                       : "")
+            : std::to_string(look.shadow_samples) + " to a light with a size");
+}
+
+void Chooser::choose_precision(const Open& open_float) {
+    const std::string extremes = ": coordinates reach " + number(demands_.extent) +
+                                 ", the smallest size is " + number(demands_.feature);
+    const double off = rounding_error(demands_, demands_.unit_roundoff);
+    if (!open_float) {
+        say("precision", "as given");
+    } else if (off > limit() / 2) {
+        say("precision", "double, though its roundings may show" + extremes +
+                             "; every ray is decided with --precision exact");
+    } else if (rounding_error(demands_, float_roundoff) > limit() / 2) {
+        say("precision", "double: roundings of float may show" + extremes);
+    } else if (std::chrono::duration<double>(read_ - start_).count() >
+               choice_.expected.seconds / 10) {
+        say("precision", "double: to read the scene in float takes more than it could save");
+    } else if (no_time_to_try()) {
+        say("precision", "double: float would do, but there is no time to try it");
+    } else {
+        std::unique_ptr<Session> other = open_float();
+        other->arrange(hierarchy_from_);
+        const auto [in_double, in_float] = in_turn(
+            choice_.expected.look, [this]() -> const Session& { return *choice_.session; },
+            [&other]() -> const Session& { return *other; });
+        if (in_float < gain * in_double) {
+            choice_.session = std::move(other);
+            choice_.precision = Precision::f32;
+            choice_.expected.seconds *= in_float / in_double;
+        }
+        say("precision", (choice_.precision == Precision::f32 ? "float: as good here, in "
+                                                              : "double: float would do, in ") +
+                             number(in_float / in_double) + " of the time");
+    }
+}
+
+Choice Chooser::done() {
+    const Trial& expected = choice_.expected;
+    const bool sampled = demands_.sized_lights && !options_.given.shadow_samples;
+    say("expected",
+        number(expected.seconds) + " s" +
+            (sampled ? ", and 99 of 100 pixels within " + steps(expected.error) : "") +
+            (options_.time && expected.seconds > *options_.time ? ": nothing else can be spared"
+                                                                : ""));
+    say("trials", std::to_string(pixels_) + " of the pixels, " + number(since(read_)) + " s");
+    return std::move(choice_);
+}
+
+}  // namespace
+
+std::optional<Choice> choose(std::unique_ptr<Session> session, const Open& open_float,
+                             const Options& options, Clock::time_point start,
+                             const std::atomic<bool>& stop) {
+    Chooser chooser(std::move(session), options, start, stop);
+    try {
+        chooser.choose_hierarchy();
+        chooser.choose_depth();
+        chooser.choose_samples();
+        chooser.choose_precision(open_float);
+        return chooser.done();
+    } catch (const Stopped&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,124 @@
+#include "common/demands.hpp"
+
+#include "common/bounds.hpp"
+#include "common/sampling.hpp"
+#include "common/stage.hpp"
+#include "common/stages.hpp"
+#include "common/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace rt {
+
+namespace {
+
+/// Twice the area by the longest side: the least height. 0 for a triangle that nobody sees.
+Real size(const Triangle& triangle) {
+    const Vec3 ab = triangle.b - triangle.a;
+    const Vec3 ac = triangle.c - triangle.a;
+    const Real longest = std::max({length(ab), length(ac), length(ac - ab)});
+    return longest > 0 ? length(cross(ab, ac)) / longest : 0;
+}
+
+Real size(const Sphere& sphere) {
+    return sphere.radius;
+}
+Real size(const Square& square) {
+    return square.side;
+}
+Real size(const Cylinder& cylinder) {
+    return std::min(cylinder.radius, cylinder.height);
+}
+Real size(const Cone& cone) {
+    return std::min(cone.radius, cone.height);
+}
+Real size(const OrientedBox& box) {
+    return 2 * std::min({box.half_size.x, box.half_size.y, box.half_size.z});
+}
+
+/// That of its triangles, if they were alike.
+Real size(const PlacedMesh& placed) {
+    const Box& box = placed.model->bounds;
+    const auto triangles = Real(placed.model->mesh.triangles.size());
+    return placed.placement.scale * length(box.max - box.min) / std::sqrt(triangles + 1);
+}
+
+/// A plane has neither size nor end: its point tells where it is.
+Real largest_coordinate(const Plane& plane) {
+    return largest_component(plane.point);
+}
+
+template <class Shape>
+Real largest_coordinate(const Shape& shape) {
+    const Box box = bounds(shape);
+    return largest_component(max(abs(box.min), abs(box.max)));
+}
+
+template <class Shape>
+void take_in(Demands& demands, const Items<Shape>& items) {
+    for (const auto& [shape, material] : items) {
+        demands.extent = std::max(demands.extent, double(largest_coordinate(shape)));
+        if (material.specular > 0)
+            demands.shininess = std::max(demands.shininess, double(material.shininess));
+        demands.mirrors = demands.mirrors || material.mirror > 0;
+        if constexpr (Bounded<Shape>) {
+            const double feature = size(shape);
+            if (feature > 0 && (demands.feature == 0 || feature < demands.feature))
+                demands.feature = feature;
+        }
+    }
+    if (Bounded<Shape>) demands.most_alike = std::max(demands.most_alike, items.size());
+}
+
+/// Off the picture from the second round on, where seeds are other ones.
+Pixel seed_pixel(Pixel pixel, Resolution size, int round) {
+    return {.row = pixel.row + round * size.height, .column = pixel.column};
+}
+
+Shade shade(const Color& color) {
+    const auto shown = [](Real value) {
+        return std::isnan(value) ? double(value) : 255 * std::clamp(double(value), 0.0, 1.0);
+    };
+    return {shown(color.r), shown(color.g), shown(color.b)};
+}
+
+}  // namespace
+
+Demands demands_of(const Scene& scene, int stage, const Look& look) {
+    Demands demands{.hierarchy_from = hierarchy_pays_from, .unit_roundoff = unit_roundoff};
+    demands.extent = double(largest_component(scene.cameras.front().position));
+    for_each_kind(scene, [&](const auto& items) { take_in(demands, items); });
+    take_in(demands, scene.meshes);
+    const bool lit = look.shading == Shading::color && stage >= light_stage;
+    demands.mirrors = demands.mirrors && lit;
+    if (!lit) demands.shininess = 1;
+    for (const Light& light : scene.lights) {
+        if (!lit) break;
+        demands.extent = std::max(demands.extent, double(largest_component(light.position)));
+        demands.sized_lights = demands.sized_lights || light.radius > 0;
+    }
+    return demands;
+}
+
+Shot shot_of(const Scene& scene, const Look& look, std::size_t pixels, int round,
+             const std::atomic<bool>& stop) {
+    const Resolution size = scene.resolution;
+    const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), size);
+    Context context{.look = look};
+    Shot shot;
+    shot.shades.reserve(pixels);
+    const std::clock_t start = std::clock();
+    for (std::size_t i = 0; i < pixels && !stop; ++i) {
+        const Vec2 place = spread_sample(std::uint32_t(i), 0);
+        const Pixel pixel{.row = int(place.y * Real(size.height)),
+                          .column = int(place.x * Real(size.width))};
+        context.pixel = seed_pixel(pixel, size, round);
+        shot.shades.push_back(shade(trace(scene, pixel_ray(pixel), context)));
+    }
+    shot.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / double(pixels);
+    return shot;
+}
+
+}  // namespace rt

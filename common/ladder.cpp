@@ -1,0 +1,54 @@
+#include "common/ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace rt {
+
+namespace {
+
+Trial between(const Trial& cheap, const Trial& good, double share) {
+    const auto mean = [share](double a, double b) {
+        constexpr double tiny = 1e-9;
+        return std::pow(std::max(a, tiny), 1 - share) * std::pow(std::max(b, tiny), share);
+    };
+    Trial trial = good;
+    trial.look.shadow_error = mean(cheap.look.shadow_error, good.look.shadow_error);
+    trial.seconds = mean(cheap.seconds, good.seconds);
+    trial.error = mean(cheap.error, good.error);
+    return trial;
+}
+
+/// Where x lies between a and b, 0 to 1, if all three are counted by their digits.
+double place_between(double a, double b, double x) {
+    constexpr double tiny = 1e-9;
+    const double all = std::log(std::max(b, tiny) / std::max(a, tiny));
+    return all == 0 ? 0 : std::clamp(std::log(std::max(x, tiny) / std::max(a, tiny)) / all, 0., 1.);
+}
+
+bool stop_at_errors(const Trial& a, const Trial& b) {
+    return a.look.shadow_error > 0 && b.look.shadow_error > 0;
+}
+
+}  // namespace
+
+Trial Ladder::within_time(double seconds) const {
+    const auto dearer =
+        std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.seconds > seconds; });
+    if (dearer == trials_.begin()) return trials_.front();
+    const Trial& fits = *std::prev(dearer);
+    if (dearer == trials_.end() || !stop_at_errors(fits, *dearer)) return fits;
+    return between(fits, *dearer, place_between(fits.seconds, dearer->seconds, seconds));
+}
+
+Trial Ladder::within_error(double error) const {
+    const auto good =
+        std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.error <= error; });
+    if (good == trials_.end()) return trials_.back();
+    if (good == trials_.begin() || !stop_at_errors(*std::prev(good), *good)) return *good;
+    const Trial& worse = *std::prev(good);
+    return between(worse, *good, place_between(worse.error, good->error, error));
+}
+
+}  // namespace rt

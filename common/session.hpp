@@ -1,0 +1,60 @@
+// A scene that has been read in one precision, as those see it who do not care in which.
+#pragma once
+
+#include "common/options.hpp"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace rt {
+
+class Pace;
+
+/// What a scene requires that settings can spare or spoil.
+struct Demands {
+    bool sized_lights = false;
+    bool mirrors = false;
+    double shininess = 1;            ///< the largest exponent of a highlight
+    double extent = 0;               ///< the largest coordinate
+    double feature = 0;              ///< the smallest size of a shape; 0 if none has a size
+    std::size_t most_alike = 0;      ///< shapes in the longest list that a hierarchy could replace
+    std::size_t hierarchy_from = 0;  ///< what arrange takes if nobody has tried
+    double unit_roundoff = 0;        ///< of the precision
+};
+
+/// A color as a picture shows it, not yet rounded: 0 to 255 each.
+using Shade = std::array<double, 3>;
+
+/// Some of the picture's pixels, spread evenly over it.
+struct Shot {
+    std::vector<Shade> shades;
+    double seconds = 0;  ///< of CPU time, for each pixel
+};
+
+class Session {
+public:
+    Session() = default;
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+    virtual ~Session() = default;
+
+    [[nodiscard]] virtual Resolution resolution() const = 0;
+    [[nodiscard]] virtual Demands demands() const = 0;
+
+    /// Builds hierarchies over the kinds of shape of which there are so many.
+    virtual void arrange(std::size_t pays_from) = 0;
+
+    /// The first `pixels` of a fixed order, drawn on one thread. Every round draws its own samples.
+    /// Fewer, if it was stopped.
+    [[nodiscard]] virtual Shot shot(const Look& look, std::size_t pixels, int round,
+                                    const std::atomic<bool>& stop) const = 0;
+
+    /// Makes the picture, or tells one pixel's story, and says what came of it. A pace, if there is
+    /// one, changes the look from row to row. Returns false, and leaves no file, if it was stopped.
+    [[nodiscard]] virtual bool run(const Options& options, Pace* pace,
+                                   const std::atomic<bool>& stop) const = 0;
+};
+
+}  // namespace rt

@@ -1,0 +1,201 @@
+// Every scene of the project by --tolerance and --time. For a tolerance: how many pixels keep it,
+// and what the picture costs with its trials, beside the cheapest of other settings that keep it
+// too. For a time: how long the program takes.
+#include "common/choice.hpp"
+
+#include "tests/measurements/accuracy/certain_shades.hpp"
+#include "tests/measurements/accuracy/drawing.hpp"
+#include "tests/measurements/child_process.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+
+namespace rt {
+
+inline namespace f32 {
+std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+}
+inline namespace f64 {
+std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+}
+
+}  // namespace rt
+
+using namespace rt;
+
+namespace {
+
+constexpr double tolerances[] = {1, 4};
+constexpr double times[] = {1, 3};  ///< seconds
+constexpr double promised = 0.99;
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const std::atomic<bool> going_on = false;
+
+double processor_seconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// The share of the pixels that are off by no more than the tolerance.
+double kept(const Shot& shot, const std::vector<Shade>& right, double tolerance) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < right.size(); ++i)
+        count += std::ranges::equal(shot.shades[i], right[i], [tolerance](double a, double b) {
+            return std::abs(a - b) <= tolerance;
+        });
+    return double(count) / double(right.size());
+}
+
+/// The least time of a few, if they are short.
+Shot drawn(const Session& session, const Look& look) {
+    Shot best{.seconds = infinite};
+    for (double all = 0; all < 0.05; all += best.seconds * double(shades_of_a_scene)) {
+        Shot shot = session.shot(look, shades_of_a_scene, last_round - 1, going_on);
+        if (shot.seconds < best.seconds) best = std::move(shot);
+    }
+    return best;
+}
+
+struct Settings {
+    std::string words;
+    Look look;
+};
+
+/// Ladders of settings, each from cheap to good.
+std::vector<std::vector<Settings>> ladders(bool sized_lights, Look look) {
+    if (!sized_lights) return {{{"as usual", look}}};
+    std::vector<std::vector<Settings>> all(3);
+    char words[64];
+    for (look.shadow_samples = 1; look.shadow_samples <= 512; look.shadow_samples *= 2) {
+        std::snprintf(words, sizeof words, "--shadow-samples %d", look.shadow_samples);
+        all[0].push_back({words, look});
+    }
+    look.shadow_samples = most_shadow_samples;
+    for (std::size_t ladder : {1, 2}) {
+        look.shadow_agree = ladder == 2 ? 32 : 0;
+        for (look.shadow_error = 11; look.shadow_error > 0.3; look.shadow_error /= std::sqrt(2)) {
+            std::snprintf(words, sizeof words, "--shadow-error %.2g%s", look.shadow_error,
+                          ladder == 2 ? " --shadow-agree 32" : "");
+            all[ladder].push_back({words, look});
+        }
+    }
+    return all;
+}
+
+/// Settings that keep a tolerance, and what a pixel costs with them.
+struct Found {
+    Settings settings;
+    double seconds = infinite;
+};
+
+/// The cheapest for each tolerance.
+class Search {
+public:
+    explicit Search(const std::vector<Shade>& right) : right_(right) {}
+
+    void try_all(const Session& session) {
+        const Demands demands = session.demands();
+        // The likely ones first: others are given up once they are dearer.
+        for (const int depth : {8, 6, 4, 3, 2, 1, 0, 16}) {
+            for (auto& ladder : ladders(demands.sized_lights, {.depth = depth}))
+                for (Settings& settings : ladder) {
+                    if (demands.mirrors) settings.words += " --depth " + std::to_string(depth);
+                    if (try_one(session, settings) > 1.2 * found_[0].seconds) break;
+                }
+            if (!demands.mirrors) break;
+        }
+    }
+
+    /// The best so far, in another precision, or under other hierarchies.
+    void try_best(const Session& session, const std::string& what) {
+        for (Found& found : std::vector(found_.begin(), found_.end())) {
+            found.settings.words = what + " " + found.settings.words;
+            try_one(session, found.settings);
+        }
+    }
+
+    [[nodiscard]] const std::vector<Found>& found() const { return found_; }
+
+private:
+    double try_one(const Session& session, const Settings& settings) {
+        const Shot shot = drawn(session, settings.look);
+        for (std::size_t i = 0; i < found_.size(); ++i)
+            if (shot.seconds < found_[i].seconds && kept(shot, right_, tolerances[i]) >= promised)
+                found_[i] = {settings, shot.seconds};
+        return shot.seconds;
+    }
+
+    const std::vector<Shade>& right_;
+    std::vector<Found> found_ = std::vector<Found>(std::size(tolerances));
+};
+
+std::vector<Found> cheapest(const Program& program, const Options& options,
+                            const std::vector<Shade>& right) {
+    Search search(right);
+    const auto in_double = f64::open_session(program, options);
+    const auto in_float = f32::open_session(program, options);
+    search.try_all(*in_double);
+    search.try_best(*in_float, "--precision float");
+    in_double->arrange(2);
+    search.try_best(*in_double, "a hierarchy from two shapes on;");
+    constexpr std::size_t longest_list = 64;
+    if (in_double->demands().most_alike <= longest_list) {
+        in_double->arrange(longest_list + 1);
+        search.try_best(*in_double, "lists;");
+    }
+    return search.found();
+}
+
+void measure_tolerances(const std::filesystem::path& scene, const std::vector<Shade>& right) {
+    const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
+    Options options{.scene = scene.string()};
+    const std::vector<Found> found = cheapest(program, options, right);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        options.tolerance = tolerances[i];
+        auto session = f64::open_session(program, options);
+        const Resolution size = session->resolution();
+        const double pixels = double(size.width) * size.height;
+        const auto open_float = [&] { return f32::open_session(program, options); };
+        const double start = processor_seconds();
+        const Choice choice =
+            choose(std::move(session), open_float, options, Clock::now(), going_on).value();
+        const double trials = processor_seconds() - start;
+        const Shot shot = drawn(*choice.session, choice.expected.look);
+        std::printf("%s,tolerance,%g,%.5f,%.4f,%.4f,%.4f,%s\n", scene.stem().c_str(), tolerances[i],
+                    kept(shot, right, tolerances[i]), pixels * shot.seconds + trials, trials,
+                    pixels * found[i].seconds, found[i].settings.words.c_str());
+    }
+}
+
+void measure_times(const std::filesystem::path& scene, const std::filesystem::path& programs) {
+    const auto picture = std::filesystem::temp_directory_path() / "measure_choices.png";
+    for (const double seconds : times) {
+        const auto usage = measurements::run({(programs / "step13_meshes_of_reference").string(),
+                                              scene.string(), "-o", picture.string(), "--quiet",
+                                              "--time", std::to_string(seconds)});
+        std::printf("%s,time,%g,0,%.4f,0,0,none\n", scene.stem().c_str(), seconds, usage.wall);
+    }
+    std::filesystem::remove(picture);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    const std::filesystem::path program = arguments[0];
+    const std::string only = count > 1 ? arguments[1] : "";
+    const auto beside = program.parent_path() / "measure_certain_shades";
+    std::FILE* const other = popen(("'" + beside.string() + "'").c_str(), "r");
+    if (other == nullptr) return 1;
+    std::puts("scene,goal,asked,kept,seconds,trials,best,settings");
+    for (const auto& scene : all_scenes()) {
+        const std::vector<Shade> right = read_shades(other);
+        if (right.size() < shades_of_a_scene) return 1;
+        if (!only.empty() && scene.stem() != only) continue;
+        measure_tolerances(scene, right);
+        measure_times(scene, program.parent_path());
+        std::fflush(stdout);
+    }
+    return pclose(other);
+}
