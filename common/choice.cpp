@@ -204,6 +204,7 @@ private:
 
     void fit_depth_into_time();
     void believe_agreement(const Shot& finest);
+    [[nodiscard]] std::string expected_error() const;
 
     void say(const std::string& what, const std::string& why) {
         constexpr std::size_t width = sizeof "shadow samples" + 1;
@@ -395,14 +396,21 @@ void Chooser::choose_precision(const Open& open_float) {
     }
 }
 
+/// What is known to be off: samples, the reflections that are left out, roundings.
+std::string Chooser::expected_error() const {
+    if (demands_.sized_lights && options_.given.shadow_samples) return "";
+    const bool is_float = choice_.precision == Precision::f32;
+    double error = rounding_error(demands_, is_float ? float_roundoff : demands_.unit_roundoff);
+    error = std::max(error, choice_.expected.error);
+    if (demands_.mirrors && !options_.given.depth) error = std::max(error, limit());
+    return ", and 99 of 100 pixels within " + steps(error);
+}
+
 Choice Chooser::done() {
-    const Trial& expected = choice_.expected;
-    const bool sampled = demands_.sized_lights && !options_.given.shadow_samples;
-    say("expected",
-        number(expected.seconds) + " s" +
-            (sampled ? ", and 99 of 100 pixels within " + steps(expected.error) : "") +
-            (options_.time && expected.seconds > *options_.time ? ": nothing else can be spared"
-                                                                : ""));
+    const double seconds = choice_.expected.seconds;
+    const bool too_long = options_.time && seconds > 1.1 * *options_.time;
+    say("expected", number(seconds) + " s" + expected_error() +
+                        (too_long ? ": nothing else can be spared" : ""));
     say("trials", std::to_string(pixels_) + " of the pixels, " + number(since(read_)) + " s");
     return std::move(choice_);
 }
