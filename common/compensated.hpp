@@ -71,15 +71,22 @@ template <std::size_t count>
     return std::abs(sum) >= 8 * unit_roundoff * size;
 }
 
-/// ⟨a, b⟩ as if computed with twice the digits, then rounded (Ogita, Rump, Oishi 2005, Dot2); with
-/// three times as many where the products cancel most of that.
-[[nodiscard]] inline Real compensated_dot(Vec3 a, Vec3 b) {
-    const Rounded x = exact_product(a.x, b.x);
-    const Rounded y = exact_product(a.y, b.y);
-    const Rounded z = exact_product(a.z, b.z);
+/// The sum of three exact products as if computed with twice the digits, then rounded (Ogita, Rump,
+/// Oishi 2005, Dot2).
+[[nodiscard]] inline Real sum_with_dropped(const std::array<Rounded, 3>& products) {
+    const auto& [x, y, z] = products;
     const Rounded xy = exact_sum(x.value, y.value);
     const Rounded xyz = exact_sum(xy.value, z.value);
-    const Real sum = xyz.value + (xyz.dropped + xy.dropped + x.dropped + y.dropped + z.dropped);
+    return xyz.value + (xyz.dropped + xy.dropped + x.dropped + y.dropped + z.dropped);
+}
+
+/// ⟨a, b⟩ as if computed with twice the digits, then rounded; with three times as many where the
+/// products cancel most of that.
+[[nodiscard]] inline Real compensated_dot(Vec3 a, Vec3 b) {
+    const std::array products = {exact_product(a.x, b.x), exact_product(a.y, b.y),
+                                 exact_product(a.z, b.z)};
+    const Real sum = sum_with_dropped(products);
+    const auto& [x, y, z] = products;
     if (enough_left(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
         return sum;
     return compensated_sum(std::array{x.dropped, y.dropped, z.dropped, x.value, y.value, z.value});
@@ -87,25 +94,22 @@ template <std::size_t count>
 
 /// ⟨n, a − b⟩ with the difference taken exactly, else as compensated_dot.
 [[nodiscard]] inline Real compensated_dot(Vec3 n, Vec3 a, Vec3 b) {
-    const Rounded x = exact_sum(a.x, -b.x);
-    const Rounded y = exact_sum(a.y, -b.y);
-    const Rounded z = exact_sum(a.z, -b.z);
-    const Vec3 rounded(x.value, y.value, z.value);
-    const Vec3 dropped(x.dropped, y.dropped, z.dropped);
-    const Real sum = compensated_dot(n, rounded) + glm::dot(n, dropped);
-    const Vec3 sizes = glm::abs(n * rounded);
-    if (enough_left(sum, sizes.x + sizes.y + sizes.z)) [[likely]]
+    const std::array differences = {exact_sum(a.x, -b.x), exact_sum(a.y, -b.y),
+                                    exact_sum(a.z, -b.z)};
+    const auto& [dx, dy, dz] = differences;
+    const std::array products = {exact_product(n.x, dx.value), exact_product(n.y, dy.value),
+                                 exact_product(n.z, dz.value)};
+    const Real sum =
+        sum_with_dropped(products) + glm::dot(n, Vec3(dx.dropped, dy.dropped, dz.dropped));
+    const auto& [x, y, z] = products;
+    if (enough_left(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
         return sum;
-    std::array<Real, 12> terms;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const Rounded small = exact_product(n[i], dropped[i]);
-        const Rounded large = exact_product(n[i], rounded[i]);
-        terms[std::size_t(i)] = small.dropped;
-        terms[std::size_t(i) + 3] = small.value;
-        terms[std::size_t(i) + 6] = large.dropped;
-        terms[std::size_t(i) + 9] = large.value;
-    }
-    return compensated_sum(terms);
+    const Rounded small_x = exact_product(n.x, dx.dropped);
+    const Rounded small_y = exact_product(n.y, dy.dropped);
+    const Rounded small_z = exact_product(n.z, dz.dropped);
+    return compensated_sum(std::array{small_x.dropped, small_y.dropped, small_z.dropped,
+                                      small_x.value, small_y.value, small_z.value, x.dropped,
+                                      y.dropped, z.dropped, x.value, y.value, z.value});
 }
 
 }  // namespace rt

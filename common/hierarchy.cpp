@@ -23,8 +23,8 @@ constexpr std::size_t thread_size = 16384;
 Node empty_node() {
     Node node;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.planes[2 * axis].fill(all_floats(std::numeric_limits<float>::infinity()));
-        node.planes[2 * axis + 1].fill(all_floats(-std::numeric_limits<float>::infinity()));
+        node.planes[2 * axis].fill(all_of<float, float_count>(WideBox::end));
+        node.planes[2 * axis + 1].fill(all_of<float, float_count>(-WideBox::end));
     }
     node.children.fill(Node::leaf_bit);  // NaN may lead there
     return node;

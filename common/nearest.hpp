@@ -10,7 +10,13 @@
 #include "common/surface.hpp"
 #include "common/vector.hpp"
 
+#ifdef RT_EXACT
+#include "common/exact/leader.hpp"
+#endif
+
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace rt::inline RT_PRECISION {
 
@@ -47,6 +53,7 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
 /// Looks through lists of shapes for the smallest t. Every hit shortens the interval, so that the
 /// shapes after it only answer if they are nearer; the point and the normal are worked out once,
 /// for the winner. A kind of shape is looked for with `intersect` and `normal` of its own stage.
+/// The ray must outlive it.
 class Nearest {
 public:
     Nearest(const Ray& ray, Context& context) : ray_(ray), story_(context.story) { ++context.rays; }
@@ -60,36 +67,60 @@ public:
     /// The nearest of everything looked through so far, or nothing.
     [[nodiscard]] std::optional<Hit> hit() const {
         if (winner_ == nullptr) return std::nullopt;
-        const Hit hit = describe_(*this);
-        if (story_ != nullptr) tell_hit(*story_, hit.point, hit.normal);
+        const std::optional<Hit> hit = describe_(*this);
+        if (story_ != nullptr) tell_hit(*story_, hit->point, hit->normal);
         return hit;
     }
 
 private:
     template <class Shape>
     [[gnu::noinline]] void among_some(const Items<Shape>& items) {
-        if (story_ != nullptr) {  // it tells of the misses too
-            for (const Item<Shape>& item : items) try_one(item);
-        } else {
-            items.along(ray_, interval_, [this](const Item<Shape>& item) { try_one(item); });
+        const auto ask = [this](const Item<Shape>& item) {
+            return intersect(ray_, item.shape, interval_);
+        };
+        if (story_ == nullptr) {
+            items.along(ray_, interval_, [&](const Item<Shape>& item) { keep(item, ask(item)); });
+            return;
+        }
+        for (const Item<Shape>& item : items) {  // it tells of the misses too
+            const auto answer = ask(item);
+            tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
+            keep(item, answer);
         }
     }
 
-    template <class Shape>
-    void try_one(const Item<Shape>& item) {
-        const auto answer = intersect(ray_, item.shape, interval_);
-        if (story_ != nullptr) tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
+    template <class Shape, class Answer>
+    void keep(const Item<Shape>& item, const Answer& answer) {
         if (!answer) return;
+#ifdef RT_EXACT
+        if (!leader_.yields_to(ray_, item, *answer, interval_)) return;
+#else
         interval_.max = *t_of(answer);
+#endif
         if constexpr (std::is_same_v<Shape, PlacedMesh>) in_mesh_ = *answer;
         winner_ = &item;
         describe_ = &describe<Shape>;
     }
 
+#ifdef RT_EXACT
+    [[nodiscard]] Real t() const {
+        return leader_.t();
+    }
+    LeadingItem leader_;
+#else
+    [[nodiscard]] Real t() const {
+        return interval_.max;
+    }
+#endif
+
     template <class Shape>
-    static Hit describe(const Nearest& nearest) {
+    static std::optional<Hit> describe(const Nearest& nearest) {
         const auto& item = *static_cast<const Item<Shape>*>(nearest.winner_);
-        Hit hit{.t = nearest.interval_.max, .material = &item.material};
+        // As it is handed on, so that nothing is copied.
+        std::optional<Hit> answer(std::in_place);
+        Hit& hit = *answer;
+        hit.t = nearest.t();
+        hit.material = &item.material;
         if constexpr (std::is_same_v<Shape, PlacedMesh>) {
             const auto [point, error] = projected(item.shape, nearest.in_mesh_);
             hit.point = point;
@@ -102,15 +133,15 @@ private:
             hit.error = error;
             hit.normal = hit.side = normal(item.shape, point);
         }
-        return hit;
+        return answer;
     }
 
-    Ray ray_;
+    const Ray& ray_;
     Story* story_;
     Interval interval_;
     MeshHit in_mesh_;
     const void* winner_ = nullptr;
-    Hit (*describe_)(const Nearest&) = nullptr;
+    std::optional<Hit> (*describe_)(const Nearest&) = nullptr;
 };
 
 /// Whether the ray meets the shape at all strictly inside the interval. Meshes are quicker at this
@@ -121,7 +152,7 @@ bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
 }
 
 /// Looks through lists of shapes for any that the ray meets inside the interval, and asks no more
-/// once there is one.
+/// once there is one. The ray must outlive it.
 class Blocker {
 public:
     Blocker(const Ray& ray, Interval interval, Context& context)
@@ -146,7 +177,7 @@ private:
         });
     }
 
-    Ray ray_;
+    const Ray& ray_;
     Interval interval_;
     Story* story_;
     bool found_ = false;

@@ -1,8 +1,6 @@
 #include "common/packed_mesh.hpp"
 
-#ifdef RT_EXACT
-#include "common/exact/triangle_test.hpp"
-#endif
+#include "common/bounds.hpp"
 
 #include <future>
 
@@ -11,12 +9,6 @@ namespace rt::inline RT_PRECISION {
 inline namespace RT_LANES {
 
 namespace {
-
-#ifdef RT_EXACT
-using Test = ExactTriangleTest;
-#else
-using Test = TriangleTest;
-#endif
 
 /// The power of two that brings the largest coordinate between 1 and 2, so that no area over- or
 /// underflows; or as near to it as its inverse stays finite.
@@ -58,23 +50,26 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
 }  // namespace
 
 PackedMesh::PackedMesh(const Mesh& mesh) {
-    auto boxes = made<Box>(mesh.triangles.size(), [&](std::size_t triangle) {
-        const auto& [a, b, c] = mesh.triangles[triangle];
-        return united({.min = mesh.vertices[a], .max = mesh.vertices[a]},
-                      united({.min = mesh.vertices[b], .max = mesh.vertices[b]}, mesh.vertices[c]));
-    });
-    for (const Box& box : boxes) bounds_ = united(bounds_, box);
+    bounds_ = rt::bounds(mesh);
     scale_ = scale_for(bounds_);
-    for (Box& box : boxes) box = {.min = scale_ * box.min, .max = scale_ * box.max};
+    const auto boxes = made<Box>(mesh.triangles.size(), [&](std::size_t triangle) {
+        const auto& [i, j, k] = mesh.triangles[triangle];
+        const Vec3& a = mesh.vertices[i];
+        const Vec3& b = mesh.vertices[j];
+        const Vec3& c = mesh.vertices[k];
+        return Box{.min = scale_ * glm::min(a, glm::min(b, c)),
+                   .max = scale_ * glm::max(a, glm::max(b, c))};
+    });
     hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::packed);
     packets_ = made<TrianglePacket>(hierarchy_.leaves().size(), [&](std::size_t leaf) {
         return packed(mesh, hierarchy_.leaves()[leaf], scale_);
     });
 }
 
+#ifndef RT_EXACT  // which asks in common/exact/packed_triangles.cpp
 std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const Test test(seen);
+    const TriangleTest test(seen);
     Interval left = scaled(interval);
     const std::uint32_t* triangle = nullptr;
     Vec3 areas;
@@ -99,11 +94,12 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
 
 bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const Test test(seen);
+    const TriangleTest test(seen);
     const Interval left = scaled(interval);
     return hierarchy_.visit_leaves(
         seen, left, [&](std::size_t leaf) { return test(packets_[leaf], left).hits != 0; });
 }
+#endif
 
 }  // namespace RT_LANES
 

@@ -10,8 +10,13 @@
 
 namespace rt::inline RT_PRECISION {
 
+#ifdef RT_EXACT
+/// Packed ones alone know which of two is nearer where their t do not tell.
+inline constexpr std::size_t packing_pays_from = 1;
+#else
 /// As many triangles as packing pays from; fewer, a cube's twelve, are asked one by one.
 inline constexpr std::size_t packing_pays_from = 16;
+#endif
 
 /// A mesh as its file has it, and the same triangles packed for rays if there are many.
 struct Model {

@@ -37,10 +37,11 @@ Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
     return result;
 }
 
-/// Every row once, neighbours far apart: any part of them takes its share of the time.
-std::vector<int> scattered(int rows) {
+/// Every row once. For a pace neighbours are far apart, so that any part of them takes its share of
+/// the time; else they follow each other, and find in the cache what the one before has asked for.
+std::vector<int> order_of(int rows, bool paced) {
     constexpr double golden_ratio = 0.6180339887498949;
-    int step = int(golden_ratio * rows);
+    int step = paced ? int(golden_ratio * rows) : 1;
     while (std::gcd(step, rows) != 1) ++step;
     std::vector<int> order;
     for (int i = 0, row = 0; i < rows; ++i, row = (row + step) % rows) order.push_back(row);
@@ -77,7 +78,7 @@ std::optional<Rendering> render(const Scene& scene, const RenderSettings& settin
     const auto stopped = [&settings] { return settings.stop != nullptr && *settings.stop; };
 
     // Threads take rows in turn, so that a costly part of the picture is shared.
-    const std::vector<int> order = scattered(scene.resolution.height);
+    const std::vector<int> order = order_of(scene.resolution.height, settings.pace != nullptr);
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < order.size() && !stopped(); i = next++) {

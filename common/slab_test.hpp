@@ -23,13 +23,13 @@ struct Frame {
 };
 
 /// Eight boxes and what is in each: a node, or with the leaf bit a leaf. A box not used is empty.
-/// Eight as twice four: half as many nodes one after the other, each of which waits for the last,
-/// are worth up to a quarter even where vectors have only four lanes.
+/// Eight, though vectors may have only four lanes: half as many nodes one after the other, each of
+/// which waits for the last, are worth up to a quarter even there.
 struct alignas(64) Node {
-    static constexpr std::size_t width = 2 * lane_count;
+    static constexpr std::size_t width = 8;
     static constexpr std::uint32_t leaf_bit = std::uint32_t(1) << 31;
 
-    using Row = std::array<Floats, 2>;
+    using Row = std::array<MoreFloats, width / float_count>;
 
     std::array<Row, 6> planes;  ///< in the frame: smallest x, largest x, smallest y, …
     std::array<std::uint32_t, width> children;
@@ -76,17 +76,20 @@ public:
     [[nodiscard]] bool passes_by() const { return passes_by_; }
 
     struct Answer {
-        Node::Row near;  ///< where the ray enters each box
-        unsigned hits;   ///< one bit a box
+        Node::Row near;     ///< where the ray enters each box
+        unsigned hits = 0;  ///< one bit a box
     };
 
     /// The boxes that the ray enters before limit.
     [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, float limit) const {
-        const Floats latest = all_floats(limit);
-        const Node::Row near = {entry(node, 0), entry(node, 1)};
-        return {.near = near,
-                .hits = bits(near[0] <= exit(node, 0, latest)) |
-                        bits(near[1] <= exit(node, 1, latest)) << lane_count};
+        const MoreFloats latest = all(limit);
+        Answer answer;
+        for (std::size_t part = 0; part < answer.near.size(); ++part) {
+            answer.near[part] = entry(node, part);
+            answer.hits |= bits(answer.near[part] <= exit(node, part, latest))
+                           << (part * float_count);
+        }
+        return answer;
     }
 
     /// The ray enters every box that it meets before t = max before this. It is finite, as a ray
@@ -107,12 +110,16 @@ private:
     /// A slab's time has four roundings, one more where the ray leaves: 1 + γ₄ + γ₅ (Ize 2013, §2).
     static constexpr float padding = 1 + 12 * float_roundoff;
 
+    [[nodiscard, gnu::always_inline]] static MoreFloats all(float value) {
+        return all_of<float, float_count>(value);
+    }
+
     /// The ray along one axis.
     struct Axis {
-        Floats near_origin;
-        Floats far_origin;
-        Floats near_inverse;  ///< of the direction
-        Floats far_inverse;   ///< the same, padded
+        MoreFloats near_origin;
+        MoreFloats far_origin;
+        MoreFloats near_inverse;  ///< of the direction
+        MoreFloats far_inverse;   ///< the same, padded
         std::size_t near_plane;
         std::size_t far_plane;
 
@@ -122,43 +129,43 @@ private:
                                     float slack) {
             const auto inverse = float(inverse_direction);
             const float forward = std::copysign(slack, inverse);
-            near_origin = all_floats(float(place) + forward);
-            far_origin = all_floats(float(place) - forward);
-            near_inverse = all_floats(inverse);
-            far_inverse = all_floats(inverse * padding);
+            near_origin = all(float(place) + forward);
+            far_origin = all(float(place) - forward);
+            near_inverse = all(inverse);
+            far_inverse = all(inverse * padding);
             const auto backward = std::size_t(std::signbit(inverse));
             near_plane = (2 * axis + backward) * sizeof(Node::Row);
             far_plane = (2 * axis + 1 - backward) * sizeof(Node::Row);
         }
 
-        [[nodiscard, gnu::always_inline]] Floats near(const Node& node, std::size_t half) const {
-            return (plane(node, near_plane, half) - near_origin) * near_inverse;
+        [[nodiscard, gnu::always_inline]] MoreFloats near(const Node& node,
+                                                          std::size_t part) const {
+            return (plane(node, near_plane, part) - near_origin) * near_inverse;
         }
 
-        [[nodiscard, gnu::always_inline]] Floats far(const Node& node, std::size_t half) const {
-            return (plane(node, far_plane, half) - far_origin) * far_inverse;
+        [[nodiscard, gnu::always_inline]] MoreFloats far(const Node& node, std::size_t part) const {
+            return (plane(node, far_plane, part) - far_origin) * far_inverse;
         }
     };
 
     /// A row by its place in bytes: making that from an index would take as long as the test.
-    [[nodiscard, gnu::always_inline]] static Floats plane(const Node& node, std::size_t row,
-                                                          std::size_t half) {
-        Floats lanes;
-        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + half * sizeof(Floats),
+    [[nodiscard, gnu::always_inline]] static MoreFloats plane(const Node& node, std::size_t row,
+                                                              std::size_t part) {
+        MoreFloats lanes;
+        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + part * sizeof lanes,
                     sizeof lanes);
         return lanes;
     }
 
     // Where the ray runs in a box's face, 0 · ∞ is NaN: in this order it only drops a condition.
 
-    [[nodiscard, gnu::always_inline]] Floats entry(const Node& node, std::size_t half) const {
-        return max(max(x_.near(node, half), y_.near(node, half)),
-                   max(z_.near(node, half), all_floats(0)));
+    [[nodiscard, gnu::always_inline]] MoreFloats entry(const Node& node, std::size_t part) const {
+        return max(max(x_.near(node, part), y_.near(node, part)), max(z_.near(node, part), all(0)));
     }
 
-    [[nodiscard, gnu::always_inline]] Floats exit(const Node& node, std::size_t half,
-                                                  Floats latest) const {
-        return min(min(x_.far(node, half), y_.far(node, half)), min(z_.far(node, half), latest));
+    [[nodiscard, gnu::always_inline]] MoreFloats exit(const Node& node, std::size_t part,
+                                                      MoreFloats latest) const {
+        return min(min(x_.far(node, part), y_.far(node, part)), min(z_.far(node, part), latest));
     }
 
     Real start_ = 0;  ///< the t of the place

@@ -27,8 +27,8 @@ struct Crossings {
 /// The frame is changed so that the ray is the z axis, and a vertex gets the same bits in whichever
 /// triangle it stands. An area's sign is then never wrong, since rounding keeps the order of the
 /// two products whose difference it is: at worst it is 0, which counts as inside. So a ray through
-/// a shared edge or vertex meets at least one of the triangles. This needs no fma, which without
-/// -march is a call, but -ffp-contract=off.
+/// a shared edge or vertex meets at least one of the triangles. This needs no fma, which on some
+/// processors is a call, but -ffp-contract=off.
 class TriangleTest {
 public:
     [[gnu::always_inline]] explicit TriangleTest(const Ray& ray) {

@@ -1,9 +1,10 @@
-// Four numbers at a time, as one instruction takes them (GCC's and Clang's vector extensions), or
-// one after the other where the compiler has none: the same bits either way.
+// Four or eight numbers at a time, as one instruction takes them (GCC's and Clang's vector
+// extensions), or one after the other where the compiler has none: the same bits either way.
 #pragma once
 
 #include "common/real.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -13,29 +14,38 @@
 #include <immintrin.h>
 #endif
 
-// Which of the two. What holds lanes lives in this inline namespace, so that a suite can compile
-// the other form beside the one that programs use.
+// Which way. What holds lanes lives in this inline namespace, so that objects that were compiled in
+// different ways link into one program: a suite compares them, and a hand-out's archives are for
+// any processor.
 #ifndef RT_LANES
-#ifdef __GNUC__
+#if !defined(__GNUC__)
+#define RT_LANES scalar_lanes
+#elif !defined(__AVX__)
 #define RT_LANES vector_lanes
 #else
-#define RT_LANES scalar_lanes
+#define RT_LANES long_vector_lanes
 #endif
 #endif
 
 namespace rt::inline RT_PRECISION {
 
-/// What four lanes are made of: one number, or the 16 bytes that every machine's vectors hold.
+/// What lanes are made of: one number, the 16 bytes that every machine's vectors hold, or 32.
 namespace lane_parts {
-template <class Number>
+template <class Number, std::size_t count>
 struct scalar_lanes {
     using Part = Number;
     using Mask = int;
 };
 #ifdef __GNUC__
-template <class Number>
+template <class Number, std::size_t count>
 struct vector_lanes {
     typedef Number Part __attribute__((vector_size(16)));
+    using Mask = decltype(Part{} < Part{});
+};
+template <class Number, std::size_t count>
+struct long_vector_lanes {
+    static constexpr std::size_t size = std::min(count * sizeof(Number), std::size_t(32));
+    typedef Number Part __attribute__((vector_size(size)));
     using Mask = decltype(Part{} < Part{});
 };
 #endif
@@ -43,117 +53,145 @@ struct vector_lanes {
 
 inline namespace RT_LANES {
 
-template <class Number>
-using LanePart = typename lane_parts::RT_LANES<Number>::Part;
-template <class Number>
-using LaneMask = typename lane_parts::RT_LANES<Number>::Mask;
+template <class Number, std::size_t count>
+using LanePart = typename lane_parts::RT_LANES<Number, count>::Part;
+template <class Number, std::size_t count>
+using LaneMask = typename lane_parts::RT_LANES<Number, count>::Mask;
 
-inline constexpr std::size_t lane_count = 4;
-template <class Number>
-inline constexpr std::size_t lane_part_count = lane_count * sizeof(Number) /
-                                               sizeof(LanePart<Number>);
+template <class Number, std::size_t count>
+inline constexpr std::size_t lane_part_count = count * sizeof(Number) /
+                                               sizeof(LanePart<Number, count>);
 
 /// op(0), op(1), … for every part. Written out: a loop over two parts would keep them in memory.
-template <class Number, template <class> class Result, class Op>
-[[nodiscard]] inline Result<Number> each_part(Op op) {
-    if constexpr (lane_part_count<Number> == 1) return {{op(0)}};
-    if constexpr (lane_part_count<Number> == 2) return {{op(0), op(1)}};
-    if constexpr (lane_part_count<Number> == 4) return {{op(0), op(1), op(2), op(3)}};
+template <class Number, std::size_t count, template <class, std::size_t> class Result, class Op>
+[[nodiscard]] inline Result<Number, count> each_part(Op op) {
+    constexpr std::size_t parts = lane_part_count<Number, count>;
+    if constexpr (parts == 1) return {{op(0)}};
+    if constexpr (parts == 2) return {{op(0), op(1)}};
+    if constexpr (parts == 4) return {{op(0), op(1), op(2), op(3)}};
 }
 
 /// What a comparison says of each lane.
-template <class Number>
+template <class Number, std::size_t count>
 struct MaskOf {
-    std::array<LaneMask<Number>, lane_part_count<Number>> parts;
+    std::array<LaneMask<Number, count>, lane_part_count<Number, count>> parts;
 };
 
-/// Four numbers that every operation treats alike.
-template <class Number>
-struct alignas(16) LanesOf {
-    std::array<LanePart<Number>, lane_part_count<Number>> parts;
+/// Numbers that every operation treats alike.
+template <class Number, std::size_t count>
+struct alignas(count * sizeof(Number)) LanesOf {
+    std::array<LanePart<Number, count>, lane_part_count<Number, count>> parts;
 };
 
-using Lanes = LanesOf<Real>;
-using Floats = LanesOf<float>;  ///< in either precision
+inline constexpr std::size_t lane_count = 4;
+/// How many floats are one instruction's: eight, if it holds as many.
+inline constexpr std::size_t float_count =
+    std::max(lane_count, sizeof(LanePart<float, 8>) / sizeof(float));
 
-/// The same number four times.
+using Lanes = LanesOf<Real, lane_count>;
+using Floats = LanesOf<float, lane_count>;  ///< in either precision
+using MoreFloats = LanesOf<float, float_count>;
+
+/// The same number in every lane.
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> all_of(Number value) {
+    return each_part<Number, count, LanesOf>(
+        [value](std::size_t) { return value - LanePart<Number, count>{}; });
+}
+
 [[nodiscard]] inline Lanes all_lanes(Real value) {
-    return each_part<Real, LanesOf>([value](std::size_t) { return value - LanePart<Real>{}; });
+    return all_of<Real, lane_count>(value);
 }
 
 [[nodiscard]] inline Floats all_floats(float value) {
-    return each_part<float, LanesOf>([value](std::size_t) { return value - LanePart<float>{}; });
+    return all_of<float, lane_count>(value);
 }
 
 [[nodiscard]] inline Floats floats_of(const std::array<float, lane_count>& values) {
     return std::bit_cast<Floats>(values);
 }
 
-template <class Number>
-[[nodiscard]] inline std::array<Number, lane_count> values(LanesOf<Number> lanes) {
-    return std::bit_cast<std::array<Number, lane_count>>(lanes);
+template <class Number, std::size_t count>
+[[nodiscard]] inline std::array<Number, count> values(LanesOf<Number, count> lanes) {
+    return std::bit_cast<std::array<Number, count>>(lanes);
 }
 
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> operator+(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] + b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator+(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] + b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> operator-(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] - b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator-(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] - b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> operator*(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] * b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator*(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] * b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> operator/(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>([&](std::size_t i) { return a.parts[i] / b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator/(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] / b.parts[i]; });
 }
 
 /// The smaller of each pair; b's, where either is NaN.
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> min(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>(
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> min(LanesOf<Number, count> a,
+                                                LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
         [&](std::size_t i) { return a.parts[i] < b.parts[i] ? a.parts[i] : b.parts[i]; });
 }
 
 /// The larger of each pair; b's, where either is NaN.
-template <class Number>
-[[nodiscard]] inline LanesOf<Number> max(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, LanesOf>(
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> max(LanesOf<Number, count> a,
+                                                LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
         [&](std::size_t i) { return a.parts[i] > b.parts[i] ? a.parts[i] : b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline MaskOf<Number> operator<(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, MaskOf>([&](std::size_t i) { return a.parts[i] < b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator<(LanesOf<Number, count> a,
+                                                     LanesOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>([&](std::size_t i) { return a.parts[i] < b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline MaskOf<Number> operator<=(LanesOf<Number> a, LanesOf<Number> b) {
-    return each_part<Number, MaskOf>([&](std::size_t i) { return a.parts[i] <= b.parts[i]; });
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator<=(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return a.parts[i] <= b.parts[i]; });
 }
 
-template <class Number>
-[[nodiscard]] inline MaskOf<Number> operator&(MaskOf<Number> a, MaskOf<Number> b) {
-    return each_part<Number, MaskOf>(
-        [&](std::size_t i) { return LaneMask<Number>(a.parts[i] & b.parts[i]); });
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator&(MaskOf<Number, count> a,
+                                                     MaskOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] & b.parts[i]); });
 }
 
-template <class Number>
-[[nodiscard]] inline MaskOf<Number> operator|(MaskOf<Number> a, MaskOf<Number> b) {
-    return each_part<Number, MaskOf>(
-        [&](std::size_t i) { return LaneMask<Number>(a.parts[i] | b.parts[i]); });
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator|(MaskOf<Number, count> a,
+                                                     MaskOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] | b.parts[i]); });
 }
 
 /// One bit a lane, the first lane's lowest.
-[[nodiscard]] inline unsigned bits(const std::array<int, lane_count>& lanes) {
+template <std::size_t count>
+[[nodiscard]] inline unsigned bits(const std::array<int, count>& lanes) {
     unsigned result = 0;
-    for (std::size_t i = 0; i < lane_count; ++i) result |= unsigned(lanes[i]) << i;
+    for (std::size_t i = 0; i < count; ++i) result |= unsigned(lanes[i]) << i;
     return result;
 }
 
@@ -167,20 +205,30 @@ template <class Number>
 }
 #endif
 
-template <class Number>
-[[nodiscard]] inline unsigned bits(MaskOf<Number> mask) {
-    if constexpr (std::is_same_v<LaneMask<Number>, int>) {
+#ifdef __AVX__
+[[nodiscard]] inline unsigned sign_bits(__m256 part) {
+    return unsigned(_mm256_movemask_ps(part));
+}
+
+[[nodiscard]] inline unsigned sign_bits(__m256d part) {
+    return unsigned(_mm256_movemask_pd(part));
+}
+#endif
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline unsigned bits(MaskOf<Number, count> mask) {
+    if constexpr (std::is_same_v<LaneMask<Number, count>, int>) {
         return bits(mask.parts);
     } else {
         unsigned result = 0;
 #ifdef __SSE2__
         for (std::size_t i = 0; i < mask.parts.size(); ++i)
-            result |= sign_bits(std::bit_cast<LanePart<Number>>(mask.parts[i]))
-                      << (i * lane_count / mask.parts.size());
+            result |= sign_bits(std::bit_cast<LanePart<Number, count>>(mask.parts[i]))
+                      << (i * count / mask.parts.size());
 #else
         using Word = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
-        const auto words = std::bit_cast<std::array<Word, lane_count>>(mask.parts);
-        for (std::size_t i = 0; i < lane_count; ++i) result |= unsigned(words[i] & 1) << i;
+        const auto words = std::bit_cast<std::array<Word, count>>(mask.parts);
+        for (std::size_t i = 0; i < count; ++i) result |= unsigned(words[i] & 1) << i;
 #endif
         return result;
     }

@@ -1,26 +1,28 @@
 # In a hand-out, what shows a solution is an archive of its objects, without sources.
 
-# raysteps_archive(<name> <folder> <objects>)
+# raysteps_archive(<name> <folder> <source>...)
 #
-# f32.a and f64.a for this folder of a hand-out, of those objects of <name>_f32 and _f64 whose path
-# ends so. The target `archives` makes them all, in the folder archives/ of the build.
-function(raysteps_archive name folder objects)
+# f32.a and f64.a for this folder of a hand-out: the sources, compiled once more, for any processor.
+# The target `archives` makes them all, in the folder archives/ of the build.
+function(raysteps_archive name folder)
     if(NOT TARGET archives)
         add_custom_target(archives)
     endif()
     foreach(precision IN ITEMS f32 f64)
         set(archive ${name}_archive_${precision})
-        add_library(${archive} STATIC EXCLUDE_FROM_ALL
-            "$<FILTER:$<TARGET_OBJECTS:${name}_${precision}>,INCLUDE,${objects}$>")
+        add_library(${archive} STATIC EXCLUDE_FROM_ALL ${ARGN})
+        target_link_libraries(${archive} PRIVATE raysteps_options)
         set_target_properties(${archive} PROPERTIES
+            RAYSTEPS_ANY_PROCESSOR ON
             ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}
-            LINKER_LANGUAGE CXX PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
+            PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
         if(CMAKE_STRIP)
             add_custom_command(TARGET ${archive} POST_BUILD
                 COMMAND ${CMAKE_STRIP} --strip-unneeded $<TARGET_FILE:${archive}> VERBATIM)
         endif()
         add_dependencies(archives ${archive})
     endforeach()
+    target_compile_definitions(${name}_archive_f32 PRIVATE RT_FLOAT)
 endfunction()
 
 # raysteps_link_archive(<name> <folder> [WHOLE])

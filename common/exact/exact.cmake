@@ -1,16 +1,8 @@
 # `--precision exact`: certified kernels, steps/stepNN/exact/, in place of the references of stages 3
-# to 8 (docs/stability.md). Theirs are the same functions of the same numbers as the double
-# references', so they are a program of their own: stepNN_name_exact, which shares all other objects
-# with stepNN_name, and is built when it is first asked for.
-
-# Where the processor multiplies and adds at once, std::fma need not be a call: the same bits sooner.
-# They run where they are built.
-include(CheckCXXSourceRuns)
-set(CMAKE_REQUIRED_FLAGS -mfma)
-check_cxx_source_runs("#include <cmath>
-    int main(int argc, char**) { return std::fma(double(argc), 1.0, -double(argc)) == 0 ? 0 : 1; }"
-    RAYSTEPS_FMA)
-unset(CMAKE_REQUIRED_FLAGS)
+# to 8, and what looks for the nearest asks them again where their t are too close to tell
+# (docs/stability.md). Theirs are the same functions of the same numbers as the double references',
+# so they are a program of their own: stepNN_name_exact, which shares all other objects with
+# stepNN_name, and is built when it is first asked for.
 
 # raysteps_exact(<name> <source>...)
 #
@@ -19,10 +11,18 @@ function(raysteps_exact name)
     add_library(${name}_f64 OBJECT EXCLUDE_FROM_ALL ${ARGN})
     target_link_libraries(${name}_f64 PUBLIC raysteps_options)
     target_compile_definitions(${name}_f64 PRIVATE RT_EXACT)
-    if(RAYSTEPS_FMA)
-        target_compile_options(${name}_f64 PRIVATE -mfma)
-    endif()
 endfunction()
+
+# raysteps_common_f64 with packed meshes of certified triangles.
+if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # which has no kernels
+    raysteps_exact(raysteps_exact_packed_mesh
+        ${PROJECT_SOURCE_DIR}/common/packed_mesh.cpp
+        ${PROJECT_SOURCE_DIR}/common/exact/packed_triangles.cpp)
+    add_library(raysteps_exact_common_f64 INTERFACE)
+    target_sources(raysteps_exact_common_f64 INTERFACE
+        $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/packed_mesh\\.cpp>
+        $<TARGET_OBJECTS:raysteps_exact_packed_mesh_f64>)
+endif()
 
 # raysteps_exact_stages(<variable> <stage>...)
 #
@@ -39,20 +39,33 @@ function(raysteps_exact_stages variable)
 endfunction()
 
 # raysteps_exact_program(<stage> <number> <stage of the program>...)
+#
+# And stepNN_name_exact_picture_f64: the picture, of a main.cpp that looks for the nearest exactly.
 function(raysteps_exact_program name number)
+    raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
+    set(picture ${name}_exact_picture_f64)
+    add_library(${picture} INTERFACE)
+    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
+    foreach(part IN LISTS handed_on ITEMS ${name}_exact_main)
+        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${part}_f64>)
+    endforeach()
+    set(common raysteps_common)
+    if(number LESS 13)
+        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
+    else()
+        set(common raysteps_exact_common)
+        raysteps_exact(raysteps_exact_meshes ${PROJECT_SOURCE_DIR}/common/mesh_loading.cpp)
+        target_sources(${picture} INTERFACE
+            $<FILTER:$<TARGET_OBJECTS:raysteps_meshes_f64>,EXCLUDE,/mesh_loading\\.cpp>
+            $<TARGET_OBJECTS:raysteps_exact_meshes_f64>)
+        target_link_libraries(${picture} INTERFACE raysteps_mesh_file)
+    endif()
+
     add_executable(${name}_exact EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/main.cpp)
     target_compile_definitions(${name}_exact PRIVATE
         RT_EXACT RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
     raysteps_exact_stages(parts ${ARGN})
-    if(number LESS 13)
-        list(APPEND parts raysteps_common)
-    else()  # meshes, whose triangles are asked by the kernel
-        raysteps_exact(raysteps_exact_packed_mesh ${PROJECT_SOURCE_DIR}/common/packed_mesh.cpp)
-        list(APPEND parts raysteps_exact_packed_mesh)
-        target_sources(${name}_exact PRIVATE
-            $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/packed_mesh\\.cpp>)
-    endif()
-    foreach(part IN LISTS parts ITEMS ${name}_picture)
+    foreach(part IN LISTS parts ITEMS ${common} ${name}_exact_picture)
         target_link_libraries(${name}_exact PRIVATE ${part}_f64)
     endforeach()
     target_link_libraries(${name}_exact PRIVATE raysteps_neutral raysteps_options Threads::Threads)

@@ -1,76 +1,31 @@
-// The first hit of a ray, decided with twice the digits, or with as many as it takes.
-//
-// A shape says what it is along the ray: where it is a polynomial's root, on the part of it where
-// others are not negative. In what numbers is left open, and so is the question asked of both.
+// The first hit of a ray, decided with twice the digits, or with as many as it takes: the same
+// question asked of both.
 #pragma once
 
-#include "common/exact/expansion.hpp"
-#include "common/ray.hpp"
-#include "common/vector.hpp"
+#include "common/exact/crossing.hpp"
+#include "common/exact/dyadic.hpp"
 
-#include <algorithm>
 #include <type_traits>
 
-namespace rt::inline RT_PRECISION {
-
-/// c0 + c1 t + c2 t².
-template <class T>
-struct Polynomial {
-    T c0 = Real(0);
-    T c1 = Real(0);
-    T c2 = Real(0);
-};
-
-/// What a shape is along a ray.
-template <class T, std::size_t count>
-struct Crossing {
-    T a = Real(0);  ///< a t² + 2 b t + c = 0 where the ray meets the whole of the surface
-    T b = Real(0);
-    T c = Real(0);
-    std::array<Polynomial<T>, count> conditions;  ///< none of them negative on the shape's part
-};
-
-template <class T>
-struct Triple {
-    T x;
-    T y;
-    T z;
-
-    friend Triple operator-(const Triple& v, const Triple& w) {
-        return {v.x - w.x, v.y - w.y, v.z - w.z};
-    }
-};
-
-/// An answer, unless it must be asked again with more digits.
-struct Decision {
-    bool certain = true;
-    std::optional<Real> t = std::nullopt;
-};
-
-}  // namespace rt::inline RT_PRECISION
-
 namespace rt {
-
-template <class T>
-[[nodiscard]] T dot(const Triple<T>& v, const Triple<T>& w) {
-    return v.x * w.x + v.y * w.y + v.z * w.z;
-}
-
-template <class T>
-[[nodiscard]] Triple<T> cross(const Triple<T>& v, const Triple<T>& w) {
-    return {v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-}
-
-template <class T>
-[[nodiscard]] Triple<T> exactly(Vec3 v) {
-    return {T(v.x), T(v.y), T(v.z)};
-}
 
 [[nodiscard]] inline TwoWords two_words(const TwoWords& number) {
     return number;
 }
-[[nodiscard]] inline TwoWords two_words(const Expansion& number) {
+[[nodiscard]] inline TwoWords two_words(const Dyadic& number) {
     return number.rounded();
+}
+
+/// The sign of p + q √d, if d is not negative: where the two disagree, the larger square decides.
+[[nodiscard]] inline std::optional<int> sign_of_sum(const Dyadic& p, const Dyadic& q,
+                                                    const Dyadic& d) {
+    const auto first = p.sign();
+    const auto second = (q * d).sign();
+    if (!first || !second) return std::nullopt;
+    if (*first * *second >= 0) return *first != 0 ? first : second;
+    const auto larger = (p * p - q * q * d).sign();
+    if (!larger) return std::nullopt;
+    return *first * *larger;
 }
 
 }  // namespace rt
@@ -90,22 +45,20 @@ struct Root {
     [[nodiscard]] std::optional<int> sign_of(const Polynomial<T>& p) const {
         const TwoWords there =
             (two_words(p.c2) * value + two_words(p.c1)) * value + two_words(p.c0);
-        if (const auto sign = there.sign()) return sign;
-        if constexpr (std::is_same_v<T, TwoWords>) return std::nullopt;
-        const T& n = denominator;
-        const T both = p.c0 * n * n + p.c1 * n * rational +
-                       p.c2 * (rational * rational + T(Real(surd * surd)) * radicand);
-        if (surd == 0) return both.sign();
-        const T of_root = T(Real(surd)) * (p.c1 * n + (p.c2 + p.c2) * rational);
-        // Where the two disagree, the larger square decides.
-        const auto first = both.sign();
-        const auto second = of_root.sign();  // the radicand is positive
-        const auto larger = (both * both - of_root * of_root * radicand).sign();
-        if (!first || !second || !larger) return std::nullopt;
-        if (*first * *second >= 0) return *first != 0 ? first : second;
-        return *first * *larger;
+        auto sign = there.sign();
+        if constexpr (std::is_same_v<T, Dyadic>)
+            if (!sign) {
+                const T& n = denominator;
+                const T square = rational * rational + T(Real(surd * surd)) * radicand;
+                sign = sign_of_sum(p.c0 * n * n + p.c1 * n * rational + p.c2 * square,
+                                   T(Real(surd)) * (p.c1 * n + (p.c2 + p.c2) * rational), radicand);
+            }
+        return sign;
     }
 };
+
+/// A root of which everything is known.
+using ExactRoot = Root<Dyadic>;
 
 /// Where a ray crosses a surface, in rising order.
 template <class T>
@@ -166,9 +119,16 @@ template <class T>
                               .value = positive ? further : nearer}}};
 }
 
+/// The first of a shape's roots, or none, unless more digits must tell.
+template <class T>
+struct FirstRoot {
+    bool certain = true;
+    std::optional<Root<T>> root = std::nullopt;
+};
+
 /// The first of the crossings on the shape strictly inside the interval.
 template <class T, std::size_t count>
-[[nodiscard]] Decision first_hit(const Crossing<T, count>& crossing, Interval interval) {
+[[nodiscard]] FirstRoot<T> first_root(const Crossing<T, count>& crossing, Interval interval) {
     const Roots<T> found = roots_of(crossing.a, crossing.b, crossing.c);
     if (!found.certain) return {.certain = false};
     for (std::size_t i = 0; i < found.count; ++i) {
@@ -187,36 +147,57 @@ template <class T, std::size_t count>
             if (!sign) return {.certain = false};
             belongs = belongs && *sign >= 0;
         }
-        if (!belongs) continue;
-        const Real t = root.value.high;
-        return {.certain = root.value.error <= unit_roundoff * std::abs(t), .t = t};
+        if (belongs) return {.root = root};
     }
     return {};
 }
+
+/// An answer, unless it must be asked again with more digits.
+struct Decision {
+    bool certain = true;
+    std::optional<Real> t = std::nullopt;
+};
+
+/// A question in units of about the shape's size and the ray's speed, or products might leave the
+/// range of numbers. They are powers of two, by which nothing rounds.
+struct InUnits {
+    Ray ray;
+    Interval interval;
+    Real time_unit;
+
+    InUnits(const Ray& in_scene, Real length_unit, Interval in_time) {
+        const Real speed_unit = power_of_two_below(largest_component(in_scene.direction));
+        time_unit = length_unit / speed_unit;
+        ray = {.origin = in_scene.origin / length_unit,
+               .direction = in_scene.direction / speed_unit};
+        interval = {.min = in_time.min / time_unit, .max = in_time.max / time_unit};
+    }
+};
 
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
 
-/// The first hit of a shape of which `crossing_in` says, in the numbers it is given an example of,
-/// what it is along a ray. Both must be in units of about the shape's size and the ray's speed, or
-/// products might leave the range of numbers. Nothing where a number is infinite or NaN.
+/// The first hit of a shape. Nothing where a number is infinite or NaN.
 template <class CrossingIn>
-[[nodiscard]] std::optional<Real> decided(const Ray& ray, Real length_unit, Interval interval,
-                                          const CrossingIn& crossing_in) {
-    // Powers of two, by which nothing rounds.
-    const Real speed_unit = power_of_two_below(largest_component(ray.direction));
-    const Real time_unit = length_unit / speed_unit;
-    const Ray near{.origin = ray.origin / length_unit, .direction = ray.direction / speed_unit};
-    const Interval in_units{.min = interval.min / time_unit, .max = interval.max / time_unit};
-    Decision decision = first_hit(crossing_in(TwoWords(), near), in_units);
-    if (!decision.certain) decision = first_hit(crossing_in(Expansion(), near), in_units);
+[[nodiscard]] std::optional<Real> decided(const Ray& ray, const Along<CrossingIn>& shape,
+                                          Interval interval) {
+    const InUnits asked(ray, shape.length_unit, interval);
+    const auto decide = [&]<class T>(T number) -> Decision {
+        const auto found = first_root(shape.crossing_in(number, asked.ray), asked.interval);
+        if (!found.certain || !found.root) return {.certain = found.certain};
+        const TwoWords& t = found.root->value;
+        return {.certain = t.error <= unit_roundoff * std::abs(t.high), .t = t.high};
+    };
+    Decision decision = decide(TwoWords());
+    if (!decision.certain) decision = decide(Dyadic());
     if (!decision.certain || !decision.t) return std::nullopt;
-    // Inside the interval, but for what rounding to one word does to it.
-    Real t = *decision.t * time_unit;
+    // Inside the interval, but for what rounding to one word does to it; unless that is infinite.
+    Real t = *decision.t * asked.time_unit;
+    if (t == infinity) return std::nullopt;
     if (t <= interval.min) t = std::nextafter(interval.min, infinity);
     if (t >= interval.max) t = std::nextafter(interval.max, -infinity);
-    if (!interval.contains(t)) return std::nullopt;  // or it has left the range of numbers
+    if (!interval.contains(t)) return std::nullopt;  // which has no number inside
     return t;
 }
 

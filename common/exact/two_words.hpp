@@ -64,6 +64,7 @@ struct TwoWords {
 
     /// Of a positive number.
     [[nodiscard]] friend TwoWords square_root(const TwoWords& a) {
+        if (a.high <= a.error) return {0, 0, 2 * std::sqrt(a.error)};
         const Real first = std::sqrt(a.high);
         const TwoWords rest = a - TwoWords(first) * TwoWords(first);
         return rounded(ordered_sum(first, rest.high / (2 * first)), 2 * rest.error / first);

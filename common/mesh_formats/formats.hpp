@@ -22,7 +22,8 @@ struct CheckedMesh {
 // Each throws InputError with the line of what is wrong.
 
 /// [ST][C][N]OFF as text, one vertex or face a line; colours and texture coordinates are left out.
-/// It becomes a PLY: OpenMesh's OFF reader takes the colour of a face for the next face.
+/// It becomes a binary PLY: OpenMesh's OFF reader takes the colour of a face for the next face, and
+/// over the digits of a million triangles its streams take 0.16 s more.
 [[nodiscard]] CheckedMesh checked_off(std::string content, const std::string& file);
 
 /// Lines v, vn and f; the others are left out.

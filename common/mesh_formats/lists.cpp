@@ -3,6 +3,9 @@
 #include "common/mesh_file.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <limits>
 
 namespace rt {
 
@@ -24,8 +27,8 @@ void check_vertex(std::string_view line, const MeshLines& lines, MeshLists& list
                  " numbers here, on a line of its own, not " + std::to_string(words));
 }
 
-/// What follows the corners.
-std::string_view check_face(std::string_view line, const MeshLines& lines) {
+/// Takes the number of corners off the line.
+int take_corner_count(std::string_view& line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     const auto corners = whole_number(word);
     if (!corners || *corners < 0) {
@@ -35,12 +38,57 @@ std::string_view check_face(std::string_view line, const MeshLines& lines) {
         lines.refuse("a face of " + std::to_string(*corners) + " corners: expected at most " +
                      std::to_string(most_corners));
     }
-    for (std::int64_t i = 0; i < *corners; ++i) {
-        if (!take_word(line).empty()) continue;
-        lines.refuse("a face of " + std::to_string(*corners) + " corners ends after " +
-                     std::to_string(i));
-    }
+    return static_cast<int>(*corners);
+}
+
+/// Takes the i-th corner off the line.
+std::string_view take_corner(std::string_view& line, int corners, int i, const MeshLines& lines) {
+    const std::string_view word = take_word(line);
+    if (!word.empty()) return word;
+    lines.refuse("a face of " + std::to_string(corners) + " corners ends after " +
+                 std::to_string(i));
+}
+
+/// What follows the corners.
+std::string_view check_face(std::string_view line, const MeshLines& lines) {
+    const int corners = take_corner_count(line, lines);
+    for (int i = 0; i < corners; ++i) static_cast<void>(take_corner(line, corners, i, lines));
     return line;
+}
+
+[[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
+    lines.refuse("expected a number that a float holds, or a vertex has, not " + quoted_word(word));
+}
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+    const auto parts = std::bit_cast<std::array<char, sizeof number>>(number);
+    bytes.append(parts.data(), parts.size());
+}
+
+void append_vertex(std::string& bytes, std::string_view line, const MeshLines& lines,
+                   const MeshLists& lists) {
+    for (int i = 0; i < (lists.has_normals ? 6 : 3); ++i) {
+        const std::string_view word = take_word(line);
+        const auto number = float_number(word);
+        if (!number) refuse_number(word, lines);
+        append(bytes, *number);
+    }
+}
+
+void append_face(std::string& bytes, std::string_view line, const MeshLines& lines,
+                 const MeshLists& lists) {
+    const int corners = take_corner_count(line, lines);
+    append(bytes, corners);
+    for (int i = 0; i < corners; ++i) {
+        const std::string_view word = take_corner(line, corners, i, lines);
+        const auto vertex = whole_number(word);
+        if (!vertex) refuse_number(word, lines);
+        if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= lists.vertices)
+            lines.refuse("vertex " + std::to_string(*vertex) + " is not there: expected 0 to " +
+                         std::to_string(lists.vertices - 1));
+        append(bytes, static_cast<std::int32_t>(*vertex));
+    }
 }
 
 }  // namespace
@@ -53,6 +101,20 @@ void check_lists(std::string& content, MeshLines& lines, MeshLists& lists) {
         const auto rest = check_face(next_item(lines, "faces", i, lists.faces), lines);
         std::fill_n(content.begin() + (rest.data() - content.data()), rest.size(), ' ');
     }
+}
+
+std::string binary_lists(MeshLines& lines, MeshLists& lists) {
+    std::string bytes;
+    bytes.reserve(2 * lines.left());  // a digit and a blank for four bytes, at worst
+    for (std::uint64_t i = 0; i < lists.vertices; ++i) {
+        const std::string_view line = next_item(lines, "vertices", i, lists.vertices);
+        check_vertex(line, lines, lists);
+        lists.has_normals = lists.has_normals && lists.words_a_vertex >= 6;
+        append_vertex(bytes, line, lines, lists);
+    }
+    for (std::uint64_t i = 0; i < lists.faces; ++i)
+        append_face(bytes, next_item(lines, "faces", i, lists.faces), lines, lists);
+    return bytes;
 }
 
 }  // namespace rt

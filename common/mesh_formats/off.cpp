@@ -3,6 +3,7 @@
 #include "common/mesh_formats/text.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace rt {
 
@@ -60,25 +61,18 @@ CheckedMesh checked_off(std::string content, const std::string& file) {
     lists.vertices = take_count(line, "vertices", lines);
     lists.faces = take_count(line, "faces", lines);
 
-    CheckedMesh checked = {.reader = "ply", .body_line = lines.number() + 1};
-    const std::size_t body = lines.position();
     lists.words_a_vertex = 0;
-    check_lists(content, lines, lists);
+    lists.has_normals = has_normals;
+    const std::string body = binary_lists(lines, lists);
 
-    std::string header = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(lists.vertices) +
+    constexpr bool is_little = std::endian::native == std::endian::little;
+    std::string header = std::string("ply\nformat binary_") + (is_little ? "little" : "big") +
+                         "_endian 1.0\nelement vertex " + std::to_string(lists.vertices) +
                          "\nproperty float x\nproperty float y\nproperty float z\n";
-    std::size_t words = 3;
-    if (has_normals && lists.words_a_vertex >= 6) {
-        header += "property float nx\nproperty float ny\nproperty float nz\n";
-        words = 6;
-    }
-    for (; words < lists.words_a_vertex; ++words) header += "property float _\n";
+    if (lists.has_normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
     header += "element face " + std::to_string(lists.faces) +
-              "\nproperty list uchar int vertex_indices\nend_header\n";
-    checked.body = header.size();
-    content.replace(0, body, header);
-    checked.content = std::move(content);
-    return checked;
+              "\nproperty list int int vertex_indices\nend_header\n";
+    return {.content = header + body, .reader = "ply", .is_binary = true};
 }
 
 }  // namespace rt

@@ -13,15 +13,6 @@ constexpr bool is_blank(char c) {
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Whether OpenMesh's streams read all of the word as a float. (strtof reads more: "inf", "0x1p3".)
-bool is_float(std::string_view word) {
-    constexpr std::string_view allowed = "0123456789+-.eE";
-    if (word.find_first_not_of(allowed) != std::string_view::npos) return false;
-    char* end = nullptr;
-    const float value = std::strtof(word.data(), &end);
-    return end == word.data() + word.size() && std::isfinite(value);
-}
-
 }  // namespace
 
 void plain_text(std::string& content) {
@@ -77,10 +68,26 @@ std::optional<std::int64_t> whole_number(std::string_view word) {
     return value;
 }
 
+std::optional<float> float_number(std::string_view word) {
+    float value = 0;
+    const char* const last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), last, value);
+    if (error == std::errc() && end == last && std::isfinite(value)) return value;
+    // Which knows no "+1", and nothing near 0 that a float holds as 0. (strtof reads "0x1p3", too.)
+    constexpr std::string_view allowed = "0123456789+-.eE";
+    if (word.find_first_not_of(allowed) != std::string_view::npos) return std::nullopt;
+    const std::string text(word);
+    char* rest = nullptr;
+    value = std::strtof(text.c_str(), &rest);
+    if (text.empty() || rest != text.c_str() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
 void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines) {
     for (int i = 0; i < 3; ++i) {
         const std::string_view word = take_word(line);
-        if (!word.empty() && is_float(word)) continue;
+        if (float_number(word)) continue;
         lines.refuse(std::string(what) + " must be three numbers up to 3.4e38, not " +
                      quoted_word(word));
     }

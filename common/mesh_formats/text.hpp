@@ -25,6 +25,8 @@ public:
     [[nodiscard]] std::optional<std::string_view> next();
     /// Where the line after that begins in the text.
     [[nodiscard]] std::size_t position() const { return position_; }
+    /// How much of the text is left from there.
+    [[nodiscard]] std::size_t left() const { return text_.size() - position_; }
     /// Of the line that was last, from 1.
     [[nodiscard]] int number() const { return number_; }
     [[noreturn]] void refuse(const std::string& message) const;
@@ -44,8 +46,11 @@ private:
 /// The whole number that all of the word spells, if 64 bits hold it.
 [[nodiscard]] std::optional<std::int64_t> whole_number(std::string_view word);
 
+/// The float that all of the word spells; nothing if a float does not hold it.
+[[nodiscard]] std::optional<float> float_number(std::string_view word);
+
 /// Takes three words off the line. Refuses it unless each is a number that a float can hold: `what`
-/// says of what. The line must lie in a text that ends with a zero or a line break.
+/// says of what.
 void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines);
 
 /// The word in quotes, cut if it is long, with '?' for what is not printable.

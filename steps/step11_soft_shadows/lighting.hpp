@@ -20,16 +20,18 @@ namespace rt {
 [[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
 // Each main.cpp knows what can stand in the way of a shadow ray, and hands it on as `blocked`. The
-// functions that ask are templates, so that they are compiled into its `trace`: a scene whose
-// lights have no size then costs what it costs in stage 10 (tests/program/instruction_counts.sh).
+// functions that ask are templates, so that they are compiled into its `trace`, but for what only a
+// light with a size needs: a scene whose lights have none then costs what it costs in stage 10
+// (tests/program/instruction_counts.sh).
 
 /// The share of the light that reaches the surface, where it would add the given colour.
 template <class Blocked>
-[[nodiscard]] Real share_reached(const Surface& surface, const Light& light, const Color& color,
-                                 std::uint32_t seed, const Blocked& blocked, Context& context) {
+[[nodiscard, gnu::noinline]] Real share_reached(const Surface& surface, const Light& light,
+                                                const Color& color, std::uint32_t seed,
+                                                const Blocked& blocked, Context& context) {
     ShadowRays rays;
     // A few ways ahead: a processor works out several at once, if nothing is asked in between.
-    std::array<ShadowRay, 4> ways;
+    std::array<ShadowRay, 8> ways;
     while (rays.sent < context.look.shadow_samples && !accurate(rays, color, context)) {
         const std::size_t next = std::size_t(rays.sent) % ways.size();
         for (std::size_t i = 0; next == 0 && i < ways.size(); ++i) {
@@ -54,14 +56,13 @@ template <class Blocked>
                              const Blocked& blocked, Context& context) {
     Terms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
-    std::uint32_t number = 0;
     for (const Light& light : scene.lights) {
-        ++number;
         if (context.story != nullptr) tell(*context.story, surface, light);
         const Color diffuse = diffuse_term(surface, light);
         const Color specular = specular_term(surface, light);
         if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
         if (light.radius > 0) {
+            const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
             const std::uint32_t seed = sample_seed(context.pixel, number, bounce);
             const Real share =
                 share_reached(surface, light, diffuse + specular, seed, blocked, context);

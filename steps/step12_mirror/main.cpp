@@ -25,11 +25,12 @@ Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, 
     };
     const Surface surface = surface_at(*hit, ray);
     const Real mirror = surface.material.mirror;
-    Color own(0);
     context.weight = double(weight * (1 - mirror));
-    if (mirror < 1) own = shown(lighting(scene, surface, bounces, in_the_way, context), context);
-    if (mirror == 0) return own;
+    const Terms terms =
+        mirror < 1 ? lighting(scene, surface, bounces, in_the_way, context) : Terms{};
+    if (mirror == 0) return shown(terms, context);
 
+    const Color own = mirror < 1 ? shown(terms, context) : Color(0);
     Color reflection(0);
     if (worth_reflecting(bounces, context.look.depth, weight * mirror))
         reflection =

@@ -20,7 +20,7 @@ namespace {
 using namespace rt;
 
 constexpr int every = 4;
-constexpr double longest = 30;  // seconds
+constexpr double longest = 5;  // seconds that the worker may use
 
 /// The pixels that were drawn, as a picture of their own.
 Image thinned(const Image& image) {

@@ -9,11 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 extern char** environ;
@@ -23,6 +27,8 @@ namespace rt::contract {
 namespace {
 
 constexpr std::size_t longest_words = 200;
+constexpr std::chrono::milliseconds between_looks{20};
+constexpr double ending_seconds = 0.2;  // it has closed its end: the rest of its end takes less
 
 std::string seconds_text(double seconds) {
     std::string text = std::to_string(seconds);
@@ -59,7 +65,50 @@ std::string words_of_signal(int signal) {
     return "crashed: " + std::string(strsignal(signal));
 }
 
+/// Neither computing nor about to, nor kept waiting by the kernel.
+bool is_asleep(pid_t process) {
+    std::array<char, 512> text{};
+    const int file =
+        open(("/proc/" + std::to_string(process) + "/stat").c_str(), O_RDONLY | O_CLOEXEC);
+    if (file == -1) return true;
+    const ssize_t size = read(file, text.data(), text.size());
+    close(file);
+    const std::string_view stat(text.data(), std::size_t(std::max<ssize_t>(size, 0)));
+    const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
+    if (name_end == std::string_view::npos || name_end + 2 >= stat.size()) return true;
+    const char state = stat[name_end + 2];
+    return state != 'R' && state != 'D';
+}
+
 }  // namespace
+
+Stopwatch::Stopwatch(pid_t process) : process_(process) {
+    clockid_t clock{};
+    if (clock_getcpuclockid(process, &clock) == 0) clock_ = clock;
+}
+
+double Stopwatch::computed() {
+    timespec time{};
+    if (clock_ && clock_gettime(*clock_, &time) == 0)
+        computed_ = double(time.tv_sec) + double(time.tv_nsec) * 1e-9;
+    return computed_;
+}
+
+void Stopwatch::waits() {
+    computed_when_looked_ = computed();
+    looked_ = Clock::now();
+}
+
+bool Stopwatch::is_due() const {
+    return Clock::now() - looked_ >= between_looks;
+}
+
+void Stopwatch::look() {
+    const double passed = std::chrono::duration<double>(Clock::now() - looked_).count();
+    const double worked = computed() - computed_when_looked_;
+    if (is_asleep(process_)) slept_ += std::max(0.0, passed - worked);
+    waits();
+}
 
 Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
     int sockets[2];
@@ -88,6 +137,7 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
         close(socket_);
         throw CannotStart(command[0] + " does not start: " + std::strerror(error));
     }
+    stopwatch_ = Stopwatch(process_);
 }
 
 Worker::~Worker() {
@@ -96,6 +146,7 @@ Worker::~Worker() {
 
 int Worker::end() {
     if (process_ <= 0) return 0;
+    (void)stopwatch_.computed();  // while it can be read
     kill(process_, SIGKILL);
     int status = 0;
     while (waitpid(process_, &status, 0) == -1 && errno == EINTR) continue;
@@ -112,74 +163,79 @@ void Worker::give_up(const std::string& reason) {
 /// It has closed its end. What it was ended by is there in a moment, or its own doing.
 void Worker::it_has_ended() {
     int status = 0;
-    for (int tries = 0; tries < 200; ++tries) {
+    const double start = stopwatch_.used();
+    for (;;) {
         if (waitpid(process_, &status, WNOHANG) == process_) {
             process_ = 0;
             close(socket_);
             if (WIFSIGNALED(status)) throw NoAnswer(words_of_signal(WTERMSIG(status)));
             throw NoAnswer("ended the program, with status " + std::to_string(WEXITSTATUS(status)));
         }
+        if (stopwatch_.used() - start > ending_seconds) give_up("closed the channel to who asks");
         usleep(1000);
+        stopwatch_.look();
     }
-    give_up("closed the channel to who asks");
 }
 
-void Worker::wait_until_ready(short event, Clock::time_point deadline, double seconds) {
+void Worker::wait_until_ready(short event, Allowance allowance) {
     for (;;) {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
         pollfd ready{.fd = socket_, .events = event, .revents = 0};
-        const int count = left <= 0 ? 0 : poll(&ready, 1, int(left) + 1);
-        if (count > 0) return;
-        if (count < 0 && errno == EINTR) continue;
-        give_up("gave no answer within " + seconds_text(seconds) + " s");
+        const bool is_due = stopwatch_.is_due();
+        const bool is_ready = poll(&ready, 1, is_due ? 0 : int(between_looks.count())) > 0;
+        if (is_due && !is_ready) stopwatch_.look();  // it may sleep once it has answered
+        if (is_due && stopwatch_.used() >= allowance.until)
+            give_up("gave no answer within " + seconds_text(allowance.seconds) + " s");
+        if (is_ready) return;
     }
 }
 
-void Worker::send(const char* from, std::size_t count, Clock::time_point deadline, double seconds) {
+void Worker::send(const char* from, std::size_t count, Allowance allowance) {
     while (count > 0) {
         const ssize_t sent = ::send(socket_, from, count, MSG_NOSIGNAL);
         if (sent > 0) {
             from += sent;
             count -= std::size_t(sent);
         } else if (errno == EAGAIN) {
-            wait_until_ready(POLLOUT, deadline, seconds);
+            wait_until_ready(POLLOUT, allowance);
         } else if (errno != EINTR) {
             it_has_ended();
         }
     }
 }
 
-void Worker::receive(char* to, std::size_t count, Clock::time_point deadline, double seconds) {
-    while (count > 0) {
-        const ssize_t got = recv(socket_, to, count, 0);
-        if (got > 0) {
-            to += got;
-            count -= std::size_t(got);
-        } else if (got < 0 && errno == EAGAIN) {
-            wait_until_ready(POLLIN, deadline, seconds);
-        } else if (got == 0 || errno != EINTR) {
-            it_has_ended();
-        }
+std::size_t Worker::receive(char* to, std::size_t most, Allowance allowance) {
+    for (;;) {
+        wait_until_ready(POLLIN, allowance);  // to look for it first is mostly too early
+        const ssize_t got = recv(socket_, to, most, 0);
+        if (got > 0) return std::size_t(got);
+        if (got == 0 || (errno != EINTR && errno != EAGAIN)) it_has_ended();
     }
 }
 
 std::string Worker::ask(const std::string& question, double seconds) {
     if (!alive()) throw NoAnswer("is not there any more");
-    const Clock::time_point deadline =
-        Clock::now() + std::chrono::microseconds(std::int64_t(seconds * 1e6));
+    stopwatch_.waits();
+    const Allowance allowance{.seconds = seconds, .until = stopwatch_.used() + seconds};
     const Frame asked{.size = question.size(), .ticket = tickets_()};
     std::string frame(reinterpret_cast<const char*>(&asked), sizeof asked);
     frame += question;
-    send(frame.data(), frame.size(), deadline, seconds);
+    send(frame.data(), frame.size(), allowance);
 
-    wait_until_ready(POLLIN, deadline, seconds);  // to look for it first is always too early
+    // Most answers are one piece.
+    std::array<char, 4096> piece;
+    std::size_t count = 0;
+    while (count < sizeof(Frame))
+        count += receive(piece.data() + count, piece.size() - count, allowance);
     Frame came{};
-    receive(reinterpret_cast<char*>(&came), sizeof came, deadline, seconds);
-    if (came.ticket != asked.ticket || came.size < 1 || came.size > largest_frame)
+    std::memcpy(&came, piece.data(), sizeof came);
+    count -= sizeof came;
+    if (came.ticket != asked.ticket || came.size < 1 || came.size > largest_frame ||
+        count > came.size)
         give_up("wrote into the channel to who asks");
     std::string answer(came.size, '\0');
-    receive(answer.data(), answer.size(), deadline, seconds);
+    std::memcpy(answer.data(), piece.data() + sizeof came, count);
+    while (count < answer.size())
+        count += receive(answer.data() + count, answer.size() - count, allowance);
     const auto outcome = static_cast<Outcome>(answer.front());
     answer.erase(0, 1);
     if (outcome == Outcome::answered) return answer;

@@ -7,6 +7,8 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <ctime>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -23,6 +25,36 @@ struct CannotStart : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The seconds that a process takes by its own doing: it computes, or it sleeps. That it waits for
+/// a busy machine does not count.
+class Stopwatch {
+public:
+    Stopwatch() = default;
+    explicit Stopwatch(pid_t process);
+
+    /// Somebody waits for it from here on: only then its sleep counts.
+    void waits();
+
+    /// Until now, or until it was last there.
+    [[nodiscard]] double computed();
+    [[nodiscard]] double used() { return computed() + slept_; }
+
+    /// Counts the time since it was looked at last as sleep, if it is found asleep. Best done
+    /// several times a second.
+    void look();
+    [[nodiscard]] bool is_due() const;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    pid_t process_ = 0;
+    std::optional<clockid_t> clock_;  ///< of its computing
+    double computed_ = 0;
+    double slept_ = 0;
+    double computed_when_looked_ = 0;
+    Clock::time_point looked_ = Clock::now();
+};
+
 /// A worker program, started.
 class Worker {
 public:
@@ -32,18 +64,26 @@ public:
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// The bytes of the answer. Throws NoAnswer if there is none within the time, and then the
-    /// process has been ended; or if the function has thrown an exception.
+    /// The bytes of the answer. Throws NoAnswer if it uses more than these seconds, by the
+    /// stopwatch, and then the process has been ended; or if the function has thrown an exception.
     [[nodiscard]] std::string ask(const std::string& question, double seconds);
+
+    /// Since it was started, whether it is still there or not.
+    [[nodiscard]] double used() { return stopwatch_.used(); }
 
     [[nodiscard]] bool alive() const { return process_ > 0; }
 
 private:
-    using Clock = std::chrono::steady_clock;
+    /// What it has for an answer: seconds, and until when on its stopwatch.
+    struct Allowance {
+        double seconds;
+        double until;
+    };
 
-    void wait_until_ready(short event, Clock::time_point deadline, double seconds);
-    void send(const char* from, std::size_t count, Clock::time_point deadline, double seconds);
-    void receive(char* to, std::size_t count, Clock::time_point deadline, double seconds);
+    void wait_until_ready(short event, Allowance allowance);
+    void send(const char* from, std::size_t count, Allowance allowance);
+    /// Reads what is there, so much at most.
+    std::size_t receive(char* to, std::size_t most, Allowance allowance);
     /// Ends the process, and throws NoAnswer for the reason.
     [[noreturn]] void give_up(const std::string& reason);
     [[noreturn]] void it_has_ended();
@@ -51,6 +91,7 @@ private:
 
     pid_t process_ = 0;
     int socket_ = -1;
+    Stopwatch stopwatch_;
     std::mt19937_64 tickets_;
 };
 

@@ -9,6 +9,7 @@ namespace rt::contract {
 namespace {
 
 constexpr double answer_seconds = 1;  // they take microseconds
+constexpr double all_seconds = 10;
 
 std::vector<Callee> all_callees() {
     std::vector<Callee> all;
@@ -115,6 +116,8 @@ bool same(const Answer& came, const Answer& expected, double within) {
 }
 
 Answer Asked::operator()(const Call& call) {
+    if (gone_.empty() && used_ + (worker_ ? worker_->used() : 0) > all_seconds)
+        gone_ = "was not asked any more, since it took too long";
     if (!gone_.empty()) return {.value = std::nullopt, .failure = gone_};
     try {
         if (!worker_) worker_ = std::make_unique<Worker>(program_);
@@ -126,6 +129,7 @@ Answer Asked::operator()(const Call& call) {
     } catch (const NoAnswer& no_answer) {
         const std::string failure = no_answer.what();
         if (worker_ && !worker_->alive()) {
+            used_ += worker_->used();
             worker_ = nullptr;
             // Who waited in vain once does not wait again.
             if (--left_ == 0 || first_word(failure) == "gave")

@@ -61,6 +61,7 @@ public:
 private:
     std::string program_;
     std::unique_ptr<Worker> worker_;
+    double used_ = 0;   ///< by those that are gone
     int left_ = 8;      ///< how many may still crash
     std::string gone_;  ///< why no more are asked
 };

@@ -2,9 +2,9 @@
 // a worker of its own; once that is gone, the rest of the case fails at once.
 //
 // RAYSTEPS_WORKER         the worker's program
-// RAYSTEPS_SECONDS        how long it may take for an answer (default 20)
-// RAYSTEPS_CASE_SECONDS   how long for all answers of a case (default 120)
-// RAYSTEPS_SUITE_SECONDS  how long for all answers of the suite (default 600)
+// RAYSTEPS_SECONDS        what it may use for an answer, by its stopwatch (default 20)
+// RAYSTEPS_CASE_SECONDS   what for all answers of a case (default 120)
+// RAYSTEPS_SUITE_SECONDS  what for all answers of the suite (default 600)
 // RAYSTEPS_RECORD         a file that all questions are written to, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "tests/contract/asking.hpp"
@@ -16,7 +16,6 @@
 #include "tests/kit/light_points.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
@@ -27,25 +26,13 @@ namespace rt::contract {
 
 namespace {
 
+constexpr const char* too_long_a_case = "took longer than one case may take";
+constexpr const char* too_long_a_suite = "took longer than all cases may take";
+
 double seconds(const char* variable, double otherwise) {
     const char* said = std::getenv(variable);
     return said == nullptr ? otherwise : std::strtod(said, nullptr);
 }
-
-/// Seconds that are spent while an answer is waited for.
-class Budget {
-public:
-    Budget(double whole, std::string what) : left_(whole), what_(std::move(what)) {}
-
-    [[nodiscard]] double left() const { return left_; }
-    [[nodiscard]] bool is_spent() const { return left_ <= 0; }
-    [[nodiscard]] const std::string& words() const { return what_; }
-    void spend(double seconds) { left_ -= seconds; }
-
-private:
-    double left_;
-    std::string what_;
-};
 
 /// What stands between a suite and its worker. Pictures are asked for by several threads.
 class Link {
@@ -53,22 +40,20 @@ public:
     std::string ask(const std::string& question) {
         const std::lock_guard lock(mutex_);
         if (!gone_.empty()) throw NoAnswer(gone_);
-        const auto start = std::chrono::steady_clock::now();
         try {
-            if (suite_.is_spent()) throw NoAnswer(suite_.words());
+            if (suite_left_ <= 0) throw NoAnswer(too_long_a_suite);
             if (!worker_) worker_ = std::make_unique<Worker>(program());
-            const double most = std::min({answer_seconds, case_.left(), suite_.left()});
-            const std::string answer = worker_->ask(question, most);
-            spend(start);
-            return answer;
+            const double case_left = case_seconds - worker_->used();
+            const double suite_left = suite_left_ - worker_->used();
+            if (std::min(case_left, suite_left) <= 0) throw NoAnswer("");
+            return worker_->ask(question, std::min({answer_seconds, case_left, suite_left}));
         } catch (const NoAnswer& no_answer) {
-            spend(start);
+            const double used = end_worker();
             gone_ = "Your code " +
-                    std::string(suite_.is_spent()  ? suite_.words()
-                                : case_.is_spent() ? case_.words()
-                                                   : no_answer.what()) +
+                    std::string(suite_left_ <= 0       ? too_long_a_suite
+                                : used >= case_seconds ? too_long_a_case
+                                                       : no_answer.what()) +
                     ".";
-            worker_ = nullptr;
             throw NoAnswer(gone_);
         }
     }
@@ -82,9 +67,8 @@ public:
 
     void start_afresh() {
         const std::lock_guard lock(mutex_);
-        worker_ = nullptr;
+        end_worker();
         gone_.clear();
-        case_ = budget_of_case();
     }
 
 private:
@@ -94,14 +78,12 @@ private:
         return said;
     }
 
-    static Budget budget_of_case() {
-        return {seconds("RAYSTEPS_CASE_SECONDS", 120), "took longer than one case may take"};
-    }
-
-    void spend(std::chrono::steady_clock::time_point start) {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        case_.spend(spent.count());
-        suite_.spend(spent.count());
+    /// What it has used.
+    double end_worker() {
+        const double used = worker_ ? worker_->used() : 0;
+        worker_ = nullptr;
+        suite_left_ -= used;
+        return used;
     }
 
     static std::ofstream open_record() {
@@ -112,8 +94,8 @@ private:
     std::mutex mutex_;
     std::unique_ptr<Worker> worker_;
     const double answer_seconds = seconds("RAYSTEPS_SECONDS", 20);
-    Budget case_ = budget_of_case();
-    Budget suite_{seconds("RAYSTEPS_SUITE_SECONDS", 600), "took longer than all cases may take"};
+    const double case_seconds = seconds("RAYSTEPS_CASE_SECONDS", 120);
+    double suite_left_ = seconds("RAYSTEPS_SUITE_SECONDS", 600);
     std::string gone_;  ///< why there is no answer any more in this case
     std::ofstream record_ = open_record();
 };

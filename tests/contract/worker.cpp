@@ -10,7 +10,10 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstring>
 #include <map>
 
 namespace rt::contract {
@@ -52,15 +55,37 @@ std::map<int, Answer> all_answers() {
     return answers;
 }
 
-bool read_all(char* to, std::size_t count) {
-    while (count > 0) {
-        const ssize_t got = read(worker_descriptor, to, count);
-        if (got <= 0) return false;
-        to += got;
-        count -= std::size_t(got);
+/// What comes in, as much at a time as is there.
+class Inbox {
+public:
+    /// Whether so much came.
+    bool read(char* to, std::size_t count) {
+        while (count > 0) {
+            if (from_ == to_ && !fill()) return false;
+            const std::size_t piece = std::min(count, to_ - from_);
+            std::memcpy(to, buffer_.data() + from_, piece);
+            from_ += piece;
+            to += piece;
+            count -= piece;
+        }
+        return true;
     }
-    return true;
-}
+
+    /// Whether anything is still to come.
+    bool goes_on() { return from_ < to_ || fill(); }
+
+private:
+    bool fill() {
+        const ssize_t got = ::read(worker_descriptor, buffer_.data(), buffer_.size());
+        from_ = 0;
+        to_ = got > 0 ? std::size_t(got) : 0;
+        return to_ > 0;
+    }
+
+    std::array<char, 1 << 16> buffer_;
+    std::size_t from_ = 0;
+    std::size_t to_ = 0;
+};
 
 bool write_all(const char* from, std::size_t count) {
     while (count > 0) {
@@ -73,13 +98,13 @@ bool write_all(const char* from, std::size_t count) {
 }
 
 /// Piece by piece: a size that promises more than comes costs no memory.
-bool read_question(std::string& question, std::size_t size) {
+bool read_question(Inbox& inbox, std::string& question, std::size_t size) {
     constexpr std::size_t piece = std::size_t(1) << 20;
     question.clear();
     while (question.size() < size) {
         const std::size_t before = question.size();
         question.resize(std::min(size, before + piece));
-        if (!read_all(question.data() + before, question.size() - before)) return false;
+        if (!inbox.read(question.data() + before, question.size() - before)) return false;
     }
     return true;
 }
@@ -109,12 +134,13 @@ Writer answer_to(const std::string& question, const std::map<int, Answer>& answe
 int serve() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody asks a worker whose asker is gone
     const std::map<int, Answer> answers = all_answers();
+    Inbox inbox;
     std::string question;
     Frame frame{};
     // A last frame that is cut short is malformed, its absence is not.
-    while (read(worker_descriptor, &frame, 1) == 1) {
-        if (!read_all(reinterpret_cast<char*>(&frame) + 1, sizeof frame - 1) ||
-            frame.size > largest_frame || !read_question(question, frame.size))
+    while (inbox.goes_on()) {
+        if (!inbox.read(reinterpret_cast<char*>(&frame), sizeof frame) ||
+            frame.size > largest_frame || !read_question(inbox, question, frame.size))
             throw Malformed("a frame cut short");
         const Writer answer = answer_to(question, answers);
         frame.size = answer.bytes().size();

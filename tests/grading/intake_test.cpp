@@ -163,6 +163,18 @@ TEST_CASE("students are called as their folders are, in plain letters") {
           std::vector<std::string>{"_-rf", "_..._x", "a__b__c_", "ann", "ann_2", "zoë"});
 }
 
+TEST_CASE("results among the submissions are no student's") {
+    const Ground ground;
+    ground.write("ann/sphere.cpp", "");
+    ground.write("seed.txt/sphere.cpp", "");
+    ground.write("results/ann/submitted/sphere.cpp", "");
+    CHECK(find_envelopes({ground.place("")}).size() == 3);
+    CHECK(find_envelopes({ground.place("")}, ground.place("results/")).size() == 2);
+    ground.write("results/seed.txt", "7");
+    ground.write("results/grades.csv", "");
+    CHECK(ground.students() == std::vector<std::string>{"ann", "seed.txt"});
+}
+
 TEST_CASE("one submission is no class, and nothing is none") {
     const Ground ground;
     ground.write("ann/sphere.cpp", "");

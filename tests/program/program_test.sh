@@ -123,13 +123,14 @@ few=$(rays)
 [ "$few" -lt "$(rays)" ] || fail "--shadow-error spares rays: $few"
 
 # What --tolerance and --time choose is told, and what they say can be asked for.
-"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 > out
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --precision double --tolerance 4 > out
 for words in hierarchy depth precision expected trials; do
     grep -q "^  $words  " out || fail "--tolerance tells of the $words"
 done
-error=$(sed -n 's/.*estimated to be off by less than \([0-9.]*\) steps*$/\1/p' out)
-"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --shadow-error "$error" --quiet
-cmp -s 1.png 2.png || fail "--tolerance says with which --shadow-error: $error"
+error=$(sed -n 's/.*estimated to be off by less than \([0-9.]*\) step.*/--shadow-error \1/p' out)
+agree=$(sed -n 's/.*, or \([0-9]*\) rays agree$/--shadow-agree \1/p' out)
+"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 $error $agree --quiet
+cmp -s 1.png 2.png || fail "--tolerance says what can be asked for: $error $agree"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
 grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out

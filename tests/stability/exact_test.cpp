@@ -59,6 +59,12 @@ Interval around(Random& random, Real t) {
     return {.max = end};
 }
 
+/// So far that all digits of a point of the shape may be among those that a difference from the
+/// origin drops.
+void go_farther(Random& random, Ray& ray) {
+    ray.origin -= std::pow(Real(10), random.between(8, 18)) * ray.direction;
+}
+
 struct Worst {
     double ulps = 0;
     std::uint64_t wrong = 0;
@@ -79,6 +85,7 @@ Worst measured(Sweep sweep, std::uint64_t rays) {
         Random random(seed + i);
         Case<Shape> asked;
         draw(random, sweep, asked);
+        if (sweep == Sweep::distance && random.coin()) go_farther(random, asked.ray);
         Interval interval;
         for (int question = 0; question < 2; ++question) {
             const auto came = intersect(asked.ray, asked.shape, interval);

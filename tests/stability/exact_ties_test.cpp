@@ -10,7 +10,7 @@
 #include "steps/step07_cylinder/cylinder.hpp"
 #include "steps/step08_cone/cone.hpp"
 
-#include "common/exact/expansion.hpp"
+#include "common/exact/dyadic.hpp"
 
 #include "tests/kit/for_all.hpp"
 
@@ -106,12 +106,12 @@ TEMPLATE_TEST_CASE("ties are decided as exact arithmetic does", "", Sphere, Plan
         20'000));
 }
 
-TEST_CASE("sums and products of expansions are exact, those of two words within their bounds") {
+TEST_CASE("sums and products of dyadic numbers are exact, those of two words within their bounds") {
     CHECK(for_all(
         [](Random& random) {
             // Numbers of very different sizes, and their opposites, so that most of it cancels.
             oracle::Exact exact = 1;
-            Expansion expansion = Real(1);
+            Dyadic dyadic = Real(1);
             TwoWords words = Real(1);
             Real last = 1;
             for (int i = 0; i < 12; ++i) {
@@ -120,18 +120,18 @@ TEST_CASE("sums and products of expansions are exact, those of two words within 
                 last = number;
                 if (random.coin() || number == 0) {
                     exact = exact + oracle::Exact(number);
-                    expansion = expansion + Expansion(number);
+                    dyadic = dyadic + Dyadic(number);
                     words = words + TwoWords(number);
                 } else {
                     exact = exact * oracle::Exact(number) - oracle::Exact(number);
-                    expansion = expansion * Expansion(number) - Expansion(number);
+                    dyadic = dyadic * Dyadic(number) - Dyadic(number);
                     words = words * TwoWords(number) - TwoWords(number);
                 }
             }
             const auto sign = words.sign();
-            Verdict held = verdict(expansion.sign() == exact.sign(), "the expansion's sign");
+            Verdict held = verdict(dyadic.sign() == exact.sign(), "the dyadic number's sign");
             if (held) held = verdict(!sign || sign == exact.sign(), "the sign of two words");
-            if (held) held = is_exact(exact, expansion.rounded());
+            if (held) held = is_exact(exact, dyadic.rounded());
             return held ? is_exact(exact, words) : held;
         },
         20'000));

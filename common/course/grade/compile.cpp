@@ -49,13 +49,35 @@ void append(Command& command, const Options& options, const std::string& name) {
     for (auto each = first; each != last; ++each) command.push_back(each->second);
 }
 
+std::string header_of(const Workshop& workshop, int stage) {
+    const std::string name = name_of(stage);
+    return workshop.folder / "headers/steps" / name / (name.substr(7) + ".hpp");
+}
+
+Command compiler(const Workshop& workshop, int stage) {
+    const Options options = read_options(workshop, stage);
+    Command compile;
+    append(compile, options, "compiler");
+    append(compile, options, "compile");
+    compile.push_back("-I" + (workshop.folder / "headers").string());
+    return compile;
+}
+
+/// Ended by a limit. Which one ends a bomb, and how far it came, depends on what else the machine
+/// does.
+bool is_bomb(const Ending& ending) {
+    const auto says = [&ending](const char* words) {
+        return ending.output.find(words) != std::string::npos;
+    };
+    return ending.out_of_time || ending.status == 128 + SIGXCPU ||
+           says("signal terminated program") || says("out of memory") || says("memory exhausted") ||
+           says("cannot allocate memory");
+}
+
 /// What is told of a tool that failed: its own words, without our folders' names.
 std::string told(const Ending& ending, const Workshop& workshop, const TemporaryFolder& scratch,
                  const std::string& otherwise) {
-    // Which limit ends a bomb depends on what else the machine does; what is told does not.
-    if (ending.out_of_time || ending.status == 128 + SIGXCPU ||
-        ending.output.find("signal terminated program") != std::string::npos)
-        return otherwise + " took too much time or memory.";
+    if (is_bomb(ending)) return otherwise + " took too much time or memory.";
     std::string words = ending.output;
     for (const fs::path& folder : {scratch.path(), workshop.folder / "headers", workshop.folder}) {
         const std::string name = folder.string() + "/";
@@ -94,22 +116,12 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
     return {.folder = folder, .sealed = build / "sealed"};
 }
 
-void precompile_headers(const Workshop& workshop) {
-    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
-        const std::string name = name_of(stage);
-        const std::string header =
-            workshop.folder / "headers/steps" / name / (name.substr(7) + ".hpp");
-        if (!fs::exists(workshop.folder / "seats" / (name + ".o"))) continue;
-        const Options options = read_options(workshop, stage);
-        Command compile;
-        append(compile, options, "compiler");
-        append(compile, options, "compile");
-        const std::string headers = workshop.folder / "headers";
-        compile.insert(compile.end(),
-                       {"-I" + headers, "-x", "c++-header", header, "-o", header + ".gch"});
-        const Ending ending = listen_to(compile, std::chrono::seconds(2 * wall_seconds));
-        if (ending.status != 0) throw ProgramError(ending.output);
-    }
+void precompile_header(const Workshop& workshop, int stage) {
+    const std::string header = header_of(workshop, stage);
+    Command compile = compiler(workshop, stage);
+    compile.insert(compile.end(), {"-x", "c++-header", header, "-o", header + ".gch"});
+    const Ending ending = listen_to(compile, std::chrono::seconds(4 * wall_seconds));
+    if (ending.status != 0) throw ProgramError(ending.output);
 }
 
 Ending run_sealed(const Workshop& workshop, const fs::path& writable,
@@ -128,7 +140,6 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
 
 Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                         const fs::path& object) {
-    const Options options = read_options(workshop, stage);
     const TemporaryFolder scratch(workshop.folder);
     // Named as the student knows it: the compiler's words say so.
     const std::string source = scratch.path() / (name_of(stage).substr(7) + ".cpp");
@@ -136,12 +147,16 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
     std::ofstream(source) << text;
     fs::permissions(source, fs::perms(0644));
 
-    const fs::path headers = workshop.folder / "headers";
-    Command compile;
-    append(compile, options, "compiler");
-    append(compile, options, "compile");
-    compile.insert(compile.end(), {"-I" + headers.string(), "-c", source, "-o", made});
-    const Ending compiled = run_sealed(workshop, scratch.path(), {headers}, compile);
+    const auto compile = [&](const Command& options) {
+        Command command = compiler(workshop, stage);
+        command.insert(command.end(), options.begin(), options.end());
+        command.insert(command.end(), {"-c", source, "-o", made});
+        return run_sealed(workshop, scratch.path(), {workshop.folder / "headers"}, command);
+    };
+    // The stage's header is compiled ahead, which helps those only who include nothing before it:
+    // so it goes first. Whoever minds is compiled as he is.
+    Ending compiled = compile({"-include", header_of(workshop, stage)});
+    if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
     if (compiled.status != 0) return {.words = told(compiled, workshop, scratch, "The compile")};
 
     const Ending symbols =

@@ -22,9 +22,9 @@ struct Workshop {
                                      const std::filesystem::path& build,
                                      const std::filesystem::path& folder);
 
-/// Compiles the stages' headers ahead, so that each file after them takes half its time. With g++.
-/// Throws ProgramError.
-void precompile_headers(const Workshop& workshop);
+/// Compiles a stage's header ahead, so that a file after it takes a third of its time. Throws
+/// ProgramError.
+void precompile_header(const Workshop& workshop, int stage);
 
 /// What came of a compile or a link.
 struct Made {

@@ -22,7 +22,9 @@ dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
     DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages
 }
-# Builds the grader, for every submission.
+# Builds the grader, for every submission, on whichever processor that is graded.
+cmake -S "$root/source/raysteps" -B "$root/source/raysteps/build" -G Ninja \
+    -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
 sh "$root/source/raysteps/course" grade --help > /dev/null
 )sh";
 
@@ -93,7 +95,8 @@ here=$(CDPATH='' cd -- "$(dirname "$0")" && pwd)
 class=$(CDPATH='' cd -- "$1" && pwd)
 mkdir -p "$2"
 out=$(CDPATH='' cd -- "$2" && pwd)
-# Built once, before many tasks use it.
+# Built once, before many tasks use it, on processors that may differ.
+cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
 @PROJECT@/course grade --help > /dev/null
 job=$(sbatch --parsable "$here/grade.sbatch" "$class" "$out" "${3:-@SEED@}")
 sbatch --kill-on-invalid-dep=yes --dependency="afterok:${job%%;*}" "$here/report.sbatch" "$out"
@@ -118,6 +121,7 @@ constexpr const char* in_parallel = R"sh(#!/bin/sh
 # in_parallel.sh CLASS OUT [SEED]: the same with GNU parallel, on this machine or, with its
 # --sshloginfile, on others that share the folders.
 set -eu
+cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
 @PROJECT@/course grade --help > /dev/null
 seq 16 | parallel --quote @PROJECT@/build/grade "$1" --out "$2" --seed "${3:-@SEED@}" --jobs 1 \
     --part {}/16

@@ -14,6 +14,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -47,17 +48,30 @@ void check_seal() {
 /// The results are one run's at a time, or one part's.
 class Lock {
 public:
-    Lock(const fs::path& results, int part) {
-        const fs::path file = results / (".lock." + std::to_string(part));
-        descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-        if (descriptor_ == -1 || flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-            throw InputError({results}, "another run writes there, or nobody may");
+    Lock(const fs::path& results, int part)
+        : file_(results / (".lock." + std::to_string(part))),
+          descriptor_(open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+        if (descriptor_ != -1 && flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && is_there()) return;
+        if (descriptor_ != -1) close(descriptor_);
+        throw InputError({results}, "another run writes there, or nobody may");
     }
-    ~Lock() { close(descriptor_); }
+    ~Lock() {
+        unlink(file_.c_str());
+        close(descriptor_);
+    }
     Lock(const Lock&) = delete;
     Lock& operator=(const Lock&) = delete;
 
 private:
+    /// Still: a run that ended just now has removed its own.
+    [[nodiscard]] bool is_there() const {
+        struct stat mine {};
+        struct stat there {};
+        return fstat(descriptor_, &mine) == 0 && stat(file_.c_str(), &there) == 0 &&
+               mine.st_ino == there.st_ino;
+    }
+
+    fs::path file_;
     int descriptor_;
 };
 
@@ -119,7 +133,7 @@ std::set<int> stages_of(const Order& order) {
 /// The envelopes of this part.
 std::vector<Envelope> envelopes_of(const Order& order) {
     std::vector<Envelope> mine;
-    const std::vector<Envelope> all = find_envelopes(order.places);
+    const std::vector<Envelope> all = find_envelopes(order.places, order.results);
     for (std::size_t i = 0; i < all.size(); ++i)
         if (int(i) % order.parts == order.part - 1) mine.push_back(all[i]);
     return mine;
@@ -149,6 +163,12 @@ void in_parallel(int threads, std::size_t count, Work work) {
     if (failure) std::rethrow_exception(failure);
 }
 
+void precompile_headers(const Order& order, const Grading& grading) {
+    const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
+    in_parallel(order.jobs, stages.size(),
+                [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
+}
+
 std::map<int, Yardstick> judge_references(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     std::vector<Yardstick> found(stages.size());
@@ -175,7 +195,7 @@ bool grade(const Order& order) {
                     .workshop = open_workshop(order.project, order.build, workplace.folder()),
                     .seed = agreed_seed(order),
                     .stages = stages_of(order)};
-    if (envelopes.size() >= headers_pay_from) precompile_headers(grading.workshop);
+    if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
     std::signal(SIGINT, [](int) { stop = true; });
     Judge judge(grading, judge_references(order, grading));
     std::fprintf(stderr, "%zu submissions, %zu stages, seed %llu\n", envelopes.size(),

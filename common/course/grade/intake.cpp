@@ -177,6 +177,13 @@ bool is_submission(const fs::path& folder) {
     return false;
 }
 
+/// What a run writes, or an earlier one has written: it may lie among the submissions.
+bool is_results(const fs::path& folder, const fs::path& results) {
+    std::error_code none;
+    return fs::equivalent(folder, results, none) ||
+           (fs::exists(folder / "seed.txt") && fs::exists(folder / "grades.csv"));
+}
+
 void add(const fs::path& place, std::set<std::string>& names, std::vector<Envelope>& found) {
     const fs::path full = fs::absolute(place).lexically_normal();
     const std::string last = full.has_filename() ? full.filename() : full.parent_path().filename();
@@ -188,7 +195,7 @@ void add(const fs::path& place, std::set<std::string>& names, std::vector<Envelo
 
 }  // namespace
 
-std::vector<Envelope> find_envelopes(const std::vector<fs::path>& places) {
+std::vector<Envelope> find_envelopes(const std::vector<fs::path>& places, const fs::path& results) {
     std::vector<fs::path> all;
     for (const fs::path& place : places) {
         const bool is_folder = fs::is_directory(place);
@@ -199,7 +206,7 @@ std::vector<Envelope> find_envelopes(const std::vector<fs::path>& places) {
             continue;
         }
         for (const auto& each : fs::directory_iterator(place))
-            if (!each.is_symlink() &&
+            if (!each.is_symlink() && !is_results(each.path(), results) &&
                 (each.is_directory() || (each.is_regular_file() && is_archive(each.path()))))
                 all.push_back(each.path());
     }

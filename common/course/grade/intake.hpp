@@ -16,10 +16,11 @@ struct Envelope {
     std::filesystem::path place;
 };
 
-/// Each of the places is a submission, or a folder of submissions. In the order of their names,
-/// which differ. Throws InputError if one is not there, or if there is none.
-[[nodiscard]] std::vector<Envelope> find_envelopes(
-    const std::vector<std::filesystem::path>& places);
+/// Each of the places is a submission, or a folder of submissions, in which a folder of results is
+/// none, of this run or another. In the order of their names, which differ. Throws InputError if
+/// one is not there, or if there is none.
+[[nodiscard]] std::vector<Envelope> find_envelopes(const std::vector<std::filesystem::path>& places,
+                                                   const std::filesystem::path& results = {});
 
 /// What a submission holds, by stage.
 struct HandedIn {

@@ -49,11 +49,14 @@ private:
     class Desk;
 
     [[nodiscard]] Mark mark(Desk& desk, int stage);
+    [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage);
 
     const Grading& grading_;
     const std::map<int, Yardstick> yardsticks_;
     std::mutex mutex_;
-    std::map<std::string, Mark> known_;  ///< by stage and file: what was judged in this run
+    // What came of files alike, in this run, and the student who was first.
+    std::map<std::string, Mark> known_;                                 ///< by stage and file
+    std::map<std::string, std::pair<std::string, PictureMark>> drawn_;  ///< by the chain's files
 };
 
 }  // namespace rt::grade

@@ -54,7 +54,8 @@ int run(int count, char** words) {
     std::string elsewhere;
     bool report = false;
     bool attack = false;
-    order.jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+    // One more than there are cores: one may wait for code that sleeps.
+    order.jobs = 1 + int(std::max(1u, std::thread::hardware_concurrency()));
     app.add_option("submissions", order.places);
     app.add_option("--out", order.results,
                    "folder of the results, which an interrupted run goes on");

@@ -7,6 +7,7 @@
 #include <grp.h>
 #include <poll.h>
 #include <sched.h>
+#include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -170,6 +171,8 @@ void become(const Seal& seal, const std::vector<std::string>& command) {
     const bool own_user = take_user_of_its_own();
     require(own_user || !root, "no user of its own");
     const bool namespaces = take_namespaces(seal.work);
+    // What stands in memory that nobody has set is the same in every run.
+    if (worker) personality(ADDR_NO_RANDOMIZE);
     // After the change of user, which forgets it.
     require(prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0, "end with the parent");
     if (!worker) go_on_watched(seal.wall_seconds);

@@ -2,7 +2,7 @@
 #include "steps/step03_sphere/sphere.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Sphere&, Interval);
@@ -16,46 +16,56 @@ namespace rt {
 namespace {
 
 /// ⟨p, p⟩ = r² along the ray.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Sphere& sphere,
-                                                Interval interval) {
+auto along(const Sphere& sphere) {
     const Real unit = power_of_two_below(sphere.radius);
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto o = exactly<T>(near.origin) - exactly<T>(sphere.center / unit);
         const auto d = exactly<T>(near.direction);
         const T r = sphere.radius / unit;
         return Crossing<T, 0>{.a = dot(d, d), .b = dot(o, d), .c = dot(o, o) - r * r};
-    });
+    };
+    return Along{unit, crossing_in};
+}
+
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Sphere& sphere,
+                                                Interval interval) {
+    return decided(ray, along(sphere), interval);
 }
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the centre. With what the
-    // difference from the centre drops, p is within 2 u |p| of the line however far the origin is.
+    // The reference's form, from the point p of the line nearest to the centre, within u (2 |p| +
+    // w) of it (certain.hpp).
     const Vec3& d = ray.direction;
     const Rounded x = exact_sum(ray.origin.x, -sphere.center.x);
     const Rounded y = exact_sum(ray.origin.y, -sphere.center.y);
     const Rounded z = exact_sum(ray.origin.z, -sphere.center.z);
     const Vec3 from_center(x.value, y.value, z.value);
-    const Real inverse = 1 / dot(d, d);
+    const Real dd = dot(d, d);
+    const Real inverse = 1 / dd;
     const Real t_near = -dot(from_center, d) * inverse;
     const Vec3 p = fused_at(from_center, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
 
-    // ⟨p, p⟩ is within 7 u of itself. That p is not quite the nearest point is what `aside` is for.
+    // ⟨p, p⟩ is within 7.5 u ⟨p, p⟩ + 2 u w². That p is not quite the nearest point is what `aside`
+    // is for.
     const Real pp = dot(p, p);
+    const Real ww = dd * (unit_roundoff * t_near) * (unit_roundoff * t_near);
     const Real aside = dot(p, d) * inverse;
     const Real half_chord_squared = std::fma(sphere.radius, sphere.radius, -pp);
-    const Real doubt = 7 * unit_roundoff * pp + unit_roundoff * std::abs(half_chord_squared) +
-                       2 * aside * dot(p, d) + underflow;
-    if (half_chord_squared < -doubt) return std::nullopt;
-    if (!(half_chord_squared > 16 * doubt)) return carefully(ray, sphere, interval);
+    const Real doubt = 8 * unit_roundoff * (pp + ww) +
+                       unit_roundoff * std::abs(half_chord_squared) + 2 * aside * dot(p, d) +
+                       underflow;
+    if (half_chord_squared < -doubt && dd > underflow) return std::nullopt;
+    if (!(half_chord_squared > 16 * doubt && dd > underflow))
+        return carefully(ray, sphere, interval);
 
     const Real half_chord = std::sqrt(half_chord_squared * inverse);
-    // Half the doubt's share of the square; 4 u of the division, the root and the sum; and of
-    // aside, 5 u |p| / |d|, which is no more than half_chord's and p's shares of this together.
-    const Real error =
-        half_chord * ((3 * unit_roundoff * pp + doubt) / half_chord_squared + 9 * unit_roundoff) +
-        6 * unit_roundoff * std::abs(aside);
+    // Half the doubt's share of the square; 4.5 u of the division, the root and the sum; and of
+    // aside, 5 u |p| / |d|, which is no more than 1.5 u of p's share and 4.5 u of half_chord.
+    const Real share = Real(0.55) * doubt + Real(1.5) * unit_roundoff * pp;
+    const Real error = half_chord * (share / half_chord_squared + 9 * unit_roundoff) +
+                       6 * unit_roundoff * std::abs(aside);
     for (const Real from_near : {-half_chord, half_chord}) {
         const Real t = t_near + (from_near - aside);
         const Estimate root{.t = t, .error = error + 3 * unit_roundoff * std::abs(t)};
@@ -65,6 +75,10 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
         return t;
     }
     return std::nullopt;
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Sphere& sphere, Interval interval) {
+    return exact_root(ray, along(sphere), interval);
 }
 
 }  // namespace rt

@@ -11,19 +11,23 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     // PHY's A t² + B t + C loses half its digits in B² − 4AC when the sphere is far away: the half
     // chord, seen from the point of the line nearest to the centre, does not.
     const Vec3 from_center = ray.origin - sphere.center;
+    const Real along = dot(from_center, ray.direction);
+    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
+    if (c > 0 && along > 0 && interval.min >= 0) return std::nullopt;  // outside, and away from it
     const Real a = dot(ray.direction, ray.direction);
-    const Real t_closest = -dot(from_center, ray.direction) / a;
+    const Real t_closest = -along / a;
     const Vec3 closest = from_center + t_closest * ray.direction;
     const Real half_chord_squared = sphere.radius * sphere.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
     // The root further from 0 is a sum; the other one is a difference, but their product is C / A.
     // From the surface itself C is exactly 0, and so is one root.
-    const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
     const Real t1 = t_closest + std::copysign(std::sqrt(half_chord_squared / a), t_closest);
     const Real t2 = c / (a * t1);
-    for (const Real t : {std::min(t1, t2), std::max(t1, t2)})
-        if (interval.contains(t)) return t;
+    const Real near = std::min(t1, t2);
+    const Real far = std::max(t1, t2);
+    if (interval.contains(near)) return near;
+    if (interval.contains(far)) return far;
     return std::nullopt;
 }
 

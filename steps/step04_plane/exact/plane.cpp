@@ -2,7 +2,7 @@
 #include "steps/step04_plane/plane.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Plane&, Interval);
@@ -16,76 +16,97 @@ namespace rt {
 namespace {
 
 /// ⟨n, p − a⟩ = 0 along the ray.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Plane& plane,
-                                                Interval interval) {
+auto along(const Ray& ray, const Plane& plane) {
     const Real unit =
         power_of_two_below(glm::max(largest_component(ray.origin), largest_component(plane.point)));
     const Vec3 unit_normal = plane.normal / power_of_two_below(largest_component(plane.normal));
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto n = exactly<T>(unit_normal);
         const auto o = exactly<T>(near.origin) - exactly<T>(plane.point / unit);
         return Crossing<T, 0>{.b = T(Real(0.5)) * dot(exactly<T>(near.direction), n),
                               .c = dot(o, n)};
-    });
+    };
+    return Along{unit, crossing_in};
 }
 
-/// A scalar product, and how far it may be from the exact one.
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Plane& plane,
+                                                Interval interval) {
+    return decided(ray, along(ray, plane), interval);
+}
+
+/// A scalar product, and the sum of its terms' sizes.
 struct Product {
     Real value;
-    Real error;
+    Real size;
+
+    /// Whether so little cancels that the value is within 2 u of itself.
+    [[nodiscard]] bool certain() const {
+        return std::abs(value) > 32 * unit_roundoff * size + underflow;
+    }
 };
 
-/// x + y + z, of terms that are rounded so often.
-Product sum_of(Vec3 terms, Real roundings) {
-    const Real value = terms.x + terms.y + terms.z;
-    const Real size = std::abs(terms.x) + std::abs(terms.y) + std::abs(terms.z);
-    return {.value = value, .error = unit_roundoff * ((roundings + 1) * size + std::abs(value))};
-}
-
-/// t = distance / approach, if it is no further than 24 u t from the exact one.
-std::optional<Real> quotient(const Product& distance, const Product& approach) {
-    constexpr Real most = 22 * unit_roundoff;  // a division is to come, and products of errors
-    const Real t = distance.value / approach.value;
-    const Real size = std::abs(approach.value);
-    if (!(distance.error + std::abs(t) * approach.error + underflow <= most * std::abs(t) * size))
-        return std::nullopt;
-    return t;
-}
-
-/// ⟨n, v + dropped⟩ with twice the digits (Ogita, Rump, Oishi 2005, Dot2): then u of the result,
-/// and a few u² of its terms, which were summed up before.
-Product compensated(Vec3 n, Vec3 v, Vec3 dropped, const Product& before) {
+/// ⟨n, v + dropped⟩ with twice the digits (Ogita, Rump, Oishi 2005, Dot2): within u of the result
+/// and 24 u² of the terms' sizes.
+Product compensated_product(Vec3 n, Vec3 v, Vec3 dropped) {
     const Rounded x = exact_product(n.x, v.x);
     const Rounded y = exact_product(n.y, v.y);
     const Rounded z = exact_product(n.z, v.z);
     const Rounded xy = exact_sum(x.value, y.value);
     const Rounded xyz = exact_sum(xy.value, z.value);
     const Real rest = (xyz.dropped + xy.dropped) + (x.dropped + y.dropped + z.dropped);
-    const Real value = xyz.value + (rest + dot(n, dropped));
-    return {.value = value, .error = unit_roundoff * (std::abs(value) + 32 * before.error)};
+    return {.value = xyz.value + (rest + dot(n, dropped)),
+            .size = std::abs(x.value) + std::abs(y.value) + std::abs(z.value)};
+}
+
+/// For rays of which the plain products cancel too much.
+[[gnu::noinline]] std::optional<Real> compensated(const Ray& ray, const Plane& plane,
+                                                  Interval interval) {
+    const auto& [o, d] = ray;
+    const auto& [point, n] = plane;
+    const Rounded x = exact_sum(point.x, -o.x);
+    const Rounded y = exact_sum(point.y, -o.y);
+    const Rounded z = exact_sum(point.z, -o.z);
+    const Product distance =
+        compensated_product(n, {x.value, y.value, z.value}, {x.dropped, y.dropped, z.dropped});
+    const Product approach = compensated_product(n, d, Vec3(0));
+    if (!distance.certain() || !approach.certain()) return carefully(ray, plane, interval);
+    const Real t = distance.value / approach.value;
+    const Estimate root{.t = t, .error = 6 * unit_roundoff * std::abs(t)};
+    if (root.before(interval) || root.after(interval)) return std::nullopt;
+    if (!root.answers(interval, 6)) return carefully(ray, plane, interval);
+    return t;
 }
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
-    const auto& [o, d] = ray;
-    const auto& [point, n] = plane;
-    const Product distance = sum_of(n * (point - o), 2);
-    const Product approach = sum_of(n * d, 1);
-    auto t = quotient(distance, approach);
-    if (!t) {
-        const Rounded x = exact_sum(point.x, -o.x);
-        const Rounded y = exact_sum(point.y, -o.y);
-        const Rounded z = exact_sum(point.z, -o.z);
-        t = quotient(compensated(n, {x.value, y.value, z.value}, {x.dropped, y.dropped, z.dropped},
-                                 distance),
-                     compensated(n, d, Vec3(0), approach));
-    }
-    if (!t) return carefully(ray, plane, interval);
-    const Estimate root{.t = *t, .error = 24 * unit_roundoff * std::abs(*t)};
-    if (root.before(interval) || root.after(interval)) return std::nullopt;
-    if (!root.answers(interval, 24)) return carefully(ray, plane, interval);
-    return t;
+    // MRT §4's quotient. With fma, a product of two vectors is off by no more than u of itself and
+    // of each sum on the way to it, and of its terms where one of the two is a rounded difference.
+    const Vec3& d = ray.direction;
+    const Vec3& n = plane.normal;
+    const Vec3 way = plane.point - ray.origin;
+    const Real approach_z = n.z * d.z;
+    const Real approach_yz = std::fma(n.y, d.y, approach_z);
+    const Real approach = std::fma(n.x, d.x, approach_yz);
+    const Real distance_z = n.z * way.z;
+    const Real distance_yz = std::fma(n.y, way.y, distance_z);
+    const Real distance = std::fma(n.x, way.x, distance_yz);
+    const Real t = distance / approach;
+
+    const Real terms = std::abs(n.x * way.x) + std::abs(n.y * way.y) + std::abs(distance_z);
+    const Real distance_doubt = terms + std::abs(distance_z) + std::abs(distance_yz) + underflow;
+    const Real approach_doubt = std::abs(approach_z) + std::abs(approach_yz) + underflow;
+    // 12 u of t, and 3 u of both products and their quotient. An infinite one is not less.
+    const Real doubt = std::fma(std::abs(t), approach_doubt, distance_doubt);
+    const bool certain = doubt < 12 * std::abs(distance);
+    const Estimate root{.t = t, .error = 16 * unit_roundoff * std::abs(t)};
+    if (root.inside(interval) && certain) return t;
+    if (certain && (root.before(interval) || root.after(interval))) return std::nullopt;
+    return compensated(ray, plane, interval);
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Plane& plane, Interval interval) {
+    return exact_root(ray, along(ray, plane), interval);
 }
 
 }  // namespace rt

@@ -7,21 +7,10 @@ namespace rt {
 
 namespace {
 
-/// Whether a sum of the three has one term at most, as where the plane lies across an axis: then
-/// there is nothing to cancel, and the plain sum is as good as the compensated one.
-bool one_term(Vec3 products) {
-    return (products.x == 0) + (products.y == 0) + (products.z == 0) >= 2;
-}
-
-Real careful_dot(Vec3 a, Vec3 b) {
-    const Vec3 products = a * b;
-    return one_term(products) ? products.x + products.y + products.z : compensated_dot(a, b);
-}
-
-/// ⟨n, a − b⟩.
-Real careful_dot(Vec3 n, Vec3 a, Vec3 b) {
-    const Vec3 products = n * (a - b);
-    return one_term(products) ? products.x + products.y + products.z : compensated_dot(n, a, b);
+/// Whether the vector is along an axis: then no product with it has more than one term, nothing can
+/// cancel, and the plain one is as good as the compensated.
+bool along_an_axis(Vec3 v) {
+    return v.x == 0 ? v.y == 0 || v.z == 0 : v.y == 0 && v.z == 0;
 }
 
 }  // namespace
@@ -29,8 +18,11 @@ Real careful_dot(Vec3 n, Vec3 a, Vec3 b) {
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
     // t = ⟨o − o_r, n⟩ / ⟨d, n⟩ (MRT §4). At a grazing ray both products cancel, so both are
     // compensated: t is within 4 ulp at any angle, and no epsilon decides what is parallel.
-    const Real distance = careful_dot(plane.normal, plane.point, ray.origin);
-    const Real approach = careful_dot(plane.normal, ray.direction);
+    const auto& [point, n] = plane;
+    const bool plain = along_an_axis(n);
+    const Real distance =
+        plain ? dot(n, point - ray.origin) : compensated_dot(n, point, ray.origin);
+    const Real approach = plain ? dot(n, ray.direction) : compensated_dot(n, ray.direction);
     const Real t = distance / approach;
     if (!interval.contains(t)) return std::nullopt;  // a parallel ray has t = ±∞ or NaN
     return t;

@@ -2,7 +2,7 @@
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Triangle&, Interval);
@@ -16,13 +16,12 @@ namespace rt {
 namespace {
 
 /// The plane's ⟨n, p − a⟩ = 0 along the ray, where α, β and γ have the sign of their sum.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Triangle& triangle,
-                                                Interval interval) {
+auto along(const Ray& ray, const Triangle& triangle) {
     const Vec3 size =
         glm::max(glm::abs(triangle.b - triangle.a),
                  glm::max(glm::abs(triangle.c - triangle.a), glm::abs(ray.origin - triangle.a)));
     const Real unit = power_of_two_below(largest_component(size));
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto corner = exactly<T>(triangle.a / unit);
         const auto ab = exactly<T>(triangle.b / unit) - corner;
         const auto ac = exactly<T>(triangle.c / unit) - corner;
@@ -37,24 +36,29 @@ namespace {
                               .conditions = {{{.c0 = whole * beta},
                                               {.c0 = whole * gamma},
                                               {.c0 = whole * (whole - beta - gamma)}}}};
-    });
+    };
+    return Along{unit, crossing_in};
+}
+
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Triangle& triangle,
+                                                Interval interval) {
+    return decided(ray, along(ray, triangle), interval);
 }
 
 /// Times the largest coordinates of the three, more than ⟨v, w × x⟩ may be off: six terms, each
-/// rounded seven times on its way, with those of v, w and x themselves.
-constexpr Real rounding = 48 * unit_roundoff;
+/// rounded seven times on its way, with those of v, w and x themselves, and twice more in α.
+constexpr Real rounding = 56 * unit_roundoff;
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
     // Möller and Trumbore's determinants, whose signs are certain but for so much.
+    const Vec3& o = ray.origin;
     const Vec3& d = ray.direction;
-    const Vec3 ab = triangle.b - triangle.a;
-    const Vec3 ac = triangle.c - triangle.a;
-    const Rounded x = exact_sum(ray.origin.x, -triangle.a.x);
-    const Rounded y = exact_sum(ray.origin.y, -triangle.a.y);
-    const Rounded z = exact_sum(ray.origin.z, -triangle.a.z);
-    const Vec3 s(x.value, y.value, z.value);
+    const Vec3& corner = triangle.a;
+    const Vec3 ab = triangle.b - corner;
+    const Vec3 ac = triangle.c - corner;
+    const Vec3 s = o - corner;
     const Vec3 q = cross(d, ac);
     const Vec3 r = cross(s, ab);
     const Real turned = dot(ab, q);
@@ -62,34 +66,38 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
     const Real whole = std::abs(turned);
     const Real beta = side * dot(s, q);
     const Real gamma = side * dot(d, r);
-    const Real alpha = whole - beta - gamma;
+    const Real least = glm::min(whole - beta - gamma, glm::min(beta, gamma));
 
     const Real size_ab = largest_component(ab);
     const Real size_ac = largest_component(ac);
-    const Real size_d = rounding * largest_component(d);
-    const Real size_s = largest_component(s);
-    const Real whole_doubt = size_d * size_ab * size_ac + underflow;
-    const Real beta_doubt = size_d * size_s * size_ac + underflow;
-    const Real gamma_doubt = size_d * size_s * size_ab + underflow;
-    const Real alpha_doubt = whole_doubt + beta_doubt + gamma_doubt;
-    if (whole > whole_doubt && (alpha < -alpha_doubt || beta < -beta_doubt || gamma < -gamma_doubt))
-        return std::nullopt;
-    const bool inside =
-        whole > 16 * whole_doubt && alpha > alpha_doubt && beta > beta_doubt && gamma > gamma_doubt;
+    const Real size_d = largest_component(d);
+    const Real whole_doubt = rounding * size_d * size_ab * size_ac + underflow;
+    const Real doubt =
+        whole_doubt + rounding * size_d * largest_component(s) * (size_ab + size_ac) + underflow;
+    const bool finite = least - whole > -infinity;  // nor is any of the three
+    if (finite && least < -doubt && whole > whole_doubt) return std::nullopt;
+    const bool inside = finite && least > doubt && whole > 16 * whole_doubt;
     if (!inside) return carefully(ray, triangle, interval);
 
-    // From the point p of the ray that is almost in the plane: what is left to go rounds in the
-    // triangle's size, not in the distance of the origin.
+    // From the point p of the ray that is almost in the plane (certain.hpp): what is left to go
+    // rounds in the triangle's size, not in the distance of the origin.
+    const Vec3 dropped(exact_sum(o.x, -corner.x).dropped, exact_sum(o.y, -corner.y).dropped,
+                       exact_sum(o.z, -corner.z).dropped);  // of s; a miss needs none
     const Real t_near = side * dot(ac, r) / whole;
-    const Vec3 p = fused_at(s, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
+    const Vec3 p = fused_at(s, t_near, d) + dropped;
     const Real from_near = side * dot(cross(ab, ac), p) / whole;
     const Real t = t_near + from_near;
-    const Real doubt = Real(1.2) * rounding * size_ab * size_ac * largest_component(p) / whole +
-                       std::abs(from_near) / 8;
-    const Estimate root{.t = t, .error = doubt + 3 * unit_roundoff * std::abs(t)};
+    const Real size_p = largest_component(p) + unit_roundoff * std::abs(t_near) * size_d;
+    const Real error = Real(1.2) * rounding * size_ab * size_ac * size_p / whole +
+                       std::abs(from_near) / 8 + 3 * unit_roundoff * std::abs(t);
+    const Estimate root{.t = t, .error = error};
     if (root.before(interval) || root.after(interval)) return std::nullopt;
     if (!root.answers(interval, 64)) return carefully(ray, triangle, interval);
     return t;
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Triangle& triangle, Interval interval) {
+    return exact_root(ray, along(ray, triangle), interval);
 }
 
 }  // namespace rt

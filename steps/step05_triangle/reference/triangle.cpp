@@ -9,12 +9,36 @@ namespace rt {
 
 namespace {
 
-/// The triangle's vertex as the ray sees it: the ray runs along z from the origin.
-/// A vertex gets the same bits in whichever triangle it stands, which is what closes the cracks.
-Vec3 sheared(Vec3 vertex, const Ray& ray, glm::length_t x, glm::length_t y, glm::length_t z) {
-    const Vec3 p = vertex - ray.origin;
-    const Vec3& d = ray.direction;
-    return {std::fma(-d[x] / d[z], p[z], p[x]), std::fma(-d[y] / d[z], p[z], p[y]), p[z] / d[z]};
+/// The frame in which the ray runs along z from the origin: its axes are the world's, in an order
+/// in which the direction is longest along z, and x and y lean by the slopes.
+struct RayFrame {
+    explicit RayFrame(const Ray& ray) : origin(ray.origin) {
+        const Vec3& d = ray.direction;
+        const Vec3 size(std::fabs(d.x), std::fabs(d.y), std::fabs(d.z));
+        z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+        x = (z + 1) % 3;
+        y = (z + 2) % 3;
+        slope = {d[x] / d[z], d[y] / d[z]};
+    }
+
+    /// A vertex gets the same bits in whichever triangle it stands, which is what closes the
+    /// cracks.
+    [[nodiscard]] Vec3 operator()(const Vec3& vertex) const {
+        const Real depth = vertex[z] - origin[z];
+        return {std::fma(-slope.x, depth, vertex[x] - origin[x]),
+                std::fma(-slope.y, depth, vertex[y] - origin[y]), depth};
+    }
+
+    const Vec3& origin;
+    glm::length_t x;
+    glm::length_t y;
+    glm::length_t z;
+    Vec2 slope;
+};
+
+/// |x| or |y|, whichever is larger.
+Real reach(Vec3 seen) {
+    return glm::max(std::fabs(seen.x), std::fabs(seen.y));
 }
 
 /// Twice the signed area of the triangle that the edge from p to q makes with the ray. Its sign
@@ -29,31 +53,28 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
     // Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the half-planes of MRT §5
     // after a change of frame in which the ray is the z axis. Left is then left for every
     // triangle, and a ray through a shared edge or vertex meets at least one of its triangles.
-    const Vec3 size = abs(ray.direction);
-    const glm::length_t z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    const glm::length_t x = (z + 1) % 3;
-    const glm::length_t y = (z + 2) % 3;
-    const Vec3 a = sheared(triangle.a, ray, x, y, z);
-    const Vec3 b = sheared(triangle.b, ray, x, y, z);
-    const Vec3 c = sheared(triangle.c, ray, x, y, z);
+    const RayFrame seen(ray);
+    const Vec3 a = seen(triangle.a);
+    const Vec3 b = seen(triangle.b);
+    const Vec3 c = seen(triangle.c);
 
     // Areas are products of lengths, and would leave float's range at sizes of 1e-20 and 1e20: they
     // are taken in units of the triangle's size as the ray sees it, by which nothing rounds.
-    const Vec3 size_seen = glm::max(abs(a), glm::max(abs(b), abs(c)));
-    const Real scale = 1 / power_of_two_below(glm::max(size_seen.x, size_seen.y));
+    const Real scale = 1 / power_of_two_below(glm::max(reach(a), glm::max(reach(b), reach(c))));
     const Vec2 a_seen = scale * Vec2(a);
     const Vec2 b_seen = scale * Vec2(b);
     const Vec2 c_seen = scale * Vec2(c);
     const Real alpha = edge_function(b_seen, c_seen);  // opposite to a, hence the weight of a
     const Real beta = edge_function(c_seen, a_seen);
     const Real gamma = edge_function(a_seen, b_seen);
-    const bool left = alpha >= 0 && beta >= 0 && gamma >= 0;  // "or on": an edge belongs
-    const bool right = alpha <= 0 && beta <= 0 && gamma <= 0;
-    if (!left && !right) return std::nullopt;  // NaN must miss
+    const bool left = glm::min(alpha, glm::min(beta, gamma)) >= 0;  // "or on": an edge belongs
+    const bool right = glm::max(alpha, glm::max(beta, gamma)) <= 0;
+    if (!left && !right) return std::nullopt;
 
     // α a.z + β b.z + γ c.z over their sum, but from a: then only that rounds in the distance.
-    const Real t = a.z + (beta * (b.z - a.z) + gamma * (c.z - a.z)) / (alpha + beta + gamma);
-    if (!interval.contains(t)) return std::nullopt;  // seen edge-on, 0 / 0
+    const Real depth = a.z + (beta * (b.z - a.z) + gamma * (c.z - a.z)) / (alpha + beta + gamma);
+    const Real t = depth / ray.direction[seen.z];
+    if (!interval.contains(t)) return std::nullopt;  // NaN must miss: seen edge-on, t is 0 / 0
     return t;
 }
 

@@ -2,7 +2,7 @@
 #include "steps/step06_square/square.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Square&, Interval);
@@ -16,10 +16,9 @@ namespace rt {
 namespace {
 
 /// z = 0 along the ray, where |x| and |y| ≤ side / 2 and, of a one-sided square, z falls.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Square& square,
-                                                Interval interval) {
+auto along(const Square& square) {
     const Real unit = power_of_two_below(square.side);
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto o = exactly<T>(near.origin) - exactly<T>(square.center / unit);
         const auto d = exactly<T>(near.direction);
         const auto x = exactly<T>(square.basis.x);
@@ -34,15 +33,20 @@ namespace {
                                               {.c0 = half - dot(o, y), .c1 = -dot(d, y)},
                                               {.c0 = half + dot(o, y), .c1 = dot(d, y)},
                                               {.c0 = square.one_sided ? -slope : T(Real(0))}}}};
-    });
+    };
+    return Along{unit, crossing_in};
+}
+
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Square& square,
+                                                Interval interval) {
+    return decided(ray, along(square), interval);
 }
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
-    // The reference's form, from the point p of the ray that is almost in the plane: p is within
-    // 2 u |p| of the ray, a ⟨p, x⟩ within 9 u of p's largest coordinate, a ⟨d, x⟩ within 6 u of
-    // d's.
+    // The reference's form, from the point p of the ray that is almost in the plane (certain.hpp):
+    // a ⟨p, x⟩ is within 9 u of p's largest coordinate and w, a ⟨d, x⟩ within 6 u of d's.
     const auto& [x, y, z] = square.basis;
     const Vec3& d = ray.direction;
     const Rounded o_x = exact_sum(ray.origin.x, -square.center.x);
@@ -54,8 +58,8 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     const Vec3 p = fused_at(o, t_near, d) + Vec3(o_x.dropped, o_y.dropped, o_z.dropped);
     const Real height = dot(p, z);
     const Real steepness = std::abs(slope);
-    const Real size_p = largest_component(p);
     const Real size_d = largest_component(d);
+    const Real size_p = largest_component(p) + unit_roundoff * std::abs(t_near) * size_d;
     if (!(steepness > 64 * unit_roundoff * size_d)) return carefully(ray, square, interval);
     if (square.one_sided && slope > 0) return std::nullopt;
 
@@ -75,6 +79,10 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     if (root.before(interval) || root.after(interval)) return std::nullopt;
     if (!root.answers(interval, 32)) return carefully(ray, square, interval);
     return t;
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Square& square, Interval interval) {
+    return exact_root(ray, along(square), interval);
 }
 
 }  // namespace rt

@@ -19,12 +19,13 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     const Vec3& d = ray.direction;
     const Real slope = dot(d, z);
     if (square.one_sided && !(slope < 0)) return std::nullopt;
-    const Real near = -dot(o, z) / slope;
+    const Real inverse_slope = 1 / slope;
+    const Real near = -dot(o, z) * inverse_slope;
     // From that point on, which is close to the square's plane though rounded: then what is left
     // rounds in the square's size, not in the distance of the origin.
     const Vec3 p = o + near * d;
     const Real height = dot(p, z);
-    const Real t = near - height / slope;
+    const Real t = near - height * inverse_slope;
     if (!interval.contains(t)) return std::nullopt;  // a ray in the square's plane has t NaN
 
     // |p.x − p.z d.x / d.z| ≤ side / 2 multiplied by |d.z|, in the square's frame: deciding without

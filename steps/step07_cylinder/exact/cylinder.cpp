@@ -2,7 +2,7 @@
 #include "steps/step07_cylinder/cylinder.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Cylinder&, Interval);
@@ -16,10 +16,9 @@ namespace rt {
 namespace {
 
 /// ‖p × Z‖² = r² ‖Z‖² along the ray, where z² ≤ (h / 2)² ‖Z‖²: ‖Z‖ is 1 but for its rounding.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Cylinder& cylinder,
-                                                Interval interval) {
+auto along(const Cylinder& cylinder) {
     const Real unit = power_of_two_below(glm::max(cylinder.radius, cylinder.height));
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto o = exactly<T>(near.origin) - exactly<T>(cylinder.center / unit);
         const auto d = exactly<T>(near.direction);
         const auto axis = exactly<T>(cylinder.axis);
@@ -36,14 +35,20 @@ namespace {
                               .conditions = {{{.c0 = square * half * half - o_along * o_along,
                                                .c1 = -(o_along + o_along) * d_along,
                                                .c2 = -d_along * d_along}}}};
-    });
+    };
+    return Along{unit, crossing_in};
+}
+
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Cylinder& cylinder,
+                                                Interval interval) {
+    return decided(ray, along(cylinder), interval);
 }
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the centre, within 2 u |p| of
-    // it, in the cross-section.
+    // The reference's form, from the point p of the line nearest to the centre (certain.hpp), in
+    // the cross-section.
     const Vec3& d = ray.direction;
     const Vec3& axis = cylinder.axis;
     const Rounded x = exact_sum(ray.origin.x, -cylinder.center.x);
@@ -61,20 +66,28 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
     const Real cc = dot(closest, closest);
     const Real rr = cylinder.radius * cylinder.radius;
 
-    // Across the axis, p is within 7 u |p| and d within 3.5 u |d|, which turns d by as much as the
-    // ray is nearly along the axis: `along` times. So `closest` is within u |p| (12 + 8 along), and
-    // its square within twice that and its length, which is no more than (cc + r²) / 2 r.
-    const Real along = std::sqrt(dd / a);
-    const Real size_p = unit_roundoff * std::sqrt(dot(p, p));
+    // In units of u: across the axis, p is within 5 (|p| + w) and d within 3 |d|, which turns d by
+    // as much as the ray is nearly along the axis: `along` times. So `closest` is within
+    // (|p| + w) (7 + 3 along) of where the line is at t_closest, and that is (|p| + w) (12 + 9
+    // along) from where it is closest. The square is off by the first twice its length, which is no
+    // more than (cc + r²) / r, and by both their squares; and by 16 r² if the axis is not quite a
+    // unit.
+    const Real size_d = std::sqrt(dd);
+    const Real along = size_d / std::sqrt(a);
+    const Real size_p =
+        unit_roundoff * (std::sqrt(dot(p, p)) + unit_roundoff * std::abs(t_near) * size_d);
+    const Real aside = size_p * (14 + 10 * along);
     const Real half_chord_squared = rr - cc;
-    const Real doubt = size_p * (12 + 8 * along) * (cc + rr) / cylinder.radius +
-                       16 * unit_roundoff * (cc + rr) + underflow;
-    if (half_chord_squared < -doubt) return std::nullopt;
-    if (!(half_chord_squared > 16 * doubt)) return carefully(ray, cylinder, interval);
+    const Real doubt =
+        (size_p * (7 + 3 * along) / cylinder.radius + 24 * unit_roundoff) * (cc + rr) +
+        aside * aside + underflow;
+    const bool tells = along < Real(0x1p45) && a > underflow;  // or the axis' own rounding might
+    if (tells && half_chord_squared < -doubt) return std::nullopt;
+    if (!(tells && half_chord_squared > 16 * doubt)) return carefully(ray, cylinder, interval);
 
     const Real half_chord = std::sqrt(half_chord_squared / a);
-    const Real share = doubt / half_chord_squared + unit_roundoff * (4 * along + 6);
-    const Real error = half_chord * share + size_p * (16 + 12 * along) / std::sqrt(a);
+    const Real share = Real(0.55) * doubt / half_chord_squared + unit_roundoff * (3 * along + 6);
+    const Real error = half_chord * share + aside / std::sqrt(a);
     const Real p_along = dot(p, axis);
     const Real d_along = dot(d, axis);
     for (const Real from_p : {t_closest - half_chord, t_closest + half_chord}) {
@@ -84,7 +97,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
         if (root.after(interval)) return std::nullopt;
         const Real beyond = std::abs(p_along + from_p * d_along) - cylinder.height / 2;
         const Real z_doubt = 8 * size_p + 8 * unit_roundoff * cylinder.height +
-                             std::sqrt(dd) * (8 * unit_roundoff * std::abs(from_p) + 2 * error) +
+                             size_d * (8 * unit_roundoff * std::abs(from_p) + Real(1.1) * error) +
                              underflow;
         if (beyond > z_doubt) continue;
         if (!(beyond < -z_doubt) || !root.answers(interval, 64))
@@ -92,6 +105,10 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
         return t;
     }
     return std::nullopt;
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Cylinder& cylinder, Interval interval) {
+    return exact_root(ray, along(cylinder), interval);
 }
 
 }  // namespace rt

@@ -2,7 +2,7 @@
 #include "steps/step08_cone/cone.hpp"
 
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
+#include "common/exact/exact_root.hpp"
 
 namespace rt {
 std::optional<Real> reference_intersect(const Ray&, const Cone&, Interval);
@@ -17,10 +17,9 @@ namespace {
 
 /// h² ‖p × Z‖² = r² ⟨p, Z⟩² along the ray, where 0 ≤ z and z² ≤ h² ‖Z‖²: ‖Z‖ is 1 but for its
 /// rounding.
-[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Cone& cone,
-                                                Interval interval) {
+auto along(const Cone& cone) {
     const Real unit = power_of_two_below(glm::max(cone.radius, cone.height));
-    return decided(ray, unit, interval, [&]<class T>(T, const Ray& near) {
+    const auto crossing_in = [=]<class T>(T, const Ray& near) {
         const auto o = exactly<T>(near.origin) - exactly<T>(cone.apex / unit);
         const auto d = exactly<T>(near.direction);
         const auto axis = exactly<T>(cone.axis);
@@ -39,7 +38,13 @@ namespace {
                                               {.c0 = hh * dot(axis, axis) - o_along * o_along,
                                                .c1 = -(o_along + o_along) * d_along,
                                                .c2 = -d_along * d_along}}}};
-    });
+    };
+    return Along{unit, crossing_in};
+}
+
+[[gnu::noinline]] std::optional<Real> carefully(const Ray& ray, const Cone& cone,
+                                                Interval interval) {
+    return decided(ray, along(cone), interval);
 }
 
 /// A number, and how far it may be from the exact one.
@@ -48,7 +53,9 @@ struct Bounded {
     Real error;
 
     /// Whether it is far enough from 0 to divide by it.
-    [[nodiscard]] bool divides() const { return std::abs(value) > 16 * error; }
+    [[nodiscard]] bool divides() const {
+        return std::abs(value) > 16 * error && std::abs(value) < infinity;
+    }
 };
 
 Bounded quotient(const Bounded& a, const Bounded& b) {
@@ -57,7 +64,8 @@ Bounded quotient(const Bounded& a, const Bounded& b) {
     return {.value = value, .error = error + unit_roundoff * std::abs(value)};
 }
 
-/// across² − along², factored, of two lengths that are together within so much.
+/// across² − along², factored, of two lengths that are each within so much: at most twice that
+/// times their sum, and three roundings.
 Bounded difference_of_squares(Real across, Real along, Real error) {
     const Real sum = across + along;
     return {.value = (across - along) * sum, .error = Real(2.1) * error * sum + underflow};
@@ -66,7 +74,7 @@ Bounded difference_of_squares(Real across, Real along, Real error) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the apex, within 2 u |p| of it.
+    // The reference's form, from the point p of the line nearest to the apex (certain.hpp).
     const Vec3& d = ray.direction;
     const Vec3& axis = cone.axis;
     const Rounded x = exact_sum(ray.origin.x, -cone.apex.x);
@@ -77,18 +85,18 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
     const Real t_near = -dot(from_apex, d) / dd;
     const Vec3 p = fused_at(from_apex, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
     const Real size_d = std::sqrt(dd);
-    const Real size_p = std::sqrt(dot(p, p));
+    const Real size_p = std::sqrt(dot(p, p)) + unit_roundoff * std::abs(t_near) * size_d;
     const Real r = cone.radius;
     const Real h = cone.height;
 
-    // Across and along the axis, the moment m is within 13 u |p| |d| and 10 u, d within 6 u |d| and
-    // 3 u, p within 10 u |p| and 5 u; their products with r or h are rounded once more. The last
-    // term is what an axis does that is not quite unit length.
+    // In units of u, and with the length's rounding and that of its product with r or h: across and
+    // along the axis, the moment m is within 12 |p| |d| and 9, d within 7 |d| and 4, p within 9 |p|
+    // and 6; |p| with w. An axis that is not quite a unit keeps the discriminant's sign, and the
+    // root within 8.
     const Vec3 m = cross(p, d);
     const Real size = unit_roundoff * (r + h);
-    Bounded discriminant = difference_of_squares(
-        r * length(cross(m, axis)), h * std::abs(dot(m, axis)), 14 * size * size_p * size_d);
-    discriminant.error += 16 * size * (r + h) * size_p * size_p * dd;
+    const Bounded discriminant = difference_of_squares(
+        r * length(cross(m, axis)), h * std::abs(dot(m, axis)), 13 * size * size_p * size_d);
     if (discriminant.value < -discriminant.error) return std::nullopt;
     if (!discriminant.divides()) return carefully(ray, cone, interval);
 
@@ -99,17 +107,17 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
     const Bounded a =
         difference_of_squares(h * length(d_across), r * std::abs(d_along), 8 * size * size_d);
     const Bounded c =
-        difference_of_squares(h * length(p_across), r * std::abs(p_along), 12 * size * size_p);
+        difference_of_squares(h * length(p_across), r * std::abs(p_along), 10 * size * size_p);
     const Real b = h * h * dot(p_across, d_across) - r * r * p_along * d_along;
     const Real root = h * std::sqrt(discriminant.value);
+    const Real share = Real(0.55) * discriminant.error / discriminant.value + 12 * unit_roundoff;
     const Bounded q{.value = -(b + std::copysign(root, b)),
-                    .error = 18 * size * (r + h) * size_p * size_d +
-                             root * (discriminant.error / discriminant.value + 6 * unit_roundoff)};
+                    .error = 16 * size * (r + h) * size_p * size_d + root * share};
     if (!a.divides() || !q.divides()) return carefully(ray, cone, interval);
 
     std::array<Bounded, 2> roots = {quotient(q, a), quotient(c, q)};
     if (roots[1].value < roots[0].value) std::swap(roots[0], roots[1]);
-    if (!(roots[1].value - roots[0].value > 2 * (roots[0].error + roots[1].error)))
+    if (!(roots[1].value - roots[0].value > Real(1.1) * (roots[0].error + roots[1].error)))
         return carefully(ray, cone, interval);  // either might be the first
     for (const Bounded& from_p : roots) {
         const Real t = t_near + from_p.value;
@@ -118,7 +126,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
         if (hit.before(interval)) continue;
         if (hit.after(interval)) return std::nullopt;
         const Real height = p_along + from_p.value * d_along;
-        const Real doubt = 8 * unit_roundoff * (size_p + std::abs(from_p.value) * size_d + h) +
+        const Real doubt = 10 * unit_roundoff * (size_p + std::abs(from_p.value) * size_d + h) +
                            Real(1.1) * from_p.error * size_d + underflow;
         if (height < -doubt || height > h + doubt) continue;
         const bool on_cone = height > doubt && height < h - doubt;
@@ -126,6 +134,10 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
         return t;
     }
     return std::nullopt;
+}
+
+std::optional<ExactRoot> exact_root(const Ray& ray, const Cone& cone, Interval interval) {
+    return exact_root(ray, along(cone), interval);
 }
 
 }  // namespace rt

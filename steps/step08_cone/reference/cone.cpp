@@ -23,13 +23,12 @@ Real off_cone(const Cone& cone, Vec3 v) {
 std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interval) {
     // In units in which the cone and the direction are about 1: the products below have six
     // factors, and in float would leave its range at sizes of 1e-6 and 1e6.
-    const Real length_unit = power_of_two_below(std::max(given.radius, given.height));
-    const Real speed_unit = power_of_two_below(largest_component(ray.direction));
-    const Cone cone{.axis = given.axis,
-                    .radius = given.radius / length_unit,
-                    .height = given.height / length_unit};
-    const Vec3 from_apex = (ray.origin - given.apex) / length_unit;
-    const Vec3 d = ray.direction / speed_unit;
+    const Real shrink = 1 / power_of_two_below(std::max(given.radius, given.height));
+    const Real slow = 1 / power_of_two_below(largest_component(ray.direction));
+    const Cone cone{
+        .axis = given.axis, .radius = shrink * given.radius, .height = shrink * given.height};
+    const Vec3 from_apex = shrink * (ray.origin - given.apex);
+    const Vec3 d = slow * ray.direction;
 
     // MRT §8's quadratic, times h², from the point of the line nearest to the apex: far away its
     // discriminant would cancel to nothing.
@@ -59,7 +58,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
         // On the cone z ≤ h is as far as the rim from the apex; but z alone, where the cone is
         // flat, hardly tells how far that is.
         const Vec3 point = p + root * d;
-        const Real t = (t_closest + root) * (length_unit / speed_unit);
+        const Real t = (t_closest + root) * (slow / shrink);
         if (dot(point, cone.axis) >= 0 && dot(point, point) <= rr + hh && interval.contains(t))
             return t;
     }

@@ -3,8 +3,7 @@
 
 #include "common/compensated.hpp"
 #include "common/exact/certain.hpp"
-#include "common/exact/first_root.hpp"
-#include "common/exact/triangle_test.hpp"
+#include "common/exact/exact_root.hpp"
 #include "common/vector.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

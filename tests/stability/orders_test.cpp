@@ -1,0 +1,37 @@
+// The nearest of two shapes that are less than 4 ulps apart: `--precision exact` never takes the
+// other one, and the references do, which is how it is known that the question is hard enough.
+#include "tests/stability/orders.hpp"
+
+#include "tests/kit/catch.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+
+using namespace rt;
+
+namespace {
+
+void hold(const char* what, const Orders& orders) {
+    std::printf("| which is nearer | %s | %llu of %llu | |\n", what,
+                static_cast<unsigned long long>(orders.wrong),
+                static_cast<unsigned long long>(orders.asked));
+    INFO(orders.where);
+    if (asks_exactly())
+        CHECK(orders.wrong == 0);
+    else
+        CHECK(orders.wrong > 0);
+}
+
+}  // namespace
+
+TEST_CASE("of shapes that are a few ulps apart the nearest is met") {
+    const char* times = std::getenv("RAYSTEPS_STABILITY");
+    hold("near ties",
+         orders_of_near_ties(times == nullptr ? 1 : std::strtoull(times, nullptr, 10)));
+}
+
+TEST_CASE("of shapes that are equally near the first is met") {
+    const Orders orders = orders_of_ties();
+    CHECK(orders.asked == 2 * (14 * 14 + 6 * 6));
+    hold("ties", orders);
+}
