@@ -96,8 +96,8 @@ Choice chosen(MadeUp& model, const Options& options, const Open& open_float = {}
 }
 
 /// The share of all pixels that are off by more than the tolerance.
-double beyond(const MadeUp& model, double error, double tolerance) {
-    return model.penumbra * std::erfc(tolerance / error / std::sqrt(2));
+double beyond(const MadeUp& model, double error, double allowed) {
+    return model.penumbra * std::erfc(allowed / error / std::sqrt(2));
 }
 
 MadeUp plain() {
@@ -115,14 +115,14 @@ MadeUp soft(double penumbra) {
 
 TEST_CASE("a tolerance is kept by 99 of 100 pixels, at the least cost within a quarter") {
     for (const double penumbra : {0.1, 0.3, 1.0})
-        for (const double tolerance : {0.5, 1.0, 2.0, 8.0}) {
+        for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
             MadeUp model = soft(penumbra);
-            const Look look = chosen(model, {.tolerance = tolerance}).expected.look;
-            INFO(penumbra << " of the pixels in a penumbra, tolerance " << tolerance);
-            CHECK(beyond(model, error_of(look), tolerance) <= 0.01);
+            const Look look = chosen(model, {.tolerance = allowed}).expected.look;
+            INFO(penumbra << " of the pixels in a penumbra, tolerance " << allowed);
+            CHECK(beyond(model, error_of(look), allowed) <= 0.01);
             double cheapest = cost_of(model, look);
             for (double error = 40; error > 0.01; error *= 0.99)
-                if (beyond(model, error, tolerance) <= 0.01) {
+                if (beyond(model, error, allowed) <= 0.01) {
                     cheapest = cost_of(model, {.shadow_samples = 1, .shadow_error = error});
                     break;
                 }
@@ -139,15 +139,15 @@ TEST_CASE("where fewer than one pixel in a hundred is in a penumbra, one ray is 
 }
 
 TEST_CASE("mirrors are followed until no more than the tolerance is missing") {
-    for (const double tolerance : {0.5, 2.0, 7.0, 30.0}) {
+    for (const double allowed : {0.5, 2.0, 7.0, 30.0}) {
         MadeUp model = plain();
         model.demands.mirrors = true;
         model.mirror = 0.3;
-        const int depth = chosen(model, {.tolerance = tolerance}).expected.look.depth;
-        INFO("tolerance " << tolerance << ", depth " << depth);
-        CHECK(model.reflection * std::pow(0.5, depth) <= tolerance);
+        const int depth = chosen(model, {.tolerance = allowed}).expected.look.depth;
+        INFO("tolerance " << allowed << ", depth " << depth);
+        CHECK(model.reflection * std::pow(0.5, depth) <= allowed);
         // The depths tried are no further apart than this.
-        CHECK(model.reflection * std::pow(0.5, 0.7 * depth - 1) > tolerance);
+        CHECK(model.reflection * std::pow(0.5, 0.7 * depth - 1) > allowed);
     }
     MadeUp model = plain();
     model.demands.mirrors = true;

@@ -78,9 +78,9 @@ ShadowRays well_spread(const Scene& scene, const Lit& lit, int rays) {
 
 ShadowRays adaptive(const Scene& scene, const Lit& lit, int rays) {
     ShadowRays sent;
-    const Look look{.shadow_error = 255.0 / rays};
+    const Context context{.look = {.shadow_error = 255.0 / rays}};
     const std::uint32_t seed = seed_of(lit, 0);
-    while (sent.sent < 1024 && !accurate(sent, lit.color, look)) {
+    while (sent.sent < 1024 && !accurate(sent, lit.color, context)) {
         sent.reached += reaches(scene, lit, spread_sample(std::uint32_t(sent.sent), seed));
         ++sent.sent;
     }
