@@ -20,7 +20,6 @@ class Ladder {
 public:
     void add(const Trial& trial) { trials_.push_back(trial); }
 
-    [[nodiscard]] bool empty() const { return trials_.empty(); }
     [[nodiscard]] const Trial& top() const { return trials_.back(); }
 
     /// The best that takes no longer.

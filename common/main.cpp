@@ -11,19 +11,6 @@
 #include <memory>
 #include <new>
 
-namespace rt {
-
-#ifndef RT_EXACT
-inline namespace f32 {
-std::unique_ptr<Session> open_session(const Program& program, const Options& options);
-}
-#endif
-inline namespace f64 {
-std::unique_ptr<Session> open_session(const Program& program, const Options& options);
-}
-
-}  // namespace rt
-
 namespace {
 
 constexpr int bad_input = 2;

@@ -120,7 +120,7 @@ void add_goals(CLI::App& app, Options& options) {
 void add_light_options(CLI::App& app, int stage, Look& look) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
                             const std::string& type, auto check) {
-        app.add_option(name, value, help)->check(check.description(""))->type_name(type);
+        return app.add_option(name, value, help)->check(check.description(""))->type_name(type);
     };
     if (stage >= light_stage)
         app.add_option("--term", look.term, "show one of Phong's terms; their sum if not given")
@@ -140,7 +140,8 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
                    "E", [&look](double steps) { look.shadow_error = steps; });
         add("--shadow-agree", look.shadow_agree,
             "or until so many have all reached the light, or none; with --shadow-error", "N",
-            CLI::Range(1, most_shadow_samples));
+            CLI::Range(1, most_shadow_samples))
+            ->needs("--shadow-error");
     }
     if (stage >= mirror_stage)
         add("--depth", look.depth, "mirror upon mirror, at most; 8 if not given", "N",

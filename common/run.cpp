@@ -1,4 +1,4 @@
-#include "common/run.hpp"
+#include "common/session.hpp"
 
 #include "common/demands.hpp"
 #include "common/mesh_loading.hpp"

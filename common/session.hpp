@@ -1,4 +1,5 @@
-// A scene that has been read in one precision, as those see it who do not care in which.
+// What a stage's program does with a scene that it has read, for those who do not care in which
+// precision.
 #pragma once
 
 #include "common/options.hpp"
@@ -6,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace rt {
@@ -56,5 +58,14 @@ public:
     [[nodiscard]] virtual bool run(const Options& options, Pace* pace,
                                    const std::atomic<bool>& stop) const = 0;
 };
+
+// Each reads the scene in its precision. Throws InputError for what is wrong with it. A program of
+// certified kernels has the second alone.
+inline namespace f32 {
+[[nodiscard]] std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+}
+inline namespace f64 {
+[[nodiscard]] std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+}
 
 }  // namespace rt

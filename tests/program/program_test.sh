@@ -61,6 +61,7 @@ refused "no tolerance" "--tolerance" step11_soft_shadows --tolerance nan
 refused "300 digits of a tolerance" "--tolerance" step11_soft_shadows --tolerance "$long"
 refused "no error" "--shadow-error" step11_soft_shadows --shadow-error 0
 refused "no time" "--time" step03_sphere --time 0
+refused "agreement about nothing" "--shadow-error" step11_soft_shadows --shadow-agree 8
 refused "a negative depth" "--depth" step12_mirror --depth=-1
 refused "a torch among lights" "--shade" step09_phong --shade torch
 refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step11_soft_shadows.rt"

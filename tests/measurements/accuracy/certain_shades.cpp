@@ -2,8 +2,6 @@
 #include "tests/measurements/accuracy/certain_shades.hpp"
 #include "tests/measurements/accuracy/drawing.hpp"
 
-#include "common/run.hpp"
-
 using namespace rt;
 
 int main() {
@@ -12,7 +10,7 @@ int main() {
     const Look converged{
         .shadow_samples = most_shadow_samples, .shadow_error = 1.0 / 16, .depth = 64};
     for (const auto& scene : all_scenes()) {
-        const auto session = open_session(program, {.scene = scene.string()});
+        const auto session = f64::open_session(program, {.scene = scene.string()});
         const Shot shot = session->shot(converged, shades_of_a_scene, last_round, going_on);
         std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);
         std::fflush(stdout);

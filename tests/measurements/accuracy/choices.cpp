@@ -13,17 +13,6 @@
 #include <ctime>
 #include <limits>
 
-namespace rt {
-
-inline namespace f32 {
-std::unique_ptr<Session> open_session(const Program& program, const Options& options);
-}
-inline namespace f64 {
-std::unique_ptr<Session> open_session(const Program& program, const Options& options);
-}
-
-}  // namespace rt
-
 using namespace rt;
 
 namespace {
