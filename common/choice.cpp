@@ -1,9 +1,13 @@
 #include "common/choice.hpp"
 
+#include "common/sampling_looks.hpp"
+#include "common/shot_errors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -27,46 +31,6 @@ constexpr double unseen = 0.5;
 /// A gain that is more than the clock's noise.
 constexpr double gain = 0.95;
 
-/// How far the color is from another one, in the strongest channel.
-double distance(const Shade& a, const Shade& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (std::isnan(a[i]) != std::isnan(b[i])) return 255;
-        if (!std::isnan(a[i])) most = std::max(most, std::abs(a[i] - b[i]));
-    }
-    return most;
-}
-
-std::vector<double> distances(const Shot& a, const Shot& b) {
-    std::vector<double> all;
-    for (std::size_t i = 0; i < a.shades.size(); ++i)
-        all.push_back(distance(a.shades[i], b.shades[i]));
-    return all;
-}
-
-/// The share of the pixels that may be further off than the tolerance: so many of those tried that
-/// with 95 % certainty no more than one in a hundred are, of all.
-double exceptions(std::size_t tried) {
-    constexpr double promised = 0.01;
-    constexpr double certain = 1.64;  // standard errors
-    return std::max(promised - certain * std::sqrt(promised / double(tried)), 0.);
-}
-
-/// The share of pixels that are further off than the limit.
-double share_beyond(const Shot& a, const Shot& b, double limit) {
-    const std::vector<double> all = distances(a, b);
-    const auto beyond = std::ranges::count_if(all, [=](double d) { return d > limit; });
-    return double(beyond) / double(all.size());
-}
-
-/// All but such a share of pixels are off by no more than this.
-double error_but_for(double share, const Shot& a, const Shot& b) {
-    std::vector<double> all = distances(a, b);
-    const auto place = all.end() - 1 - std::ptrdiff_t(share * double(all.size()));
-    std::ranges::nth_element(all, place);
-    return *place;
-}
-
 /// What a rounding of the precision may do to a color, in 8-bit steps. A point on a shape is off by
 /// up to 8 u of its coordinates (docs/stability.md), the normal there by that over the shape's
 /// size, and a highlight by so many times that as its exponent says.
@@ -74,26 +38,6 @@ double rounding_error(const Demands& demands, double unit_roundoff) {
     if (demands.feature == 0) return 0;
     return 255 * 8 * unit_roundoff * demands.extent / demands.feature * demands.shininess;
 }
-
-/// What there is to try for lights with a size, from one ray to a thirty-second of a step. Each
-/// look's error is about 1/√2 of the one's before.
-std::vector<Look> sampling_looks(Look look) {
-    std::vector<Look> all;
-    look.shadow_error = 0;
-    for (const int samples : {1, 2, 4}) {
-        look.shadow_samples = samples;
-        all.push_back(look);
-    }
-    look.shadow_samples = most_shadow_samples;
-    for (double steps = 16; steps > 1.0 / 33; steps /= std::sqrt(2)) {
-        look.shadow_error = steps;
-        all.push_back(look);
-    }
-    return all;
-}
-
-/// A look tried beside one of 1/√2 of its error is off by what they differ in, but for the other's.
-constexpr double both_errors = 1.22;
 
 std::string number(double value) {
     char text[32];
@@ -145,9 +89,9 @@ public:
           read_(Clock::now()),
           demands_(session->demands()),
           size_(session->resolution()),
-          pixels_(std::min(all_pixels(), std::max<std::size_t>(1000, all_pixels() / 96))),
+          pixels_(std::min(all_pixels(), std::max<std::size_t>(1000, all_pixels() / 128))),
           hierarchy_from_(demands_.hierarchy_from),
-          exceptions_left_(exceptions(pixels_)),
+          exceptions_left_(exceptions(2 * pixels_)),
           look_(options.look) {
         choice_.session = std::move(session);
         choice_.precision = options.precision;
@@ -174,7 +118,8 @@ private:
 
     [[nodiscard]] Shot shot(const Session& session, const Look& look, std::size_t pixels,
                             int round) const {
-        Shot shot = session.shot(look, pixels, round, stop_);
+        Shot shot = session.shot(
+            look, {.pixels = pixels, .round = round, .threads = options_.threads, .stop = &stop_});
         if (stop_) throw Stopped();
         return shot;
     }
@@ -203,7 +148,9 @@ private:
     }
 
     void fit_depth_into_time();
-    void believe_agreement(const Shot& finest);
+    [[nodiscard]] Ladder climb() const;
+    [[nodiscard]] Trial best_around(const Look& found);
+    void keep_tolerance();
     [[nodiscard]] std::string expected_error() const;
 
     void say(const std::string& what, const std::string& why) {
@@ -222,6 +169,7 @@ private:
     double exceptions_left_;
     Look look_;
     Choice choice_;
+    int round_ = 100;  ///< of a shot: the first ones are the climb's
 };
 
 template <class First, class Second>
@@ -269,8 +217,10 @@ void Chooser::choose_depth() {
     std::array<double, depths.size()> cut_off{};  // pixels that are off by more than the limit
     const auto too_shallow = [&](const int& depth) {
         double& share = cut_off[std::size_t(&depth - depths.data())];
-        share = depth == endless ? 0 : share_beyond(shot(at_depth(depth), 0), whole, limit());
-        return share > exceptions_left_ / 2;
+        share = depth == endless
+                    ? 0
+                    : share_beyond(limit(), distances(shot(at_depth(depth), 0), whole));
+        return share > exceptions_left_ / (demands_.sized_lights ? 8 : 2);
     };
     const auto least =
         std::size_t(std::ranges::partition_point(depths, too_shallow) - depths.begin());
@@ -291,50 +241,18 @@ void Chooser::fit_depth_into_time() {
     if (look_.depth < wanted) say("", "but " + std::to_string(look_.depth) + " for the time");
 }
 
-/// Most pixels are in full light or in none, and most of the rays are spent to make sure of it.
-/// Where few are in a penumbra, rays that agree may be believed, if the others are sampled a little
-/// better.
-void Chooser::believe_agreement(const Shot& finest) {
-    const double allowed = *options_.tolerance;
-    Look look = choice_.expected.look;
-    if (look.shadow_error == 0) return;
-    constexpr double better = 0.8;
-    look.shadow_error *= better;
-    constexpr std::array numbers = {6,  7,  8,  10, 12, 14, 17, 20,  24,
-                                    29, 35, 42, 50, 60, 72, 86, 104, 128};
-    int round = 100;  // which no other trial has
-    const auto passes = [&] {
-        const Shot believing = shot(look, ++round);
-        const double off = error_but_for(exceptions_left_, believing, finest) / both_errors;
-        const bool good = off <= allowed;
-        if (good && seconds(believing) < gain * choice_.expected.seconds)
-            choice_.expected = {.look = look, .seconds = seconds(believing), .error = off};
-        return good;
-    };
-    (void)std::ranges::partition_point(numbers, [&](int number) {
-        look.shadow_agree = number;
-        return !passes();
-    });
-    look = choice_.expected.look;
-    if (look.shadow_agree == 0) return;
-    look.shadow_error *= std::min(allowed / choice_.expected.error, 1 / better);
-    (void)passes();
-}
-
-void Chooser::choose_samples() {
-    fit_depth_into_time();
-    Ladder ladder;
-    if (options_.given.shadow_samples || !demands_.sized_lights) {
-        ladder.add({.look = look_, .seconds = seconds(shot(look_, 1))});
-        choice_.expected = ladder.top();
-        return say("shadow samples",
-                   options_.given.shadow_samples ? "as given" : "one: no light has a size");
-    }
+/// Lights with a size: cheap looks first, until one is as good as asked for, or takes too long.
+Ladder Chooser::climb() const {
+    // For a tolerance what is found is tried again, on more.
+    const std::size_t pixels = options_.tolerance ? (pixels_ + 3) / 4 : pixels_;
     const std::vector<Look> looks = sampling_looks(look_);
-    Shot finest = shot(looks[0], 1);
+    Ladder ladder;
+    Shot finest = shot(*choice_.session, looks[0], pixels, 1);
     for (std::size_t i = 1; i < looks.size(); ++i) {
-        const Shot before = std::exchange(finest, shot(looks[i], int(i) + 1));
-        const double off = error_but_for(exceptions_left_, before, finest) / both_errors;
+        const Shot before =
+            std::exchange(finest, shot(*choice_.session, looks[i], pixels, int(i) + 1));
+        const double off = error_but_for(exceptions_left_, distances(before, finest)) /
+                           excess(looks[i - 1], looks[i]);
         ladder.add({.look = looks[i - 1], .seconds = seconds(before), .error = off});
         if (options_.tolerance && off <= *options_.tolerance) break;
         if (options_.time && seconds(before) > *options_.time) break;
@@ -343,8 +261,74 @@ void Chooser::choose_samples() {
             break;
         }
     }
+    return ladder;
+}
+
+/// The cheapest look about as good as one found that keeps the tolerance, or the best.
+Trial Chooser::best_around(const Look& found) {
+    const double allowed = *options_.tolerance;
+    const Look finer = finer_than(found);
+    const Shot finest = shot(finer, ++round_);
+    Trial best = {.seconds = infinite, .error = infinite};
+    const auto consider = [&](const Look& look) {
+        // The same pixels again are nearly as good as others, and spare a finer shot of these.
+        const std::array shots = {shot(look, ++round_), shot(look, ++round_)};
+        std::vector<double> both = distances(shots[0], finest);
+        std::ranges::copy(distances(shots[1], finest), std::back_inserter(both));
+        const double off = error_but_for(exceptions_left_, both) / excess(look, finer);
+        const Trial trial{
+            .look = look, .seconds = (seconds(shots[0]) + seconds(shots[1])) / 2, .error = off};
+        const bool is_cheaper = best.error > allowed || trial.seconds < best.seconds;
+        if (off <= allowed ? is_cheaper : off < best.error) best = trial;
+        return trial;
+    };
+    Ladder ladder;
+    for (const Look& look : looks_around(found)) {
+        ladder.add(consider(look));
+        if (ladder.top().error <= allowed) break;
+    }
+    if (best.look.shadow_error == 0 || best.error > allowed) return best;
+    (void)consider(ladder.within_error(allowed).look);
+    // Where many must agree, the others are sampled too coarsely.
+    constexpr int many = 40;
+    for (bool pays = best.look.shadow_agree == 0 || best.look.shadow_agree > many; pays;) {
+        const double before = best.seconds;
+        (void)consider(fewer_agree(best.look));
+        pays = best.seconds < before;
+    }
+    const Look kept = best.look;
+    const double room = std::min(allowed / best.error, 1 / better_sampled);
+    for (const double part : {3 / 3., 2 / 3., 1 / 3.}) {
+        Look look = kept;
+        look.shadow_error *= std::pow(room, part);
+        if (consider(look).error <= allowed) break;
+    }
+    return best;
+}
+
+/// The few pixels of the climb may have told too little.
+void Chooser::keep_tolerance() {
+    constexpr int most_tries = 4;
+    Look look = choice_.expected.look;
+    for (int i = 0; i < most_tries && !no_time_to_try(); ++i, look = finer_than(look)) {
+        choice_.expected = best_around(look);
+        if (choice_.expected.error <= *options_.tolerance) return;
+    }
+}
+
+void Chooser::choose_samples() {
+    fit_depth_into_time();
+    if (options_.given.shadow_samples || !demands_.sized_lights) {
+        choice_.expected = {.look = look_, .seconds = seconds(shot(look_, 1))};
+        return say("shadow samples",
+                   options_.given.shadow_samples ? "as given" : "one: no light has a size");
+    }
+    Ladder ladder = climb();
     choice_.expected = options_.tolerance ? ladder.within_error(*options_.tolerance) : ladder.top();
-    if (options_.tolerance) believe_agreement(finest);
+    if (options_.tolerance && ladder.top().error <= *options_.tolerance) {
+        keep_tolerance();
+        ladder.end_with(choice_.expected);
+    }
     if (options_.time) {
         if (choice_.expected.seconds > *options_.time)
             choice_.expected = ladder.within_time(*options_.time);

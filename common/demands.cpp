@@ -1,6 +1,7 @@
 #include "common/demands.hpp"
 
 #include "common/bounds.hpp"
+#include "common/in_parallel.hpp"
 #include "common/sampling.hpp"
 #include "common/stage.hpp"
 #include "common/stages.hpp"
@@ -102,22 +103,25 @@ Demands demands_of(const Scene& scene, int stage, const Look& look) {
     return demands;
 }
 
-Shot shot_of(const Scene& scene, const Look& look, std::size_t pixels, int round,
-             const std::atomic<bool>& stop) {
+Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings) {
+    constexpr std::size_t together = 16;  // pixels that a thread takes at once
     const Resolution size = scene.resolution;
     const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), size);
-    Context context{.look = look};
-    Shot shot;
-    shot.shades.reserve(pixels);
+    Shot shot{.shades = std::vector<Shade>(settings.pixels)};
     const std::clock_t start = std::clock();
-    for (std::size_t i = 0; i < pixels && !stop; ++i) {
-        const Vec2 place = spread_sample(std::uint32_t(i), 0);
-        const Pixel pixel{.row = int(place.y * Real(size.height)),
-                          .column = int(place.x * Real(size.width))};
-        context.pixel = seed_pixel(pixel, size, round);
-        shot.shades.push_back(shade(trace(scene, pixel_ray(pixel), context)));
-    }
-    shot.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / double(pixels);
+    const auto draw = [&](std::size_t part) {
+        Context context{.look = look};
+        const std::size_t end = std::min((part + 1) * together, settings.pixels);
+        for (std::size_t i = part * together; i < end; ++i) {
+            const Vec2 place = spread_sample(std::uint32_t(i), 0);
+            const Pixel pixel{.row = int(place.y * Real(size.height)),
+                              .column = int(place.x * Real(size.width))};
+            context.pixel = seed_pixel(pixel, size, settings.round);
+            shot.shades[i] = shade(trace(scene, pixel_ray(pixel), context));
+        }
+    };
+    in_parallel(settings.threads, (settings.pixels + together - 1) / together, settings.stop, draw);
+    shot.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / double(settings.pixels);
     return shot;
 }
 

@@ -10,7 +10,6 @@ namespace rt {
 [[nodiscard]] Demands demands_of(const Scene& scene, int stage, const Look& look);
 
 /// As Session::shot.
-[[nodiscard]] Shot shot_of(const Scene& scene, const Look& look, std::size_t pixels, int round,
-                           const std::atomic<bool>& stop);
+[[nodiscard]] Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings);
 
 }  // namespace rt

@@ -15,6 +15,9 @@ Trial between(const Trial& cheap, const Trial& good, double share) {
     };
     Trial trial = good;
     trial.look.shadow_error = mean(cheap.look.shadow_error, good.look.shadow_error);
+    if (cheap.look.shadow_agree > 0 && good.look.shadow_agree > 0)
+        trial.look.shadow_agree =
+            int(std::lround(mean(cheap.look.shadow_agree, good.look.shadow_agree)));
     trial.seconds = mean(cheap.seconds, good.seconds);
     trial.error = mean(cheap.error, good.error);
     return trial;
@@ -32,6 +35,11 @@ bool stop_at_errors(const Trial& a, const Trial& b) {
 }
 
 }  // namespace
+
+void Ladder::end_with(const Trial& trial) {
+    std::erase_if(trials_, [&](const Trial& other) { return other.seconds >= trial.seconds; });
+    add(trial);
+}
 
 Trial Ladder::within_time(double seconds) const {
     const auto dearer =

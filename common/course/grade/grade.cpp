@@ -8,6 +8,7 @@
 #include "common/course/grade/junit.hpp"
 #include "common/course/grade/layers.hpp"
 
+#include "common/in_parallel.hpp"
 #include "common/input_error.hpp"
 #include "common/stages.hpp"
 #include "common/terminal.hpp"
@@ -17,11 +18,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <exception>
 #include <random>
-#include <thread>
 
 namespace rt::grade {
 
@@ -139,40 +139,16 @@ std::vector<Envelope> envelopes_of(const Order& order) {
     return mine;
 }
 
-/// Does the work for each number below count, on several threads. Throws what one of them threw,
-/// after all have ended.
-template <class Work>
-void in_parallel(int threads, std::size_t count, Work work) {
-    std::atomic<std::size_t> next = 0;
-    std::mutex mutex;
-    std::exception_ptr failure;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count && !stop; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(mutex);
-                failure = std::current_exception();
-                stop = true;
-            }
-        }
-    };
-    std::vector<std::thread> all;
-    for (int i = 0; i < threads; ++i) all.emplace_back(run);
-    for (std::thread& each : all) each.join();
-    if (failure) std::rethrow_exception(failure);
-}
-
 void precompile_headers(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
-    in_parallel(order.jobs, stages.size(),
+    in_parallel(order.jobs, stages.size(), &stop,
                 [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
 }
 
 std::map<int, Yardstick> judge_references(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     std::vector<Yardstick> found(stages.size());
-    in_parallel(order.jobs, stages.size(), [&](std::size_t i) {
+    in_parallel(order.jobs, stages.size(), &stop, [&](std::size_t i) {
         found[i] = judge_reference(grading, stages[i], grading.workshop.folder);
     });
     std::map<int, Yardstick> yardsticks;
@@ -201,7 +177,7 @@ bool grade(const Order& order) {
     std::fprintf(stderr, "%zu submissions, %zu stages, seed %llu\n", envelopes.size(),
                  grading.stages.size(), static_cast<unsigned long long>(grading.seed));
     Progress progress(errors_on_terminal(), int(envelopes.size()));
-    in_parallel(order.jobs, envelopes.size(), [&](std::size_t i) {
+    in_parallel(order.jobs, envelopes.size(), &stop, [&](std::size_t i) {
         judge.judge(envelopes[i], stop);
         progress.advance();
     });

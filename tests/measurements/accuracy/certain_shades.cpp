@@ -5,13 +5,13 @@
 using namespace rt;
 
 int main() {
-    const std::atomic<bool> going_on = false;
     const Program program{.stage = 13, .root = RAYSTEPS_ROOT, .exact = true};
     const Look converged{
         .shadow_samples = most_shadow_samples, .shadow_error = 1.0 / 16, .depth = 64};
     for (const auto& scene : all_scenes()) {
         const auto session = f64::open_session(program, {.scene = scene.string()});
-        const Shot shot = session->shot(converged, shades_of_a_scene, last_round, going_on);
+        const Shot shot =
+            session->shot(converged, {.pixels = shades_of_a_scene, .round = last_round});
         std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);
         std::fflush(stdout);
     }

@@ -7,6 +7,8 @@
 #include "tests/measurements/accuracy/drawing.hpp"
 #include "tests/measurements/child_process.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +43,7 @@ double kept(const Shot& shot, const std::vector<Shade>& right, double tolerance)
 Shot drawn(const Session& session, const Look& look) {
     Shot best{.seconds = infinite};
     for (double all = 0; all < 0.05; all += best.seconds * double(shades_of_a_scene)) {
-        Shot shot = session.shot(look, shades_of_a_scene, last_round - 1, going_on);
+        Shot shot = session.shot(look, {.pixels = shades_of_a_scene, .round = last_round - 1});
         if (shot.seconds < best.seconds) best = std::move(shot);
     }
     return best;
@@ -159,7 +161,8 @@ void measure_tolerances(const std::filesystem::path& scene, const std::vector<Sh
 }
 
 void measure_times(const std::filesystem::path& scene, const std::filesystem::path& programs) {
-    const auto picture = std::filesystem::temp_directory_path() / "measure_choices.png";
+    const auto picture = std::filesystem::temp_directory_path() /
+                         ("measure_choices." + std::to_string(getpid()) + ".png");
     for (const double seconds : times) {
         const auto usage = measurements::run({(programs / "step13_meshes_of_reference").string(),
                                               scene.string(), "-o", picture.string(), "--quiet",
