@@ -67,6 +67,9 @@ public:
 
     [[nodiscard]] bool arranged() const { return !hierarchy_.empty(); }
 
+    /// Around all of them, if they are arranged.
+    [[nodiscard]] Box box() const { return hierarchy_.bounds(); }
+
     /// Calls visit(item) for every item that the ray may meet inside the interval; a visit may
     /// shorten the interval, and spares the items beyond.
     template <class Visit>

@@ -14,6 +14,8 @@
 #include "common/exact/leader.hpp"
 #endif
 
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -151,6 +153,12 @@ bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
     return intersect(ray, shape, interval).has_value();
 }
 
+/// Whether 64 bits have one for each item, and no hierarchy is quicker.
+template <class Shape>
+[[nodiscard]] bool is_short_list(const Items<Shape>& items) {
+    return !items.arranged() && items.size() <= 64;
+}
+
 /// Looks through lists of shapes for any that the ray meets inside the interval, and asks no more
 /// once there is one. The ray must outlive it.
 class Blocker {
@@ -165,16 +173,28 @@ public:
         if (!items.empty() && !found_) found_ = among_some(items);
     }
 
+    /// Of a short list, the items alone whose bit is set.
+    template <class Shape>
+    void among(const Items<Shape>& items, std::uint64_t chosen) {
+        if (!is_short_list(items)) return among(items);
+        for (; chosen != 0 && !found_; chosen &= chosen - 1)
+            found_ = is_in_the_way(items[std::size_t(std::countr_zero(chosen))]);
+    }
+
     [[nodiscard]] bool found() const { return found_; }
 
 private:
     template <class Shape>
     [[nodiscard, gnu::noinline]] bool among_some(const Items<Shape>& items) {
-        return items.any_along(ray_, interval_, [this](const Item<Shape>& item) {
-            const bool in_the_way = blocks(ray_, item.shape, interval_);
-            if (in_the_way && story_ != nullptr) story_->remark("in the way: " + code(item.shape));
-            return in_the_way;
-        });
+        return items.any_along(ray_, interval_,
+                               [this](const Item<Shape>& item) { return is_in_the_way(item); });
+    }
+
+    template <class Shape>
+    [[nodiscard]] bool is_in_the_way(const Item<Shape>& item) {
+        const bool in_the_way = blocks(ray_, item.shape, interval_);
+        if (in_the_way && story_ != nullptr) story_->remark("in the way: " + code(item.shape));
+        return in_the_way;
     }
 
     const Ray& ray_;

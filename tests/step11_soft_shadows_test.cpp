@@ -221,8 +221,8 @@ bool is_blocked(const Scene& scene, const ShadowRay& way) {
 
 Lit lit(const Scene& scene, Real x, const Look& look, Pixel pixel = {}, double weight = 1) {
     Context context{.look = look, .pixel = pixel, .weight = weight};
-    const auto in_the_way = [&](const ShadowRay& way) { return is_blocked(scene, way); };
-    const Terms terms = lighting(scene, ground(x), 0, in_the_way, context);
+    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
+    const Terms terms = lighting(scene, ground(x), 0, obstacles, context);
     return {.terms = terms, .rays = context.sized_light_rays};
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/sampling.hpp"
 #include "common/scene.hpp"
+#include "common/shaft.hpp"
 #include "common/story.hpp"
 #include "common/surface.hpp"
 
@@ -19,16 +20,23 @@ namespace rt {
 /// or is taken to be nothing because all rays agree.
 [[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
-// Each main.cpp knows what can stand in the way of a shadow ray, and hands it on as `blocked`. The
-// functions that ask are templates, so that they are compiled into its `trace`, but for what only a
-// light with a size needs: a scene whose lights have none then costs what it costs in stage 10
-// (tests/program/instruction_counts.sh).
+// Each main.cpp knows what can stand in the way of a shadow ray: obstacles(query) has a Blocker, or
+// another query, look through it. The functions that ask are templates, so that they are compiled
+// into its `trace`, but for what only a light with a size needs: a scene whose lights have none
+// then costs what it costs in stage 10 (tests/program/instruction_counts.sh).
 
 /// The share of the light that reaches the surface, where it would add the given colour.
-template <class Blocked>
+template <class Obstacles>
 [[nodiscard, gnu::noinline]] Real share_reached(const Surface& surface, const Light& light,
                                                 const Color& color, std::uint32_t seed,
-                                                const Blocked& blocked, Context& context) {
+                                                const Obstacles& obstacles, Context& context) {
+    const Shaft shaft(shadow_ray(surface, light.position).ray.origin, light);
+    Suspects suspects(shaft);
+    obstacles(suspects);
+    if (suspects.none()) {
+        if (context.story != nullptr) context.story->remark("nothing can be in the light's way");
+        return 1;
+    }
     ShadowRays rays;
     // A few ways ahead: a processor works out several at once, if nothing is asked in between.
     std::array<ShadowRay, 8> ways;
@@ -38,7 +46,9 @@ template <class Blocked>
             const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
             ways[i] = shadow_ray(surface, light_point(light, surface.point, sample));
         }
-        if (!blocked(ways[next])) ++rays.reached;
+        Suspects::Blocker blocker(ways[next].ray, ways[next].interval, suspects, context);
+        obstacles(blocker);
+        if (!blocker.found()) ++rays.reached;
         ++rays.sent;
     }
     context.sized_light_rays += rays.sent;
@@ -48,12 +58,22 @@ template <class Blocked>
     return lit_share(rays);
 }
 
+/// Whether nothing stands between the surface and a light without a size.
+template <class Obstacles>
+[[nodiscard]] bool reached(const Surface& surface, const Light& light, const Obstacles& obstacles,
+                           Context& context) {
+    const ShadowRay way = shadow_ray(surface, light.position);
+    Blocker blocker(way.ray, way.interval, context);
+    obstacles(blocker);
+    return !blocker.found();
+}
+
 /// What all the lights do at the surface, which is the bounce-th that the eye's ray has come to. A
 /// light with a size is asked for by several rays, until --shadow-samples or --shadow-error is
 /// reached.
-template <class Blocked>
+template <class Obstacles>
 [[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce,
-                             const Blocked& blocked, Context& context) {
+                             const Obstacles& obstacles, Context& context) {
     Terms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
     for (const Light& light : scene.lights) {
@@ -65,10 +85,10 @@ template <class Blocked>
             const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
             const std::uint32_t seed = sample_seed(context.pixel, number, bounce);
             const Real share =
-                share_reached(surface, light, diffuse + specular, seed, blocked, context);
+                share_reached(surface, light, diffuse + specular, seed, obstacles, context);
             terms.diffuse += share * diffuse;
             terms.specular += share * specular;
-        } else if (!blocked(shadow_ray(surface, light.position))) {
+        } else if (reached(surface, light, obstacles, context)) {
             terms.diffuse += diffuse;
             terms.specular += specular;
         }

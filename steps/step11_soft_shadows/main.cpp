@@ -14,12 +14,8 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     if (!hit) return Color(0);
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const auto in_the_way = [&](const ShadowRay& way) {
-        Blocker blocker(way.ray, way.interval, context);
-        among_shapes(blocker, scene);
-        return blocker.found();
-    };
-    return shown(lighting(scene, surface_at(*hit, ray), 0, in_the_way, context), context);
+    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
+    return shown(lighting(scene, surface_at(*hit, ray), 0, obstacles, context), context);
 }
 
 }  // namespace rt

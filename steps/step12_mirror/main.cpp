@@ -18,16 +18,12 @@ Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, 
     if (!hit) return Color(0);
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const auto in_the_way = [&](const ShadowRay& way) {
-        Blocker blocker(way.ray, way.interval, context);
-        among_shapes(blocker, scene);
-        return blocker.found();
-    };
+    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
     const Surface surface = surface_at(*hit, ray);
     const Real mirror = surface.material.mirror;
     context.weight = double(weight * (1 - mirror));
     const Terms terms =
-        mirror < 1 ? lighting(scene, surface, bounces, in_the_way, context) : Terms{};
+        mirror < 1 ? lighting(scene, surface, bounces, obstacles, context) : Terms{};
     if (mirror == 0) return shown(terms, context);
 
     const Color own = mirror < 1 ? shown(terms, context) : Color(0);

@@ -14,26 +14,22 @@ namespace {
 
 /// The colour along a ray that has been reflected `bounces` times and counts by `weight`.
 Color color_along(const Scene& scene, const Ray& ray, int bounces, Real weight, Context& context) {
+    const auto everything = [&](auto& query) {
+        among_shapes(query, scene);
+        query.among(scene.boxes);
+        query.among(scene.meshes);
+    };
     Nearest nearest(ray, context);
-    among_shapes(nearest, scene);
-    nearest.among(scene.boxes);
-    nearest.among(scene.meshes);
+    everything(nearest);
     const std::optional<Hit> hit = nearest.hit();
     if (!hit) return Color(0);
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const auto in_the_way = [&](const ShadowRay& way) {
-        Blocker blocker(way.ray, way.interval, context);
-        among_shapes(blocker, scene);
-        blocker.among(scene.boxes);
-        blocker.among(scene.meshes);
-        return blocker.found();
-    };
     const Surface surface = surface_at(*hit, ray);
     const Real mirror = surface.material.mirror;
     context.weight = double(weight * (1 - mirror));
     const Terms terms =
-        mirror < 1 ? lighting(scene, surface, bounces, in_the_way, context) : Terms{};
+        mirror < 1 ? lighting(scene, surface, bounces, everything, context) : Terms{};
     if (mirror == 0) return shown(terms, context);
 
     const Color own = mirror < 1 ? shown(terms, context) : Color(0);

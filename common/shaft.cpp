@@ -1,0 +1,106 @@
+#include "common/shaft.hpp"
+
+#include "common/vector.hpp"
+
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+/// In units of u times the largest coordinate. No shape's rounded test is wrong by more: twice what
+/// a hierarchy's boxes allow for (slab_test.hpp).
+constexpr Real test_roundings = 32;
+
+/// A distance from a plane is rounded by less. The rays start 16 off the surface, less the 8 by
+/// which their point may be off it (projection.cpp), so that of a flat shape that they start from
+/// it mostly tells that they leave it.
+constexpr Real distance_roundings = 6;
+
+Real largest(const Box& box) {
+    return glm::max(largest_component(box.min), largest_component(box.max));
+}
+
+}  // namespace
+
+Shaft::Shaft(Vec3 point, const Light& light)
+    : point_(point),
+      center_(light.position),
+      radius_(light.radius),
+      bounds_{.min = glm::min(point, center_ - radius_), .max = glm::max(point, center_ + radius_)},
+      size_(largest(bounds_)) {
+    const Vec3 along = center_ - point_;
+    const Real distance = length(along);
+    if (!(radius_ < distance && distance < infinity)) return;
+    axis_ = along / distance;
+    sine_ = radius_ / distance;
+    cosine_ = std::sqrt((1 - sine_) * (1 + sine_));
+}
+
+Real Shaft::roundings(Real units, Real largest) const {
+    return units * unit_roundoff * glm::max(size_, largest);
+}
+
+bool Shaft::beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const {
+    const Real size = length(normal);
+    const Real largest = largest_component(in_plane);
+    const Vec3 to_point = point_ - in_plane;
+    const Vec3 to_center = center_ - in_plane;
+    const Real point = dot(to_point, normal);
+    const Real center = dot(to_center, normal);
+    const Real off = roundings(distance_roundings, largest);
+    const Real ball = radius_ + roundings(test_roundings, largest);
+    return std::abs(point) > off * size + normal_error * length(to_point) &&
+           std::abs(center) > ball * size + normal_error * (length(to_center) + ball) &&
+           (point > 0) == (center > 0);
+}
+
+bool Shaft::beside_ball(Vec3 center, Real radius) const {
+    const Vec3 to_center = center - point_;
+    const Real along = dot(to_center, axis_);
+    const Real across = length(to_center - along * axis_);
+    return cosine_ > 0 && across * cosine_ - along * sine_ > radius;
+}
+
+bool Shaft::may_hold(const Box& box) const {
+    const Real slack = roundings(test_roundings, largest(box));
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (box.max[i] + slack < bounds_.min[i] || box.min[i] - slack > bounds_.max[i])
+            return false;
+    const Vec3 middle = box.min + (box.max - box.min) / Real(2);
+    return !beside_ball(middle, length(box.max - middle) + slack);
+}
+
+bool Shaft::may_hold(const Sphere& sphere) const {
+    const auto& [center, radius] = sphere;
+    const Real largest = largest_component(center) + radius;
+    const Real slack = roundings(test_roundings, largest);
+    if (beside_ball(center, radius + slack)) return false;
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (center[i] + (radius + slack) < bounds_.min[i] ||
+            center[i] - (radius + slack) > bounds_.max[i])
+            return false;
+    // From a point near the sphere, the plane between them is what keeps the ball away.
+    const Vec3 outward = point_ - center;
+    const Real distance = length(outward);
+    return !(distance > radius + roundings(distance_roundings, largest) &&
+             dot(center_ - center, outward) > (radius + radius_ + slack) * distance);
+}
+
+bool Shaft::may_hold(const Plane& plane) const {
+    return !beside_plane(plane.point, plane.normal, 0);
+}
+
+bool Shaft::may_hold(const Triangle& triangle) const {
+    const auto& [a, b, c] = triangle;
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const Real error = 4 * unit_roundoff * length(ab) * length(ac);  // of a sliver's normal: all
+    return may_hold(bounds(triangle)) && !beside_plane(a, cross(ab, ac), error);
+}
+
+bool Shaft::may_hold(const Square& square) const {
+    return may_hold(bounds(square)) && !beside_plane(square.center, square.basis.z, 0);
+}
+
+}  // namespace rt
