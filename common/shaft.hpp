@@ -44,8 +44,7 @@ private:
     Real cosine_ = 0;  ///< 0 if the point is in the ball: then there is no side
 };
 
-/// The shapes of a scene that a shaft may hold. It looks through the scene's lists once, and its
-/// Blocker through the same ones in the same order.
+/// The shapes of a scene that a shaft may hold.
 class Suspects {
 public:
     explicit Suspects(const Shaft& shaft) : shaft_(shaft) {}
@@ -53,48 +52,48 @@ public:
     template <class Shape>
     void among(const Items<Shape>& items) {
         if (!items.empty()) look_through(items);
-        ++kinds_;
     }
 
-    [[nodiscard]] bool none() const { return none_; }
+    [[nodiscard]] bool none() const { return count_ == 0; }
 
-    /// As rt::Blocker, of these shapes.
-    class Blocker {
-    public:
-        Blocker(const Ray& ray, Interval interval, const Suspects& suspects, Context& context)
-            : all_(ray, interval, context), masks_(suspects.masks_.data()) {}
-
-        template <class Shape>
-        void among(const Items<Shape>& items) {
-            if (const std::uint64_t mask = *masks_++; mask != 0) all_.among(items, mask);
-        }
-
-        [[nodiscard]] bool found() const { return all_.found(); }
-
-    private:
-        rt::Blocker all_;
-        const std::uint64_t* masks_;
-    };
+    /// Whether the ray, which stays in the shaft, meets one of them inside the interval.
+    [[nodiscard]] bool block(const Ray& ray, Interval interval, Context& context) const {
+        Blocker blocker(ray, interval, context);
+        for (std::size_t i = 0; i < count_ && !blocker.found(); ++i)
+            kinds_[i].ask(blocker, kinds_[i]);
+        return blocker.found();
+    }
 
 private:
-    static constexpr std::size_t most_kinds = 8;
+    /// Those of a kind: of a short list, the items whose bit is set; else all.
+    struct Kind {
+        const void* items;
+        std::uint64_t chosen;
+        void (*ask)(Blocker& blocker, const Kind& kind);
+    };
+
+    template <class Shape>
+    static void ask(Blocker& blocker, const Kind& kind) {
+        blocker.among(*static_cast<const Items<Shape>*>(kind.items), kind.chosen);
+    }
 
     template <class Shape>
     [[gnu::noinline]] void look_through(const Items<Shape>& items) {
-        std::uint64_t& mask = masks_[kinds_];
+        std::uint64_t chosen = 0;
         if (is_short_list(items)) {
             for (std::size_t i = 0; i < items.size(); ++i)
-                mask |= std::uint64_t(shaft_.may_hold(items[i].shape)) << i;
+                chosen |= std::uint64_t(shaft_.may_hold(items[i].shape)) << i;
         } else {
-            mask = items.arranged() && !shaft_.may_hold(items.box()) ? 0 : ~std::uint64_t(0);
+            chosen = !items.arranged() || shaft_.may_hold(items.box()) ? 1 : 0;
         }
-        none_ = none_ && mask == 0;
+        if (chosen != 0) kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
     }
 
+    static constexpr std::size_t most_kinds = 8;
+
     const Shaft& shaft_;
-    std::array<std::uint64_t, most_kinds> masks_{};
-    std::size_t kinds_ = 0;
-    bool none_ = true;
+    std::array<Kind, most_kinds> kinds_;
+    std::size_t count_ = 0;
 };
 
 }  // namespace rt::inline RT_PRECISION

@@ -144,9 +144,7 @@ TEST_CASE("suspects: those that are asked block the same rays as all") {
             const Ray ray{.origin = point, .direction = aim - point};
             Blocker of_all(ray, {.min = 0, .max = 1}, context);
             among_shapes(of_all, scene);
-            Suspects::Blocker of_suspects(ray, {.min = 0, .max = 1}, suspects, context);
-            among_shapes(of_suspects, scene);
-            if (of_all.found() != of_suspects.found() || (of_all.found() && suspects.none()))
+            if (of_all.found() != suspects.block(ray, {.min = 0, .max = 1}, context))
                 return verdict(false, code(ray) + " meets what was not suspected");
         }
         return Verdict();

@@ -46,9 +46,7 @@ template <class Obstacles>
             const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
             ways[i] = shadow_ray(surface, light_point(light, surface.point, sample));
         }
-        Suspects::Blocker blocker(ways[next].ray, ways[next].interval, suspects, context);
-        obstacles(blocker);
-        if (!blocker.found()) ++rays.reached;
+        if (!suspects.block(ways[next].ray, ways[next].interval, context)) ++rays.reached;
         ++rays.sent;
     }
     context.sized_light_rays += rays.sent;
