@@ -90,7 +90,7 @@ public:
             panel.mark(point, form.color, form.precision != "float");
             labels.push_back({panel(point), label(form), form.color});
         }
-        write_labels(svg, labels, 452, 56, 352);
+        write_labels(svg, labels, 452, 56, 340);
         return svg.source();
     }
 
