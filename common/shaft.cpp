@@ -3,6 +3,7 @@
 #include "common/vector.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace rt {
 
@@ -42,7 +43,10 @@ Real Shaft::roundings(Real units, Real largest) const {
 }
 
 bool Shaft::beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const {
-    const Real size = length(normal);
+    constexpr Real smallest = std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
+    const Real square = dot(normal, normal);
+    if (!(smallest <= square && square < infinity)) return false;  // who knows how long it is
+    const Real size = std::sqrt(square);
     const Real largest = largest_component(in_plane);
     const Vec3 to_point = point_ - in_plane;
     const Vec3 to_center = center_ - in_plane;

@@ -92,7 +92,11 @@ TEST_CASE("a shaft: what is beside or behind is out of the way") {
     CHECK_FALSE(shaft.may_hold(Plane{.point = {0, -1, 0}, .normal = {0, -2, 0}}));
     CHECK_FALSE(shaft.may_hold(Plane{.point = {3, 0, 0}, .normal = {1, 1, 0}}));
     CHECK(shaft.may_hold(Plane{.point = {0, 1, 0}}));
-    CHECK(shaft.may_hold(Plane{.point = {0, Real(2.2), 0}}));  // through the lamp
+    const Vec3 through_lamp(0, Real(2.2), 0);
+    CHECK(shaft.may_hold(Plane{.point = through_lamp}));
+    const Real tiny = 1024 * std::numeric_limits<Real>::min();  // its square is 0
+    for (const Real length : {tiny, 1 / tiny})
+        CHECK(shaft.may_hold(Plane{.point = through_lamp, .normal = {0, length, 0}}));
     CHECK_FALSE(shaft.may_hold(Cylinder{.center = {2, 1, 0}, .radius = Real(0.5), .height = 2}));
     CHECK(shaft.may_hold(Cylinder{.center = {Real(0.5), 1, 0}, .radius = Real(0.1)}));
 }
