@@ -11,7 +11,7 @@ namespace {
 /// Wider by 16 u of the largest coordinate: a stage's own test places a hit within 8 u of it, the
 /// corners come out within 4 u, and a ray that starts further away is the hierarchy's to widen for.
 Box padded(const Box& box) {
-    const Real largest = largest_component(max(abs(box.min), abs(box.max)));
+    const Real largest = largest_component(box);
     const Vec3 padding(16 * unit_roundoff * largest);
     return {.min = box.min - padding, .max = box.max + padding};
 }

@@ -1,7 +1,7 @@
 // Axis-aligned boxes (M1, "boite alignée sur les axes").
 #pragma once
 
-#include "common/real.hpp"
+#include "common/vector.hpp"
 
 namespace rt::inline RT_PRECISION {
 
@@ -14,6 +14,11 @@ struct Box {
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
+
+/// Of all its points.
+[[nodiscard]] inline Real largest_component(const Box& box) {
+    return glm::max(largest_component(box.min), largest_component(box.max));
+}
 
 /// The smallest box around both.
 [[nodiscard]] inline Box united(const Box& a, const Box& b) {

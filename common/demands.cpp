@@ -53,8 +53,7 @@ Real largest_coordinate(const Plane& plane) {
 
 template <class Shape>
 Real largest_coordinate(const Shape& shape) {
-    const Box box = bounds(shape);
-    return largest_component(max(abs(box.min), abs(box.max)));
+    return largest_component(bounds(shape));
 }
 
 template <class Shape>

@@ -67,6 +67,9 @@ public:
 
     [[nodiscard]] bool arranged() const { return !hierarchy_.empty(); }
 
+    /// Whether 64 bits have one for each, and no hierarchy is quicker.
+    [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= 64; }
+
     /// Around all of them, if they are arranged.
     [[nodiscard]] Box box() const { return hierarchy_.bounds(); }
 

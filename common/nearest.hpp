@@ -153,12 +153,6 @@ bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
     return intersect(ray, shape, interval).has_value();
 }
 
-/// Whether 64 bits have one for each item, and no hierarchy is quicker.
-template <class Shape>
-[[nodiscard]] bool is_short_list(const Items<Shape>& items) {
-    return !items.arranged() && items.size() <= 64;
-}
-
 /// Looks through lists of shapes for any that the ray meets inside the interval, and asks no more
 /// once there is one. The ray must outlive it.
 class Blocker {
@@ -176,7 +170,7 @@ public:
     /// Of a short list, the items alone whose bit is set.
     template <class Shape>
     void among(const Items<Shape>& items, std::uint64_t chosen) {
-        if (!is_short_list(items)) return among(items);
+        if (!items.is_short_list()) return among(items);
         for (; chosen != 0 && !found_; chosen &= chosen - 1)
             found_ = is_in_the_way(items[std::size_t(std::countr_zero(chosen))]);
     }

@@ -13,7 +13,7 @@ namespace {
 /// The power of two that brings the largest coordinate between 1 and 2, so that no area over- or
 /// underflows; or as near to it as its inverse stays finite.
 Real scale_for(const Box& bounds) {
-    const Real largest = largest_component(max(abs(bounds.min), abs(bounds.max)));
+    const Real largest = largest_component(bounds);
     if (!(largest > 0 && largest < infinity)) return 1;
     constexpr int most = std::numeric_limits<Real>::max_exponent - 2;
     return std::ldexp(Real(1), std::clamp(-std::ilogb(largest), -most, most));

@@ -14,7 +14,7 @@ Box bounds(const PlacedMesh& placed) {
         box = united(box, moved(point, placed.placement));
     }
     // The corners are rounded, a dozen times at most, and so is the ray carried into the frame.
-    const Real largest = largest_component(glm::max(abs(box.min), abs(box.max)));
+    const Real largest = largest_component(box);
     const Real margin = 32 * unit_roundoff * largest;
     return {.min = box.min - margin, .max = box.max + margin};
 }

@@ -3,7 +3,6 @@
 #include "common/vector.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace rt {
 
@@ -18,10 +17,6 @@ constexpr Real test_roundings = 32;
 /// it mostly tells that they leave it.
 constexpr Real distance_roundings = 6;
 
-Real largest(const Box& box) {
-    return glm::max(largest_component(box.min), largest_component(box.max));
-}
-
 }  // namespace
 
 Shaft::Shaft(Vec3 point, const Light& light)
@@ -29,7 +24,7 @@ Shaft::Shaft(Vec3 point, const Light& light)
       center_(light.position),
       radius_(light.radius),
       bounds_{.min = glm::min(point, center_ - radius_), .max = glm::max(point, center_ + radius_)},
-      size_(largest(bounds_)) {
+      size_(largest_component(bounds_)) {
     const Vec3 along = center_ - point_;
     const Real distance = length(along);
     if (!(radius_ < distance && distance < infinity)) return;
@@ -43,9 +38,8 @@ Real Shaft::roundings(Real units, Real largest) const {
 }
 
 bool Shaft::beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const {
-    constexpr Real smallest = std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
     const Real square = dot(normal, normal);
-    if (!(smallest <= square && square < infinity)) return false;  // who knows how long it is
+    if (!keeps_its_digits(square)) return false;  // who knows how long it is
     const Real size = std::sqrt(square);
     const Real largest = largest_component(in_plane);
     const Vec3 to_point = point_ - in_plane;
@@ -67,7 +61,7 @@ bool Shaft::beside_ball(Vec3 center, Real radius) const {
 }
 
 bool Shaft::may_hold(const Box& box) const {
-    const Real slack = roundings(test_roundings, largest(box));
+    const Real slack = roundings(test_roundings, largest_component(box));
     for (glm::length_t i = 0; i < 3; ++i)
         if (box.max[i] + slack < bounds_.min[i] || box.min[i] - slack > bounds_.max[i])
             return false;

@@ -80,7 +80,7 @@ private:
     template <class Shape>
     [[gnu::noinline]] void look_through(const Items<Shape>& items) {
         std::uint64_t chosen = 0;
-        if (is_short_list(items)) {
+        if (items.is_short_list()) {
             for (std::size_t i = 0; i < items.size(); ++i)
                 chosen |= std::uint64_t(shaft_.may_hold(items[i].shape)) << i;
         } else {

@@ -26,14 +26,19 @@ namespace rt {
     return std::bit_cast<Real>(std::bit_cast<Bits>(normal) & exponent);
 }
 
+/// Whether in a sum of squares, such as this one, what underflowed is far less than u of it, and
+/// nothing overflowed.
+[[nodiscard]] inline bool keeps_its_digits(Real square) {
+    constexpr Real smallest = std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
+    return smallest <= square && square < infinity;
+}
+
 /// v made unit length, to 4 u, for any non-zero finite v: where its square might over- or
 /// underflow, the largest component is divided out first. Every component of a zero v comes back
 /// NaN.
 [[nodiscard]] inline Vec3 unit(Vec3 v) {
-    // In a sum this large, what underflows is far less than u of it.
-    constexpr Real smallest = std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
     const Real square = glm::dot(v, v);
-    if (smallest <= square && square < infinity) return v / std::sqrt(square);
+    if (keeps_its_digits(square)) return v / std::sqrt(square);
     const Vec3 scaled = v / largest_component(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
