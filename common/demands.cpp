@@ -105,7 +105,7 @@ Demands demands_of(const Scene& scene, int stage, const Look& look) {
 Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings) {
     constexpr std::size_t together = 16;  // pixels that a thread takes at once
     const Resolution size = scene.resolution;
-    const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), size);
+    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
     Shot shot{.shades = std::vector<Shade>(settings.pixels)};
     const std::clock_t start = std::clock();
     const auto draw = [&](std::size_t part) {

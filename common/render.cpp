@@ -10,10 +10,6 @@ namespace rt {
 
 namespace {
 
-bool is_number(const Color& color) {
-    return !std::isnan(color.r) && !std::isnan(color.g) && !std::isnan(color.b);
-}
-
 struct Row {
     std::int64_t rays = 0;
     std::int64_t sized_light_rays = 0;
@@ -21,16 +17,16 @@ struct Row {
     int first_not_a_number = 0;  ///< a column
 };
 
-Row render_row(const Scene& scene, const std::function<Ray(Pixel)>& pixel_ray,
-               const RenderSettings& settings, int row, Image& image) {
+Row render_row(const Scene& scene, const PixelRays& pixel_ray, const RenderSettings& settings,
+               int row, Image& image) {
     Context context{.look = settings.pace == nullptr ? settings.look : settings.pace->next()};
     Row result;
-    for (Pixel pixel{.row = row}; pixel.column < image.resolution.width; ++pixel.column) {
+    for (int column = 0; column < image.resolution.width; ++column) {
+        const Pixel pixel{.row = row, .column = column};
         context.pixel = pixel;
         const Color color = trace(scene, pixel_ray(pixel), context);
         image[pixel] = to_rgb(color);
-        if (!is_number(color) && result.not_a_number++ == 0)
-            result.first_not_a_number = pixel.column;
+        if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
     }
     result.rays = context.rays;
     result.sized_light_rays = context.sized_light_rays;
@@ -63,16 +59,8 @@ Rendering sum(Image image, const std::vector<Row>& rows) {
 
 }  // namespace
 
-Rgb to_rgb(const Color& color) {
-    if (!is_number(color)) return not_a_color;
-    const auto byte = [](Real value) {
-        return static_cast<std::uint8_t>(glm::clamp(value, Real(0), Real(1)) * 255 + Real(0.5));
-    };
-    return {byte(color.r), byte(color.g), byte(color.b)};
-}
-
 std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings) {
-    const std::function<Ray(Pixel)> pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
+    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
     const std::vector<int> order = order_of(scene.resolution.height, settings.pace != nullptr);

@@ -5,7 +5,9 @@
 #include "common/pace.hpp"
 #include "common/stage.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -28,9 +30,19 @@ struct Rendering {
     Pixel first_not_a_number;           ///< the topmost of them
 };
 
+[[nodiscard]] inline bool is_number(const Color& color) {
+    return !std::isnan(color.r) && !std::isnan(color.g) && !std::isnan(color.b);
+}
+
 /// The red, green and blue that show a colour: 0 to 1 becomes 0 to 255, and what is beyond is cut
 /// off. A component that is NaN makes the whole not_a_color.
-[[nodiscard]] Rgb to_rgb(const Color& color);
+[[nodiscard]] inline Rgb to_rgb(const Color& color) {
+    if (!is_number(color)) return not_a_color;
+    const auto byte = [](Real value) {
+        return std::uint8_t(std::min(std::max(value, Real(0)), Real(1)) * 255 + Real(0.5));
+    };
+    return {byte(color.r), byte(color.g), byte(color.b)};
+}
 
 /// The scene through its first camera: nothing if it was stopped. The same bits for any number of
 /// threads, because no pixel depends on another, unless there is a pace.

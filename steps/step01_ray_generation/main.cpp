@@ -6,9 +6,12 @@
 
 namespace rt {
 
-std::function<Ray(Pixel)> pixel_rays(const Camera& camera, Resolution resolution) {
-    const Real fov = vertical_fov(camera, resolution);
-    return [=](Pixel pixel) { return camera_ray(pixel, resolution, fov); };
+PixelRays pixel_rays(const Camera& camera, Resolution resolution) {
+    return {.resolution = resolution, .vertical_fov = vertical_fov(camera, resolution)};
+}
+
+Ray PixelRays::operator()(Pixel pixel) const {
+    return camera_ray(pixel, resolution, vertical_fov);
 }
 
 Color trace(const Scene& /*scene*/, const Ray& ray, Context& context) {

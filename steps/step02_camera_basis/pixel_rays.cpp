@@ -6,12 +6,15 @@
 
 namespace rt {
 
-std::function<Ray(Pixel)> pixel_rays(const Camera& camera, Resolution resolution) {
-    const Real fov = vertical_fov(camera, resolution);
-    const Basis basis = camera_basis(camera.direction);
-    return [=, position = camera.position](Pixel pixel) {
-        return to_world(camera_ray(pixel, resolution, fov), basis, position);
-    };
+PixelRays pixel_rays(const Camera& camera, Resolution resolution) {
+    return {.resolution = resolution,
+            .vertical_fov = vertical_fov(camera, resolution),
+            .basis = camera_basis(camera.direction),
+            .position = camera.position};
+}
+
+Ray PixelRays::operator()(Pixel pixel) const {
+    return to_world(camera_ray(pixel, resolution, vertical_fov), basis, position);
 }
 
 }  // namespace rt

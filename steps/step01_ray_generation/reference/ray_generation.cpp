@@ -10,13 +10,25 @@ Vec3 divided_by_w(Vec4 point) {
     return Vec3(point) / point.w;
 }
 
+/// The tangent, kept for the next pixel: a picture's pixels all ask for the same one, and of a
+/// simple picture it would be a tenth of the time.
+Real tangent(Real angle) {
+    thread_local Real last_angle = 0;
+    thread_local Real last_tangent = 0;
+    if (angle != last_angle) {
+        last_tangent = std::tan(angle);
+        last_angle = angle;
+    }
+    return last_tangent;
+}
+
 }  // namespace
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
     // 2 · (j + 0.5) / W − 1 with the subtraction done in whole numbers, where it is exact.
     const Real x = Real(2 * pixel.column + 1 - resolution.width);
     const Real y = Real(resolution.height - 2 * pixel.row - 1);
-    const Real half_pixel = std::tan(vertical_fov / 2) / Real(resolution.height);
+    const Real half_pixel = tangent(vertical_fov / 2) / Real(resolution.height);
     return {x * half_pixel, y * half_pixel};
 }
 
