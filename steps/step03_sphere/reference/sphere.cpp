@@ -14,16 +14,16 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     const Real along = dot(from_center, ray.direction);
     const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
     if (c > 0 && along > 0 && interval.min >= 0) return std::nullopt;  // outside, and away from it
-    const Real a = dot(ray.direction, ray.direction);
-    const Real t_closest = -along / a;
+    const Real inverse_a = 1 / dot(ray.direction, ray.direction);
+    const Real t_closest = -along * inverse_a;
     const Vec3 closest = from_center + t_closest * ray.direction;
     const Real half_chord_squared = sphere.radius * sphere.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
     // The root further from 0 is a sum; the other one is a difference, but their product is C / A.
     // From the surface itself C is exactly 0, and so is one root.
-    const Real t1 = t_closest + std::copysign(std::sqrt(half_chord_squared / a), t_closest);
-    const Real t2 = c / (a * t1);
+    const Real t1 = t_closest + std::copysign(std::sqrt(half_chord_squared * inverse_a), t_closest);
+    const Real t2 = c * inverse_a / t1;
     const Real near = std::min(t1, t2);
     const Real far = std::max(t1, t2);
     if (interval.contains(near)) return near;
