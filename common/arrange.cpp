@@ -3,8 +3,16 @@
 namespace rt {
 
 void arrange(Scene& scene, std::size_t pays_from) {
-    for_each_kind(scene, [=](auto& items) { items.arrange(pays_from); });
-    scene.meshes.arrange(pays_from);
+    // In one frame, so that a ray is made ready for all kinds at once.
+    Box all;
+    const auto take_in = [&](const auto& items) {
+        if (items.worth_arranging(pays_from)) all = united(all, items.box());
+    };
+    const auto arrange_kind = [&](auto& items) { items.arrange(pays_from, all); };
+    for_each_kind(scene, take_in);
+    take_in(scene.meshes);
+    for_each_kind(scene, arrange_kind);
+    arrange_kind(scene.meshes);
 }
 
 }  // namespace rt

@@ -58,6 +58,14 @@ Frame frame_around(const Box& bounds) {
                                         : std::numeric_limits<Real>::quiet_NaN()};
 }
 
+/// The scene's, if these are not so small in it that boxes rounded to its floats are far too wide.
+Frame frame_for(const Box& bounds, const Box& scene) {
+    constexpr Real smallest = Real(1) / 256;
+    const Frame own = frame_around(bounds);
+    const Frame shared = frame_around(united(bounds, scene));
+    return shared.scale >= smallest * own.scale ? shared : own;
+}
+
 /// Not rounded outwards: SlabTest reckons with what a rounded box lacks.
 std::vector<WideBox> in_frame(std::span<const Box> boxes, const Frame& frame, Real padding) {
     std::vector<WideBox> result;
@@ -76,10 +84,10 @@ std::vector<WideBox> in_frame(std::span<const Box> boxes, const Frame& frame, Re
 /// Builds from the top.
 class TreeGrower {
 public:
-    TreeGrower(std::span<const Box> boxes, Hierarchy::Leaves leaves)
+    TreeGrower(std::span<const Box> boxes, Hierarchy::Leaves leaves, const Box& scene)
         : leaf_size_(leaves == Hierarchy::Leaves::packed ? lane_count : single_leaf_size),
           bounds_(around(boxes)),
-          frame_(frame_around(bounds_)),
+          frame_(frame_for(bounds_, scene)),
           ranges_(in_frame(boxes, frame_, padding_for(bounds_)), leaf_size_) {}
 
     [[nodiscard]] Hierarchy tree();
@@ -185,8 +193,8 @@ void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box, std::u
     node.children[i] = child;
 }
 
-Hierarchy::Hierarchy(std::span<const Box> boxes, Leaves leaves)
-    : Hierarchy(TreeGrower(boxes, leaves).tree()) {}
+Hierarchy::Hierarchy(std::span<const Box> boxes, Leaves leaves, const Box& scene)
+    : Hierarchy(TreeGrower(boxes, leaves, scene).tree()) {}
 
 }  // namespace RT_LANES
 

@@ -31,8 +31,10 @@ public:
     enum class Leaves { one_by_one, packed };
 
     Hierarchy() = default;
-    /// The same for any number of threads that it is built with.
-    explicit Hierarchy(std::span<const Box> boxes, Leaves leaves = Leaves::one_by_one);
+    /// The same for any number of threads that it is built with. Its frame is the one around the
+    /// scene, if that has room for the boxes and is not so large that their digits would be lost.
+    explicit Hierarchy(std::span<const Box> boxes, Leaves leaves = Leaves::one_by_one,
+                       const Box& scene = {});
 
     [[nodiscard]] bool empty() const { return leaves_.empty(); }
     [[nodiscard]] Box bounds() const { return bounds_; }
@@ -41,16 +43,16 @@ public:
     /// Calls visit(index) for the boxes that the ray may meet inside the interval, near ones first.
     /// A visit that finds a hit lowers interval.max to it, and what is beyond is left out.
     template <class Visit>
-    void nearest(const Ray& ray, Interval& interval, Visit visit) const;
+    void nearest(SlabTests& ray, Interval& interval, Visit visit) const;
 
     /// Whether visit(index) is true for any of the boxes that the ray may meet inside the interval.
     template <class Visit>
-    [[nodiscard]] bool any(const Ray& ray, Interval interval, Visit visit) const;
+    [[nodiscard]] bool any(SlabTests& ray, Interval interval, Visit visit) const;
 
     /// Calls visit(place in leaves()) for the leaves that the ray may meet inside the interval,
     /// near ones first, until it is true, and says whether it was. It may lower interval.max.
     template <class Visit>
-    bool visit_leaves(const Ray& ray, const Interval& interval, Visit visit) const;
+    bool visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const;
 
 private:
     friend class TreeGrower;
@@ -70,16 +72,10 @@ private:
     return lowest;
 }
 
-/// Whether a hit is possible: NaN makes a miss, and would make the slab test visit everything.
-[[nodiscard]] inline bool asks_anything(const Ray& ray, const Interval& interval) {
-    const auto& [o, d] = ray;
-    return !std::isnan(o.x + o.y + o.z + d.x + d.y + d.z) && interval.min < interval.max;
-}
-
 template <class Visit>
-bool Hierarchy::visit_leaves(const Ray& ray, const Interval& interval, Visit visit) const {
-    if (empty() || !asks_anything(ray, interval)) return false;
-    const SlabTest slabs(ray, frame_);
+bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const {
+    if (empty() || !(interval.min < interval.max)) return false;
+    const SlabTest& slabs = ray.in(frame_);
     if (!slabs.certain()) {
         for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
             if (visit(leaf)) return true;
@@ -96,8 +92,9 @@ bool Hierarchy::visit_leaves(const Ray& ray, const Interval& interval, Visit vis
     std::uint32_t child = root_;
     for (;;) {
         if ((child & Node::leaf_bit) != 0) {
+            const Real before = interval.max;
             if (visit(child & ~Node::leaf_bit)) return true;
-            limit = slabs.limit(interval.max);
+            if (interval.max != before) limit = slabs.limit(interval.max);
         } else {
             const Node& node = nodes_[child];
             const auto answer = slabs(node, limit);
@@ -127,7 +124,7 @@ bool Hierarchy::visit_leaves(const Ray& ray, const Interval& interval, Visit vis
 }
 
 template <class Visit>
-void Hierarchy::nearest(const Ray& ray, Interval& interval, Visit visit) const {
+void Hierarchy::nearest(SlabTests& ray, Interval& interval, Visit visit) const {
     visit_leaves(ray, interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;
@@ -138,7 +135,7 @@ void Hierarchy::nearest(const Ray& ray, Interval& interval, Visit visit) const {
 }
 
 template <class Visit>
-bool Hierarchy::any(const Ray& ray, Interval interval, Visit visit) const {
+bool Hierarchy::any(SlabTests& ray, Interval interval, Visit visit) const {
     return visit_leaves(ray, interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;

@@ -53,15 +53,15 @@ public:
         return Bounded<Shape> && items_.size() >= pays_from;
     }
 
-    /// Builds the hierarchy, if it pays.
-    void arrange(std::size_t pays_from = hierarchy_pays_from) {
+    /// Builds the hierarchy, if it pays; in the frame of the scene, if there are others.
+    void arrange(std::size_t pays_from = hierarchy_pays_from, const Box& scene = {}) {
         hierarchy_ = {};
         if constexpr (Bounded<Shape>) {
             if (!worth_arranging(pays_from)) return;
             std::vector<Box> boxes;
             boxes.reserve(items_.size());
             for (const Item<Shape>& item : items_) boxes.push_back(bounds(item.shape));
-            hierarchy_ = Hierarchy(boxes);
+            hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::one_by_one, scene);
         }
     }
 
@@ -70,13 +70,19 @@ public:
     /// Whether 64 bits have one for each, and no hierarchy is quicker.
     [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= 64; }
 
-    /// Around all of them, if they are arranged.
-    [[nodiscard]] Box box() const { return hierarchy_.bounds(); }
+    /// Around all of them, if they fit into boxes; at once, if they are arranged.
+    [[nodiscard]] Box box() const {
+        Box all = hierarchy_.bounds();
+        if constexpr (Bounded<Shape>)
+            if (!arranged())
+                for (const Item<Shape>& item : items_) all = united(all, bounds(item.shape));
+        return all;
+    }
 
     /// Calls visit(item) for every item that the ray may meet inside the interval; a visit may
     /// shorten the interval, and spares the items beyond.
     template <class Visit>
-    void along(const Ray& ray, Interval& interval, Visit visit) const {
+    void along(SlabTests& ray, Interval& interval, Visit visit) const {
         if (!arranged()) {
             for (const Item<Shape>& item : items_) visit(item);
         } else {
@@ -86,7 +92,7 @@ public:
 
     /// Whether visit(item) is true for any item that the ray may meet inside the interval.
     template <class Visit>
-    [[nodiscard]] bool any_along(const Ray& ray, Interval interval, Visit visit) const {
+    [[nodiscard]] bool any_along(SlabTests& ray, Interval interval, Visit visit) const {
         if (!arranged()) {
             for (const Item<Shape>& item : items_)
                 if (visit(item)) return true;

@@ -24,12 +24,21 @@ namespace rt::inline RT_PRECISION {
 
 /// Where a ray met the nearest shape.
 struct Hit {
-    Real t = 0;
-    Vec3 point;      ///< brought back onto the surface
-    Real error = 0;  ///< no larger is the distance from the point to the surface
-    Vec3 normal;     ///< outward, unit length; interpolated, if a mesh has normals
-    Vec3 side;       ///< as normal, but never interpolated
-    const Material* material = nullptr;
+    Real t;
+    Vec3 point;   ///< brought back onto the surface
+    Real error;   ///< no larger is the distance from the point to the surface
+    Vec3 normal;  ///< outward, unit length; interpolated, if a mesh has normals
+    Vec3 side;    ///< as normal, but never interpolated
+    const Material* material;
+
+    Hit(Real t_of_hit, const SurfacePoint& place, Vec3 its_normal, Vec3 its_side,
+        const Material& its_material)
+        : t(t_of_hit),
+          point(place.point),
+          error(place.error),
+          normal(its_normal),
+          side(its_side),
+          material(&its_material) {}
 };
 
 /// What an eye at the ray's origin sees there.
@@ -58,7 +67,9 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
 /// The ray must outlive it.
 class Nearest {
 public:
-    Nearest(const Ray& ray, Context& context) : ray_(ray), story_(context.story) { ++context.rays; }
+    Nearest(const Ray& ray, Context& context) : ray_(ray), slabs_(ray), story_(context.story) {
+        ++context.rays;
+    }
 
     template <class Shape>
     void among(const Items<Shape>& items) {
@@ -81,7 +92,7 @@ private:
             return intersect(ray_, item.shape, interval_);
         };
         if (story_ == nullptr) {
-            items.along(ray_, interval_, [&](const Item<Shape>& item) { keep(item, ask(item)); });
+            items.along(slabs_, interval_, [&](const Item<Shape>& item) { keep(item, ask(item)); });
             return;
         }
         for (const Item<Shape>& item : items) {  // it tells of the misses too
@@ -117,28 +128,22 @@ private:
 
     template <class Shape>
     static std::optional<Hit> describe(const Nearest& nearest) {
-        const auto& item = *static_cast<const Item<Shape>*>(nearest.winner_);
-        // As it is handed on, so that nothing is copied.
-        std::optional<Hit> answer(std::in_place);
-        Hit& hit = *answer;
-        hit.t = nearest.t();
-        hit.material = &item.material;
+        const auto& [shape, material] = *static_cast<const Item<Shape>*>(nearest.winner_);
+        const Real t = nearest.t();
+        // Made in its place, so that nothing is copied.
         if constexpr (std::is_same_v<Shape, PlacedMesh>) {
-            const auto [point, error] = projected(item.shape, nearest.in_mesh_);
-            hit.point = point;
-            hit.error = error;
-            hit.normal = normal(item.shape, nearest.in_mesh_);
-            hit.side = side(item.shape, nearest.in_mesh_);
+            const MeshHit& hit = nearest.in_mesh_;
+            return std::optional<Hit>(std::in_place, t, projected(shape, hit), normal(shape, hit),
+                                      side(shape, hit), material);
         } else {
-            const auto [point, error] = projected(item.shape, at(nearest.ray_, hit.t));
-            hit.point = point;
-            hit.error = error;
-            hit.normal = hit.side = normal(item.shape, point);
+            const SurfacePoint place = projected(shape, at(nearest.ray_, t));
+            const Vec3 side = normal(shape, place.point);
+            return std::optional<Hit>(std::in_place, t, place, side, side, material);
         }
-        return answer;
     }
 
     const Ray& ray_;
+    SlabTests slabs_;
     Story* story_;
     Interval interval_;
     MeshHit in_mesh_;
@@ -158,7 +163,7 @@ bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
 class Blocker {
 public:
     Blocker(const Ray& ray, Interval interval, Context& context)
-        : ray_(ray), interval_(interval), story_(context.story) {
+        : ray_(ray), slabs_(ray), interval_(interval), story_(context.story) {
         ++context.rays;
     }
 
@@ -180,7 +185,7 @@ public:
 private:
     template <class Shape>
     [[nodiscard, gnu::noinline]] bool among_some(const Items<Shape>& items) {
-        return items.any_along(ray_, interval_,
+        return items.any_along(slabs_, interval_,
                                [this](const Item<Shape>& item) { return is_in_the_way(item); });
     }
 
@@ -192,6 +197,7 @@ private:
     }
 
     const Ray& ray_;
+    SlabTests slabs_;
     Interval interval_;
     Story* story_;
     bool found_ = false;

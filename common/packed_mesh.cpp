@@ -73,7 +73,8 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
     Interval left = scaled(interval);
     const std::uint32_t* triangle = nullptr;
     Vec3 areas;
-    hierarchy_.visit_leaves(seen, left, [&](std::size_t leaf) {
+    SlabTests slabs(seen);
+    hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         const Crossings crossings = test(packets_[leaf], left);
         for (unsigned hits = crossings.hits; hits != 0;) {
             const std::size_t lane = take_lowest(hits);
@@ -96,8 +97,9 @@ bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const TriangleTest test(seen);
     const Interval left = scaled(interval);
+    SlabTests slabs(seen);
     return hierarchy_.visit_leaves(
-        seen, left, [&](std::size_t leaf) { return test(packets_[leaf], left).hits != 0; });
+        slabs, left, [&](std::size_t leaf) { return test(packets_[leaf], left).hits != 0; });
 }
 #endif
 

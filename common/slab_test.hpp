@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 namespace rt::inline RT_PRECISION {
 
@@ -20,6 +21,8 @@ inline namespace RT_LANES {
 struct Frame {
     Vec3 center;
     Real scale = 1;  ///< a power of two, so that it rounds nothing
+
+    friend bool operator==(const Frame& a, const Frame& b) = default;
 };
 
 /// Eight boxes and what is in each: a node, or with the leaf bit a leaf. A box not used is empty.
@@ -63,13 +66,15 @@ public:
         // Of a slower one, what its components lack as multiples of the smallest number adds up.
         constexpr Real slowest = std::numeric_limits<Real>::denorm_min() / unit_roundoff;
         certain_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
+        if (std::isnan(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z))
+            certain_ = passes_by_ = true;  // NaN makes a miss
         x_ = Axis(0, place.x, size / direction.x, slack_);
         y_ = Axis(1, place.y, size / direction.y, slack_);
         z_ = Axis(2, place.z, size / direction.z, slack_);
     }
 
     /// Whether it can tell at all: from so far away that all boxes are within rounding of each
-    /// other, it cannot, nor where a number is infinite or NaN.
+    /// other, it cannot, nor where a number is infinite.
     [[nodiscard]] bool certain() const { return certain_; }
 
     /// Whether the ray meets none of the boxes, in whichever node.
@@ -176,6 +181,29 @@ private:
     Axis x_;
     Axis y_;
     Axis z_;
+};
+
+/// A ray for several hierarchies: made ready for the first, and kept for those in the same frame.
+/// The ray must outlive it.
+class SlabTests {
+public:
+    explicit SlabTests(const Ray& ray) : ray_(ray) {}
+
+    [[nodiscard]] const SlabTest& in(const Frame& frame) {
+        if (!made_ || made_->frame != frame) made_.emplace(ray_, frame);
+        return made_->test;
+    }
+
+private:
+    struct Made {
+        Made(const Ray& ray, const Frame& its_frame) : frame(its_frame), test(ray, its_frame) {}
+
+        Frame frame;
+        SlabTest test;
+    };
+
+    const Ray& ray_;
+    std::optional<Made> made_;
 };
 
 }  // namespace RT_LANES

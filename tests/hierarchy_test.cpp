@@ -71,10 +71,10 @@ std::vector<Shape> draw_shapes(Random& random) {
 }
 
 template <class Shape>
-Hierarchy hierarchy_over(const std::vector<Shape>& shapes) {
+Hierarchy hierarchy_over(const std::vector<Shape>& shapes, const Box& scene = {}) {
     std::vector<Box> boxes;
     for (const Shape& shape : shapes) boxes.push_back(bounds(shape));
-    return Hierarchy(boxes);
+    return Hierarchy(boxes, Hierarchy::Leaves::one_by_one, scene);
 }
 
 /// A ray from anywhere, along an axis or any way, at a corner, at the middle of a face or at a
@@ -103,9 +103,9 @@ std::optional<Real> by_list(const std::vector<Shape>& shapes, const Ray& ray, In
 
 template <class Shape>
 std::optional<Real> by_hierarchy(const Hierarchy& hierarchy, const std::vector<Shape>& shapes,
-                                 const Ray& ray, Interval interval) {
+                                 const Ray& ray, SlabTests& slabs, Interval interval) {
     std::optional<Real> nearest;
-    hierarchy.nearest(ray, interval, [&](std::uint32_t index) {
+    hierarchy.nearest(slabs, interval, [&](std::uint32_t index) {
         const auto t = intersect(ray, shapes[index], interval);
         if (!t) return;
         nearest = t;
@@ -115,19 +115,25 @@ std::optional<Real> by_hierarchy(const Hierarchy& hierarchy, const std::vector<S
 }
 
 /// The hierarchy's nearest hit is the list's, to the last bit, since the same test finds both; and
-/// any() says that there is one.
+/// any() says that there is one. The ray has been made ready for another hierarchy before, which
+/// may have the same frame.
 template <class Shape>
 Verdict agrees_with_list(Random& random) {
     const std::vector<Shape> shapes = draw_shapes<Shape>(random);
-    const Hierarchy hierarchy = hierarchy_over(shapes);
+    const Real size = std::exp2(Real(random.below(12)));
+    const Box scene{.min = Vec3(-size), .max = Vec3(size)};
+    const Hierarchy hierarchy = hierarchy_over(shapes, scene);
+    const Hierarchy other = hierarchy_over(draw_shapes<Shape>(random), scene);
     for (int i = 0; i < 20; ++i) {
         const Shape& target = shapes[std::size_t(random.below(int(shapes.size())))];
         const Ray ray = draw_ray(random, bounds(target));
         Interval interval;
         if (random.coin()) interval.max = random.between(0, 4);
         const auto expected = by_list(shapes, ray, interval);
-        const auto came = by_hierarchy(hierarchy, shapes, ray, interval);
-        const bool any = hierarchy.any(ray, interval, [&](std::uint32_t index) {
+        SlabTests slabs(ray);
+        (void)other.any(slabs, interval, [](std::uint32_t) { return false; });
+        const auto came = by_hierarchy(hierarchy, shapes, ray, slabs, interval);
+        const bool any = hierarchy.any(slabs, interval, [&](std::uint32_t index) {
             return intersect(ray, shapes[index], interval).has_value();
         });
         if (came != expected || any != expected.has_value())
@@ -320,7 +326,8 @@ Mesh grid(std::uint32_t side) {
 
 std::set<std::uint32_t> visited(const Hierarchy& hierarchy, const Ray& ray, Interval interval) {
     std::set<std::uint32_t> indices;
-    hierarchy.nearest(ray, interval, [&](std::uint32_t index) { indices.insert(index); });
+    SlabTests slabs(ray);
+    hierarchy.nearest(slabs, interval, [&](std::uint32_t index) { indices.insert(index); });
     return indices;
 }
 
@@ -500,7 +507,8 @@ TEST_CASE("what is no ray meets nothing, and soon (contract)") {
         CHECK_FALSE(packed.nearest(ray, {}));
         CHECK_FALSE(packed.blocks(ray, {}));
         int visits = 0;
-        CHECK_FALSE(hierarchy.any(ray, {}, [&](std::uint32_t) { return ++visits < 0; }));
+        SlabTests slabs(ray);
+        CHECK_FALSE(hierarchy.any(slabs, {}, [&](std::uint32_t) { return ++visits < 0; }));
         CHECK(visits < 10'000);
     }
     const Ray good{.origin = {0, 0, 5}, .direction = {Real(0.01), Real(0.02), -1}};

@@ -47,7 +47,8 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
         return exact_root(seen, met.triangle, asked);
     };
     Leader<MetTriangle> leader;
-    hierarchy_.visit_leaves(seen, left, [&](std::size_t leaf) {
+    SlabTests slabs(seen);
+    hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
                          [&](const MetTriangle& met, Real t) {
                              leader.yields_to(t, met, root_of, left);
@@ -64,7 +65,8 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
 bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const Interval left = scaled(interval);
-    return hierarchy_.visit_leaves(seen, left, [&](std::size_t leaf) {
+    SlabTests slabs(seen);
+    return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
                          [](const MetTriangle& /*met*/, Real /*t*/) { return true; });
     });

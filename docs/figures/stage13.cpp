@@ -267,9 +267,10 @@ std::string mesh_hierarchy() {
     Sketch asked(svg, view(534));
     draw_polygons(asked, polygons);
     const Ray ray{.origin = {-1.12, 0.3, 1.5}, .direction = {1, 0.75, -0.6}};
+    SlabTests slabs(ray);
     Interval interval;
     std::set<std::uint32_t> met;
-    hierarchy.nearest(ray, interval, [&](std::uint32_t index) {
+    hierarchy.nearest(slabs, interval, [&](std::uint32_t index) {
         met.insert(index);
         const Polygon& polygon = polygons[index];
         for (std::size_t i = 2; i < polygon.size(); ++i) {

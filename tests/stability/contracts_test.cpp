@@ -318,7 +318,8 @@ TEST_CASE("no box that a ray meets is lost, at its corners and edges either") {
             const Hierarchy hierarchy(boxes);
             std::array<bool, 8> seen{};
             Interval interval;
-            hierarchy.nearest(ray, interval, [&](std::uint32_t index) { seen[index] = true; });
+            SlabTests slabs(ray);
+            hierarchy.nearest(slabs, interval, [&](std::uint32_t index) { seen[index] = true; });
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const auto& [min, max] = boxes[i];
                 if (!seen[i] &&

@@ -65,7 +65,8 @@ void measure(int count) {
             for (std::size_t i = 0; i < spheres.size(); ++i) try_one(ray, interval, i);
         }));
         arranged.push_back(time_of(all, [&](const Ray& ray, Interval& interval) {
-            hierarchy.nearest(ray, interval,
+            SlabTests slabs(ray);
+            hierarchy.nearest(slabs, interval,
                               [&](std::size_t index) { try_one(ray, interval, index); });
         }));
     }
