@@ -60,7 +60,7 @@ Frame frame_around(const Box& bounds) {
 
 /// The scene's, if these are not so small in it that boxes rounded to its floats are far too wide.
 Frame frame_for(const Box& bounds, const Box& scene) {
-    constexpr Real smallest = Real(1) / 256;
+    constexpr Real smallest = Real(1) / 16;
     const Frame own = frame_around(bounds);
     const Frame shared = frame_around(united(bounds, scene));
     return shared.scale >= smallest * own.scale ? shared : own;
