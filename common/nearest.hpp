@@ -73,8 +73,12 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        if (!items.empty())
-            among_some(items);  // not inlined: a kind that is not there costs a look
+        // The rest is not inlined: a kind that is not there costs a look.
+        if (items.empty()) return;
+        if (story_ == nullptr)
+            among_some(items);
+        else
+            tell_among(items);
     }
 
     /// The nearest of everything looked through so far, or nothing.
@@ -88,15 +92,16 @@ public:
 private:
     template <class Shape>
     [[gnu::noinline]] void among_some(const Items<Shape>& items) {
-        const auto ask = [this](const Item<Shape>& item) {
-            return intersect(ray_, item.shape, interval_);
-        };
-        if (story_ == nullptr) {
-            items.along(slabs_, interval_, [&](const Item<Shape>& item) { keep(item, ask(item)); });
-            return;
-        }
-        for (const Item<Shape>& item : items) {  // it tells of the misses too
-            const auto answer = ask(item);
+        items.along(slabs_, interval_, [this](const Item<Shape>& item) {
+            keep(item, intersect(ray_, item.shape, interval_));
+        });
+    }
+
+    /// Of the misses too, which a hierarchy would leave out.
+    template <class Shape>
+    [[gnu::noinline]] void tell_among(const Items<Shape>& items) {
+        for (const Item<Shape>& item : items) {
+            const auto answer = intersect(ray_, item.shape, interval_);
             tell_candidate(*story_, ray_, item.shape, interval_, t_of(answer));
             keep(item, answer);
         }
@@ -192,8 +197,13 @@ private:
     template <class Shape>
     [[nodiscard]] bool is_in_the_way(const Item<Shape>& item) {
         const bool in_the_way = blocks(ray_, item.shape, interval_);
-        if (in_the_way && story_ != nullptr) story_->remark("in the way: " + code(item.shape));
+        if (in_the_way && story_ != nullptr) tell(item.shape);
         return in_the_way;
+    }
+
+    template <class Shape>
+    [[gnu::noinline]] void tell(const Shape& shape) {
+        story_->remark("in the way: " + code(shape));
     }
 
     const Ray& ray_;

@@ -4,25 +4,11 @@
 
 namespace rt {
 
-Color shown(const Terms& terms, const Context& context) {
-    const auto& [ambient, diffuse, specular] = terms;
-    if (context.story != nullptr) {
-        context.story->heading("The terms of the light (CR §3.1)");
-        context.story->line("ambient", text(ambient));
-        context.story->line("diffuse", text(diffuse));
-        context.story->line("specular", text(specular));
-    }
-    switch (context.look.term) {
-        case Term::ambient:
-            return ambient;
-        case Term::diffuse:
-            return diffuse;
-        case Term::specular:
-            return specular;
-        case Term::all:
-            break;
-    }
-    return ambient + diffuse + specular;
+void tell(Story& story, const Terms& terms) {
+    story.heading("The terms of the light (CR §3.1)");
+    story.line("ambient", text(terms.ambient));
+    story.line("diffuse", text(terms.diffuse));
+    story.line("specular", text(terms.specular));
 }
 
 }  // namespace rt

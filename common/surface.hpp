@@ -26,7 +26,23 @@ struct Terms {
 
 namespace rt {
 
+void tell(Story& story, const Terms& terms);
+
 /// The sum of the terms, or the one that --term asks for; told to the story.
-[[nodiscard]] Color shown(const Terms& terms, const Context& context);
+[[nodiscard]] inline Color shown(const Terms& terms, const Context& context) {
+    const auto& [ambient, diffuse, specular] = terms;
+    if (context.story != nullptr) tell(*context.story, terms);
+    switch (context.look.term) {
+        case Term::ambient:
+            return ambient;
+        case Term::diffuse:
+            return diffuse;
+        case Term::specular:
+            return specular;
+        case Term::all:
+            break;
+    }
+    return ambient + diffuse + specular;
+}
 
 }  // namespace rt
