@@ -26,6 +26,7 @@ struct Terms {
 
 namespace rt {
 
+/// Each term, in the story.
 void tell(Story& story, const Terms& terms);
 
 /// The sum of the terms, or the one that --term asks for; told to the story.

@@ -1,6 +1,7 @@
 #include "steps/step01_ray_generation/ray_generation.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace rt {
 
@@ -13,13 +14,14 @@ Vec3 divided_by_w(Vec4 point) {
 /// The tangent, kept for the next pixel: a picture's pixels all ask for the same one, and of a
 /// simple picture it would be a tenth of the time.
 Real tangent(Real angle) {
-    thread_local Real last_angle = 0;
-    thread_local Real last_tangent = 0;
-    if (angle != last_angle) {
-        last_tangent = std::tan(angle);
-        last_angle = angle;
-    }
-    return last_tangent;
+    // Not zero to begin with: mold 1.10 then links programs that may not start.
+    struct Last {
+        Real angle = std::numeric_limits<Real>::quiet_NaN();
+        Real tangent = 0;
+    };
+    thread_local Last last;
+    if (angle != last.angle) last = {.angle = angle, .tangent = std::tan(angle)};
+    return last.tangent;
 }
 
 }  // namespace
