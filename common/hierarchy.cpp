@@ -45,8 +45,7 @@ Box around(std::span<const Box> boxes) {
 /// By how much boxes are widened for the shapes' tests: where all is far from 0 and small, the
 /// slack of SlabTest is less than these may be off by.
 Real padding_for(const Box& bounds) {
-    return 4 * unit_roundoff *
-           glm::max(largest_component(bounds.min), largest_component(bounds.max));
+    return 4 * unit_roundoff * largest_component(bounds);
 }
 
 Frame frame_around(const Box& bounds) {

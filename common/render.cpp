@@ -2,7 +2,6 @@
 
 #include "common/in_parallel.hpp"
 
-#include <cmath>
 #include <numeric>
 #include <vector>
 

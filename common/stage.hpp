@@ -23,6 +23,7 @@ struct PixelRays {
 
 namespace rt {
 
+/// For the whole picture.
 [[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);
 
 /// The colour that is seen along the ray.

@@ -12,7 +12,7 @@ Vec3 divided_by_w(Vec4 point) {
 }
 
 /// The tangent, kept for the next pixel: a picture's pixels all ask for the same one, and of a
-/// simple picture it would be a tenth of the time.
+/// simple picture it would be a sixth of the time.
 Real tangent(Real angle) {
     // Not zero to begin with: mold 1.10 then links programs that may not start.
     struct Last {
