@@ -13,7 +13,8 @@ class Story;
 struct Context {
     Look look;
     Pixel pixel;
-    double weight = 1;                  ///< how much of the pixel what is lit now counts for
+    int bounces = 0;                    ///< off mirrors, since the eye
+    double weight = 1;                  ///< of the ray's colour in the pixel's
     Story* story = nullptr;             ///< told everything, if there is one: `--pixel`
     std::int64_t rays = 0;              ///< how many were sent
     std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size

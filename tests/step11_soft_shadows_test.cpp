@@ -222,7 +222,7 @@ bool is_blocked(const Scene& scene, const ShadowRay& way) {
 Lit lit(const Scene& scene, Real x, const Look& look, Pixel pixel = {}, double weight = 1) {
     Context context{.look = look, .pixel = pixel, .weight = weight};
     const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
-    const Terms terms = lighting(scene, ground(x), 0, obstacles, context);
+    const Terms terms = lighting(scene, ground(x), obstacles, context);
     return {.terms = terms, .rays = context.sized_light_rays};
 }
 

@@ -37,10 +37,11 @@ template <class Obstacles>
         if (context.story != nullptr) context.story->remark("nothing can be in the light's way");
         return 1;
     }
+    const Color seen = (1 - surface.material.mirror) * color;
     ShadowRays rays;
     // A few ways ahead: a processor works out several at once, if nothing is asked in between.
     std::array<ShadowRay, 8> ways;
-    while (rays.sent < context.look.shadow_samples && !accurate(rays, color, context)) {
+    while (rays.sent < context.look.shadow_samples && !accurate(rays, seen, context)) {
         const std::size_t next = std::size_t(rays.sent) % ways.size();
         for (std::size_t i = 0; next == 0 && i < ways.size(); ++i) {
             const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
@@ -66,12 +67,11 @@ template <class Obstacles>
     return !blocker.found();
 }
 
-/// What all the lights do at the surface, which is the bounce-th that the eye's ray has come to. A
-/// light with a size is asked for by several rays, until --shadow-samples or --shadow-error is
-/// reached.
+/// What all the lights do at the surface. A light with a size is asked for by several rays, until
+/// --shadow-samples or --shadow-error is reached.
 template <class Obstacles>
-[[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, std::uint32_t bounce,
-                             const Obstacles& obstacles, Context& context) {
+[[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, const Obstacles& obstacles,
+                             Context& context) {
     Terms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
     for (const Light& light : scene.lights) {
@@ -81,7 +81,8 @@ template <class Obstacles>
         if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
         if (light.radius > 0) {
             const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
-            const std::uint32_t seed = sample_seed(context.pixel, number, bounce);
+            const std::uint32_t seed =
+                sample_seed(context.pixel, number, std::uint32_t(context.bounces));
             const Real share =
                 share_reached(surface, light, diffuse + specular, seed, obstacles, context);
             terms.diffuse += share * diffuse;

@@ -15,7 +15,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
 
     const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
-    return shown(lighting(scene, surface_at(*hit, ray), 0, obstacles, context), context);
+    return shown(lighting(scene, surface_at(*hit, ray), obstacles, context), context);
 }
 
 }  // namespace rt
