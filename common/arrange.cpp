@@ -2,13 +2,13 @@
 
 namespace rt {
 
-void arrange(Scene& scene, std::size_t pays_from) {
+void arrange(Scene& scene, const Arrangement& how) {
     // In one frame, so that a ray is made ready for all kinds at once.
     Box all;
     const auto take_in = [&](const auto& items) {
-        if (items.worth_arranging(pays_from)) all = united(all, items.box());
+        if (items.many(how)) all = united(all, items.box());
     };
-    const auto arrange_kind = [&](auto& items) { items.arrange(pays_from, all); };
+    const auto arrange_kind = [&](auto& items) { items.arrange(how, all); };
     for_each_kind(scene, take_in);
     take_in(scene.meshes);
     for_each_kind(scene, arrange_kind);

@@ -8,12 +8,21 @@ namespace rt {
 
 namespace {
 
-/// Wider by 16 u of the largest coordinate: a stage's own test places a hit within 8 u of it, the
-/// corners come out within 4 u, and a ray that starts further away is the hierarchy's to widen for.
+/// By how much bounds are wider than the shape, 16 u of the largest coordinate: a stage's own test
+/// places a hit within 8 u of it, the corners come out within 4 u, and for a ray that starts
+/// further away whoever asks the bounds must widen them.
+Real padding(Real largest) {
+    return 16 * unit_roundoff * largest;
+}
+
 Box padded(const Box& box) {
-    const Real largest = largest_component(box);
-    const Vec3 padding(16 * unit_roundoff * largest);
-    return {.min = box.min - padding, .max = box.max + padding};
+    const Vec3 wider(padding(largest_component(box)));
+    return {.min = box.min - wider, .max = box.max + wider};
+}
+
+Ball padded(const Ball& ball) {
+    const auto& [center, radius] = ball;
+    return {.center = center, .radius = radius + padding(largest_component(center) + radius)};
 }
 
 Box around(Vec3 center, Vec3 reach) {
@@ -65,6 +74,44 @@ Box bounds(const Mesh& mesh) {
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t vertex : triangle) box = united(box, mesh.vertices[vertex]);
     return box;
+}
+
+Ball ball_around(const Sphere& sphere) {
+    return padded(Ball{.center = sphere.center, .radius = sphere.radius});
+}
+
+Ball ball_around(const Triangle& triangle) {
+    const auto& [a, b, c] = triangle;
+    const Vec3 center = a / Real(3) + b / Real(3) + c / Real(3);
+    const Real radius =
+        glm::max(length(a - center), glm::max(length(b - center), length(c - center)));
+    return padded(Ball{.center = center, .radius = radius});
+}
+
+Ball ball_around(const Square& square) {
+    return padded(Ball{.center = square.center, .radius = square.side / std::sqrt(Real(2))});
+}
+
+Ball ball_around(const Cylinder& cylinder) {
+    return padded(Ball{.center = cylinder.center,
+                       .radius = std::hypot(cylinder.radius, cylinder.height / 2)});
+}
+
+Ball ball_around(const Cone& cone) {
+    const auto& [apex, axis, radius, height] = cone;
+    // Through the apex and the rim; or, of a blunt cone, around the rim, where the apex is inside.
+    const Real slant = std::hypot(radius, height);
+    const Real from_apex = radius < height ? slant / 2 * (slant / height) : height;
+    return padded(Ball{.center = apex + from_apex * axis, .radius = glm::max(radius, from_apex)});
+}
+
+Ball ball_around(const OrientedBox& box) {
+    return padded(Ball{.center = box.center, .radius = length(box.half_size)});
+}
+
+Ball ball_around(const Box& box) {
+    const Vec3 center = box.min / Real(2) + box.max / Real(2);
+    return padded(Ball{.center = center, .radius = length(box.max - center)});
 }
 
 }  // namespace rt

@@ -1,6 +1,8 @@
-// Boxes around shapes, for a hierarchy: no rounded test of the stages finds a hit outside.
+// Boxes around shapes for a hierarchy, and balls for a list: no rounded test of the stages finds a
+// hit outside.
 #pragma once
 
+#include "common/balls.hpp"
 #include "common/box.hpp"
 #include "common/mesh.hpp"
 #include "common/shapes.hpp"
@@ -16,5 +18,15 @@ namespace rt {
 
 /// Around the vertices that triangles use, and no wider; empty if there are none.
 [[nodiscard]] Box bounds(const Mesh& mesh);
+
+[[nodiscard]] Ball ball_around(const Sphere& sphere);
+[[nodiscard]] Ball ball_around(const Triangle& triangle);
+[[nodiscard]] Ball ball_around(const Square& square);
+[[nodiscard]] Ball ball_around(const Cylinder& cylinder);
+[[nodiscard]] Ball ball_around(const Cone& cone);
+[[nodiscard]] Ball ball_around(const OrientedBox& box);
+
+/// Around a box that is padded already.
+[[nodiscard]] Ball ball_around(const Box& box);
 
 }  // namespace rt

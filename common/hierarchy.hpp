@@ -11,9 +11,8 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Fewer shapes than this stay a list. Measured: of spheres the hierarchy is quicker from 6 on with
-/// vectors of 32 bytes (docs/accuracy.md), of triangles, whose test takes longer, from 2 on.
-inline constexpr std::size_t hierarchy_pays_from = 8;
+/// Fewer shapes than this stay a list with balls around them (measured: docs/accuracy.md).
+inline constexpr std::size_t hierarchy_pays_from = 32;
 
 inline namespace RT_LANES {
 
@@ -64,13 +63,6 @@ private:
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
 };
-
-/// Takes the lowest bit that is set, and says which it was.
-[[nodiscard]] inline std::size_t take_lowest(unsigned& bits) {
-    const auto lowest = std::size_t(std::countr_zero(bits));
-    bits &= bits - 1;
-    return lowest;
-}
 
 template <class Visit>
 bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const {

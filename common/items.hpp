@@ -19,14 +19,23 @@ struct Item {
     Material material;
 };
 
-/// Whether a kind of shape fits into a box: all but the plane.
+/// Whether a kind of shape fits into a box and a ball: all but the plane.
 template <class Shape>
 concept Bounded = requires(const Shape& shape) {
     { bounds(shape) } -> std::same_as<Box>;
+    { ball_around(shape) } -> std::same_as<Ball>;
 };
 
-/// A list of items, and above many of them a hierarchy, so that a ray asks those alone whose boxes
-/// it meets.
+/// What rays are spared by.
+struct Arrangement {
+    static constexpr std::size_t never = ~std::size_t(0);
+
+    std::size_t hierarchy_from = hierarchy_pays_from;  ///< items of a kind
+    bool balls = true;  ///< around fewer, even around one (measured: docs/accuracy.md)
+};
+
+/// A list of items; around a few of them balls, or above many a hierarchy, so that a ray asks those
+/// alone that it may meet.
 template <class Shape>
 class Items {
 public:
@@ -36,7 +45,7 @@ public:
 
     void push_back(const Item<Shape>& item) {
         items_.push_back(item);
-        hierarchy_ = {};
+        disarrange();
     }
 
     [[nodiscard]] bool empty() const { return items_.empty(); }
@@ -48,27 +57,28 @@ public:
     [[nodiscard]] auto begin() const { return items_.begin(); }
     [[nodiscard]] auto end() const { return items_.end(); }
 
-    /// Whether they fit into boxes, and are so many that a hierarchy of these pays.
-    [[nodiscard]] bool worth_arranging(std::size_t pays_from = hierarchy_pays_from) const {
-        return Bounded<Shape> && items_.size() >= pays_from;
+    /// Whether they fit into boxes, and are so many that a hierarchy of these is wanted.
+    [[nodiscard]] bool many(const Arrangement& how = {}) const {
+        return Bounded<Shape> && items_.size() >= how.hierarchy_from;
     }
 
-    /// Builds the hierarchy, if it pays; in the frame of the scene, if there are others.
-    void arrange(std::size_t pays_from = hierarchy_pays_from, const Box& scene = {}) {
-        hierarchy_ = {};
+    /// A hierarchy is in the frame of the scene, if there are others.
+    void arrange(const Arrangement& how = {}, const Box& scene = {}) {
+        disarrange();
         if constexpr (Bounded<Shape>) {
-            if (!worth_arranging(pays_from)) return;
-            std::vector<Box> boxes;
-            boxes.reserve(items_.size());
-            for (const Item<Shape>& item : items_) boxes.push_back(bounds(item.shape));
-            hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::one_by_one, scene);
+            if (many(how))
+                hierarchy_ = Hierarchy(each([](const Shape& shape) { return bounds(shape); }),
+                                       Hierarchy::Leaves::one_by_one, scene);
+            else if (how.balls && items_.size() <= Balls::most)
+                balls_ = Balls(each([](const Shape& shape) { return ball_around(shape); }));
         }
     }
 
-    [[nodiscard]] bool arranged() const { return !hierarchy_.empty(); }
+    /// Whether there is a hierarchy.
+    [[nodiscard]] bool arranged() const { return Bounded<Shape> && !hierarchy_.empty(); }
 
     /// Whether 64 bits have one for each, and no hierarchy is quicker.
-    [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= 64; }
+    [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= Balls::most; }
 
     /// Around all of them, if they fit into boxes; at once, if they are arranged.
     [[nodiscard]] Box box() const {
@@ -83,27 +93,51 @@ public:
     /// shorten the interval, and spares the items beyond.
     template <class Visit>
     void along(SlabTests& ray, Interval& interval, Visit visit) const {
-        if (!arranged()) {
-            for (const Item<Shape>& item : items_) visit(item);
-        } else {
+        if (arranged()) {
             hierarchy_.nearest(ray, interval, [&](std::size_t index) { visit(items_[index]); });
+        } else if (in_balls()) {
+            for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
+                visit(items_[take_lowest(near)]);
+        } else {
+            for (const Item<Shape>& item : items_) visit(item);
         }
     }
 
     /// Whether visit(item) is true for any item that the ray may meet inside the interval.
     template <class Visit>
     [[nodiscard]] bool any_along(SlabTests& ray, Interval interval, Visit visit) const {
-        if (!arranged()) {
-            for (const Item<Shape>& item : items_)
-                if (visit(item)) return true;
+        if (arranged())
+            return hierarchy_.any(ray, interval,
+                                  [&](std::size_t index) { return visit(items_[index]); });
+        if (in_balls()) {
+            for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
+                if (visit(items_[take_lowest(near)])) return true;
             return false;
         }
-        return hierarchy_.any(ray, interval,
-                              [&](std::size_t index) { return visit(items_[index]); });
+        for (const Item<Shape>& item : items_)
+            if (visit(item)) return true;
+        return false;
     }
 
 private:
+    [[nodiscard]] bool in_balls() const { return Bounded<Shape> && !balls_.empty(); }
+
+    void disarrange() {
+        hierarchy_ = {};
+        balls_ = {};
+    }
+
+    /// make(shape) of every item.
+    template <class Make>
+    [[nodiscard]] auto each(Make make) const {
+        std::vector<decltype(make(std::declval<const Shape&>()))> made;
+        made.reserve(items_.size());
+        for (const Item<Shape>& item : items_) made.push_back(make(item.shape));
+        return made;
+    }
+
     std::vector<Item<Shape>> items_;
+    Balls balls_;
     Hierarchy hierarchy_;
 };
 

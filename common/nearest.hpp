@@ -14,7 +14,6 @@
 #include "common/exact/leader.hpp"
 #endif
 
-#include <bit>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -181,8 +180,7 @@ public:
     template <class Shape>
     void among(const Items<Shape>& items, std::uint64_t chosen) {
         if (!items.is_short_list()) return among(items);
-        for (; chosen != 0 && !found_; chosen &= chosen - 1)
-            found_ = is_in_the_way(items[std::size_t(std::countr_zero(chosen))]);
+        while (chosen != 0 && !found_) found_ = is_in_the_way(items[take_lowest(chosen)]);
     }
 
     [[nodiscard]] bool found() const { return found_; }

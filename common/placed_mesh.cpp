@@ -1,5 +1,6 @@
 #include "common/placed_mesh.hpp"
 
+#include "common/bounds.hpp"
 #include "common/vector.hpp"
 
 namespace rt {
@@ -17,6 +18,10 @@ Box bounds(const PlacedMesh& placed) {
     const Real largest = largest_component(box);
     const Real margin = 32 * unit_roundoff * largest;
     return {.min = box.min - margin, .max = box.max + margin};
+}
+
+Ball ball_around(const PlacedMesh& placed) {
+    return ball_around(bounds(placed));
 }
 
 }  // namespace rt

@@ -1,6 +1,8 @@
 // A mesh somewhere in a scene.
 #pragma once
 
+#include "common/balls.hpp"
+#include "common/box.hpp"
 #include "common/mesh.hpp"
 #include "common/motion.hpp"
 #include "common/packed_mesh.hpp"
@@ -38,5 +40,7 @@ namespace rt {
 
 /// Around the model's bounds, turned and moved.
 [[nodiscard]] Box bounds(const PlacedMesh& placed);
+
+[[nodiscard]] Ball ball_around(const PlacedMesh& placed);
 
 }  // namespace rt

@@ -68,7 +68,7 @@ std::string explanation(const Scene& scene) {
     if (needs.empty()) lines += "  nothing but rays\n";
 
     bool many = false;
-    for_each_kind(scene, [&many](const auto& items) { many = many || items.worth_arranging(); });
+    for_each_kind(scene, [&many](const auto& items) { many = many || items.many(); });
     lines += "and goes without\n";
     const auto without = [&lines](bool left_out, const std::string& what) {
         if (left_out) lines += "  " + what + "\n";

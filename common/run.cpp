@@ -36,6 +36,11 @@ void refuse_later_stages(const Scene& scene, const Program& program, const Optio
                                           " brings: run that, or a later stage");
 }
 
+/// Where the shapes are the lesson there are no balls, so that a wrong formula shows.
+Arrangement arrangement(const Program& program) {
+    return {.balls = program.stage >= light_stage};
+}
+
 Scene load(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
@@ -45,7 +50,7 @@ Scene load(const Program& program, const Options& options) {
     if (options.explain) return scene;
     refuse_later_stages(scene, program, options);
     load_meshes(scene);
-    arrange(scene);
+    arrange(scene, arrangement(program));
     return scene;
 }
 
@@ -162,7 +167,11 @@ public:
         return demands_of(scene_, program_.stage, look_);
     }
 
-    void arrange(std::size_t pays_from) override { rt::arrange(scene_, pays_from); }
+    void arrange(std::size_t hierarchy_from) override {
+        Arrangement how = arrangement(program_);
+        how.hierarchy_from = hierarchy_from;
+        rt::arrange(scene_, how);
+    }
 
     [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
         return shot_of(scene_, look, settings);

@@ -88,8 +88,7 @@ void for_each_kind(SomeScene& scene, Visit visit) {
     visit(scene.boxes);
 }
 
-/// Builds the hierarchies over the kinds of shape that are many, once the scene is whole. Pictures
-/// are the same without, but later.
-void arrange(Scene& scene, std::size_t pays_from = hierarchy_pays_from);
+/// Arranges each kind of shape, once the scene is whole. Pictures are the same without, but later.
+void arrange(Scene& scene, const Arrangement& how = {});
 
 }  // namespace rt

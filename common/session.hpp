@@ -53,7 +53,7 @@ public:
     [[nodiscard]] virtual Demands demands() const = 0;
 
     /// Builds hierarchies over the kinds of shape of which there are so many.
-    virtual void arrange(std::size_t pays_from) = 0;
+    virtual void arrange(std::size_t hierarchy_from) = 0;
 
     /// The same for any number of threads. Of no worth if it was stopped.
     [[nodiscard]] virtual Shot shot(const Look& look, const ShotSettings& settings) const = 0;

@@ -65,8 +65,8 @@ bool Shaft::may_hold(const Box& box) const {
     for (glm::length_t i = 0; i < 3; ++i)
         if (box.max[i] + slack < bounds_.min[i] || box.min[i] - slack > bounds_.max[i])
             return false;
-    const Vec3 middle = box.min + (box.max - box.min) / Real(2);
-    return !beside_ball(middle, length(box.max - middle) + slack);
+    const auto [middle, radius] = ball_around(box);
+    return !beside_ball(middle, radius + slack);
 }
 
 bool Shaft::may_hold(const Sphere& sphere) const {

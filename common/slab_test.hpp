@@ -189,6 +189,8 @@ class SlabTests {
 public:
     explicit SlabTests(const Ray& ray) : ray_(ray) {}
 
+    [[nodiscard]] const Ray& ray() const { return ray_; }
+
     [[nodiscard]] const SlabTest& in(const Frame& frame) {
         if (!made_ || made_->frame != frame) made_.emplace(ray_, frame);
         return made_->test;

@@ -38,6 +38,7 @@ namespace rt {
 /// NaN.
 [[nodiscard]] inline Vec3 unit(Vec3 v) {
     const Real square = glm::dot(v, v);
+    if (square == 1) return v;  // many are already, and the division would not change it
     if (keeps_its_digits(square)) return v / std::sqrt(square);
     const Vec3 scaled = v / largest_component(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));

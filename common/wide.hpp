@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <concepts>
 #include <cstdint>
 #include <type_traits>
 
@@ -232,6 +233,14 @@ template <class Number, std::size_t count>
 #endif
         return result;
     }
+}
+
+/// Takes the lowest bit that is set, and says which it was.
+template <std::unsigned_integral Bits>
+[[nodiscard]] inline std::size_t take_lowest(Bits& bits) {
+    const auto lowest = std::size_t(std::countr_zero(bits));
+    bits &= bits - 1;
+    return lowest;
 }
 
 }  // namespace RT_LANES

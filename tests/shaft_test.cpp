@@ -136,7 +136,7 @@ TEST_CASE("suspects: those that are asked block the same rays as all") {
             scene.squares.push_back({.shape = draw(random, Square()).shape});
             scene.cones.push_back({.shape = draw(random, Cone()).shape});
         }
-        if (random.coin()) scene.spheres.arrange(1);
+        if (random.coin()) scene.spheres.arrange({.hierarchy_from = 1});
         const Light light{.position = random.point(3), .radius = random.between(0, 1)};
         const Vec3 point = random.point(3);
         const Shaft shaft(point, light);

@@ -77,28 +77,36 @@ PlacedMesh in_scene(const Face& face) {
     return {.model = std::make_shared<const Model>(std::move(model)), .placement = {}};
 }
 
-constexpr Real far = 64;  ///< from the ray, where others are that make a hierarchy pay
+constexpr Real far = 64;  ///< from the ray, where others are
+
+enum class Way { list, balls, hierarchy };
+
+const char* name(Way way) {
+    return way == Way::list ? "a list" : way == Way::balls ? "balls" : "a hierarchy";
+}
 
 /// The shapes of one kind, the first of this material; among others, if a hierarchy is to have
 /// them, which planes never are in.
 template <class One>
-auto items_of(const std::vector<One>& shapes, bool arranged, Real material) {
+auto items_of(const std::vector<One>& shapes, Way way, Real material) {
     Items<decltype(in_scene(shapes[0]))> items;
     for (const One& shape : shapes) {
         items.push_back({.shape = in_scene(shape), .material = {.mirror = material}});
         ++material;
-        for (Real i = 0; i < 8 && arranged && !std::is_same_v<One, Plane>; ++i) {
+        const bool others = way == Way::hierarchy && !std::is_same_v<One, Plane>;
+        for (Real i = 0; i < 8 && others; ++i) {
             const Motion aside{.translation = Vec3(far, far, material * far + i)};
             items.push_back({.shape = in_scene(moved(shape, aside)), .material = {}});
         }
     }
-    if (arranged) items.arrange();
+    if (way == Way::balls) items.arrange({.hierarchy_from = Arrangement::never});
+    if (way == Way::hierarchy) items.arrange({.hierarchy_from = 1});
     return items;
 }
 
-int nearest_of_faces(const Ray& ray, const Face& first, const Face& second, bool arranged) {
+int nearest_of_faces(const Ray& ray, const Face& first, const Face& second, Way way) {
     std::vector<Triangle> triangles = {first.triangle};
-    for (Real i = 0; i < 40 && arranged; ++i)
+    for (Real i = 0; i < 40 && way == Way::hierarchy; ++i)
         triangles.push_back(moved(first.triangle, {.translation = Vec3(far, far, i)}));
     triangles.push_back(second.triangle);
     const auto hit = PackedMesh(mesh_of(triangles)).nearest(ray, {});
@@ -106,19 +114,18 @@ int nearest_of_faces(const Ray& ray, const Face& first, const Face& second, bool
 }
 
 template <class First, class Second>
-int nearest_of(const Ray& ray, const First& first, const Second& second, bool arranged) {
+int nearest_of(const Ray& ray, const First& first, const Second& second, Way way) {
     Context context;
     Nearest nearest(ray, context);
     if constexpr (std::is_same_v<First, Second>) {
-        if constexpr (std::is_same_v<First, Face>)
-            return nearest_of_faces(ray, first, second, arranged);
-        const auto items = items_of(std::vector{first, second}, arranged, 1);
+        if constexpr (std::is_same_v<First, Face>) return nearest_of_faces(ray, first, second, way);
+        const auto items = items_of(std::vector{first, second}, way, 1);
         nearest.among(items);
         const auto hit = nearest.hit();
         return hit ? int(hit->material->mirror) : 0;
     } else {
-        const auto first_items = items_of(std::vector{first}, arranged, 1);
-        const auto second_items = items_of(std::vector{second}, arranged, 2);
+        const auto first_items = items_of(std::vector{first}, way, 1);
+        const auto second_items = items_of(std::vector{second}, way, 2);
         nearest.among(first_items);
         nearest.among(second_items);
         const auto hit = nearest.hit();
@@ -128,11 +135,10 @@ int nearest_of(const Ray& ray, const First& first, const Second& second, bool ar
 
 void ask(const Ray& ray, const Shape& first, const Shape& second, bool first_is_nearer,
          Orders& orders) {
-    for (const bool arranged : {false, true}) {
-        const int came =
-            std::visit([&](const auto& one,
-                           const auto& other) { return nearest_of(ray, one, other, arranged); },
-                       first, second);
+    for (const Way way : {Way::list, Way::balls, Way::hierarchy}) {
+        const int came = std::visit(
+            [&](const auto& one, const auto& other) { return nearest_of(ray, one, other, way); },
+            first, second);
         ++orders.asked;
         if (came == (first_is_nearer ? 1 : 2)) continue;
         if (orders.wrong++ != 0) continue;
@@ -140,7 +146,7 @@ void ask(const Ray& ray, const Shape& first, const Shape& second, bool first_is_
         orders.where = "ray:    " + code(ray) + "\nfirst:  " + std::visit(told, first) +
                        "\nsecond: " + std::visit(told, second) + "\nnearer: the " +
                        (first_is_nearer ? "first" : "second") + ", but came " +
-                       std::to_string(came) + (arranged ? " of a hierarchy" : " of a list");
+                       std::to_string(came) + " of " + name(way);
     }
 }
 

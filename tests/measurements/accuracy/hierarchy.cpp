@@ -1,6 +1,7 @@
-// A hierarchy against a list: the nearest of 1 to 512 spheres, for rays among them.
-#include "common/hierarchy.hpp"
+// The nearest of 1 to 512 spheres, for rays among them: each asked, those whose balls the ray comes
+// near, and those in a hierarchy's boxes that it meets.
 #include "common/bounds.hpp"
+#include "common/items.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 
@@ -43,41 +44,57 @@ double time_of(const std::vector<Ray>& all, const Ask& ask) {
     return taken.count() / double(all.size());
 }
 
+/// The times of a few turns, the median of which counts.
+class Turns {
+public:
+    void add(double time) { times_.push_back(time); }
+    [[nodiscard]] double median() {
+        std::ranges::sort(times_);
+        return times_[times_.size() / 2];
+    }
+
+private:
+    std::vector<double> times_;
+};
+
 void measure(int count) {
     Random random(5);
-    const std::vector<Sphere> spheres = drawn(random, count);
-    std::vector<Box> boxes;
-    for (const Sphere& sphere : spheres) boxes.push_back(bounds(sphere));
-    const Hierarchy hierarchy(boxes);
+    Items<Sphere> list;
+    for (const Sphere& sphere : drawn(random, count)) list.push_back({.shape = sphere});
+    Items<Sphere> in_balls = list;
+    Items<Sphere> in_hierarchy = list;
+    in_balls.arrange({.hierarchy_from = Arrangement::never});
+    in_hierarchy.arrange({.hierarchy_from = 1});
     std::vector<Ray> all(rays);
     for (Ray& ray : all) {
         ray.origin = Real(3) * random.direction();
         ray.direction = random.point(1) - ray.origin;
     }
 
-    const auto try_one = [&](const Ray& ray, Interval& interval, std::size_t index) {
-        if (const auto t = intersect(ray, spheres[index], interval)) interval.max = *t;
-    };
-    std::vector<double> listed;
-    std::vector<double> arranged;
-    for (int turn = 0; turn < turns; ++turn) {
-        listed.push_back(time_of(all, [&](const Ray& ray, Interval& interval) {
-            for (std::size_t i = 0; i < spheres.size(); ++i) try_one(ray, interval, i);
-        }));
-        arranged.push_back(time_of(all, [&](const Ray& ray, Interval& interval) {
+    const auto nearest = [](const Items<Sphere>& spheres) {
+        return [&spheres](const Ray& ray, Interval& interval) {
             SlabTests slabs(ray);
-            hierarchy.nearest(slabs, interval,
-                              [&](std::size_t index) { try_one(ray, interval, index); });
-        }));
+            spheres.along(slabs, interval, [&](const Item<Sphere>& item) {
+                if (const auto t = intersect(ray, item.shape, interval)) interval.max = *t;
+            });
+        };
+    };
+    Turns listed;
+    Turns balls;
+    Turns hierarchy;
+    for (int turn = 0; turn < turns; ++turn) {
+        listed.add(time_of(all, nearest(list)));
+        balls.add(time_of(all, nearest(in_balls)));
+        hierarchy.add(time_of(all, nearest(in_hierarchy)));
     }
-    std::ranges::sort(listed);
-    std::ranges::sort(arranged);
-    std::printf("%d,%.1f,%.1f\n", count, listed[turns / 2], arranged[turns / 2]);
+    std::printf("%d,%.1f,", count, listed.median());
+    if (count <= int(Balls::most)) std::printf("%.1f", balls.median());
+    std::printf(",%.1f\n", hierarchy.median());
 }
 
 }  // namespace
 
 int main() {
-    std::puts("spheres,list,hierarchy");
+    std::puts("spheres,list,balls,hierarchy");
     for (const int count : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128, 256, 512}) measure(count);
 }
