@@ -56,6 +56,7 @@ struct BoxRanges::Cut {
 };
 
 /// Numbers the slices of a range.
+template <std::size_t slices>
 class BoxRanges::Slicer {
 public:
     explicit Slicer(const WideBox& middles)
@@ -97,9 +98,10 @@ float BoxRanges::cost(const Bin& part) const {
     return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
 }
 
-BoxRanges::Bins BoxRanges::binned(const BoxRange& range) const {
-    Bins bins;
-    const Slicer slice_of(range.middles);
+template <std::size_t slices>
+BoxRanges::Bins<slices> BoxRanges::binned(const BoxRange& range) const {
+    Bins<slices> bins;
+    const Slicer<slices> slice_of(range.middles);
     const auto [first, last] = axes_to_try(range);
     for (std::size_t i = range.begin; i < range.end; ++i) {
         const auto slice = slice_of(middle(boxes_[i]));
@@ -112,7 +114,8 @@ BoxRanges::Bins BoxRanges::binned(const BoxRange& range) const {
     return bins;
 }
 
-BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
+template <std::size_t slices>
+BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
     const auto add = [](Bin& part, const Bin& bin) {
         grow(part.bounds, bin.bounds);
         part.count += bin.count;
@@ -137,8 +140,15 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins& bins) const {
 }
 
 std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
-    const Bins bins = binned(range);
-    const Cut best = cheapest(bins);
+    // Most ranges hold a few boxes, and bins would be what they wait for.
+    constexpr std::size_t few = 64;
+    return range.size() < few ? cut_between<8>(range) : cut_between<16>(range);
+}
+
+template <std::size_t slices>
+std::array<BoxRange, 2> BoxRanges::cut_between(const BoxRange& range) {
+    const Bins<slices> bins = binned<slices>(range);
+    const Cut best = cheapest<slices>(bins);
     if (best.cost == WideBox::end) return halves(range);  // all centres are in one slice
 
     BoxRange lower;
@@ -146,7 +156,7 @@ std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
     for (std::size_t i = 0; i < slices; ++i)
         grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
 
-    const Slicer slice_of(range.middles);
+    const Slicer<slices> slice_of(range.middles);
     std::size_t low = range.begin;
     std::size_t high = range.end;
     while (low < high) {

@@ -52,17 +52,21 @@ public:
     [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
 
 private:
-    static constexpr std::size_t slices = 16;
-
     struct Bin;
     struct Cut;
+    template <std::size_t slices>
     class Slicer;
+    template <std::size_t slices>
     using Bins = std::array<std::array<Bin, slices>, 3>;
 
     [[nodiscard]] BoxRange measured(std::size_t begin, std::size_t end) const;
-    [[nodiscard]] Bins binned(const BoxRange& range) const;
-    [[nodiscard]] Cut cheapest(const Bins& bins) const;
+    template <std::size_t slices>
+    [[nodiscard]] Bins<slices> binned(const BoxRange& range) const;
+    template <std::size_t slices>
+    [[nodiscard]] Cut cheapest(const Bins<slices>& bins) const;
     [[nodiscard]] float cost(const Bin& bin) const;
+    template <std::size_t slices>
+    [[nodiscard]] std::array<BoxRange, 2> cut_between(const BoxRange& range);
 
     std::vector<WideBox> boxes_;
     std::vector<std::uint32_t> indices_;

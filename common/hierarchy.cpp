@@ -18,7 +18,7 @@ constexpr std::size_t single_leaf_size = 1;
 constexpr std::size_t halving_depth = 32;
 
 /// From this size on, a part of the tree may be grown by a thread of its own.
-constexpr std::size_t thread_size = 16384;
+constexpr std::size_t thread_size = 65536;
 
 Node empty_node() {
     Node node;
@@ -36,9 +36,11 @@ void set_lane(Node::Row& row, std::size_t i, float value) {
     row = std::bit_cast<Node::Row>(all);
 }
 
-Box around(std::span<const Box> boxes) {
+using BoxOf = std::function<Box(std::size_t)>;
+
+Box around(std::size_t count, const BoxOf& box) {
     Box all;
-    for (const Box& box : boxes) all = united(all, box);
+    for (std::size_t i = 0; i < count; ++i) all = united(all, box(i));
     return all;
 }
 
@@ -66,12 +68,14 @@ Frame frame_for(const Box& bounds, const Box& scene) {
 }
 
 /// Not rounded outwards: SlabTest reckons with what a rounded box lacks.
-std::vector<WideBox> in_frame(std::span<const Box> boxes, const Frame& frame, Real padding) {
+std::vector<WideBox> in_frame(std::size_t count, const BoxOf& box, const Frame& frame,
+                              Real padding) {
     std::vector<WideBox> result;
-    result.reserve(boxes.size());
-    for (const Box& box : boxes) {
-        const Vec3 min = frame.scale * (box.min - padding - frame.center);
-        const Vec3 max = frame.scale * (box.max + padding - frame.center);
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto [low, high] = box(i);
+        const Vec3 min = frame.scale * (low - padding - frame.center);
+        const Vec3 max = frame.scale * (high + padding - frame.center);
         result.push_back({.min = floats_of({float(min.x), float(min.y), float(min.z), 0}),
                           .max = floats_of({float(max.x), float(max.y), float(max.z), 0})});
     }
@@ -83,15 +87,16 @@ std::vector<WideBox> in_frame(std::span<const Box> boxes, const Frame& frame, Re
 /// Builds from the top.
 class TreeGrower {
 public:
-    TreeGrower(std::span<const Box> boxes, Hierarchy::Leaves leaves, const Box& scene)
+    TreeGrower(std::size_t count, const BoxOf& box, Hierarchy::Leaves leaves, const Box& scene)
         : leaf_size_(leaves == Hierarchy::Leaves::packed ? lane_count : single_leaf_size),
-          bounds_(around(boxes)),
+          bounds_(around(count, box)),
           frame_(frame_for(bounds_, scene)),
-          ranges_(in_frame(boxes, frame_, padding_for(bounds_)), leaf_size_) {}
+          ranges_(in_frame(count, box, frame_, padding_for(bounds_)), leaf_size_) {}
 
     [[nodiscard]] Hierarchy tree();
 
 private:
+    [[nodiscard]] Hierarchy with_room_for(const BoxRange& range) const;
     [[nodiscard]] std::uint32_t grow(Hierarchy& tree, const BoxRange& range, std::size_t depth);
     [[nodiscard]] std::vector<BoxRange> parts(const BoxRange& range, std::size_t depth);
     [[nodiscard]] std::uint32_t add_leaf(Hierarchy& tree, const BoxRange& range) const;
@@ -105,12 +110,21 @@ private:
 };
 
 Hierarchy TreeGrower::tree() {
-    Hierarchy tree;
     const BoxRange& all = ranges_.all();
-    if (all.size() == 0) return tree;
+    if (all.size() == 0) return {};
+    Hierarchy tree = with_room_for(all);
     tree.bounds_ = bounds_;
     tree.frame_ = frame_;
     tree.root_ = grow(tree, all, 0);
+    return tree;
+}
+
+/// Empty. Most leaves are full, and most nodes have more than four children.
+Hierarchy TreeGrower::with_room_for(const BoxRange& range) const {
+    Hierarchy tree;
+    const std::size_t leaves = range.size() / leaf_size_ + 1;
+    tree.leaves_.reserve(leaves + leaves / 4);
+    tree.nodes_.reserve(leaves / 4);
     return tree;
 }
 
@@ -127,7 +141,7 @@ std::uint32_t TreeGrower::grow(Hierarchy& tree, const BoxRange& range, std::size
     for (std::size_t i = 0; i < children.size(); ++i)
         if (children[i].size() >= thread_size)
             large[i] = std::async([this, &child = children[i], depth] {
-                Hierarchy part;
+                Hierarchy part = with_room_for(child);
                 part.root_ = grow(part, child, depth + 1);
                 return part;
             });
@@ -192,8 +206,8 @@ void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box, std::u
     node.children[i] = child;
 }
 
-Hierarchy::Hierarchy(std::span<const Box> boxes, Leaves leaves, const Box& scene)
-    : Hierarchy(TreeGrower(boxes, leaves, scene).tree()) {}
+Hierarchy::Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves, const Box& scene)
+    : Hierarchy(TreeGrower(count, box, leaves, scene).tree()) {}
 
 }  // namespace RT_LANES
 

@@ -6,6 +6,7 @@
 #include "common/slab_test.hpp"
 #include "common/vector.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,11 @@ public:
     enum class Leaves { one_by_one, packed };
 
     Hierarchy() = default;
+    /// Over box(0), box(1), …, each of which is asked for twice, as so many would fill the memory.
     /// The same for any number of threads that it is built with. Its frame is the one around the
     /// scene, if that has room for the boxes and is not so large that their digits would be lost.
-    explicit Hierarchy(std::span<const Box> boxes, Leaves leaves = Leaves::one_by_one,
-                       const Box& scene = {});
+    Hierarchy(std::size_t count, const std::function<Box(std::size_t)>& box,
+              Leaves leaves = Leaves::one_by_one, const Box& scene = {});
 
     [[nodiscard]] bool empty() const { return leaves_.empty(); }
     [[nodiscard]] Box bounds() const { return bounds_; }

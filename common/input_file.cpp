@@ -21,6 +21,8 @@ std::string read_input_file(const std::string& file, std::size_t limit) {
     // In pieces, and not by its size: a pipe has none, and some files never end.
     constexpr std::size_t piece = 1 << 16;
     std::string content;
+    const std::uintmax_t size = std::filesystem::file_size(file, trouble);
+    if (!trouble) content.reserve(std::min<std::uintmax_t>(size, limit) + piece);
     while (stream && content.size() <= limit) {
         const std::size_t before = content.size();
         content.resize(std::min(before + piece, limit + 1));

@@ -67,10 +67,11 @@ public:
         disarrange();
         if constexpr (Bounded<Shape>) {
             if (many(how))
-                hierarchy_ = Hierarchy(each([](const Shape& shape) { return bounds(shape); }),
-                                       Hierarchy::Leaves::one_by_one, scene);
+                hierarchy_ = Hierarchy(
+                    items_.size(), [this](std::size_t i) { return bounds(items_[i].shape); },
+                    Hierarchy::Leaves::one_by_one, scene);
             else if (how.balls && items_.size() <= Balls::most)
-                balls_ = Balls(each([](const Shape& shape) { return ball_around(shape); }));
+                balls_ = in_balls();
         }
     }
 
@@ -95,7 +96,7 @@ public:
     void along(SlabTests& ray, Interval& interval, Visit visit) const {
         if (arranged()) {
             hierarchy_.nearest(ray, interval, [&](std::size_t index) { visit(items_[index]); });
-        } else if (in_balls()) {
+        } else if (has_balls()) {
             for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
                 visit(items_[take_lowest(near)]);
         } else {
@@ -109,7 +110,7 @@ public:
         if (arranged())
             return hierarchy_.any(ray, interval,
                                   [&](std::size_t index) { return visit(items_[index]); });
-        if (in_balls()) {
+        if (has_balls()) {
             for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
                 if (visit(items_[take_lowest(near)])) return true;
             return false;
@@ -120,20 +121,17 @@ public:
     }
 
 private:
-    [[nodiscard]] bool in_balls() const { return Bounded<Shape> && !balls_.empty(); }
+    [[nodiscard]] bool has_balls() const { return Bounded<Shape> && !balls_.empty(); }
+
+    [[nodiscard]] Balls in_balls() const {
+        std::vector<Ball> balls;
+        for (const Item<Shape>& item : items_) balls.push_back(ball_around(item.shape));
+        return Balls(balls);
+    }
 
     void disarrange() {
         hierarchy_ = {};
         balls_ = {};
-    }
-
-    /// make(shape) of every item.
-    template <class Make>
-    [[nodiscard]] auto each(Make make) const {
-        std::vector<decltype(make(std::declval<const Shape&>()))> made;
-        made.reserve(items_.size());
-        for (const Item<Shape>& item : items_) made.push_back(make(item.shape));
-        return made;
     }
 
     std::vector<Item<Shape>> items_;

@@ -16,8 +16,8 @@ std::shared_ptr<const Model> load_model(const std::string& file, bool smooth) {
     Mesh& mesh = model.mesh;
     if (!smooth) mesh.normals.clear();
     if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
-    model.bounds = bounds(mesh);
     if (mesh.triangles.size() >= packing_pays_from) model.packed.emplace(mesh);
+    model.bounds = model.packed ? model.packed->bounds() : bounds(mesh);
     return std::make_shared<const Model>(std::move(model));
 }
 

@@ -52,15 +52,15 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
 PackedMesh::PackedMesh(const Mesh& mesh) {
     bounds_ = rt::bounds(mesh);
     scale_ = scale_for(bounds_);
-    const auto boxes = made<Box>(mesh.triangles.size(), [&](std::size_t triangle) {
+    const auto box = [&](std::size_t triangle) {
         const auto& [i, j, k] = mesh.triangles[triangle];
         const Vec3& a = mesh.vertices[i];
         const Vec3& b = mesh.vertices[j];
         const Vec3& c = mesh.vertices[k];
         return Box{.min = scale_ * glm::min(a, glm::min(b, c)),
                    .max = scale_ * glm::max(a, glm::max(b, c))};
-    });
-    hierarchy_ = Hierarchy(boxes, Hierarchy::Leaves::packed);
+    };
+    hierarchy_ = Hierarchy(mesh.triangles.size(), box, Hierarchy::Leaves::packed);
     packets_ = made<TrianglePacket>(hierarchy_.leaves().size(), [&](std::size_t leaf) {
         return packed(mesh, hierarchy_.leaves()[leaf], scale_);
     });

@@ -72,9 +72,13 @@ std::vector<Shape> draw_shapes(Random& random) {
 
 template <class Shape>
 Hierarchy hierarchy_over(const std::vector<Shape>& shapes, const Box& scene = {}) {
-    std::vector<Box> boxes;
-    for (const Shape& shape : shapes) boxes.push_back(bounds(shape));
-    return Hierarchy(boxes, Hierarchy::Leaves::one_by_one, scene);
+    return Hierarchy(
+        shapes.size(), [&shapes](std::size_t i) { return bounds(shapes[i]); },
+        Hierarchy::Leaves::one_by_one, scene);
+}
+
+Hierarchy hierarchy_of(const std::vector<Box>& boxes) {
+    return Hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
 }
 
 /// A ray from anywhere, along an axis or any way, at a corner, at the middle of a face or at a
@@ -436,7 +440,7 @@ TEST_CASE("a ray along the faces of boxes meets them (contract)") {
                 for (int z = 0; z < 8; ++z)
                     boxes.push_back({.min = {Real(x), Real(y), Real(z)},
                                      .max = {Real(x + 1), Real(y + 1), Real(z + 1)}});
-        const Hierarchy hierarchy(boxes);
+        const Hierarchy hierarchy = hierarchy_of(boxes);
         for (const Real zero : {Real(0), Real(-0.0)}) {
             const Ray ray{.origin = {-5, 3, 6}, .direction = {2, zero, zero}};
             const auto indices = visited(hierarchy, ray, {});
@@ -477,7 +481,7 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
             for (Box& box : boxes) box = {.min = scale * box.min, .max = scale * box.max};
             const Ray ray{.origin = scale * (corner - steps * direction),
                           .direction = std::ldexp(Real(1), random.below(41) - 20) * direction};
-            return verdict(visited(Hierarchy(boxes), ray, {}).count(target) == 1,
+            return verdict(visited(hierarchy_of(boxes), ray, {}).count(target) == 1,
                            code(ray) + " misses the box from " + text(boxes[target].min) + " to " +
                                text(boxes[target].max) + " whose corner it passes through");
         },
@@ -490,7 +494,7 @@ TEST_CASE("what is no ray meets nothing, and soon (contract)") {
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < ball.triangles.size(); ++i)
         boxes.push_back(bounds(triangle_of(ball, i)));
-    const Hierarchy hierarchy(boxes);
+    const Hierarchy hierarchy = hierarchy_of(boxes);
     std::vector<Ray> rays = {{.origin = {0, 0, 0}, .direction = {0, 0, 0}},
                              {.origin = {0, 0, 5}, .direction = {0, 0, 0}}};
     for (const Real bad : {not_a_number, infinity, -infinity})
@@ -522,7 +526,7 @@ TEST_CASE("nothing, or all in one place, is a hierarchy too (contract)") {
     const Ray ray{.origin = {Real(0.25), Real(0.25), 3}, .direction = {0, 0, -1}};
     SECTION("nothing") {
         CHECK(Hierarchy().empty());
-        CHECK(Hierarchy(std::span<const Box>()).empty());
+        CHECK(hierarchy_of({}).empty());
         CHECK(visited(Hierarchy(), ray, {}).empty());
         CHECK_FALSE(PackedMesh().nearest(ray, {}));
         CHECK_FALSE(PackedMesh(Mesh{}).blocks(ray, {}));
@@ -550,7 +554,7 @@ TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
                 const Vec3 corner(size / 1000 * Real(i), 0, 0);
                 boxes.push_back({.min = corner, .max = corner + Vec3(size / 2000)});
             }
-            const Hierarchy hierarchy(boxes);
+            const Hierarchy hierarchy = hierarchy_of(boxes);
             const Ray down{.origin = {size / 1000 * Real(500.25), size / 4000, size},
                            .direction = {0, 0, -1}};
             const auto indices = visited(hierarchy, down, {});
@@ -561,8 +565,8 @@ TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
     SECTION("endless") {
         std::vector<Box> boxes(100, {.min = Vec3(-infinity), .max = Vec3(infinity)});
         boxes.resize(200, {.min = Vec3(-1), .max = Vec3(1)});
-        CHECK(visited(Hierarchy(boxes), {.origin = {5, 5, 5}, .direction = {0, 0, 1}}, {}).size() >=
-              100);
+        CHECK(visited(hierarchy_of(boxes), {.origin = {5, 5, 5}, .direction = {0, 0, 1}}, {})
+                  .size() >= 100);
     }
     SECTION("each half of the last: as deep a tree as there can be") {
         std::vector<Box> boxes;
@@ -572,7 +576,7 @@ TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
             boxes.push_back({.min = corner, .max = corner});
         }
         const Ray ray{.origin = {-1, 0, 0}, .direction = {1, 0, 0}};
-        CHECK(visited(Hierarchy(boxes), ray, {}).size() > 30'000);
+        CHECK(visited(hierarchy_of(boxes), ray, {}).size() > 30'000);
     }
 }
 
@@ -583,8 +587,8 @@ TEST_CASE("two builds of a mesh large enough for threads are the same (contract)
         const Vec3 corner = random.point(10);
         boxes.push_back({.min = corner, .max = corner + Vec3(Real(0.1))});
     }
-    const Hierarchy first(boxes);
-    const Hierarchy second(boxes);
+    const Hierarchy first = hierarchy_of(boxes);
+    const Hierarchy second = hierarchy_of(boxes);
     CHECK(std::ranges::equal(first.leaves(), second.leaves(),
                              [](const Leaf& a, const Leaf& b) { return a.indices == b.indices; }));
 }

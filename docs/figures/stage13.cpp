@@ -253,7 +253,7 @@ std::string mesh_hierarchy() {
     const std::vector<Polygon> polygons = owl_cage();
     std::vector<Box> boxes;
     for (const Polygon& polygon : polygons) boxes.push_back(box_around(polygon));
-    const Hierarchy hierarchy(boxes);
+    const Hierarchy hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
     const auto view = [](Real x) { return View{.place = {x, 254}, .scale = 92}; };
 
     Sketch whole(svg, view(110));

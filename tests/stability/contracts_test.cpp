@@ -315,7 +315,7 @@ TEST_CASE("no box that a ray meets is lost, at its corners and edges either") {
             if (random.below(3) == 0) direction[random.below(3)] = 0;
             const Ray ray{.origin = target - scale * random.between(0, 8) * direction,
                           .direction = std::abs(decades(random, -9, 9)) * direction};
-            const Hierarchy hierarchy(boxes);
+            const Hierarchy hierarchy(boxes.size(), [&](std::size_t i) { return boxes[i]; });
             std::array<bool, 8> seen{};
             Interval interval;
             SlabTests slabs(ray);
