@@ -69,7 +69,10 @@ void take_in(Demands& demands, const Items<Shape>& items) {
                 demands.feature = feature;
         }
     }
-    if (Bounded<Shape>) demands.most_alike = std::max(demands.most_alike, items.size());
+    if (Bounded<Shape> && items.size() > demands.most_alike) {
+        demands.most_alike = items.size();
+        demands.hierarchy_from = hierarchy_pays_from<Shape>;
+    }
 }
 
 /// Off the picture from the second round on, where seeds are other ones.
@@ -87,7 +90,7 @@ Shade shade(const Color& color) {
 }  // namespace
 
 Demands demands_of(const Scene& scene, int stage, const Look& look) {
-    Demands demands{.hierarchy_from = hierarchy_pays_from, .unit_roundoff = unit_roundoff};
+    Demands demands{.unit_roundoff = unit_roundoff};
     demands.extent = double(largest_component(scene.cameras.front().position));
     for_each_kind(scene, [&](const auto& items) { take_in(demands, items); });
     take_in(demands, scene.meshes);

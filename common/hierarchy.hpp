@@ -12,7 +12,9 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Fewer shapes than this stay a list with balls around them (measured: docs/accuracy.md).
+/// Fewer shapes of a kind than this stay a list with balls around them (measured:
+/// docs/accuracy.md).
+template <class Shape>
 inline constexpr std::size_t hierarchy_pays_from = 32;
 
 inline namespace RT_LANES {

@@ -7,6 +7,7 @@
 
 #include <concepts>
 #include <initializer_list>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,7 @@ concept Bounded = requires(const Shape& shape) {
 struct Arrangement {
     static constexpr std::size_t never = ~std::size_t(0);
 
-    std::size_t hierarchy_from = hierarchy_pays_from;  ///< items of a kind
+    std::optional<std::size_t> hierarchy_from;  ///< items of a kind; else from where it pays
     bool balls = true;  ///< around fewer, even around one (measured: docs/accuracy.md)
 };
 
@@ -59,7 +60,8 @@ public:
 
     /// Whether they fit into boxes, and are so many that a hierarchy of these is wanted.
     [[nodiscard]] bool many(const Arrangement& how = {}) const {
-        return Bounded<Shape> && items_.size() >= how.hierarchy_from;
+        return Bounded<Shape> &&
+               items_.size() >= how.hierarchy_from.value_or(hierarchy_pays_from<Shape>);
     }
 
     /// A hierarchy is in the frame of the scene, if there are others.

@@ -34,6 +34,10 @@ struct PlacedMesh {
     Motion placement;
 };
 
+/// A mesh is slow to ask, and its balls are wide.
+template <>
+inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
+
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
