@@ -6,6 +6,7 @@
 #include "common/vector.hpp"
 #include "common/wide.hpp"
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -74,6 +75,14 @@ public:
     explicit Balls(std::span<const Ball> balls);
 
     [[nodiscard]] bool empty() const { return packets_.empty(); }
+
+    [[nodiscard]] Ball operator[](std::size_t i) const {
+        const auto& [center, radius_squared] = packets_[i / lane_count];
+        const std::size_t lane = i % lane_count;
+        return {
+            .center = {values(center[0])[lane], values(center[1])[lane], values(center[2])[lane]},
+            .radius = std::sqrt(values(radius_squared)[lane])};
+    }
 
     /// A bit for each ball that the ray may meet.
     [[nodiscard]] std::uint64_t near(const Ray& ray) const {

@@ -83,6 +83,9 @@ public:
     /// Whether 64 bits have one for each, and no hierarchy is quicker.
     [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= Balls::most; }
 
+    /// One for each, if there is no hierarchy; none, if they are not arranged.
+    [[nodiscard]] const Balls& balls() const { return balls_; }
+
     /// Around all of them, if they fit into boxes; at once, if they are arranged.
     [[nodiscard]] Box box() const {
         Box all = hierarchy_.bounds();

@@ -69,6 +69,12 @@ bool Shaft::may_hold(const Box& box) const {
     return !beside_ball(middle, radius + slack);
 }
 
+bool Shaft::may_hold(const Ball& ball) const {
+    const auto& [center, radius] = ball;
+    const Real slack = roundings(test_roundings, largest_component(center) + radius);
+    return !beside_ball(center, radius + slack);
+}
+
 bool Shaft::may_hold(const Sphere& sphere) const {
     const auto& [center, radius] = sphere;
     const Real largest = largest_component(center) + radius;

@@ -22,6 +22,7 @@ public:
         return may_hold(bounds(shape));
     }
     [[nodiscard]] bool may_hold(const Box& box) const;
+    [[nodiscard]] bool may_hold(const Ball& ball) const;
     [[nodiscard]] bool may_hold(const Sphere& sphere) const;
     [[nodiscard]] bool may_hold(const Plane& plane) const;
     [[nodiscard]] bool may_hold(const Triangle& triangle) const;
@@ -81,8 +82,13 @@ private:
     [[gnu::noinline]] void look_through(const Items<Shape>& items) {
         std::uint64_t chosen = 0;
         if (items.is_short_list()) {
-            for (std::size_t i = 0; i < items.size(); ++i)
-                chosen |= std::uint64_t(shaft_.may_hold(items[i].shape)) << i;
+            // A look at the ball is quicker, and most often enough.
+            const Balls& balls = items.balls();
+            for (std::size_t i = 0; i < items.size(); ++i) {
+                const bool held =
+                    (balls.empty() || shaft_.may_hold(balls[i])) && shaft_.may_hold(items[i].shape);
+                chosen |= std::uint64_t(held) << i;
+            }
         } else {
             chosen = !items.arranged() || shaft_.may_hold(items.box()) ? 1 : 0;
         }

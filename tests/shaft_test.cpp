@@ -23,16 +23,17 @@ Vec3 start_from(const Spot<Shape>& spot, Vec3 light) {
     return shadow_ray(surface, light).ray.origin;
 }
 
-/// The largest light, here or smaller, whose shaft does not hold the shape, as far as it tells.
-template <class Shape>
-Light largest_beside(Vec3 point, Light light, const Shape& shape) {
+/// The largest light, here or smaller, whose shaft does not hold the shape or the ball, as far as
+/// it tells.
+template <class Held>
+Light largest_beside(Vec3 point, Light light, const Held& what) {
     Real held = light.radius;
     light.radius = 0;
     for (int i = 0; i < 60; ++i) {
         const Real radius = (light.radius + held) / 2;
         Light tried = light;
         tried.radius = radius;
-        if (Shaft(point, tried).may_hold(shape))
+        if (Shaft(point, tried).may_hold(what))
             held = radius;
         else
             light.radius = radius;
@@ -44,17 +45,19 @@ Light largest_beside(Vec3 point, Light light, const Shape& shape) {
 template <class Shape>
 Verdict is_left_alone(Random& random) {
     const Spot<Shape> spot = draw(random, Shape());
-    Light light{.position = random.point(6), .radius = 6};
-    const Vec3 point = random.coin() ? start_from(spot, light.position) : random.point(6);
-    light = largest_beside(point, light, spot.shape);
+    const Light widest{.position = random.point(6), .radius = 6};
+    const Vec3 point = random.coin() ? start_from(spot, widest.position) : random.point(6);
+    Light light = largest_beside(point, widest, spot.shape);
+    if constexpr (Bounded<Shape>)
+        if (random.coin()) light = largest_beside(point, widest, ball_around(spot.shape));
     if (light.radius == 0) return {};
     const Vec3 nearest = unit(spot.point - light.position);
     for (int i = 0; i < 100; ++i) {
         const Vec3 way = i % 2 == 0 ? random.direction() : unit(nearest + random.point(1));
         const Ray ray{.origin = point, .direction = light.position + light.radius * way - point};
         if (blocks(ray, spot.shape, {.min = 0, .max = 1}))
-            return verdict(false, "may_hold(" + code(spot.shape) + ") is false, and " + code(ray) +
-                                      " meets it");
+            return verdict(false, "the shaft does not hold " + code(spot.shape) +
+                                      " or its ball, and " + code(ray) + " meets it");
     }
     return {};
 }
@@ -136,6 +139,7 @@ TEST_CASE("suspects: those that are asked block the same rays as all") {
             scene.squares.push_back({.shape = draw(random, Square()).shape});
             scene.cones.push_back({.shape = draw(random, Cone()).shape});
         }
+        if (random.coin()) arrange(scene);
         if (random.coin()) scene.spheres.arrange({.hierarchy_from = 1});
         const Light light{.position = random.point(3), .radius = random.between(0, 1)};
         const Vec3 point = random.point(3);
