@@ -90,7 +90,7 @@ public:
 
 private:
     template <class Shape>
-    [[gnu::noinline]] void among_some(const Items<Shape>& items) {
+    [[gnu::noinline, gnu::flatten]] void among_some(const Items<Shape>& items) {
         items.along(slabs_, interval_, [this](const Item<Shape>& item) {
             keep(item, intersect(ray_, item.shape, interval_));
         });
@@ -187,7 +187,7 @@ public:
 
 private:
     template <class Shape>
-    [[nodiscard, gnu::noinline]] bool among_some(const Items<Shape>& items) {
+    [[nodiscard, gnu::noinline, gnu::flatten]] bool among_some(const Items<Shape>& items) {
         return items.any_along(slabs_, interval_,
                                [this](const Item<Shape>& item) { return is_in_the_way(item); });
     }

@@ -16,7 +16,7 @@ struct PixelRays {
     Vec3 position;
 
     /// The ray through the pixel's centre.
-    [[nodiscard]] Ray operator()(Pixel pixel) const;
+    [[nodiscard, gnu::flatten]] Ray operator()(Pixel pixel) const;
 };
 
 }  // namespace rt::inline RT_PRECISION
@@ -27,6 +27,6 @@ namespace rt {
 [[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);
 
 /// The colour that is seen along the ray.
-[[nodiscard]] Color trace(const Scene& scene, const Ray& ray, Context& context);
+[[nodiscard, gnu::flatten]] Color trace(const Scene& scene, const Ray& ray, Context& context);
 
 }  // namespace rt

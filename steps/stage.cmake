@@ -14,6 +14,7 @@ include(${PROJECT_SOURCE_DIR}/common/exact/exact.cmake)
 # stepNN_name_exact           the same program of certified kernels: common/exact/exact.cmake
 # stepNN_name_picture_f64     the stage's picture: main.cpp, and what this stage and those before it
 #                             hand on: the other files beside a main.cpp, story.cpp apart
+# stepNN_name_whole_f64       the picture and the references, compiled as one
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
@@ -92,6 +93,9 @@ function(raysteps_stage)
         raysteps_exact_program(${name} ${number} ${stages})
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
+    if(reference AND NOT RAYSTEPS_SANITIZE)
+        raysteps_whole(${name} ${meshes} ${handed_on} ${references})
+    endif()
     set(others ${references})
     list(REMOVE_ITEM others ${name}_reference)
     add_library(${name}_program OBJECT ${PROJECT_SOURCE_DIR}/common/main.cpp)
@@ -107,12 +111,40 @@ endfunction()
 # raysteps_link_program(<program> <stage> <stage or _reference>...)
 function(raysteps_link_program program stage)
     add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
+    file(GLOB students CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/*/student/*.cpp)
+    set(parts ${stage}_picture ${ARGN})
+    if(TARGET ${stage}_whole_f64 AND NOT students)
+        set(parts ${stage}_whole)
+    endif()
     foreach(precision IN ITEMS f32 f64)
-        target_link_libraries(${program} PRIVATE
-            raysteps_common_${precision} ${stage}_picture_${precision})
-        foreach(part IN LISTS ARGN)
+        foreach(part IN LISTS parts ITEMS raysteps_common)
             target_link_libraries(${program} PRIVATE ${part}_${precision})
         endforeach()
     endforeach()
     target_link_libraries(${program} PRIVATE raysteps_neutral Threads::Threads)
+endfunction()
+
+# raysteps_whole(<stage> <meshes> <part>...)
+#
+# <stage>_whole_f32 and _f64: the stage's picture, of its main.cpp and these parts compiled as one, so
+# that what they call of each other is inlined: up to a fifth of a picture's time (docs/speed.md).
+# Who has written a stage has programs of parts instead, of which a change compiles one.
+function(raysteps_whole stage meshes)
+    set(sources main.cpp)
+    foreach(part IN LISTS ARGN)
+        list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
+    endforeach()
+    raysteps_compile_twice(${stage}_whole_objects ${sources})
+    raysteps_start_from_common(${stage}_whole_objects)
+    foreach(precision IN ITEMS f32 f64)
+        set_target_properties(${stage}_whole_objects_${precision} PROPERTIES
+            UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+        add_library(${stage}_whole_${precision} INTERFACE)
+        target_sources(${stage}_whole_${precision} INTERFACE
+            $<TARGET_OBJECTS:${stage}_whole_objects_${precision}>
+            $<TARGET_OBJECTS:${meshes}_${precision}>)
+        if(meshes STREQUAL "raysteps_meshes")
+            target_link_libraries(${stage}_whole_${precision} INTERFACE raysteps_mesh_file)
+        endif()
+    endforeach()
 endfunction()

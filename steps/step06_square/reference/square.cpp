@@ -7,7 +7,7 @@ namespace rt {
 namespace {
 
 /// The coordinates of v along the axes of the basis (MRT §6: x = ⟨v, X⟩, …).
-Vec3 in_frame(const Basis& basis, Vec3 v) {
+Vec3 coordinates(const Basis& basis, Vec3 v) {
     return {dot(v, basis.x), dot(v, basis.y), dot(v, basis.z)};
 }
 
@@ -38,7 +38,7 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 }
 
 Vec2 square_uv(const Square& square, Vec3 point) {
-    const Vec3 p = in_frame(square.basis, point - square.center) / square.side;
+    const Vec3 p = coordinates(square.basis, point - square.center) / square.side;
     return Vec2(p) + Real(0.5);
 }
 
