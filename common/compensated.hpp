@@ -50,6 +50,12 @@ namespace rt {
     return difference + dropped;
 }
 
+/// a × b, every component to 1.5 ulp however small the angle between them.
+[[nodiscard]] inline Vec3 compensated_cross(Vec3 a, Vec3 b) {
+    return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+            difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
 /// The sum of the terms as if computed with three times the digits, then rounded (Ogita, Rump,
 /// Oishi 2005, SumK).
 template <std::size_t count>

@@ -131,12 +131,12 @@ private:
 #endif
 
     template <class Shape>
-    static std::optional<Hit> describe(const Nearest& nearest) {
+    [[gnu::flatten]] static std::optional<Hit> describe(const Nearest& nearest) {
         const auto& [shape, material] = *static_cast<const Item<Shape>*>(nearest.winner_);
         const Real t = nearest.t();
         // Made in its place, so that nothing is copied.
         if constexpr (std::is_same_v<Shape, PlacedMesh>) {
-            const MeshHit& hit = nearest.in_mesh_;
+            const MeshHit& hit = *nearest.in_mesh_;
             return std::optional<Hit>(std::in_place, t, projected(shape, hit), normal(shape, hit),
                                       side(shape, hit), material);
         } else {
@@ -150,7 +150,7 @@ private:
     SlabTests slabs_;
     Story* story_;
     Interval interval_;
-    MeshHit in_mesh_;
+    std::optional<MeshHit> in_mesh_;  ///< if a mesh is the winner
     const void* winner_ = nullptr;
     std::optional<Hit> (*describe_)(const Nearest&) = nullptr;
 };

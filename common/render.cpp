@@ -16,16 +16,18 @@ struct Row {
     int first_not_a_number = 0;  ///< a column
 };
 
-Row render_row(const Scene& scene, const PixelRays& pixel_ray, const RenderSettings& settings,
-               int row, Image& image) {
+/// It has a copy of the pixel rays, which nobody else can change: what is the same for a whole row
+/// is worked out once, where all is compiled as one (steps/stage.cmake).
+[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
+                                const RenderSettings& settings, int row, Image& image) {
     Context context{.look = settings.pace == nullptr ? settings.look : settings.pace->next()};
     Row result;
     for (int column = 0; column < image.resolution.width; ++column) {
         const Pixel pixel{.row = row, .column = column};
         context.pixel = pixel;
         const Color color = trace(scene, pixel_ray(pixel), context);
-        image[pixel] = to_rgb(color);
         if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
+        image[pixel] = to_rgb(color);
     }
     result.rays = context.rays;
     result.sized_light_rays = context.sized_light_rays;

@@ -13,7 +13,7 @@ namespace {
 constexpr Real test_roundings = 32;
 
 /// A distance from a plane is rounded by less. The rays start 16 off the surface, less the 8 by
-/// which their point may be off it (projection.cpp), so that of a flat shape that they start from
+/// which their point may be off it (projection.hpp), so that of a flat shape that they start from
 /// it mostly tells that they leave it.
 constexpr Real distance_roundings = 6;
 

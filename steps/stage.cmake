@@ -12,8 +12,9 @@ include(${PROJECT_SOURCE_DIR}/common/exact/exact.cmake)
 # stepNN_name                 the executable; _of_reference and _judged are the same program of the
 #                             references, and of this stage's chosen file on the others' references
 # stepNN_name_exact           the same program of certified kernels: common/exact/exact.cmake
-# stepNN_name_picture_f64     the stage's picture: main.cpp, and what this stage and those before it
-#                             hand on: the other files beside a main.cpp, story.cpp apart
+# stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and what this
+#                             stage and those before it hand on: the other files beside a main.cpp,
+#                             story.cpp apart
 # stepNN_name_whole_f64       the picture and the references, compiled as one
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -75,7 +76,7 @@ function(raysteps_stage)
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
     foreach(precision IN ITEMS f32 f64)
         add_library(${name}_picture_${precision} INTERFACE)
-        foreach(part IN ITEMS ${name}_main ${handed_on} ${meshes})
+        foreach(part IN ITEMS raysteps_render ${name}_main ${handed_on} ${meshes})
             target_sources(${name}_picture_${precision} INTERFACE
                 $<TARGET_OBJECTS:${part}_${precision}>)
         endforeach()
@@ -94,7 +95,7 @@ function(raysteps_stage)
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
     if(reference AND NOT RAYSTEPS_SANITIZE)
-        raysteps_whole(${name} ${meshes} ${handed_on} ${references})
+        raysteps_whole(${name} ${meshes} raysteps_render ${handed_on} ${references})
     endif()
     set(others ${references})
     list(REMOVE_ITEM others ${name}_reference)

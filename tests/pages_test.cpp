@@ -210,7 +210,7 @@ Knowledge stage9() {
 }
 
 Knowledge stage10() {
-    const std::string source = "common/projection.cpp";
+    const std::string source = "common/projection.hpp";
     const double flat_is_off =
         said_in("steps/step10_shadows/reference/shadows.cpp", "is met up to ", " units off");
     // How far before a light at distance 1 the ray ends, in units of u.
