@@ -25,20 +25,21 @@ namespace rt {
 // into its `trace`, but for what only a light with a size needs: a scene whose lights have none
 // then costs what it costs in stage 10 (tests/program/instruction_counts.sh).
 
-/// The share of the light that reaches the surface, where it would add the given colour.
+/// Rays to a light with a size, which would add the given colour; none, if nothing can be in their
+/// way. Has copies of the surface and the context, so that those of its caller stay in registers.
 template <class Obstacles>
-[[nodiscard, gnu::noinline]] Real share_reached(const Surface& surface, const Light& light,
-                                                const Color& color, std::uint32_t seed,
-                                                const Obstacles& obstacles, Context& context) {
+[[nodiscard, gnu::noinline]] ShadowRays rays_to(const Light& light, Surface surface, Color color,
+                                                std::uint32_t seed, const Obstacles& obstacles,
+                                                Context context) {
     const Shaft shaft(shadow_ray(surface, light.position).ray.origin, light);
     Suspects suspects(shaft);
     obstacles(suspects);
+    ShadowRays rays;
     if (suspects.none()) {
         if (context.story != nullptr) context.story->remark("nothing can be in the light's way");
-        return 1;
+        return rays;
     }
     const Color seen = (1 - surface.material.mirror) * color;
-    ShadowRays rays;
     // A few ways ahead: a processor works out several at once, if nothing is asked in between.
     std::array<ShadowRay, 8> ways;
     while (rays.sent < context.look.shadow_samples && !accurate(rays, seen, context)) {
@@ -50,11 +51,10 @@ template <class Obstacles>
         if (!suspects.block(ways[next].ray, ways[next].interval, context)) ++rays.reached;
         ++rays.sent;
     }
-    context.sized_light_rays += rays.sent;
     if (context.story != nullptr)
         context.story->line("shadow rays that reach the light",
                             std::to_string(rays.reached) + " of " + std::to_string(rays.sent));
-    return lit_share(rays);
+    return rays;
 }
 
 /// Whether nothing stands between the surface and a light without a size.
@@ -79,12 +79,15 @@ template <class Obstacles>
         const Color diffuse = diffuse_term(surface, light);
         const Color specular = specular_term(surface, light);
         if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
-        if (light.radius > 0) {
+        if (light.radius > 0) [[unlikely]] {
             const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
             const std::uint32_t seed =
                 sample_seed(context.pixel, number, std::uint32_t(context.bounces));
-            const Real share =
-                share_reached(surface, light, diffuse + specular, seed, obstacles, context);
+            const ShadowRays rays =
+                rays_to(light, surface, diffuse + specular, seed, obstacles, context);
+            const Real share = rays.sent == 0 ? 1 : lit_share(rays);
+            context.rays += rays.sent;
+            context.sized_light_rays += rays.sent;
             terms.diffuse += share * diffuse;
             terms.specular += share * specular;
         } else if (reached(surface, light, obstacles, context)) {

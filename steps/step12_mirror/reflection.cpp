@@ -7,14 +7,13 @@
 namespace rt {
 
 Color reflection(const Scene& scene, const Ray& ray, const Surface& surface, Context& context) {
-    const double weight = context.weight;
-    const double weight_there = weight * double(surface.material.mirror);
-    if (!worth_reflecting(context.bounces, context.look.depth, Real(weight_there))) return Color(0);
-    ++context.bounces;
-    context.weight = weight_there;
-    const Color color = trace(scene, mirrored(ray, surface), context);
-    --context.bounces;
-    context.weight = weight;
+    Context there = context;
+    there.weight *= double(surface.material.mirror);
+    if (!worth_reflecting(context.bounces, context.look.depth, Real(there.weight))) return Color(0);
+    ++there.bounces;
+    const Color color = trace(scene, mirrored(ray, surface), there);
+    context.rays = there.rays;
+    context.sized_light_rays = there.sized_light_rays;
     return color;
 }
 
