@@ -42,7 +42,7 @@ double kept(const Shot& shot, const std::vector<Shade>& right, double tolerance)
 /// The least time of a few, if they are short.
 Shot drawn(const Session& session, const Look& look) {
     Shot best{.seconds = infinite};
-    for (double all = 0; all < 0.05; all += best.seconds * double(shades_of_a_scene)) {
+    for (double all = 0; all < 0.3; all += best.seconds * double(shades_of_a_scene)) {
         Shot shot = session.shot(look, {.pixels = shades_of_a_scene, .round = last_round - 1});
         if (shot.seconds < best.seconds) best = std::move(shot);
     }
