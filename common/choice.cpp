@@ -202,11 +202,9 @@ void Chooser::choose_hierarchy() {
     const bool pays = is_usual ? gain * hierarchy < list : hierarchy < gain * list;
     hierarchy_from_ = pays ? from : never;
     choice_.session->arrange(hierarchy_from_);
-    const std::string of_a_kind = "for up to " + std::to_string(count) + " of a kind ";
-    say("hierarchy",
-        pays ? "yes: " + of_a_kind + "a list takes " + number(list / hierarchy) + " times as long"
-             : "none: " + of_a_kind + "it takes " + number(hierarchy / list) +
-                   " times as long as a list");
+    say("hierarchy", std::string(pays ? "yes" : "none") + ": for up to " + std::to_string(count) +
+                         " of a kind, with" + (pays ? "out" : "") + " one it takes " +
+                         number(pays ? list / hierarchy : hierarchy / list) + " times as long");
 }
 
 void Chooser::choose_depth() {

@@ -36,8 +36,6 @@ void set_lane(Node::Row& row, std::size_t i, float value) {
     row = std::bit_cast<Node::Row>(all);
 }
 
-using BoxOf = std::function<Box(std::size_t)>;
-
 Box around(std::size_t count, const BoxOf& box) {
     Box all;
     for (std::size_t i = 0; i < count; ++i) all = united(all, box(i));

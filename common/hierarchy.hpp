@@ -26,6 +26,9 @@ struct Leaf {
     std::array<std::uint32_t, lane_count> indices = {none, none, none, none};
 };
 
+/// The boxes 0, 1, …, worked out when they are asked for.
+using BoxOf = std::function<Box(std::size_t)>;
+
 class Hierarchy {
 public:
     /// Whether asking about the boxes of a leaf takes a step each or, as they are packed, one for
@@ -33,11 +36,11 @@ public:
     enum class Leaves { one_by_one, packed };
 
     Hierarchy() = default;
-    /// Over box(0), box(1), …, each of which is asked for twice, as so many would fill the memory.
+    /// Over so many boxes, each of which is asked for twice, as all of them would fill the memory.
     /// The same for any number of threads that it is built with. Its frame is the one around the
     /// scene, if that has room for the boxes and is not so large that their digits would be lost.
-    Hierarchy(std::size_t count, const std::function<Box(std::size_t)>& box,
-              Leaves leaves = Leaves::one_by_one, const Box& scene = {});
+    Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
+              const Box& scene = {});
 
     [[nodiscard]] bool empty() const { return leaves_.empty(); }
     [[nodiscard]] Box bounds() const { return bounds_; }

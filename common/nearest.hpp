@@ -72,7 +72,8 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        // The rest is not inlined: a kind that is not there costs a look.
+        // The rest is not inlined here: a kind that is not there costs a look. What that calls is
+        // inlined there: `intersect` too, where it is compiled with this (steps/stage.cmake).
         if (items.empty()) return;
         if (story_ == nullptr)
             among_some(items);

@@ -3,6 +3,7 @@
 #include "common/bounds.hpp"
 
 #include <future>
+#include <span>
 
 namespace rt::inline RT_PRECISION {
 
@@ -17,19 +18,6 @@ Real scale_for(const Box& bounds) {
     if (!(largest > 0 && largest < infinity)) return 1;
     constexpr int most = std::numeric_limits<Real>::max_exponent - 2;
     return std::ldexp(Real(1), std::clamp(-std::ilogb(largest), -most, most));
-}
-
-/// Fills a list by two threads, half of it each; the second is one if the system has it.
-template <class Item, class Make>
-std::vector<Item> made(std::size_t count, Make make) {
-    std::vector<Item> items(count);
-    const auto fill = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) items[i] = make(i);
-    };
-    const auto half = std::async([&] { fill(0, count / 2); });
-    fill(count / 2, count);
-    half.wait();
-    return items;
 }
 
 TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
@@ -47,6 +35,18 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
     return std::bit_cast<TrianglePacket>(lanes);
 }
 
+/// One for each leaf, by two threads, half of them each; the second is one if the system has it.
+std::vector<TrianglePacket> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
+    std::vector<TrianglePacket> packets(leaves.size());
+    const auto fill = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) packets[i] = packed(mesh, leaves[i], scale);
+    };
+    const auto half = std::async([&] { fill(0, leaves.size() / 2); });
+    fill(leaves.size() / 2, leaves.size());
+    half.wait();
+    return packets;
+}
+
 }  // namespace
 
 PackedMesh::PackedMesh(const Mesh& mesh) {
@@ -61,9 +61,7 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
                    .max = scale_ * glm::max(a, glm::max(b, c))};
     };
     hierarchy_ = Hierarchy(mesh.triangles.size(), box, Hierarchy::Leaves::packed);
-    packets_ = made<TrianglePacket>(hierarchy_.leaves().size(), [&](std::size_t leaf) {
-        return packed(mesh, hierarchy_.leaves()[leaf], scale_);
-    });
+    packets_ = packed(mesh, hierarchy_.leaves(), scale_);
 }
 
 #ifndef RT_EXACT  // which asks in common/exact/packed_triangles.cpp

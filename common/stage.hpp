@@ -1,4 +1,5 @@
-// What the main.cpp of each stage defines, and the rest of its program is built on.
+// What the main.cpp of each stage defines, and the rest of its program is built on. Where all of it
+// is compiled as one (steps/stage.cmake), what is gnu::flatten calls nothing, but has it inlined.
 #pragma once
 
 #include "common/basis.hpp"

@@ -127,9 +127,10 @@ endfunction()
 
 # raysteps_whole(<stage> <meshes> <part>...)
 #
-# <stage>_whole_f32 and _f64: the stage's picture, of its main.cpp and these parts compiled as one, so
-# that what they call of each other is inlined: up to a fifth of a picture's time (docs/speed.md).
-# Who has written a stage has programs of parts instead, of which a change compiles one.
+# <stage>_whole_f32 and _f64: the stage's picture, of its main.cpp and these parts compiled as one,
+# so that what they call of each other is inlined: up to a fifth of a picture's time
+# (docs/speed.md). Who has written a stage has programs of parts instead, of which a change compiles
+# one.
 function(raysteps_whole stage meshes)
     set(sources main.cpp)
     foreach(part IN LISTS ARGN)
