@@ -74,16 +74,7 @@ function(raysteps_stage)
         set_property(GLOBAL APPEND PROPERTY RAYSTEPS_HANDED_ON ${name}_handed_on)
     endif()
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
-    foreach(precision IN ITEMS f32 f64)
-        add_library(${name}_picture_${precision} INTERFACE)
-        foreach(part IN ITEMS raysteps_render ${name}_main ${handed_on} ${meshes})
-            target_sources(${name}_picture_${precision} INTERFACE
-                $<TARGET_OBJECTS:${part}_${precision}>)
-        endforeach()
-        if(number GREATER_EQUAL 13)
-            target_link_libraries(${name}_picture_${precision} INTERFACE raysteps_mesh_file)
-        endif()
-    endforeach()
+    raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
 
     # The program: of the chosen files; for `./course compare`, of the references alone, and of this
     # stage's chosen file on the references of all others.
@@ -112,9 +103,8 @@ endfunction()
 # raysteps_link_program(<program> <stage> <stage or _reference>...)
 function(raysteps_link_program program stage)
     add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
-    file(GLOB students CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/*/student/*.cpp)
     set(parts ${stage}_picture ${ARGN})
-    if(TARGET ${stage}_whole_f64 AND NOT students)
+    if(TARGET ${stage}_whole_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_whole)
     endif()
     foreach(precision IN ITEMS f32 f64)
@@ -138,15 +128,23 @@ function(raysteps_whole stage meshes)
     endforeach()
     raysteps_compile_twice(${stage}_whole_objects ${sources})
     raysteps_start_from_common(${stage}_whole_objects)
+    set_target_properties(${stage}_whole_objects_f32 ${stage}_whole_objects_f64 PROPERTIES
+        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    raysteps_picture(${stage}_whole ${stage}_whole_objects ${meshes})
+endfunction()
+
+# raysteps_picture(<name> <part>...)
+#
+# <name>_f32 and _f64: the objects of the parts, for whoever links it, and with meshes what reads
+# their files.
+function(raysteps_picture name)
     foreach(precision IN ITEMS f32 f64)
-        set_target_properties(${stage}_whole_objects_${precision} PROPERTIES
-            UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-        add_library(${stage}_whole_${precision} INTERFACE)
-        target_sources(${stage}_whole_${precision} INTERFACE
-            $<TARGET_OBJECTS:${stage}_whole_objects_${precision}>
-            $<TARGET_OBJECTS:${meshes}_${precision}>)
-        if(meshes STREQUAL "raysteps_meshes")
-            target_link_libraries(${stage}_whole_${precision} INTERFACE raysteps_mesh_file)
+        add_library(${name}_${precision} INTERFACE)
+        foreach(part IN LISTS ARGN)
+            target_sources(${name}_${precision} INTERFACE $<TARGET_OBJECTS:${part}_${precision}>)
+        endforeach()
+        if("raysteps_meshes" IN_LIST ARGN)
+            target_link_libraries(${name}_${precision} INTERFACE raysteps_mesh_file)
         endif()
     endforeach()
 endfunction()

@@ -1,8 +1,8 @@
 #!/bin/sh
 # What students get, and a newer one in its place: handout_test.sh PROJECT_FOLDER
 #
-# The hand-out is built as a student builds it, which takes two minutes: to be run by hand, before one
-# is made; it is no part of `./course test` nor of .ci/run.
+# The hand-out is built as a student builds it, which takes two minutes: to be run by hand, before
+# one is made; it is no part of `./course test` nor of .ci/run.
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
