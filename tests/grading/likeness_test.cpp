@@ -26,8 +26,8 @@ struct Class : Results {
                             .stage = stage,
                             .verdict = Verdict::judged,
                             .source = source.empty() ? student : source});
-        fs::create_directories(folder / student / "submitted");
-        write_text(folder / student / "submitted" / (name + ".cpp"), text);
+        fs::create_directories(student_folder(folder, student) / "submitted");
+        write_text(student_folder(folder, student) / "submitted" / (name + ".cpp"), text);
     }
 
     [[nodiscard]] Likeness found() const { return likeness(folder, project, read_marks(folder)); }
@@ -174,11 +174,11 @@ TEST_CASE("what is not a file of a person's size is not read") {
     results.hand_in("anna", 3, file);
     results.hand_in("ben", 3, file + std::string(300 * 1024, ' '));
     results.hand_in("carl", 3, "");
-    const fs::path link = results.folder / "carl" / "submitted" / "sphere.cpp";
+    const fs::path link = student_folder(results.folder, "carl") / "submitted" / "sphere.cpp";
     fs::remove(link);
-    fs::create_symlink(results.folder / "anna" / "submitted" / "sphere.cpp", link);
+    fs::create_symlink(student_folder(results.folder, "anna") / "submitted" / "sphere.cpp", link);
     results.hand_in("dora", 3, "");
-    fs::remove_all(results.folder / "dora" / "submitted");
+    fs::remove_all(student_folder(results.folder, "dora") / "submitted");
     CHECK(results.found().near.empty());
 }
 

@@ -177,7 +177,7 @@ TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged")
 TEST_CASE("a feedback page says what failed, and folds away what passed") {
     const Class two;
     write_feedback(two.folder, two.marks);
-    const std::string page = read_text(two.folder / odd / "feedback.html");
+    const std::string page = read_text(student_folder(two.folder, odd) / "feedback.html");
     CHECK(well_formed(page));
     CHECK_FALSE(has(page, "<script"));
     CHECK_FALSE(has(page, "<b>"));
@@ -198,7 +198,7 @@ TEST_CASE("a feedback page says what failed, and folds away what passed") {
     CHECK(
         has(page, "<p>Your file cannot be judged:</p>\n<pre class=\"wrong\">no &lt;vec&gt;</pre>"));
 
-    const std::string other = read_text(two.folder / "zoe" / "feedback.html");
+    const std::string other = read_text(student_folder(two.folder, "zoe") / "feedback.html");
     CHECK(well_formed(other));
     CHECK(has(other, "<p>3 of 6 points</p>"));
     CHECK(has(other, "<p>No file was handed in.</p>\n<pre class=\"wrong\">&lt;none&gt;</pre>"));
@@ -214,7 +214,7 @@ TEST_CASE("a starter that is handed in has no points, and is told why") {
                     .most = 2};
     write_mark(results.folder, mark);
     write_feedback(results.folder, {mark});
-    const std::string page = read_text(results.folder / "anna" / "feedback.html");
+    const std::string page = read_text(student_folder(results.folder, "anna") / "feedback.html");
     CHECK(has(page, "<span>0 of 2 points</span>"));
     CHECK(has(page, "<p>What passes does so in the starter too"));
     write_gradescope(results.folder / "results.json", {mark});
@@ -238,7 +238,7 @@ TEST_CASE("the class report has every mark, and where to look first") {
     CHECK(well_formed(page));
     CHECK(has(page, "4 students, 2 stages, 6 points"));
     CHECK(has(page,
-              "<a href=\"%3Dcmd%7C%22%3Cb%3E%26%0A/feedback.html\">"
+              "<a href=\"students/%3Dcmd%7C%22%3Cb%3E%26%0A/feedback.html\">"
               "=cmd|&quot;&lt;b&gt;&amp;\n</a></th>"
               "<td class=\"share\" style=\"--share: 50%\">50</td>"
               "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be judged\">×</td>"

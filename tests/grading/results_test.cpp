@@ -36,7 +36,7 @@ TEST_CASE("a mark is a file of lines: what is known of the stage, then a case a 
               .picture = PictureMark{.pixels = 12, .different = 3, .file = "p.png"},
               .most = 2};
     write_mark(results.folder, mark);
-    CHECK(mark_file("results", "anna", 5) == "results/anna/step05_triangle.jsonl");
+    CHECK(mark_file("results", "anna", 5) == "results/students/anna/step05_triangle.jsonl");
     CHECK(read_text(mark_file(results.folder, "anna", 5)) ==
           R"({"raysteps":1,"student":"anna","stage":5,"key":"k","verdict":"judged","words":"",)"
           R"("source":"8","mistake":"","smallest":"","slice":"","most":2,"cases":1,)"
@@ -116,6 +116,19 @@ TEST_CASE("a file that ends early is no mark, wherever it ends") {
     }
     write(file, whole);
     CHECK(read_mark(results.folder, odd, 4));
+}
+
+TEST_CASE("a student may be called as a file of ours is") {
+    const Results results;
+    const std::vector<std::string> ours{"seed.txt",  "grades.csv", "class.html",
+                                        "junit.xml", ".lock.1",    "students"};
+    for (const std::string& name : ours) {
+        if (name != "students") write(results.folder / name, "ours");
+        write_mark(results.folder, {.student = name, .stage = 1, .key = "k"});
+    }
+    CHECK(read_marks(results.folder).size() == ours.size());
+    write(results.folder / "anna" / "step01_ray_generation.jsonl", "a stray folder is no student");
+    CHECK(read_marks(results.folder).size() == ours.size());
 }
 
 TEST_CASE("what is not a file of ours is no mark") {

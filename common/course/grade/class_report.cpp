@@ -32,7 +32,7 @@ std::string mark_cell(const Mark& mark, int most) {
 }
 
 std::string student_cell(const std::string& student) {
-    return "<th class=\"student\"><a href=\"" + address(student) + "/feedback.html\">" +
+    return "<th class=\"student\"><a href=\"students/" + address(student) + "/feedback.html\">" +
            escaped(student) + "</a></th>";
 }
 

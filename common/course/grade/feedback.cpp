@@ -125,7 +125,7 @@ void write_feedback(const std::filesystem::path& results, const std::vector<Mark
                            overview(submission, stages);
         for (const auto& [stage, mark] : submission.marks) body += section(*mark, stages.at(stage));
         const std::filesystem::path file =
-            mark_file(results, submission.student, 1).parent_path() / "feedback.html";
+            student_folder(results, submission.student) / "feedback.html";
         write_text(file, page(submission.student, body));
     }
 }

@@ -5,7 +5,7 @@
 
 namespace rt::grade {
 
-/// Writes results/<student>/feedback.html for each student. Throws InputError.
+/// Writes results/students/<student>/feedback.html for each student. Throws InputError.
 void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks);
 
 }  // namespace rt::grade

@@ -152,11 +152,11 @@ public:
           scratch_(grading.workshop.folder) {
         // The workers here are for anybody to run.
         fs::permissions(scratch_.path(), fs::perms(0755));
-        fs::create_directories(grading_.results / student_ / "submitted");
+        fs::create_directories(student_folder(grading_.results, student_) / "submitted");
         for (const auto& [stage, text] : handed_in_.files)
-            write_text(
-                grading_.results / student_ / "submitted" / (name_of(stage).substr(7) + ".cpp"),
-                text);
+            write_text(student_folder(grading_.results, student_) / "submitted" /
+                           (name_of(stage).substr(7) + ".cpp"),
+                       text);
     }
 
     [[nodiscard]] const std::string& student() const { return student_; }
@@ -204,7 +204,7 @@ public:
 
     /// In the results, beside the mark.
     [[nodiscard]] fs::path beside(int stage, const std::string& ending) const {
-        return grading_.results / student_ / (name_of(stage) + ending);
+        return student_folder(grading_.results, student_) / (name_of(stage) + ending);
     }
 
 private:
@@ -255,7 +255,7 @@ Mark Judge::mark(Desk& desk, int stage) {
         if (found != known_.end()) {
             const Mark& same = found->second;
             if (!same.slice.empty())
-                fs::copy_file(grading_.results / same.student / same.slice,
+                fs::copy_file(student_folder(grading_.results, same.student) / same.slice,
                               desk.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
             return same;
         }
@@ -292,8 +292,8 @@ std::optional<PictureMark> Judge::picture(Desk& desk, int stage) {
         const auto found = drawn_.find(known);
         if (found != drawn_.end()) {
             const auto& [student, mark] = found->second;
-            fs::copy_file(grading_.results / student / mark.file, desk.beside(stage, ".png"),
-                          fs::copy_options::overwrite_existing);
+            fs::copy_file(student_folder(grading_.results, student) / mark.file,
+                          desk.beside(stage, ".png"), fs::copy_options::overwrite_existing);
             return mark;
         }
     }

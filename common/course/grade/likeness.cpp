@@ -70,10 +70,10 @@ std::vector<Text> texts_of(const fs::path& results, const fs::path& project,
     std::vector<Text> texts;
     for (const Mark& mark : marks)
         if (mark.stage == stage && mark.verdict != Verdict::missing)
-            texts.push_back(read(mark,
-                                 mark_file(results, mark.student, stage).parent_path() /
-                                     "submitted" / starters.front().filename(),
-                                 starter));
+            texts.push_back(read(
+                mark,
+                student_folder(results, mark.student) / "submitted" / starters.front().filename(),
+                starter));
     weigh(texts);
     return texts;
 }

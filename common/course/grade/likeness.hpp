@@ -32,7 +32,7 @@ struct Likeness {
 /// and there keeps more.
 inline constexpr int near_percent = 60;
 
-/// Compares the files in results/<student>/submitted/, stage by stage. What stands in the project's
+/// Compares the files in results/students/<student>/submitted/, stage by stage. What stands in the project's
 /// starter does not count, and what many students have counts little. Nothing is said of a file
 /// that is too short to tell.
 [[nodiscard]] Likeness likeness(const std::filesystem::path& results,

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;  // the same mark is the same bytes
 
 constexpr int format = 1;
+constexpr const char* students = "students";
 constexpr std::array verdicts{"missing", "refused", "judged"};
 
 /// A line of its own; of bytes that are no UTF-8, which strangers' code may print, a "�" each.
@@ -109,11 +110,15 @@ int Mark::points() const {
     return any_is_own ? sum : 0;
 }
 
-fs::path mark_file(const fs::path& results, const std::string& student, int stage) {
+fs::path student_folder(const fs::path& results, const std::string& student) {
     const bool is_folder = !student.empty() && student != "." && student != ".." &&
                            student.find_first_of(std::string("/\0", 2)) == std::string::npos;
     if (!is_folder) throw InputError({}, "no folder can be called \"" + student + "\"");
-    return results / student / (std::string(stage_name(stage)) + ".jsonl");
+    return results / students / student;
+}
+
+fs::path mark_file(const fs::path& results, const std::string& student, int stage) {
+    return student_folder(results, student) / (std::string(stage_name(stage)) + ".jsonl");
 }
 
 void write_mark(const fs::path& results, const Mark& mark) {
@@ -140,13 +145,13 @@ std::optional<Mark> read_mark(const fs::path& results, const std::string& studen
 }
 
 std::vector<Mark> read_marks(const fs::path& results) {
-    std::vector<std::string> students;
+    std::vector<std::string> names;
     std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(results, none))
-        if (entry.is_directory(none)) students.push_back(entry.path().filename().string());
-    std::sort(students.begin(), students.end());
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
+        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
     std::vector<Mark> marks;
-    for (const std::string& student : students)
+    for (const std::string& student : names)
         for (int stage = 1; stage <= int(stage_names.size()); ++stage)
             if (std::optional<Mark> mark = read_mark(results, student, stage))
                 marks.push_back(std::move(*mark));

@@ -52,7 +52,12 @@ struct Mark {
     [[nodiscard]] int points() const;
 };
 
-/// "results/anna/step05_triangle.jsonl"
+/// "results/students/anna": no student's name is that of a file of ours. Throws InputError if no
+/// folder can be called so.
+[[nodiscard]] std::filesystem::path student_folder(const std::filesystem::path& results,
+                                                   const std::string& student);
+
+/// "results/students/anna/step05_triangle.jsonl"
 [[nodiscard]] std::filesystem::path mark_file(const std::filesystem::path& results,
                                               const std::string& student, int stage);
 
