@@ -1,19 +1,13 @@
 #include "tests/kit/for_all.hpp"
 
+#include "tests/kit/seed.hpp"
+
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace rt {
 
 namespace {
-
-constexpr std::uint64_t default_seed = 2021;
-
-std::uint64_t seed() {
-    const char* said = std::getenv("RAYSTEPS_SEED");
-    return said == nullptr ? default_seed : std::strtoull(said, nullptr, 10);
-}
 
 Verdict replay(const Property& property, const std::vector<double>& choices) {
     Random random(choices);
@@ -53,13 +47,14 @@ void shrink(const Property& property, std::vector<double>& choices) {
 
 Verdict for_all(const Property& property, int cases) {
     for (int i = 0; i < cases; ++i) {
-        Random random(seed() + std::uint64_t(i));
+        Random random(draw_number(std::uint64_t(i)));
         if (property(random).holds) continue;
         std::vector<double> choices = random.choices();
         shrink(property, choices);
-        const std::string which = "RAYSTEPS_SEED=" + std::to_string(seed()) + ", case " +
-                                  std::to_string(i + 1) + " of " + std::to_string(cases);
-        return verdict(false, replay(property, choices).sentence + "\n  random:   " + which);
+        const std::string which =
+            seed().secret ? "" : "RAYSTEPS_SEED=" + std::to_string(seed().number) + ", ";
+        return verdict(false, replay(property, choices).sentence + "\n  random:   " + which +
+                                  "case " + std::to_string(i + 1) + " of " + std::to_string(cases));
     }
     return {};
 }

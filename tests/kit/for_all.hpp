@@ -12,8 +12,8 @@ namespace rt {
 using Property = std::function<Verdict(Random&)>;
 
 /// Holds if the property holds of every case. Else tells the case that is left when the choices
-/// that made the failing one are made as plain as they can be, and the seed, which the variable
-/// RAYSTEPS_SEED of the environment sets.
+/// that made the failing one are made as plain as they can be, and the seed (seed.hpp) unless it is
+/// secret.
 [[nodiscard]] Verdict for_all(const Property& property, int cases = 300);
 
 }  // namespace rt

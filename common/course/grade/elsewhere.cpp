@@ -30,23 +30,21 @@ sh "$root/source/raysteps/course" grade --help > /dev/null
 
 constexpr const char* run_autograder = R"sh(#!/bin/sh
 # Gradescope runs this for each submission: the files are in submission/, and what a student reads
-# comes from results/results.json.
+# comes from results/results.json. Each is asked by a seed of its own.
 root=${AUTOGRADER:-/autograder}
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
-"$root/source/raysteps/build/grade" "$root/submission" --out "$results" --seed @SEED@ \
+"$root/source/raysteps/build/grade" "$root/submission" --out "$results" \
     --gradescope "$root/results/results.json"
 )sh";
 
 constexpr const char* workflow = R"sh(# Grades the class in submissions/, in eight parts at a time.
-# For .github/workflows of a private clone of the project: it has every solution.
+# For .github/workflows of a private clone of the project: it has every solution. What is asked is
+# drawn from the secret RAYSTEPS_SEED: 16 hexadecimal digits. This makes one:
+#     od -An -N8 -tx8 /dev/urandom | gh secret set RAYSTEPS_SEED
 name: grade
 on:
   workflow_dispatch:
-    inputs:
-      seed:
-        description: Of the cases that are drawn at random
-        required: true
 env:
   PACKAGES: >-
     cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
@@ -61,9 +59,12 @@ jobs:
     steps:
       - uses: actions/checkout@v4
       - run: sudo apt-get update && sudo apt-get install -y --no-install-recommends $PACKAGES
-      - run: ./course grade submissions --out results --seed "$SEED" --part ${{ matrix.part }}/8
+      - run: |
+          (umask 077 && printf '%s\n' "$SEED" > "$RUNNER_TEMP/seed")
+          ./course grade submissions --out results --seed-file "$RUNNER_TEMP/seed" \
+              --part ${{ matrix.part }}/8
         env:
-          SEED: ${{ inputs.seed }}
+          SEED: ${{ secrets.RAYSTEPS_SEED }}
       - uses: actions/upload-artifact@v4
         with:
           name: part-${{ matrix.part }}
@@ -88,8 +89,8 @@ jobs:
 )sh";
 
 constexpr const char* submit = R"sh(#!/bin/sh
-# submit.sh CLASS OUT [SEED]: grades a class with Slurm. The project, CLASS and OUT are in folders
-# that all nodes share. Interrupted, or a node lost: the same command, with the same seed, goes on.
+# submit.sh CLASS OUT: grades a class with Slurm. The project, CLASS and OUT are in folders
+# that all nodes share. Interrupted, or a node lost: the same command goes on.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname "$0")" && pwd)
 class=$(CDPATH='' cd -- "$1" && pwd)
@@ -98,7 +99,7 @@ out=$(CDPATH='' cd -- "$2" && pwd)
 # Built once, before many tasks use it, on processors that may differ.
 cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
 @PROJECT@/course grade --help > /dev/null
-job=$(sbatch --parsable "$here/grade.sbatch" "$class" "$out" "${3:-@SEED@}")
+job=$(sbatch --parsable "$here/grade.sbatch" "$class" "$out")
 sbatch --kill-on-invalid-dep=yes --dependency="afterok:${job%%;*}" "$here/report.sbatch" "$out"
 )sh";
 
@@ -107,7 +108,7 @@ constexpr const char* array = R"sh(#!/bin/sh
 #SBATCH --array=1-16
 #SBATCH --cpus-per-task=2
 #SBATCH --time=02:00:00
-exec @PROJECT@/build/grade "$1" --out "$2" --seed "$3" --jobs "${SLURM_CPUS_PER_TASK:-1}" \
+exec @PROJECT@/build/grade "$1" --out "$2" --jobs "${SLURM_CPUS_PER_TASK:-1}" \
     --part "$SLURM_ARRAY_TASK_ID/${SLURM_ARRAY_TASK_COUNT:-16}"
 )sh";
 
@@ -118,12 +119,12 @@ exec @PROJECT@/build/grade --report --out "$1"
 )sh";
 
 constexpr const char* in_parallel = R"sh(#!/bin/sh
-# in_parallel.sh CLASS OUT [SEED]: the same with GNU parallel, on this machine or, with its
+# in_parallel.sh CLASS OUT: the same with GNU parallel, on this machine or, with its
 # --sshloginfile, on others that share the folders.
 set -eu
 cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
 @PROJECT@/course grade --help > /dev/null
-seq 16 | parallel --quote @PROJECT@/build/grade "$1" --out "$2" --seed "${3:-@SEED@}" --jobs 1 \
+seq 16 | parallel --quote @PROJECT@/build/grade "$1" --out "$2" --jobs 1 \
     --part {}/16
 @PROJECT@/build/grade --report --out "$2"
 )sh";
@@ -154,12 +155,10 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 /// Writes files of one place.
 class Writer {
 public:
-    Writer(const fs::path& project, std::uint64_t seed)
-        : project_(quoted(project.string())), seed_(std::to_string(seed)) {}
+    explicit Writer(const fs::path& project) : project_(quoted(project.string())) {}
 
     void write(const fs::path& file, std::string text) const {
         replace(text, "@PROJECT@", project_);
-        replace(text, "@SEED@", seed_);
         write_text(file, text);
         if (text.rfind("#!", 0) == 0)
             fs::permissions(file,
@@ -169,7 +168,6 @@ public:
 
 private:
     std::string project_;
-    std::string seed_;
 };
 
 void run(const Command& command) {
@@ -192,12 +190,11 @@ void write_autograder(const fs::path& folder, const fs::path& project, const Wri
 
 }  // namespace
 
-void write_for(const std::string& place, const fs::path& folder, const fs::path& project,
-               std::uint64_t seed) {
+void write_for(const std::string& place, const fs::path& folder, const fs::path& project) {
     if (place != "gradescope" && place != "github" && place != "slurm")
         throw InputError({}, "--for gradescope, github or slurm, not \"" + place + "\"");
     fs::create_directories(folder);
-    const Writer writer(project, seed);
+    const Writer writer(project);
     if (place == "gradescope") write_autograder(folder, project, writer);
     if (place == "github") writer.write(folder / "grade.yml", workflow);
     if (place == "slurm") {

@@ -1,7 +1,6 @@
 // `./course grade --for …`: what grades a class on machines that are not this one.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -11,12 +10,12 @@ namespace rt::grade {
 ///
 /// gradescope   autograder.zip, to be uploaded: the project, setup.sh and run_autograder
 /// github       grade.yml, a workflow for .github/workflows of a private clone of the project
-/// slurm        submit.sh CLASS OUT [SEED], an array of jobs and the reports after it; and the same
+/// slurm        submit.sh CLASS OUT, an array of jobs and the reports after it; and the same
 ///              for GNU parallel, in_parallel.sh
 ///
-/// The seed is Gradescope's, where each submission is graded by itself. Throws InputError if the
-/// place is none of these, or a file cannot be written; ProgramError if the project is not packed.
+/// Throws InputError if the place is none of these, or a file cannot be written; ProgramError if
+/// the project is not packed.
 void write_for(const std::string& place, const std::filesystem::path& folder,
-               const std::filesystem::path& project, std::uint64_t seed);
+               const std::filesystem::path& project);
 
 }  // namespace rt::grade

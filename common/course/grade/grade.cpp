@@ -7,6 +7,7 @@
 #include "common/course/grade/judge.hpp"
 #include "common/course/grade/junit.hpp"
 #include "common/course/grade/layers.hpp"
+#include "common/course/grade/seed.hpp"
 
 #include "common/in_parallel.hpp"
 #include "common/input_error.hpp"
@@ -21,7 +22,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <random>
 
 namespace rt::grade {
 
@@ -74,20 +74,6 @@ private:
     fs::path file_;
     int descriptor_;
 };
-
-/// The one that was asked for; else that of the run before; else a new one, kept for the next.
-std::uint64_t agreed_seed(const Order& order) {
-    const fs::path file = order.results / "seed.txt";
-    std::uint64_t seed = 0;
-    if (order.seed)
-        seed = *order.seed;
-    else if (fs::exists(file))
-        seed = std::strtoull(read_text(file).c_str(), nullptr, 10);
-    else
-        seed = std::random_device()();
-    write_text(file, std::to_string(seed) + "\n");
-    return seed;
-}
 
 /// Open to all, as compilers and workers are nobody in particular; of a name that says whose it is,
 /// so that what a killed run has left is gone with the next.
@@ -169,13 +155,13 @@ bool grade(const Order& order) {
                     .build = order.build,
                     .results = fs::absolute(order.results),
                     .workshop = open_workshop(order.project, order.build, workplace.folder()),
-                    .seed = agreed_seed(order),
+                    .seed = seed_identifier(agreed_seed(order.results, order.seed_file)),
                     .stages = stages_of(order)};
     if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
     std::signal(SIGINT, [](int) { stop = true; });
     Judge judge(grading, judge_references(order, grading));
-    std::fprintf(stderr, "%zu submissions, %zu stages, seed %llu\n", envelopes.size(),
-                 grading.stages.size(), static_cast<unsigned long long>(grading.seed));
+    std::fprintf(stderr, "%zu submissions, %zu stages, seed known as %s\n", envelopes.size(),
+                 grading.stages.size(), grading.seed.c_str());
     Progress progress(errors_on_terminal(), int(envelopes.size()));
     in_parallel(order.jobs, envelopes.size(), &stop, [&](std::size_t i) {
         judge.judge(envelopes[i], stop);

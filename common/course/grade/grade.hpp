@@ -1,7 +1,6 @@
 // A class, graded.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -15,8 +14,9 @@ struct Order {
     std::filesystem::path build;
     std::vector<std::filesystem::path> places;  ///< submissions, or folders of submissions
     std::filesystem::path results;
-    std::optional<std::uint64_t> seed;  ///< else the one of the run before, or a new one
-    std::set<int> stages;               ///< all that are built, if it is empty
+    std::optional<std::filesystem::path>
+        seed_file;         ///< else the seed of the run before, or a new one
+    std::set<int> stages;  ///< all that are built, if it is empty
     int jobs = 1;
     int part = 1;  ///< of so many that grade the class together, in one folder of results
     int parts = 1;

@@ -1,6 +1,7 @@
 #include "common/course/grade/judge.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/seed.hpp"
 #include "common/course/report.hpp"
 
 #include "common/stages.hpp"
@@ -67,7 +68,7 @@ std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::pat
     const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
     const Command variables{"RAYSTEPS_WORKER=" + worker.string(),
                             "RAYSTEPS_REPORT=" + report.string(),
-                            "RAYSTEPS_SEED=" + std::to_string(grading.seed),
+                            "RAYSTEPS_SEED_FILE=" + seed_file(grading.results).string(),
                             "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
                             "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
                             "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
@@ -135,7 +136,7 @@ Yardstick judge_reference(const Grading& grading, int stage, const fs::path& fol
             throw ProgramError("error: the reference of " + name_of(stage) +
                                " itself fails: " + each.name + "\n" + each.words);
     yardstick.key = Fingerprint()
-                        .add(std::to_string(grading.seed))
+                        .add(grading.seed)
                         .add(read_text(grading.build / (name_of(stage) + "_asked_test_double")))
                         .add(read_text(yardstick.worker))
                         .text();

@@ -5,7 +5,6 @@
 #include "common/course/grade/results.hpp"
 
 #include <atomic>
-#include <cstdint>
 #include <map>
 #include <mutex>
 #include <set>
@@ -18,7 +17,7 @@ struct Grading {
     std::filesystem::path build;
     std::filesystem::path results;
     Workshop workshop;
-    std::uint64_t seed = 0;  ///< of the cases that are drawn at random
+    std::string seed;  ///< by its identifier
     std::set<int> stages;
 };
 

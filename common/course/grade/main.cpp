@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
-#include <random>
 #include <thread>
 
 namespace {
@@ -59,7 +58,8 @@ int run(int count, char** words) {
     app.add_option("submissions", order.places);
     app.add_option("--out", order.results,
                    "folder of the results, which an interrupted run goes on");
-    app.add_option("--seed", order.seed, "of the cases that are drawn at random");
+    app.add_option("--seed-file", order.seed_file,
+                   "16 hexadecimal digits that choose what is asked; else they are drawn");
     app.add_option("--stages", stages, "5,triangle: of all thirteen")->delimiter(',');
     app.add_option("--jobs", order.jobs, "how many are judged at a time")
         ->check(CLI::Range(1, 256));
@@ -81,8 +81,7 @@ int run(int count, char** words) {
     if (attack) return self_test(order.build);
     if (!elsewhere.empty()) {
         if (order.places.size() != 1) throw rt::InputError({}, "grade: --for wants one folder");
-        const std::uint64_t seed = order.seed.value_or(std::random_device{}());
-        rt::grade::write_for(elsewhere, order.places[0], order.project, seed);
+        rt::grade::write_for(elsewhere, order.places[0], order.project);
         return 0;
     }
     if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR says where to");

@@ -1,0 +1,43 @@
+#include "tests/kit/seed.hpp"
+
+#include "tests/kit/catch.hpp"
+
+#include "common/keyed_hash.hpp"
+
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+namespace rt {
+
+namespace {
+
+constexpr std::uint64_t default_seed = 2021;
+
+Seed read_seed() {
+    if (const char* file = std::getenv("RAYSTEPS_SEED_FILE")) {
+        Seed seed{.secret = true};
+        if (!(std::ifstream(file) >> std::hex >> seed.number))
+            throw std::runtime_error("the file that RAYSTEPS_SEED_FILE names has no seed");
+        return seed;
+    }
+    const char* said = std::getenv("RAYSTEPS_SEED");
+    return {.number = said == nullptr ? default_seed : std::strtoull(said, nullptr, 10)};
+}
+
+}  // namespace
+
+const Seed& seed() {
+    static const Seed seed = read_seed();
+    return seed;
+}
+
+std::uint64_t draw_number(std::uint64_t seed, std::string_view name, std::uint64_t i) {
+    return keyed_hash({seed, i}, name);
+}
+
+std::uint64_t draw_number(std::uint64_t i) {
+    return draw_number(seed().number, Catch::getResultCapture().getCurrentTestName(), i);
+}
+
+}  // namespace rt
