@@ -1,11 +1,10 @@
 #include "common/demands.hpp"
 
-#include "common/bounds.hpp"
 #include "common/in_parallel.hpp"
+#include "common/input_rounding.hpp"
 #include "common/sampling.hpp"
 #include "common/stage.hpp"
 #include "common/stages.hpp"
-#include "common/vector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,59 +14,12 @@ namespace rt {
 
 namespace {
 
-/// Twice the area by the longest side: the least height. 0 for a triangle that nobody sees.
-Real size(const Triangle& triangle) {
-    const Vec3 ab = triangle.b - triangle.a;
-    const Vec3 ac = triangle.c - triangle.a;
-    const Real longest = std::max({length(ab), length(ac), length(ac - ab)});
-    return longest > 0 ? length(cross(ab, ac)) / longest : 0;
-}
-
-Real size(const Sphere& sphere) {
-    return sphere.radius;
-}
-Real size(const Square& square) {
-    return square.side;
-}
-Real size(const Cylinder& cylinder) {
-    return std::min(cylinder.radius, cylinder.height);
-}
-Real size(const Cone& cone) {
-    return std::min(cone.radius, cone.height);
-}
-Real size(const OrientedBox& box) {
-    return 2 * std::min({box.half_size.x, box.half_size.y, box.half_size.z});
-}
-
-/// That of its triangles, if they were alike.
-Real size(const PlacedMesh& placed) {
-    const Box& box = placed.model->bounds;
-    const auto triangles = Real(placed.model->mesh.triangles.size());
-    return placed.placement.scale * length(box.max - box.min) / std::sqrt(triangles + 1);
-}
-
-/// A plane has neither size nor end: its point tells where it is.
-Real largest_coordinate(const Plane& plane) {
-    return largest_component(plane.point);
-}
-
-template <class Shape>
-Real largest_coordinate(const Shape& shape) {
-    return largest_component(bounds(shape));
-}
-
 template <class Shape>
 void take_in(Demands& demands, const Items<Shape>& items) {
     for (const auto& [shape, material] : items) {
-        demands.extent = std::max(demands.extent, double(largest_coordinate(shape)));
         if (material.specular > 0)
             demands.shininess = std::max(demands.shininess, double(material.shininess));
         demands.mirrors = demands.mirrors || material.mirror > 0;
-        if constexpr (Bounded<Shape>) {
-            const double feature = size(shape);
-            if (feature > 0 && (demands.feature == 0 || feature < demands.feature))
-                demands.feature = feature;
-        }
     }
     if (Bounded<Shape> && items.size() > demands.most_alike) {
         demands.most_alike = items.size();
@@ -90,8 +42,11 @@ Shade shade(const Color& color) {
 }  // namespace
 
 Demands demands_of(const Scene& scene, int stage, const Look& look) {
-    Demands demands{.unit_roundoff = unit_roundoff};
-    demands.extent = double(largest_component(scene.cameras.front().position));
+    const InputRounding rounding = input_rounding(scene);
+    Demands demands{.extent = rounding.largest,
+                    .feature = rounding.smallest,
+                    .gap = rounding.gap,
+                    .unit_roundoff = unit_roundoff};
     for_each_kind(scene, [&](const auto& items) { take_in(demands, items); });
     take_in(demands, scene.meshes);
     const bool lit = look.shading == Shading::color && stage >= light_stage;
@@ -99,7 +54,6 @@ Demands demands_of(const Scene& scene, int stage, const Look& look) {
     if (!lit) demands.shininess = 1;
     for (const Light& light : scene.lights) {
         if (!lit) break;
-        demands.extent = std::max(demands.extent, double(largest_component(light.position)));
         demands.sized_lights = demands.sized_lights || light.radius > 0;
     }
     return demands;

@@ -10,6 +10,8 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -48,6 +50,18 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     return choice->session->run(options, choice->pace.get(), stop);
 }
 
+void explain_risks(const rt::Options& options) {
+    const std::vector<std::string> risks = rt::f64::risks_in_float(options);
+    if (!risks.empty()) std::cout << "and is at risk with --precision float\n";
+    for (const std::string& risk : risks) std::cout << "  " << risk << '\n';
+}
+
+void warn_of_risks(const rt::Options& options) {
+    for (const std::string& risk : rt::f64::risks_in_float(options))
+        std::cerr << to_string(rt::Place{options.scene}) << "warning: " << risk
+                  << "; try --precision double\n";
+}
+
 int run_program(int argc, char** argv) {
     const auto start = rt::Clock::now();
     const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
@@ -55,9 +69,12 @@ int run_program(int argc, char** argv) {
     if (!options) return 0;
     auto open = options->precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
     std::unique_ptr<rt::Session> session = open(program, *options);
+    const bool is_float = options->precision == rt::Precision::f32;
+    if (is_float && !options->quiet && !options->explain) warn_of_risks(*options);
     const bool chosen = (options->tolerance || options->time) && !options->explain;
     const bool done = chosen ? choose_and_run(program, *options, start, std::move(session))
                              : session->run(*options, nullptr, stop);
+    if (options->explain) explain_risks(*options);
     return done ? 0 : interrupted;
 }
 

@@ -1,6 +1,7 @@
 #include "common/session.hpp"
 
 #include "common/demands.hpp"
+#include "common/input_rounding.hpp"
 #include "common/mesh_loading.hpp"
 #include "common/png.hpp"
 #include "common/render.hpp"
@@ -201,5 +202,15 @@ std::unique_ptr<Session> RT_PRECISION::open_session(const Program& program,
                                                     const Options& options) {
     return std::make_unique<ReadScene>(program, options);
 }
+
+#ifndef RT_FLOAT
+std::vector<std::string> f64::risks_in_float(const Options& options) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_regular_file(options.scene, unreadable)) return {};
+    SceneReading reading = options.reading;
+    reading.warn = nullptr;
+    return risks_in_float(input_rounding(load_scene(options.scene, reading)));
+}
+#endif
 
 }  // namespace rt

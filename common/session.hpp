@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -18,9 +19,10 @@ class Pace;
 struct Demands {
     bool sized_lights = false;
     bool mirrors = false;
-    double shininess = 1;            ///< the largest exponent of a highlight
-    double extent = 0;               ///< the largest coordinate
-    double feature = 0;              ///< the smallest size of a shape; 0 if none has a size
+    double shininess = 1;                                  ///< the largest exponent of a highlight
+    double extent = 0;                                     ///< as InputRounding::largest
+    double feature = 0;                                    ///< as InputRounding::smallest
+    double gap = std::numeric_limits<double>::infinity();  ///< as InputRounding::gap
     std::size_t most_alike = 0;      ///< shapes in the longest list that a hierarchy could replace
     std::size_t hierarchy_from = 0;  ///< what arrange takes if nobody has tried
     double unit_roundoff = 0;        ///< of the precision
@@ -71,6 +73,10 @@ inline namespace f32 {
 }
 inline namespace f64 {
 [[nodiscard]] std::unique_ptr<Session> open_session(const Program& program, const Options& options);
-}
+
+/// What `--precision float` would lose of the scene, a sentence each (input_rounding.hpp). The file
+/// is read for it, its meshes are not; a pipe, which cannot be read twice, is left alone.
+[[nodiscard]] std::vector<std::string> risks_in_float(const Options& options);
+}  // namespace f64
 
 }  // namespace rt
