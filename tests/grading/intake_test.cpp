@@ -1,6 +1,6 @@
 // Folders and archives of strangers, some of whom mean no good.
-#include "common/course/grade/intake.hpp"
 #include "common/course/files.hpp"
+#include "common/course/grade/class_folder.hpp"
 #include "common/input_error.hpp"
 
 #include "tests/kit/catch.hpp"
@@ -39,14 +39,27 @@ public:
     }
 
     [[nodiscard]] HandedIn take(const std::string& name) const {
-        return take_in(workshop_, {.student = "s", .place = place(name)});
+        return take_in(workshop_, {.student = "s", .pieces = {{place(name), name}}});
     }
 
     [[nodiscard]] std::vector<std::string> students() const {
         std::vector<std::string> names;
-        for (const Envelope& each : find_envelopes({folder_ / "class"}))
+        for (const Envelope& each : find({folder_ / "class"}).envelopes)
             names.push_back(each.student);
         return names;
+    }
+
+    [[nodiscard]] ClassFolder find(const std::vector<fs::path>& places,
+                                   const fs::path& results = {}) const {
+        return find_class(workshop_, places, results);
+    }
+
+    /// By student: what is handed in, of whom only these are.
+    [[nodiscard]] std::map<std::string, HandedIn> take_class() const {
+        std::map<std::string, HandedIn> all;
+        for (const Envelope& each : find({folder_ / "class"}).envelopes)
+            all[each.student] = take_in(workshop_, each);
+        return all;
     }
 
 private:
@@ -69,13 +82,19 @@ TEST_CASE("a file is found by its name, wherever it is") {
     const std::string step = "whole/steps/step05_triangle/";
     ground.write(step + "reference/triangle.cpp", "ours");
     ground.write(step + "starter/triangle.cpp", "ours");
-    ground.write("whole/tests/triangle.cpp", "ours");
-    CHECK(ground.take("whole").files.empty());
+    const HandedIn ours = ground.take("whole");
+    CHECK(ours.files.empty());
+    CHECK(ours.words.at(5).find("starter/triangle.cpp (the project's, not yours)") !=
+          std::string::npos);
+    ground.write("whole/tests/triangle.cpp", "misplaced");
+    CHECK(ground.take("whole").files == Files{{5, "misplaced"}});
     ground.write(step + "student_1/triangle.cpp", "a backup");
     ground.write(step + "student/triangle.cpp", "his");
     const HandedIn both = ground.take("whole");
     CHECK(both.files == Files{{5, "his"}});
-    CHECK(both.words.at(5).find("2 files triangle.cpp that differ") != std::string::npos);
+    CHECK(both.words.at(5).find("3 files for triangle.cpp that differ; "
+                                "steps/step05_triangle/student/triangle.cpp was taken") !=
+          std::string::npos);
 }
 
 TEST_CASE("links, devices and books are not taken in") {
@@ -90,8 +109,9 @@ TEST_CASE("links, devices and books are not taken in") {
     ground.write("links/square.cpp", std::string(300 * 1024, ' '));
     const HandedIn taken = ground.take("links");
     CHECK(taken.files.empty());
-    for (const int stage : {3, 4, 6, 8})
-        CHECK(taken.words.at(stage).find("is no file of less than") != std::string::npos);
+    for (const int stage : {3, 4, 8})
+        CHECK(taken.words.at(stage).find("(a link, or no file)") != std::string::npos);
+    CHECK(taken.words.at(6).find("square.cpp (more than 256 KiB") != std::string::npos);
 }
 
 TEST_CASE("archives of every usual kind are opened") {
@@ -139,7 +159,7 @@ TEST_CASE("an archive leads nowhere else") {
 TEST_CASE("what is no archive, or a bomb, is told so") {
     const Ground ground;
     ground.write("a.zip", "this is no archive");
-    CHECK(ground.take("a.zip").words_on_all == "The archive cannot be opened.\n");
+    CHECK(ground.take("a.zip").words_on_all.find("The archive a.zip cannot be opened") == 0);
     // 200 MB of zeros in 200 KB: more than a file may have.
     ground.write("work/readme", "");
     std::ofstream(ground.place("work/sphere.cpp"));
@@ -167,9 +187,9 @@ TEST_CASE("results among the submissions are no student's") {
     const Ground ground;
     ground.write("ann/sphere.cpp", "");
     ground.write("seed.txt/sphere.cpp", "");
-    ground.write("results/ann/submitted/sphere.cpp", "");
-    CHECK(find_envelopes({ground.place("")}).size() == 3);
-    CHECK(find_envelopes({ground.place("")}, ground.place("results/")).size() == 2);
+    ground.write("results/students/ann/submitted/sphere.cpp", "");
+    CHECK(ground.find({ground.place("")}).envelopes.size() == 3);
+    CHECK(ground.find({ground.place("")}, ground.place("results/")).envelopes.size() == 2);
     ground.write("results/seed.txt", "7");
     ground.write("results/grades.csv", "");
     CHECK(ground.students() == std::vector<std::string>{"ann", "seed.txt"});
@@ -178,10 +198,218 @@ TEST_CASE("results among the submissions are no student's") {
 TEST_CASE("one submission is no class, and nothing is none") {
     const Ground ground;
     ground.write("ann/sphere.cpp", "");
-    CHECK(find_envelopes({ground.place("ann")}).size() == 1);
+    CHECK(ground.find({ground.place("ann")}).envelopes.size() == 1);
     ground.write("bob/step03_sphere/sphere.cpp", "");
-    CHECK(find_envelopes({ground.place("ann"), ground.place("bob")}).size() == 2);
+    CHECK(ground.find({ground.place("ann"), ground.place("bob")}).envelopes.size() == 2);
     fs::create_directory(ground.place("nobody"));
-    CHECK_THROWS_AS(find_envelopes({ground.place("nobody")}), InputError);
-    CHECK_THROWS_AS(find_envelopes({ground.place("missing")}), InputError);
+    CHECK_THROWS_AS(ground.find({ground.place("nobody")}), InputError);
+    CHECK_THROWS_AS(ground.find({ground.place("missing")}), InputError);
+}
+
+namespace {
+
+/// A zip of what stands in a folder, as it is.
+void zip(const Ground& ground, const std::string& from, const std::string& archive) {
+    const fs::path to = ground.place(archive);
+    fs::create_directories(to.parent_path());
+    Command zip{"cmake", "-E", "chdir", ground.place(from), "cmake", "-E",
+                "tar",   "cf", to,      "--format=zip",     "--"};
+    for (const auto& each : fs::directory_iterator(ground.place(from)))
+        zip.push_back(each.path().filename());
+    REQUIRE(listen_to(zip, std::chrono::seconds(60)).status == 0);
+    fs::remove_all(ground.place(from));
+}
+
+}  // namespace
+
+TEST_CASE("names that people and browsers give are taken, and said") {
+    const Ground ground;
+    const std::vector<std::pair<std::string, int>> near{
+        {"Sphere.cpp", 3},        {"sphere.cc", 3},         {"sphere (1).cpp", 3},
+        {"sphere-1.cpp", 3},      {"SPHERE.CPP", 3},        {"step03_sphere.cpp", 3},
+        {"sphere - Copy.cpp", 3}, {"sphere copy 2.cxx", 3}, {"SoftShadows.cpp", 11},
+        {"soft-shadows.cpp", 11}, {"camera basis.C", 2},    {"03_sphere.cpp", 3}};
+    for (const auto& [name, stage] : near) {
+        INFO(name);
+        ground.write("ann/" + name, "his");
+        const HandedIn taken = ground.take("ann");
+        CHECK(taken.files == Files{{stage, "his"}});
+        CHECK(taken.words.at(stage).find(name + " was taken for ") == 0);
+        fs::remove_all(ground.place("ann"));
+    }
+    for (const char* folder : {"tests", "build", "src"}) {
+        ground.write(std::string("ann/") + folder + "/sphere.cpp", "his");
+        CHECK(ground.take("ann").files == Files{{3, "his"}});
+        fs::remove_all(ground.place("ann"));
+    }
+    ground.write("ann/Sphere.cpp", "near");
+    ground.write("ann/deep/down/sphere.cpp", "exact");
+    CHECK(ground.take("ann").files == Files{{3, "exact"}});
+}
+
+TEST_CASE("what is near, and not taken, is told; so are sources if none is taken") {
+    const Ground ground;
+    for (const char* name : {"shpere.cpp", "sphere.txt", "sphere.cpp.txt", "spheres.cpp"}) {
+        ground.write(std::string("ann/") + name, "");
+        const HandedIn taken = ground.take("ann");
+        CHECK(taken.files.empty());
+        CHECK(taken.words.at(3).find(name) != std::string::npos);
+        fs::remove_all(ground.place("ann"));
+    }
+    ground.write("ann/ball.cpp", "");
+    CHECK(ground.take("ann").words_on_all == "No file has a stage's name. Found: ball.cpp.\n");
+    ground.write("ann/plane.cpp", "");
+    CHECK(ground.take("ann").words_on_all == "");
+}
+
+TEST_CASE("an archive whose list of names is long is read to its end") {
+    const Ground ground;
+    for (int i = 0; i < 3000; ++i)
+        ground.write("work/a/" + std::string(40, 'x') + std::to_string(i), "");
+    ground.write("work/b/sphere.cpp", "three");
+    ground.pack("a.tar.gz", "work", {"--gzip", "a", "b"});
+    CHECK(ground.take("a.tar.gz").files == Files{{3, "three"}});
+}
+
+TEST_CASE("names in archives are names, and no patterns") {
+    const Ground ground;
+    ground.write("work/*/sphere.cpp", "star");
+    for (int i = 0; i < 400; ++i)
+        ground.write("work/x" + std::to_string(i) + "\n/sphere.cpp/notes.txt", "x");
+    ground.write("work/[a-z]^$?.cpp", "x");
+    ground.pack("a.tar", "work", {"."});
+    const HandedIn taken = ground.take("a.tar");
+    CHECK(taken.files == Files{{3, "star"}});
+    CHECK(taken.words.empty());
+}
+
+TEST_CASE("a link among an archive's names spoils nothing, and is never followed") {
+    const Ground ground;
+    ground.write("work/code/sphere.cpp", "three");
+    fs::create_symlink("/etc/passwd", ground.place("work/sphere.cpp"));
+    fs::create_symlink("/etc/passwd", ground.place("work/plane.cpp"));
+    ground.pack("a.tar", "work", {"."});
+    const HandedIn taken = ground.take("a.tar");
+    CHECK(taken.files == Files{{3, "three"}});
+    CHECK(taken.words.at(4).find("plane.cpp (a link)") != std::string::npos);
+}
+
+TEST_CASE("the sum of what an archive holds is limited") {
+    const Ground ground;
+    const std::string large(250 * 1024, ' ');
+    ground.write("work/0/plane.cpp", "four");
+    for (int i = 0; i < 150; ++i)
+        ground.write("work/x/" + std::to_string(i) + "/sphere.cpp", large);
+    ground.write("work/z/cone.cpp", large);
+    ground.pack("bomb.tar.gz", "work", {"--gzip", "0", "x", "z"});
+    const HandedIn taken = ground.take("bomb.tar.gz");
+    CHECK(taken.files.at(4) == "four");
+    CHECK(taken.files.count(8) == 0);
+    CHECK(taken.words.at(8).find("z/cone.cpp (too large)") != std::string::npos);
+    // What is left out is told where nothing else of the stage is there.
+    ground.write("work/sphere.cpp", "");
+    fs::resize_file(ground.place("work/sphere.cpp"), 40 << 20);
+    ground.pack("large.tar.gz", "work", {"--gzip", "sphere.cpp"});
+    CHECK(ground.take("large.tar.gz").words.at(3).find("sphere.cpp (too large)") !=
+          std::string::npos);
+}
+
+TEST_CASE("a Mac's archive has twice the names, and one student's files") {
+    const Ground ground;
+    ground.write("work/work/sphere.cpp", "three");
+    ground.write("work/work/.DS_Store", "x");
+    ground.write("work/work/._sphere.cpp", "x");
+    ground.write("work/__MACOSX/work/._sphere.cpp", "x");
+    ground.write("work/__MACOSX/work/sphere.cpp", "not his");
+    zip(ground, "work", "ann.zip");
+    const HandedIn taken = ground.take("ann.zip");
+    CHECK(taken.files == Files{{3, "three"}});
+    CHECK(taken.words.empty());
+    CHECK(ground.students() == std::vector<std::string>{"ann"});
+}
+
+TEST_CASE("Moodle's folders have a student's zip inside") {
+    const Ground ground;
+    ground.write("work/my code/sphere.cpp", "three");
+    zip(ground, "work", "Zoë Doe_123_assignsubmission_file_/work.zip");
+    ground.write("Zoë Doe_123_assignsubmission_onlinetext_/onlinetext.html", "hello");
+    ground.write("Zoë Doe_124_assignsubmission_file_/Sphere.cpp", "her namesake's");
+    ground.write("Max Moe_125_assignsubmission_file_plane.cpp", "flat");
+    ground.write("Rar Roe_126_assignsubmission_file_/work.rar", "Rar!");
+    ground.write("Grades.csv", "");
+    std::map<std::string, HandedIn> all = ground.take_class();
+    CHECK(all.size() == 4);
+    CHECK(all["Zoë_Doe_123"].files == Files{{3, "three"}});
+    CHECK(all["Zoë_Doe_124"].files == Files{{3, "her namesake's"}});
+    CHECK(all["Max_Moe_125"].files == Files{{4, "flat"}});
+    CHECK(all["Rar_Roe_126"].words_on_all.find("The archive work.rar cannot be opened") == 0);
+    const ClassFolder found = ground.find({ground.place("")});
+    REQUIRE(found.left_over.size() == 1);
+    CHECK(found.left_over[0].find("Grades.csv: ") == 0);
+}
+
+TEST_CASE("Canvas's files have the student's name before their own") {
+    const Ground ground;
+    ground.write("doezoe_123_4567_sphere.cpp", "three");
+    ground.write("doezoe_123_4568_plane-1.cpp", "four");
+    ground.write("work/sphere.cpp", "late three");
+    zip(ground, "work", "moemax_LATE_124_4569_work.zip");
+    ground.write("doezoe_125_4570_sphere.cpp", "her namesake's");
+    std::map<std::string, HandedIn> all = ground.take_class();
+    CHECK(all.size() == 3);
+    CHECK(all["doezoe_123"].files == Files{{3, "three"}, {4, "four"}});
+    CHECK(all["moemax_124"].files == Files{{3, "late three"}});
+    CHECK(all["doezoe_125"].files == Files{{3, "her namesake's"}});
+    const ClassFolder found = ground.find({ground.place("")});
+    REQUIRE(found.left_over.size() == 1);
+    CHECK(found.left_over[0].find("moemax_124: Canvas marks it LATE") == 0);
+}
+
+TEST_CASE("a class in one archive is a class, and a student's own archive is none") {
+    const Ground ground;
+    ground.write("work/inner/sphere.cpp", "a");
+    zip(ground, "work", "all/class/ann.zip");
+    ground.write("all/class/ben/sphere.cpp", "b");
+    ground.write("all/class/carl.rar", "not read");
+    ground.write("all/class/dora/readme", "nothing");
+    ground.write("all/class/list.txt", "nobody's");
+    zip(ground, "all", "submissions.zip");
+    for (const fs::path& place : {ground.place("submissions.zip"), ground.place("")}) {
+        const ClassFolder found = ground.find({place});
+        std::vector<std::string> names;
+        for (const Envelope& each : found.envelopes) names.push_back(each.student);
+        CHECK(names == std::vector<std::string>{"ann", "ben", "carl", "dora"});
+        REQUIRE(found.left_over.size() == 1);
+        CHECK(found.left_over[0].find("list.txt: ") == 0);
+    }
+    // Beside others it is one student's, whatever names he puts in it.
+    ground.write("work/doezoe_123_4567_sphere.cpp", "a trap");
+    ground.write("work/doezoe_124_4567_sphere.cpp", "a trap");
+    zip(ground, "work", "eve.zip");
+    CHECK(ground.students() == std::vector<std::string>{"eve", "submissions"});
+}
+
+TEST_CASE("names that are one on other systems are made two") {
+    const Ground ground;
+    ground.write("Ann/sphere.cpp", "");
+    ground.write("ann/sphere.cpp", "");
+    ground.write("ann./sphere.cpp", "");
+    ground.write("../x", "");
+    CHECK(ground.students() == std::vector<std::string>{"Ann", "ann_2", "ann_3"});
+    CHECK(plain_name("..") == "_");
+    CHECK(plain_name("../../x") == "_.._.._x");
+    CHECK(plain_name("a\nb") == "a_b");
+    CHECK(plain_name(std::string(79, 'a') + "ë") == std::string(79, 'a'));
+}
+
+TEST_CASE("one submission is one, whatever folders it has; a class with a stray file is neither") {
+    const Ground ground;
+    for (int i = 0; i < 10; ++i)
+        ground.write("copy" + std::to_string(i) + "/sphere.cpp", std::to_string(i));
+    const ClassFolder one = one_submission({ground.place("")});
+    REQUIRE(one.envelopes.size() == 1);
+    CHECK(one.envelopes[0].student == "class");
+    ground.write("sphere.cpp", "stray");
+    CHECK_THROWS_AS(ground.find({ground.place("")}), InputError);
+    CHECK_THROWS_AS(one_submission({ground.place("nowhere")}), InputError);
 }

@@ -1,6 +1,7 @@
 #include "common/course/grade/grade.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/class_folder.hpp"
 #include "common/course/grade/class_report.hpp"
 #include "common/course/grade/feedback.hpp"
 #include "common/course/grade/grade_book.hpp"
@@ -116,13 +117,32 @@ std::set<int> stages_of(const Order& order) {
     return stages;
 }
 
-/// The envelopes of this part.
-std::vector<Envelope> envelopes_of(const Order& order) {
+/// Before anything is written.
+void check_places(const Order& order) {
+    for (const fs::path& place : order.places)
+        if (!fs::exists(place)) throw InputError({place}, "is not there");
+}
+
+/// Those of this part, of the students that were named.
+std::vector<Envelope> chosen(const std::vector<Envelope>& all, const Order& order) {
     std::vector<Envelope> mine;
-    const std::vector<Envelope> all = find_envelopes(order.places, order.results);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        if (int(i) % order.parts == order.part - 1) mine.push_back(all[i]);
+    std::set<std::string> unknown = order.students;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        unknown.erase(all[i].student);
+        if (int(i) % order.parts == order.part - 1 &&
+            (order.students.empty() || order.students.count(all[i].student) == 1))
+            mine.push_back(all[i]);
+    }
+    if (!unknown.empty()) throw InputError({}, "no student \"" + *unknown.begin() + "\"");
     return mine;
+}
+
+/// What is nobody's is told, and kept for the class report.
+void report_left_over(const fs::path& results, const std::vector<std::string>& left_over) {
+    std::string text;
+    for (const std::string& each : left_over) text += each + "\n";
+    std::fputs(text.c_str(), stderr);
+    write_text(results / left_over_file, text);
 }
 
 void precompile_headers(const Order& order, const Grading& grading) {
@@ -147,7 +167,7 @@ std::map<int, Yardstick> judge_references(const Order& order, const Grading& gra
 
 bool grade(const Order& order) {
     check_seal();
-    const std::vector<Envelope> envelopes = envelopes_of(order);
+    check_places(order);
     fs::create_directories(order.results);
     const Lock lock(order.results, order.part);
     const Workplace workplace(order);
@@ -157,6 +177,10 @@ bool grade(const Order& order) {
                     .workshop = open_workshop(order.project, order.build, workplace.folder()),
                     .seed = seed_identifier(agreed_seed(order.results, order.seed_file)),
                     .stages = stages_of(order)};
+    const ClassFolder found = order.one ? one_submission(order.places)
+                                        : find_class(grading.workshop, order.places, order.results);
+    const std::vector<Envelope> envelopes = chosen(found.envelopes, order);
+    if (order.students.empty()) report_left_over(order.results, found.left_over);
     if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
     std::signal(SIGINT, [](int) { stop = true; });
     Judge judge(grading, judge_references(order, grading));

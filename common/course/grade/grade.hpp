@@ -20,6 +20,8 @@ struct Order {
     int jobs = 1;
     int part = 1;  ///< of so many that grade the class together, in one folder of results
     int parts = 1;
+    bool one = false;                ///< the places are one submission, whatever is in them
+    std::set<std::string> students;  ///< all, if it is empty
 };
 
 /// Judges what there is no mark for yet, on so many threads, until Ctrl-C. Returns whether all is

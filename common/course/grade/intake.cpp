@@ -1,18 +1,14 @@
 #include "common/course/grade/intake.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/archive.hpp"
+#include "common/course/grade/source_names.hpp"
 
-#include "common/input_error.hpp"
 #include "common/stages.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
+#include <list>
 #include <optional>
-#include <set>
 #include <tuple>
 
 namespace rt::grade {
@@ -21,42 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_source = 256 * 1024;
-constexpr std::size_t longest_name = 80;
-constexpr int most_entries = 20000;
-constexpr int deepest = 12;
+constexpr int most_entries = 1000000;
+constexpr int deepest = 60;
+constexpr int most_archives = 30;
+constexpr int most_megabytes = 32;  // of what is taken out of an archive
+constexpr int deepest_archive = 3;
+constexpr std::size_t most_told = 6;
 
-// The longer first, of those that end alike.
-constexpr std::array<std::string_view, 8> archive_endings = {
-    ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tgz", ".tar", ".zip", ".7z"};
-
-/// The stage whose file is called so; 0 if none is.
-int stage_of(const fs::path& file) {
-    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        if (file.filename() == std::string(stage_name(stage).substr(7)) + ".cpp") return stage;
-    return 0;
-}
-
-bool is_archive(const fs::path& file) {
-    const std::string name = file.filename();
-    return std::any_of(
-        archive_endings.begin(), archive_endings.end(),
-        [&name](std::string_view ending) { return std::string_view(name).ends_with(ending); });
-}
-
-/// The text, if the file is one: no link, no device, no pipe, of a size that a person writes.
-std::optional<std::string> source_text(const fs::path& file) {
-    const int source = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (source == -1) return std::nullopt;
-    struct stat about {};
-    std::string text(largest_source + 1, '\0');
-    const bool is_file = fstat(source, &about) == 0 && S_ISREG(about.st_mode);
-    const ssize_t size = is_file ? read(source, text.data(), text.size()) : -1;
-    close(source);
-    if (size < 0 || std::size_t(size) > largest_source) return std::nullopt;
-    text.resize(std::size_t(size));
-    return text;
-}
+/// A file of a student's whose name is a stage's, or nearly.
+struct Found {
+    fs::path path;  ///< as the student knows it
+    Fit fit = Fit::none;
+    std::optional<std::string> text;
+    std::string why_not;  ///< if there is none: "a link"
+};
 
 /// Whether a folder on the way has this name.
 bool is_below(const fs::path& file, const std::string& folder) {
@@ -64,163 +38,207 @@ bool is_below(const fs::path& file, const std::string& folder) {
     return std::find(parent.begin(), parent.end(), folder) != parent.end();
 }
 
-/// The better place first.
-auto rank(const fs::path& file) {
-    return std::tuple(!is_below(file, "student"), std::distance(file.begin(), file.end()),
-                      file.string());
+/// What comes with the project is not the student's.
+bool is_ours(const fs::path& file) {
+    return is_below(file, "reference") || is_below(file, "starter");
 }
 
-/// The files of the thirteen names in the folder, the best of each stage's first, from the folder
-/// on.
-std::map<int, std::vector<fs::path>> find_files(const fs::path& folder) {
-    std::map<int, std::vector<fs::path>> found;
-    std::error_code none;
-    int left = most_entries;
-    for (fs::recursive_directory_iterator each(folder, none), end; !none && each != end && left > 0;
-         each.increment(none), --left) {
-        if (each.depth() >= deepest) each.disable_recursion_pending();
-        const fs::path file = each->path().lexically_relative(folder);
-        const bool is_ours = is_below(file, "reference") || is_below(file, "starter") ||
-                             is_below(file, "tests") || is_below(file, "build");
-        const int stage = stage_of(file);
-        if (stage > 0 && !is_ours && !each->is_directory(none)) found[stage].push_back(file);
-    }
-    for (auto& [stage, files] : found)
-        std::sort(files.begin(), files.end(),
-                  [](const fs::path& a, const fs::path& b) { return rank(a) < rank(b); });
-    return found;
+/// The better one first.
+auto rank(const Found& found) {
+    return std::tuple(found.fit != Fit::exact,
+                      is_below(found.path, "tests") || is_below(found.path, "build"),
+                      !is_below(found.path, "student"),
+                      std::distance(found.path.begin(), found.path.end()), found.path.string());
 }
 
-HandedIn take_folder(const fs::path& folder) {
-    HandedIn handed_in;
-    for (const auto& [stage, files] : find_files(folder)) {
-        const std::string name = files[0].filename();
-        const std::optional<std::string> text = source_text(folder / files[0]);
-        if (text)
-            handed_in.files[stage] = *text;
+std::string enumerated(const std::vector<std::string>& names) {
+    std::string all;
+    for (std::size_t i = 0; i < std::min(names.size(), most_told); ++i)
+        all += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most_told)
+        all += " and " + std::to_string(names.size() - most_told) + " more";
+    return all;
+}
+
+/// Looks through all that a student handed in.
+class Search {
+public:
+    explicit Search(const Workshop& workshop) : workshop_(workshop) {}
+
+    void add(const fs::path& place, const fs::path& name, int depth) {
+        std::error_code none;
+        const fs::file_type type = fs::symlink_status(place, none).type();
+        if (type == fs::file_type::directory)
+            add_folder(place, name, depth);
+        else if (is_archive(name.filename()))
+            add_archive(place, name, depth);
         else
-            handed_in.words[stage] = name + " is no file of less than 256 KiB.\n";
-        const bool differ = std::any_of(files.begin() + 1, files.end(), [&](const fs::path& other) {
-            return source_text(folder / other) != text;
-        });
-        if (differ)
-            handed_in.words[stage] += "There are " + std::to_string(files.size()) + " files " +
-                                      name + " that differ; the one in " +
-                                      files[0].parent_path().string() + "/ was taken.\n";
+            add_file(name, source_text(place),
+                     type == fs::file_type::regular ? "more than 256 KiB, or not readable"
+                                                    : "a link, or no file");
     }
-    return handed_in;
-}
 
-/// Those of the archive's names that may be taken out: files of the thirteen names, nowhere but
-/// below.
-std::vector<std::string> wanted(const std::string& listed) {
-    std::vector<std::string> names;
-    for (const std::string& name : lines_of(listed)) {
-        const fs::path file = name;
-        const bool leads_out = file.is_absolute() || name.rfind('-', 0) == 0 ||
-                               std::find(file.begin(), file.end(), "..") != file.end();
-        if (stage_of(file) > 0 && !leads_out) names.push_back(name);
+    [[nodiscard]] HandedIn chosen() {
+        HandedIn handed_in;
+        for (auto& [stage, found] : found_) choose(stage, found, handed_in);
+        std::sort(others_.begin(), others_.end());
+        handed_in.words_on_all = words_;
+        if (handed_in.files.empty() && !others_.empty())
+            handed_in.words_on_all +=
+                "No file has a stage's name. Found: " + enumerated(others_) + ".\n";
+        for (auto& [stage, words] : handed_in.words)
+            if (handed_in.files.count(stage) == 0) words += handed_in.words_on_all;
+        return handed_in;
     }
-    return names;
-}
 
-HandedIn take_archive(const Workshop& workshop, const fs::path& archive) {
-    constexpr std::size_t most_files = 500;
-    const TemporaryFolder scratch(workshop.folder);
-    const std::string copy = scratch.path() / "archive";
-    const TemporaryFolder taken_out(workshop.folder);
-    std::error_code failed;
-    fs::copy_file(archive, copy, failed);
-    if (failed) return {.words_on_all = "The archive cannot be read.\n"};
-    fs::permissions(copy, fs::perms(0644));
-    fs::permissions(scratch.path(), fs::perms(0755));
-    // CMake has all formats, and is there.
-    Command tool{RAYSTEPS_CMAKE, "-E", "tar", "tf", copy};
-    const Ending listed = run_sealed(workshop, taken_out.path(), {copy, RAYSTEPS_CMAKE_ROOT}, tool);
-    if (listed.status != 0) return {.words_on_all = "The archive cannot be opened.\n"};
-    const std::vector<std::string> names = wanted(listed.output);
-    if (names.empty()) return {};
-    if (names.size() > most_files) return {.words_on_all = "The archive has too many files.\n"};
-    tool[3] = "xf";
-    tool.push_back("--");
-    tool.insert(tool.end(), names.begin(), names.end());
-    if (run_sealed(workshop, taken_out.path(), {copy, RAYSTEPS_CMAKE_ROOT}, tool).status != 0)
-        return {.words_on_all = "The archive cannot be opened.\n"};
-    return take_folder(taken_out.path());
-}
-
-/// As the name of a folder, in a page, in a table: what is no letter, digit or dot is "_".
-std::string plain(std::string name) {
-    for (const std::string_view ending : archive_endings)
-        if (name.ends_with(ending)) {
-            name.erase(name.size() - ending.size());
-            break;
+private:
+    void add_folder(const fs::path& folder, const fs::path& name, int depth) {
+        std::error_code failed;
+        fs::recursive_directory_iterator each(folder, failed);
+        std::vector<fs::path> files;
+        for (const fs::recursive_directory_iterator end; !failed && each != end;
+             each.increment(failed)) {
+            const bool is_folder = each->symlink_status(failed).type() == fs::file_type::directory;
+            const bool litter = is_litter(each->path().filename());
+            if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
+            if (is_folder && each.depth() >= deepest) words_ += "Folders are too deep.\n";
+            if (!is_folder && !litter) files.push_back(each->path());
+            if (++entries_ > most_entries) {
+                words_ += "There are more than a million files; not all were looked at.\n";
+                break;
+            }
         }
-    for (char& c : name) {
-        const bool plain_one = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
-                               c == '_' || c == '-' || static_cast<unsigned char>(c) >= 0x80;
-        if (!plain_one) c = '_';
+        if (failed) words_ += name.string() + ": not all of it can be read.\n";
+        std::sort(files.begin(), files.end());
+        for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
     }
-    if (name.size() > longest_name) name.resize(longest_name);
-    if (name.empty() || name.front() == '.' || name.front() == '-') name.insert(0, "_");
-    return name;
-}
 
-/// A folder of one student's: a file of the thirteen names in it, or a stage's folder, or "steps".
-bool is_submission(const fs::path& folder) {
-    for (const auto& each : fs::directory_iterator(folder)) {
-        const std::string name = each.path().filename();
-        if (stage_of(name) > 0 || name == "steps") return true;
-        if (std::find(stage_names.begin(), stage_names.end(), name) != stage_names.end())
-            return true;
+    void add_archive(const fs::path& archive, const fs::path& name, int depth) {
+        const std::string called = name.string();
+        if (depth == deepest_archive || ++archives_ > most_archives) {
+            words_ += called + " was not opened: too many archives.\n";
+            return;
+        }
+        taken_out_.emplace_back(workshop_.folder);
+        const std::optional<Unpacked> unpacked =
+            unpack(workshop_, archive, taken_out_.back().path(), most_megabytes);
+        if (!unpacked) {
+            words_ += "The archive " + called +
+                      " cannot be opened: it is damaged, or not of a kind that is read (zip, tar, "
+                      "7z).\n";
+            return;
+        }
+        if (!unpacked->whole)
+            words_ += "The archive " + called + " is damaged, or too large: not all was read.\n";
+        for (const Entry& entry : unpacked->entries) add_entry(entry, name, depth);
     }
-    return false;
-}
 
-/// What a run writes, or an earlier one has written: it may lie among the submissions.
-bool is_results(const fs::path& folder, const fs::path& results) {
-    std::error_code none;
-    return fs::equivalent(folder, results, none) ||
-           (fs::exists(folder / "seed.txt") && fs::exists(folder / "grades.csv"));
-}
+    void add_entry(const Entry& entry, const fs::path& archive, int depth) {
+        const fs::path inside = fs::path(entry.name).lexically_normal();
+        const fs::path name = archive / inside.relative_path();
+        const bool leads_out = fs::path(entry.name).is_absolute() ||
+                               std::find(inside.begin(), inside.end(), "..") != inside.end();
+        if (leads_out) return add_file(name, {}, "its name leads out of the archive");
+        switch (entry.kind) {
+            case Entry::Kind::folder:
+                return;
+            case Entry::Kind::archive:
+                return add_archive(entry.file, name, depth + 1);
+            case Entry::Kind::source:
+                return add_file(name, source_text(entry.file), "more than 256 KiB");
+            case Entry::Kind::other:
+                return add_file(name, {}, "");
+            case Entry::Kind::link:
+                return add_file(name, {}, "a link");
+            case Entry::Kind::locked:
+                return add_file(name, {}, "it needs a password");
+            case Entry::Kind::large:
+                return add_file(name, {}, "too large");
+            case Entry::Kind::damaged:
+                return add_file(name, {}, "damaged");
+        }
+    }
 
-void add(const fs::path& place, std::set<std::string>& names, std::vector<Envelope>& found) {
-    const fs::path full = fs::absolute(place).lexically_normal();
-    const std::string last = full.has_filename() ? full.filename() : full.parent_path().filename();
-    const std::string name = plain(last);
-    std::string student = name;
-    for (int i = 2; !names.insert(student).second; ++i) student = name + "_" + std::to_string(i);
-    found.push_back({.student = student, .place = full});
-}
+    void add_file(const fs::path& name, std::optional<std::string> text, std::string why_not) {
+        const std::string file = name.filename();
+        const auto [stage, fit] = named_for(file);
+        if (stage == 0) {
+            if (!why_not.empty() && is_archive(file))
+                words_ += "The archive " + name.string() + " was not opened: " + why_not + ".\n";
+            else if (is_source(file))
+                others_.push_back(name.string());
+            return;
+        }
+        // A stage's own header is in every copy of the project.
+        if (fit == Fit::suspect && name.parent_path().filename() == stage_name(stage)) return;
+        Found found{.path = name, .fit = fit, .why_not = std::move(why_not)};
+        if (is_ours(name))
+            found.why_not = "the project's, not yours";
+        else if (fit == Fit::suspect)
+            found.why_not = "not a name that is taken";
+        else
+            found.text = std::move(text);
+        std::vector<Found>& all = found_[stage];
+        // An archive may have a name twice: what is last counts, as for whoever unpacks it.
+        const auto twice = std::find_if(all.begin(), all.end(), [&](const Found& other) {
+            return other.path == found.path && other.text && found.text;
+        });
+        if (twice != all.end())
+            *twice = std::move(found);
+        else
+            all.push_back(std::move(found));
+    }
+
+    static void choose(int stage, std::vector<Found>& found, HandedIn& handed_in) {
+        std::sort(found.begin(), found.end(),
+                  [](const Found& a, const Found& b) { return rank(a) < rank(b); });
+        const std::string name =
+            std::string(stage_name(stage).substr(std::string_view("step05_").size())) + ".cpp";
+        const auto best = std::find_if(found.begin(), found.end(),
+                                       [](const Found& each) { return each.text.has_value(); });
+        std::string words;
+        if (best == found.end()) {
+            std::vector<std::string> not_taken;
+            for (const Found& each : found)
+                not_taken.push_back(each.path.string() + " (" + each.why_not + ")");
+            handed_in.words[stage] =
+                "There is no " + name + ". Found, but not taken: " + enumerated(not_taken) + ".\n";
+            return;
+        }
+        handed_in.files[stage] = *best->text;
+        if (best->fit != Fit::exact)
+            words += best->path.string() + " was taken for " + name + ".\n";
+        std::vector<std::string> differ;
+        for (const Found& each : found)
+            if (each.text && each.text != best->text) differ.push_back(each.path.string());
+        if (!differ.empty())
+            words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
+                     " that differ; " + best->path.string() + " was taken, and not " +
+                     enumerated(differ) + ".\n";
+        if (!words.empty()) handed_in.words[stage] = words;
+    }
+
+    const Workshop& workshop_;
+    std::list<TemporaryFolder> taken_out_;
+    std::map<int, std::vector<Found>> found_;
+    std::vector<std::string> others_;  ///< sources of no stage's name
+    std::string words_;
+    int entries_ = 0;
+    int archives_ = 0;
+};
 
 }  // namespace
 
-std::vector<Envelope> find_envelopes(const std::vector<fs::path>& places, const fs::path& results) {
-    std::vector<fs::path> all;
-    for (const fs::path& place : places) {
-        const bool is_folder = fs::is_directory(place);
-        if (!is_folder && !(fs::is_regular_file(place) && is_archive(place)))
-            throw InputError({place}, "is neither a folder nor an archive");
-        if (!is_folder || is_submission(place)) {
-            all.push_back(place);
-            continue;
-        }
-        for (const auto& each : fs::directory_iterator(place))
-            if (!each.is_symlink() && !is_results(each.path(), results) &&
-                (each.is_directory() || (each.is_regular_file() && is_archive(each.path()))))
-                all.push_back(each.path());
-    }
-    std::sort(all.begin(), all.end());
-    std::set<std::string> names;
-    std::vector<Envelope> found;
-    for (const fs::path& place : all) add(place, names, found);
-    if (found.empty()) throw InputError({places.at(0)}, "holds no submission");
-    return found;
-}
-
 HandedIn take_in(const Workshop& workshop, const Envelope& envelope) {
-    return fs::is_directory(envelope.place) ? take_folder(envelope.place)
-                                            : take_archive(workshop, envelope.place);
+    Search search(workshop);
+    for (const Piece& piece : envelope.pieces) {
+        // A folder's own name says nothing to the student. What the lecturer named may be a link.
+        if (fs::is_directory(piece.place))
+            search.add(fs::canonical(piece.place), "", 0);
+        else
+            search.add(piece.place, piece.name, 0);
+    }
+    return search.chosen();
 }
 
 }  // namespace rt::grade

@@ -52,6 +52,7 @@ int run(int count, char** words) {
     fs::path gradescope;
     std::string elsewhere;
     bool report = false;
+    std::vector<std::string> students;
     bool attack = false;
     // One more than there are cores: one may wait for code that sleeps.
     order.jobs = 1 + int(std::max(1u, std::thread::hardware_concurrency()));
@@ -65,7 +66,11 @@ int run(int count, char** words) {
         ->check(CLI::Range(1, 256));
     app.add_option("--part", part,
                    "K/N: this part of the class, for N machines that share a folder");
-    app.add_option("--gradescope", gradescope, "write the one student's results.json");
+    app.add_option("--student", students, "anna,ben: of the class, grade these alone")
+        ->delimiter(',');
+    app.add_flag("--one", order.one, "what is named is one student's, and no class");
+    app.add_option("--gradescope", gradescope,
+                   "write this results.json, of one student's submission");
     app.add_option("--for", elsewhere,
                    "gradescope, github or slurm: write what grades there into the folder given");
     app.add_flag("--report", report, "write the reports of what is judged already");
@@ -92,6 +97,8 @@ int run(int count, char** words) {
     if (order.places.empty()) throw rt::InputError({}, "grade: which submissions?");
     order.stages = parse_stages(stages);
     if (!part.empty()) parse_part(part, order);
+    order.students = {students.begin(), students.end()};
+    order.one = order.one || !gradescope.empty();
     if (!rt::grade::grade(order)) {
         std::cerr << "interrupted: the same command goes on from here\n";
         return 1;

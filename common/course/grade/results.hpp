@@ -52,6 +52,9 @@ struct Mark {
     [[nodiscard]] int points() const;
 };
 
+/// In the results: what of the class's folder is nobody's, and why, a line each.
+inline constexpr const char* left_over_file = "left_over.txt";
+
 /// "results/students/anna": no student's name is that of a file of ours. Throws InputError if no
 /// folder can be called so.
 [[nodiscard]] std::filesystem::path student_folder(const std::filesystem::path& results,
