@@ -2,6 +2,7 @@
 // hierarchy does not pay yet, most shapes are left out by them.
 #pragma once
 
+#include "common/ball.hpp"
 #include "common/ray.hpp"
 #include "common/vector.hpp"
 #include "common/wide.hpp"
@@ -12,11 +13,6 @@
 #include <vector>
 
 namespace rt::inline RT_PRECISION {
-
-struct Ball {
-    Vec3 center;
-    Real radius = 0;
-};
 
 inline namespace RT_LANES {
 

@@ -12,4 +12,7 @@ struct Basis {
     Vec3 z{0, 0, 1};
 };
 
+/// A basis whose z points along `z`: stage 2's basis_around.
+using BasisAround = Basis(Vec3 z);
+
 }  // namespace rt::inline RT_PRECISION

@@ -2,7 +2,7 @@
 // hit outside.
 #pragma once
 
-#include "common/balls.hpp"
+#include "common/ball.hpp"
 #include "common/box.hpp"
 #include "common/mesh.hpp"
 #include "common/shapes.hpp"

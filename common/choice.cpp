@@ -81,26 +81,23 @@ struct Stopped {};
 
 class Chooser {
 public:
-    Chooser(std::unique_ptr<Session> session, const Options& options, Clock::time_point start,
-            const std::atomic<bool>& stop)
-        : options_(options),
+    Chooser(Trials& trials, const Aim& aim, Clock::time_point start, const std::atomic<bool>& stop)
+        : trials_(trials),
+          aim_(aim),
           stop_(stop),
           start_(start),
           read_(Clock::now()),
-          demands_(session->demands()),
-          size_(session->resolution()),
+          demands_(trials.demands()),
+          size_(trials.resolution()),
           pixels_(std::min(all_pixels(), std::max<std::size_t>(1000, all_pixels() / 128))),
           hierarchy_from_(demands_.hierarchy_from),
           exceptions_left_(exceptions(2 * pixels_)),
-          look_(options.look) {
-        choice_.session = std::move(session);
-        choice_.precision = options.precision;
-    }
+          look_(aim.look) {}
 
     void choose_hierarchy();
     void choose_depth();
     void choose_samples();
-    void choose_precision(const Open& open_float);
+    void choose_precision(const OpenFloat& open_float);
     [[nodiscard]] Choice done();
 
 private:
@@ -109,34 +106,34 @@ private:
     }
 
     /// What an error may be before it counts.
-    [[nodiscard]] double limit() const { return options_.tolerance.value_or(unseen); }
+    [[nodiscard]] double limit() const { return aim_.tolerance.value_or(unseen); }
 
     /// Of the whole picture, on all threads.
     [[nodiscard]] double seconds(const Shot& shot) const {
-        return shot.seconds * double(all_pixels()) / options_.threads;
+        return shot.seconds * double(all_pixels()) / aim_.threads;
     }
 
-    [[nodiscard]] Shot shot(const Session& session, const Look& look, std::size_t pixels,
+    [[nodiscard]] Shot shot(const Trials& trials, const Look& look, std::size_t pixels,
                             int round) const {
-        Shot shot = session.shot(
-            look, {.pixels = pixels, .round = round, .threads = options_.threads, .stop = &stop_});
+        Shot shot = trials.shot(
+            look, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
         if (stop_) throw Stopped();
         return shot;
     }
 
     [[nodiscard]] Shot shot(const Look& look, int round) const {
-        return shot(*choice_.session, look, pixels_, round);
+        return shot(trials_, look, pixels_, round);
     }
 
     /// The look, with one shadow ray: where more would not matter.
     [[nodiscard]] Look at_depth(int depth) const {
         Look look = look_;
         look.depth = depth;
-        if (!options_.given.shadow_samples) look.shadow_samples = 1;
+        if (!aim_.given.shadow_samples) look.shadow_samples = 1;
         return look;
     }
 
-    /// Which of two sessions, each made ready, takes how long for a pixel: the least of a few tries
+    /// Which of two trials, each made ready, takes how long for a pixel: the least of a few tries
     /// in turn.
     template <class First, class Second>
     [[nodiscard]] std::pair<double, double> in_turn(const Look& look, First first,
@@ -144,7 +141,7 @@ private:
 
     /// Trials may take a tenth of the time.
     [[nodiscard]] bool no_time_to_try() const {
-        return options_.time && since(read_) > *options_.time / 10;
+        return aim_.time && since(read_) > *aim_.time / 10;
     }
 
     void fit_depth_into_time();
@@ -158,7 +155,8 @@ private:
         choice_.reasons.push_back("  " + what + std::string(width - what.size(), ' ') + why);
     }
 
-    const Options& options_;
+    Trials& trials_;
+    const Aim& aim_;
     const std::atomic<bool>& stop_;
     Clock::time_point start_;
     Clock::time_point read_;
@@ -174,8 +172,8 @@ private:
 
 template <class First, class Second>
 std::pair<double, double> Chooser::in_turn(const Look& look, First first, Second second) const {
-    const auto seconds = [&](const Session& session) {
-        return shot(session, look, (pixels_ + 7) / 8, 0).seconds;
+    const auto seconds = [&](const Trials& trials) {
+        return shot(trials, look, (pixels_ + 7) / 8, 0).seconds;
     };
     std::pair least = {infinite, infinite};
     for (int i = 0; i < 3; ++i) {
@@ -191,24 +189,24 @@ void Chooser::choose_hierarchy() {
     if (count > longest_list)
         return say("hierarchy", "yes: " + std::to_string(count) + " of a kind are too many to ask");
     const bool is_usual = count >= demands_.hierarchy_from;
-    const auto arranged = [this](std::size_t pays_from) -> const Session& {
-        choice_.session->arrange(pays_from);
-        return *choice_.session;
+    const auto arranged = [this](std::size_t pays_from) -> const Trials& {
+        trials_.arrange(pays_from);
+        return trials_;
     };
     const std::size_t from = is_usual ? demands_.hierarchy_from : 2;
     const auto [list, hierarchy] = in_turn(
-        at_depth(look_.depth), [&]() -> const Session& { return arranged(never); },
-        [&]() -> const Session& { return arranged(from); });
+        at_depth(look_.depth), [&]() -> const Trials& { return arranged(never); },
+        [&]() -> const Trials& { return arranged(from); });
     const bool pays = is_usual ? gain * hierarchy < list : hierarchy < gain * list;
     hierarchy_from_ = pays ? from : never;
-    choice_.session->arrange(hierarchy_from_);
+    trials_.arrange(hierarchy_from_);
     say("hierarchy", std::string(pays ? "yes" : "none") + ": for up to " + std::to_string(count) +
                          " of a kind, with" + (pays ? "out" : "") + " one it takes " +
                          number(pays ? list / hierarchy : hierarchy / list) + " times as long");
 }
 
 void Chooser::choose_depth() {
-    if (options_.given.depth) return say("depth", std::to_string(look_.depth) + ", as given");
+    if (aim_.given.depth) return say("depth", std::to_string(look_.depth) + ", as given");
     if (!demands_.mirrors) return say("depth", "none: nothing is a mirror");
     constexpr std::array depths = {0, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32, endless};
     const Shot whole = shot(at_depth(endless), 0);
@@ -232,9 +230,9 @@ void Chooser::choose_depth() {
 }
 
 void Chooser::fit_depth_into_time() {
-    if (!options_.time || options_.given.depth || !demands_.mirrors) return;
+    if (!aim_.time || aim_.given.depth || !demands_.mirrors) return;
     const int wanted = look_.depth;
-    while (look_.depth > 0 && seconds(shot(at_depth(look_.depth), 0)) > *options_.time)
+    while (look_.depth > 0 && seconds(shot(at_depth(look_.depth), 0)) > *aim_.time)
         look_.depth /= 2;
     if (look_.depth < wanted) say("", "but " + std::to_string(look_.depth) + " for the time");
 }
@@ -242,20 +240,19 @@ void Chooser::fit_depth_into_time() {
 /// Lights with a size: cheap looks first, until one is as good as asked for, or takes too long.
 Ladder Chooser::climb() const {
     // For a tolerance what is found is tried again, on more.
-    const std::size_t pixels = options_.tolerance ? (pixels_ + 3) / 4 : pixels_;
+    const std::size_t pixels = aim_.tolerance ? (pixels_ + 3) / 4 : pixels_;
     const std::vector<Look> looks = sampling_looks(look_);
     Ladder ladder;
-    Shot finest = shot(*choice_.session, looks[0], pixels, 1);
+    Shot finest = shot(trials_, looks[0], pixels, 1);
     for (std::size_t i = 1; i < looks.size(); ++i) {
-        const Shot before =
-            std::exchange(finest, shot(*choice_.session, looks[i], pixels, int(i) + 1));
+        const Shot before = std::exchange(finest, shot(trials_, looks[i], pixels, int(i) + 1));
         const double off = error_but_for(exceptions_left_, distances(before, finest)) /
                            excess(looks[i - 1], looks[i]);
         ladder.add({.look = looks[i - 1], .seconds = seconds(before), .error = off});
-        if (options_.tolerance && off <= *options_.tolerance) break;
-        if (options_.time && seconds(before) > *options_.time) break;
+        if (aim_.tolerance && off <= *aim_.tolerance) break;
+        if (aim_.time && seconds(before) > *aim_.time) break;
         if (no_time_to_try() && ladder.top().look.shadow_error > 0) {
-            extend(ladder, {looks.begin() + std::ptrdiff_t(i), looks.end()}, *options_.time);
+            extend(ladder, {looks.begin() + std::ptrdiff_t(i), looks.end()}, *aim_.time);
             break;
         }
     }
@@ -264,7 +261,7 @@ Ladder Chooser::climb() const {
 
 /// The cheapest look about as good as one found that keeps the tolerance, or the best.
 Trial Chooser::best_around(const Look& found) {
-    const double allowed = *options_.tolerance;
+    const double allowed = *aim_.tolerance;
     const Look finer = finer_than(found);
     const Shot finest = shot(finer, ++round_);
     Trial best = {.seconds = infinite, .error = infinite};
@@ -310,27 +307,27 @@ void Chooser::keep_tolerance() {
     Look look = choice_.expected.look;
     for (int i = 0; i < most_tries && !no_time_to_try(); ++i, look = finer_than(look)) {
         choice_.expected = best_around(look);
-        if (choice_.expected.error <= *options_.tolerance) return;
+        if (choice_.expected.error <= *aim_.tolerance) return;
     }
 }
 
 void Chooser::choose_samples() {
     fit_depth_into_time();
-    if (options_.given.shadow_samples || !demands_.sized_lights) {
+    if (aim_.given.shadow_samples || !demands_.sized_lights) {
         choice_.expected = {.look = look_, .seconds = seconds(shot(look_, 1))};
         return say("shadow samples",
-                   options_.given.shadow_samples ? "as given" : "one: no light has a size");
+                   aim_.given.shadow_samples ? "as given" : "one: no light has a size");
     }
     Ladder ladder = climb();
-    choice_.expected = options_.tolerance ? ladder.within_error(*options_.tolerance) : ladder.top();
-    if (options_.tolerance && ladder.top().error <= *options_.tolerance) {
+    choice_.expected = aim_.tolerance ? ladder.within_error(*aim_.tolerance) : ladder.top();
+    if (aim_.tolerance && ladder.top().error <= *aim_.tolerance) {
         keep_tolerance();
         ladder.end_with(choice_.expected);
     }
-    if (options_.time) {
-        if (choice_.expected.seconds > *options_.time)
-            choice_.expected = ladder.within_time(*options_.time);
-        const auto time = std::chrono::duration<double>(*options_.time);
+    if (aim_.time) {
+        if (choice_.expected.seconds > *aim_.time)
+            choice_.expected = ladder.within_time(*aim_.time);
+        const auto time = std::chrono::duration<double>(*aim_.time);
         choice_.pace = std::make_unique<Pace>(
             ladder, size_.height, start_ + std::chrono::duration_cast<Clock::duration>(time));
     }
@@ -345,7 +342,7 @@ void Chooser::choose_samples() {
             : std::to_string(look.shadow_samples) + " to a light with a size");
 }
 
-void Chooser::choose_precision(const Open& open_float) {
+void Chooser::choose_precision(const OpenFloat& open_float) {
     const std::string extremes = ": coordinates reach " + number(demands_.extent) +
                                  ", the smallest size is " + number(demands_.feature);
     const double off = rounding_error(demands_, demands_.unit_roundoff);
@@ -362,35 +359,34 @@ void Chooser::choose_precision(const Open& open_float) {
     } else if (no_time_to_try()) {
         say("precision", "double: float would do, but there is no time to try it");
     } else {
-        std::unique_ptr<Session> other = open_float();
-        other->arrange(hierarchy_from_);
+        Trials& other = open_float();
+        other.arrange(hierarchy_from_);
         const auto [in_double, in_float] = in_turn(
-            choice_.expected.look, [this]() -> const Session& { return *choice_.session; },
-            [&other]() -> const Session& { return *other; });
+            choice_.expected.look, [this]() -> const Trials& { return trials_; },
+            [&other]() -> const Trials& { return other; });
         if (in_float < gain * in_double) {
-            choice_.session = std::move(other);
-            choice_.precision = Precision::f32;
+            choice_.in_float = true;
             choice_.expected.seconds *= in_float / in_double;
         }
-        say("precision", (choice_.precision == Precision::f32 ? "float: as good here, in "
-                                                              : "double: float would do, in ") +
-                             number(in_float / in_double) + " of the time");
+        say("precision",
+            (choice_.in_float ? "float: as good here, in " : "double: float would do, in ") +
+                number(in_float / in_double) + " of the time");
     }
 }
 
 /// What is known to be off: samples, the reflections that are left out, roundings.
 std::string Chooser::expected_error() const {
-    if (demands_.sized_lights && options_.given.shadow_samples) return "";
-    const bool is_float = choice_.precision == Precision::f32;
-    double error = rounding_error(demands_, is_float ? float_roundoff : demands_.unit_roundoff);
+    if (demands_.sized_lights && aim_.given.shadow_samples) return "";
+    double error =
+        rounding_error(demands_, choice_.in_float ? float_roundoff : demands_.unit_roundoff);
     error = std::max(error, choice_.expected.error);
-    if (demands_.mirrors && !options_.given.depth) error = std::max(error, limit());
+    if (demands_.mirrors && !aim_.given.depth) error = std::max(error, limit());
     return ", and 99 of 100 pixels within " + steps(error);
 }
 
 Choice Chooser::done() {
     const double seconds = choice_.expected.seconds;
-    const bool too_long = options_.time && seconds > 1.1 * *options_.time;
+    const bool too_long = aim_.time && seconds > 1.1 * *aim_.time;
     say("expected", number(seconds) + " s" + expected_error() +
                         (too_long ? ": nothing else can be spared" : ""));
     say("trials", std::to_string(pixels_) + " of the pixels, " + number(since(read_)) + " s");
@@ -399,10 +395,9 @@ Choice Chooser::done() {
 
 }  // namespace
 
-std::optional<Choice> choose(std::unique_ptr<Session> session, const Open& open_float,
-                             const Options& options, Clock::time_point start,
-                             const std::atomic<bool>& stop) {
-    Chooser chooser(std::move(session), options, start, stop);
+std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float, const Aim& aim,
+                             Clock::time_point start, const std::atomic<bool>& stop) {
+    Chooser chooser(trials, aim, start, stop);
     try {
         chooser.choose_hierarchy();
         chooser.choose_depth();

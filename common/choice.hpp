@@ -3,7 +3,7 @@
 
 #include "common/ladder.hpp"
 #include "common/pace.hpp"
-#include "common/session.hpp"
+#include "common/trials.hpp"
 
 #include <functional>
 #include <memory>
@@ -13,22 +13,37 @@
 
 namespace rt {
 
+/// Which settings are not to be chosen, because somebody has.
+struct Given {
+    bool shadow_samples = false;  ///< or when to stop sampling
+    bool depth = false;
+};
+
+/// What the settings are for, and what is settled.
+struct Aim {
+    Look look;
+    std::optional<double> tolerance;  ///< an error of a pixel, in 8-bit steps
+    std::optional<double> time;       ///< so many seconds
+    Given given;
+    int threads = 1;
+};
+
 struct Choice {
-    std::unique_ptr<Session> session;  ///< of the precision chosen, its hierarchies built
-    Precision precision = Precision::f64;
+    bool in_float = false;  ///< as well as in double, and sooner
     Trial expected;
     std::unique_ptr<Pace> pace;        ///< if the picture is to take a time
     std::vector<std::string> reasons;  ///< lines that say what was chosen, and why
 };
 
-/// Opens the same scene in another precision.
-using Open = std::function<std::unique_ptr<Session>()>;
+/// Opens the same scene in float.
+using OpenFloat = std::function<Trials&()>;
 
 /// Tries the scene on a few pixels, and chooses hierarchy, depth, shadow samples and precision:
-/// what the options leave open, and the scene requires. Without `open_float` the precision is the
-/// session's. A time is counted from `start`. Nothing if it was stopped.
-[[nodiscard]] std::optional<Choice> choose(std::unique_ptr<Session> session, const Open& open_float,
-                                           const Options& options, Clock::time_point start,
+/// what the aim leaves open, and the scene requires. The trials that were chosen have their
+/// hierarchies built. Without `open_float` the precision is as it is. A time is counted from
+/// `start`. Nothing if it was stopped.
+[[nodiscard]] std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float,
+                                           const Aim& aim, Clock::time_point start,
                                            const std::atomic<bool>& stop);
 
 }  // namespace rt

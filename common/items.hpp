@@ -1,6 +1,7 @@
 // The shapes of one kind in a scene.
 #pragma once
 
+#include "common/balls.hpp"
 #include "common/bounds.hpp"
 #include "common/hierarchy.hpp"
 #include "common/material.hpp"

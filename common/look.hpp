@@ -12,6 +12,8 @@ enum class Shading {
 /// Which of Phong's terms are shown.
 enum class Term { all, ambient, diffuse, specular };
 
+constexpr int most_shadow_samples = 1 << 20;
+
 struct Look {
     Shading shading = Shading::color;
     Term term = Term::all;

@@ -2,6 +2,7 @@
 #include "common/choice.hpp"
 #include "common/input_error.hpp"
 #include "common/options.hpp"
+#include "common/session.hpp"
 #include "common/terminal.hpp"
 
 #include <atomic>
@@ -36,18 +37,24 @@ constexpr auto open_float = rt::f32::open_session;
 /// With settings of its own choice, for a tolerance or a time.
 bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
                     std::unique_ptr<rt::Session> session) {
-    rt::Open other;
-    if (!options.given.precision && !exact) other = [&] { return open_float(program, options); };
+    std::unique_ptr<rt::Session> in_float;
+    rt::OpenFloat other;
+    if (!options.precision_given && !exact)
+        other = [&]() -> rt::Trials& { return *(in_float = open_float(program, options)); };
     const bool shown = !options.quiet && rt::errors_on_terminal();
     if (shown) std::cerr << "trying settings\r" << std::flush;
-    const auto choice = choose(std::move(session), other, options, start, stop);
+    const auto choice = choose(*session, other, options, start, stop);
     if (shown) std::cerr << "\033[K" << std::flush;
     if (!choice) return false;
     options.look = choice->expected.look;
-    options.precision = choice->precision;
+    if (choice->in_float) {
+        options.precision = rt::Precision::f32;
+        session = std::move(in_float);
+    }
+    in_float.reset();
     if (!options.quiet)
         for (const std::string& reason : choice->reasons) std::cout << reason << '\n';
-    return choice->session->run(options, choice->pace.get(), stop);
+    return session->run(options, choice->pace.get(), stop);
 }
 
 void explain_risks(const rt::Options& options) {

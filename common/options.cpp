@@ -224,8 +224,8 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     };
     if (is_given("--shadow-error") && !is_given("--shadow-samples"))
         options.look.shadow_samples = most_shadow_samples;
-    options.given = {.precision = is_given("--precision"),
-                     .shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
+    options.precision_given = is_given("--precision");
+    options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
                      .depth = is_given("--depth")};
     if (options.scene.empty()) options.scene = default_scene(program);
     if (options.output.empty()) options.output = default_output(program, options.scene);

@@ -64,7 +64,7 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
     packets_ = packed(mesh, hierarchy_.leaves(), scale_);
 }
 
-#ifndef RT_EXACT  // which asks in common/exact/packed_triangles.cpp
+#ifndef RT_EXACT  // which asks in steps/step13_meshes/exact/packed_mesh.cpp
 std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const TriangleTest test(seen);

@@ -20,7 +20,7 @@ struct Row {
 /// is worked out once, where all is compiled as one (steps/stage.cmake).
 [[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
                                 const RenderSettings& settings, int row, Image& image) {
-    Context context{.look = settings.pace == nullptr ? settings.look : settings.pace->next()};
+    Context context{.look = settings.next_look ? settings.next_look() : settings.look};
     Row result;
     for (int column = 0; column < image.resolution.width; ++column) {
         const Pixel pixel{.row = row, .column = column};
@@ -34,11 +34,11 @@ struct Row {
     return result;
 }
 
-/// Every row once. For a pace neighbours are far apart, so that any part of them takes its share of
-/// the time; else they follow each other, and find in the cache what the one before has asked for.
-std::vector<int> order_of(int rows, bool paced) {
+/// Every row once. For a time neighbours are far apart, so that any part of them takes its share of
+/// it; else they follow each other, and find in the cache what the one before has asked for.
+std::vector<int> order_of(int rows, bool for_a_time) {
     constexpr double golden_ratio = 0.6180339887498949;
-    int step = paced ? int(golden_ratio * rows) : 1;
+    int step = for_a_time ? int(golden_ratio * rows) : 1;
     while (std::gcd(step, rows) != 1) ++step;
     std::vector<int> order;
     for (int i = 0, row = 0; i < rows; ++i, row = (row + step) % rows) order.push_back(row);
@@ -64,7 +64,7 @@ std::optional<Rendering> render(const Scene& scene, const RenderSettings& settin
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const std::vector<int> order = order_of(scene.resolution.height, settings.pace != nullptr);
+    const std::vector<int> order = order_of(scene.resolution.height, settings.next_look != nullptr);
     in_parallel(settings.threads, order.size(), settings.stop, [&](std::size_t i) {
         const int row = order[i];
         rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);

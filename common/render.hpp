@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/image.hpp"
-#include "common/pace.hpp"
+#include "common/look.hpp"
 #include "common/stage.hpp"
 
 #include <algorithm>
@@ -17,7 +17,9 @@ namespace rt {
 struct RenderSettings {
     int threads = 1;
     Look look;
-    Pace* pace = nullptr;  ///< another look for each row, if the picture is to take a time
+    /// The look of each row in turn, if there is one: the picture is to take a time. Any thread
+    /// calls.
+    std::function<Look()> next_look = nullptr;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
     const std::atomic<bool>* stop = nullptr;   ///< set to give up
 };
@@ -45,7 +47,7 @@ struct Rendering {
 }
 
 /// The scene through its first camera: nothing if it was stopped. The same bits for any number of
-/// threads, because no pixel depends on another, unless there is a pace.
+/// threads, because no pixel depends on another, unless looks differ from row to row.
 [[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace rt

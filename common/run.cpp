@@ -3,12 +3,16 @@
 #include "common/demands.hpp"
 #include "common/input_rounding.hpp"
 #include "common/mesh_loading.hpp"
+#include "common/pace.hpp"
 #include "common/png.hpp"
+#include "common/preview.hpp"
 #include "common/render.hpp"
 #include "common/requirements.hpp"
 #include "common/stages.hpp"
 #include "common/story.hpp"
 #include "common/terminal.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -46,7 +50,7 @@ Scene load(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
         reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
-    Scene scene = load_scene(options.scene, reading);
+    Scene scene = load_scene(options.scene, basis_around, reading);
     if (options.size) scene.resolution = *options.size;
     if (options.explain) return scene;
     refuse_later_stages(scene, program, options);
@@ -116,11 +120,12 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     std::optional<Rendering> rendering;
     {
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
-        rendering = render(scene, {.threads = options.threads,
-                                   .look = options.look,
-                                   .pace = pace,
-                                   .row_done = [&progress] { progress.advance(); },
-                                   .stop = &stop});
+        RenderSettings settings{.threads = options.threads,
+                                .look = options.look,
+                                .row_done = [&progress] { progress.advance(); },
+                                .stop = &stop};
+        if (pace != nullptr) settings.next_look = [pace] { return pace->next(); };
+        rendering = render(scene, settings);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
@@ -209,7 +214,7 @@ std::vector<std::string> f64::risks_in_float(const Options& options) {
     if (!std::filesystem::is_regular_file(options.scene, unreadable)) return {};
     SceneReading reading = options.reading;
     reading.warn = nullptr;
-    return risks_in_float(input_rounding(load_scene(options.scene, reading)));
+    return risks_in_float(input_rounding(load_scene(options.scene, basis_around, reading)));
 }
 #endif
 

@@ -1,7 +1,5 @@
 #include "common/sampling_looks.hpp"
 
-#include "common/options.hpp"
-
 #include <cmath>
 
 namespace rt {

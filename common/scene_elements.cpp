@@ -1,7 +1,5 @@
 #include "common/scene_elements.hpp"
 
-#include "steps/step02_camera_basis/camera_basis.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,17 +8,17 @@ namespace rt::inline RT_PRECISION {
 
 namespace {
 
-void read_resolution(Fields& fields, const SceneReading&, Scene& scene) {
+void read_resolution(Fields& fields, const ElementReading&, Scene& scene) {
     const int width = fields.pixels("width");
     scene.resolution = {.width = width, .height = fields.pixels("height")};
 }
 
-void read_ambient(Fields& fields, const SceneReading&, Scene& scene) {
+void read_ambient(Fields& fields, const ElementReading&, Scene& scene) {
     const Real ratio = fields.ratio("ratio");
     scene.ambient = Ambient{.ratio = ratio, .color = fields.color_or_white()};
 }
 
-void read_camera(Fields& fields, const SceneReading& reading, Scene& scene) {
+void read_camera(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 position = fields.point("position");
     const Vec3 direction = fields.camera_direction("direction");
     scene.cameras.push_back({.position = position,
@@ -29,7 +27,7 @@ void read_camera(Fields& fields, const SceneReading& reading, Scene& scene) {
                              .fov_axis = reading.fov_axis});
 }
 
-void read_light(Fields& fields, const SceneReading&, Scene& scene) {
+void read_light(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 position = fields.point("position");
     const Real brightness = fields.ratio("brightness");
     const Color color = fields.color_or_white();
@@ -53,21 +51,21 @@ Material read_material(Fields& fields) {
             .mirror = fields.ratio_option("mirror", plain.mirror)};
 }
 
-void read_sphere(Fields& fields, const SceneReading&, Scene& scene) {
+void read_sphere(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 center = fields.point("position");
     const Real radius = fields.length("diameter") / 2;
     scene.spheres.push_back(
         {.shape = {.center = center, .radius = radius}, .material = read_material(fields)});
 }
 
-void read_plane(Fields& fields, const SceneReading&, Scene& scene) {
+void read_plane(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 point = fields.point("position");
     const Vec3 normal = fields.direction("normal");
     scene.planes.push_back(
         {.shape = {.point = point, .normal = normal}, .material = read_material(fields)});
 }
 
-void read_triangle(Fields& fields, const SceneReading&, Scene& scene) {
+void read_triangle(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 a = fields.point("first corner");
     const Vec3 b = fields.point("second corner");
     const Vec3 c = fields.point("third corner");
@@ -75,9 +73,9 @@ void read_triangle(Fields& fields, const SceneReading&, Scene& scene) {
         {.shape = {.a = a, .b = b, .c = c}, .material = read_material(fields)});
 }
 
-void read_square(Fields& fields, const SceneReading&, Scene& scene) {
+void read_square(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 center = fields.point("position");
-    const Basis basis = basis_around(fields.direction("normal"));
+    const Basis basis = reading.basis_around(fields.direction("normal"));
     const Real side = fields.length("side");
     const Material material = read_material(fields);
     const bool one_sided = fields.choice("sides", {"2", "1"}) == 1;
@@ -86,7 +84,7 @@ void read_square(Fields& fields, const SceneReading&, Scene& scene) {
          .material = material});
 }
 
-void read_cylinder(Fields& fields, const SceneReading& reading, Scene& scene) {
+void read_cylinder(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 position = fields.point("position");
     const Vec3 axis = fields.direction("direction");
     // An early revision of the format has the colour here.
@@ -102,7 +100,7 @@ void read_cylinder(Fields& fields, const SceneReading& reading, Scene& scene) {
          .material = material});
 }
 
-void read_cone(Fields& fields, const SceneReading&, Scene& scene) {
+void read_cone(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 apex = fields.point("apex");
     const Vec3 axis = fields.direction("direction");
     const Real radius = fields.length("diameter") / 2;
@@ -112,20 +110,20 @@ void read_cone(Fields& fields, const SceneReading&, Scene& scene) {
          .material = read_material(fields)});
 }
 
-void read_box(Fields& fields, const SceneReading&, Scene& scene) {
+void read_box(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 center = fields.point("position");
-    const Basis basis = basis_around(fields.direction("direction"));
+    const Basis basis = reading.basis_around(fields.direction("direction"));
     const Vec3 size = fields.lengths("size");
     scene.boxes.push_back({.shape = {.center = center, .basis = basis, .half_size = size / Real(2)},
                            .material = read_material(fields)});
 }
 
-void read_mesh(Fields& fields, const SceneReading&, Scene& scene) {
+void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
     NamedMesh mesh{.place = fields.place(), .file = fields.word("file")};
     mesh.placement.translation = fields.point("position");
     mesh.placement.scale = fields.length("scale");
     mesh.material = read_material(fields);
-    mesh.placement.rotation = basis_around(fields.direction_option("dir", {0, 0, 1}));
+    mesh.placement.rotation = reading.basis_around(fields.direction_option("dir", {0, 0, 1}));
     mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
     scene.named_meshes.push_back(mesh);
 }

@@ -73,7 +73,7 @@ SceneReading with_directives(std::string_view text, SceneReading reading, SceneR
 /// Reads one file's elements, remembering where each keyword stood first.
 class ElementReader {
 public:
-    ElementReader(SceneReading reading, SceneReport& report)
+    ElementReader(ElementReading reading, SceneReport& report)
         : reading_(std::move(reading)), report_(report) {}
 
     void read(Line line) {
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    SceneReading reading_;
+    ElementReading reading_;
     SceneReport& report_;
     std::map<std::string_view, Place> first_;
     Scene scene_;
@@ -119,10 +119,11 @@ private:
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& file, const SceneReading& reading) {
+Scene parse_scene(std::string_view text, const std::string& file, BasisAround* basis,
+                  const SceneReading& reading) {
     SceneReport report(file, reading);
     check_is_text(text, report);
-    ElementReader reader(with_directives(text, reading, report), report);
+    ElementReader reader({with_directives(text, reading, report), basis}, report);
     Lines lines(text);
     while (auto line = lines.next()) {
         if (!line->tokens.empty()) reader.read(std::move(*line));
@@ -130,8 +131,8 @@ Scene parse_scene(std::string_view text, const std::string& file, const SceneRea
     return reader.take();
 }
 
-Scene load_scene(const std::string& file, const SceneReading& reading) {
-    return parse_scene(read_input_file(file, largest_file), file, reading);
+Scene load_scene(const std::string& file, BasisAround* basis, const SceneReading& reading) {
+    return parse_scene(read_input_file(file, largest_file), file, basis, reading);
 }
 
 }  // namespace rt::inline RT_PRECISION

@@ -1,8 +1,9 @@
 // What a reader of scenes says: warnings once a kind, errors at once.
 #pragma once
 
+#include "common/input_error.hpp"
 #include "common/scene_lexer.hpp"
-#include "common/scene_reader.hpp"
+#include "common/scene_reading.hpp"
 
 #include <set>
 #include <string>

@@ -1,7 +1,7 @@
 // How far off a look is, told from a few pixels.
 #pragma once
 
-#include "common/session.hpp"
+#include "common/trials.hpp"
 
 namespace rt {
 

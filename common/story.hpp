@@ -3,7 +3,6 @@
 
 #include "common/ray.hpp"
 #include "common/scene.hpp"
-#include "common/surface.hpp"
 #include "common/text.hpp"
 
 #include <optional>
@@ -47,9 +46,6 @@ std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed);
 
 /// "a mesh of 12 triangles, …": no C++ that makes it again.
 std::string code(const PlacedMesh& placed);
-
-/// The vectors and cosines by which Phong's model shades the surface (CR §3.1).
-void tell(Story& story, const Surface& surface, const Light& light);
 
 /// The solutions of A t² + B t + C = 0 (PHY), as numbers of the story; none if they are not real.
 std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c);

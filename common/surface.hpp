@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/context.hpp"
-#include "common/material.hpp"
+#include "common/scene.hpp"
 
 namespace rt::inline RT_PRECISION {
 
@@ -25,6 +25,9 @@ struct Terms {
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
+
+/// The vectors and cosines by which Phong's model shades the surface (CR §3.1), in the story.
+void tell(Story& story, const Surface& surface, const Light& light);
 
 /// Each term, in the story.
 void tell(Story& story, const Terms& terms);

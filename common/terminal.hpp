@@ -1,11 +1,8 @@
 // What is known of the terminal.
 #pragma once
 
-#include "common/image.hpp"
-
 #include <chrono>
 #include <mutex>
-#include <string>
 
 namespace rt {
 
@@ -14,9 +11,6 @@ namespace rt {
 
 /// How many characters wide the terminal is said to be.
 [[nodiscard]] int terminal_columns();
-
-/// The picture in 24-bit colour, two pixels a character, at most `columns` characters wide.
-[[nodiscard]] std::string preview(const Image& image, int columns);
 
 /// "  45 %, 3 s left" on the standard error stream, rewritten in place, gone at the end. Any
 /// thread may report.

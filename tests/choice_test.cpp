@@ -47,7 +47,7 @@ double cost_of(const MadeUp& model, const Look& look) {
     return cost;
 }
 
-class Known : public Session {
+class Known : public Trials {
 public:
     explicit Known(MadeUp& model) : model_(model) {
         model_.pays_from = model.demands.hierarchy_from;
@@ -75,20 +75,15 @@ public:
         return shot;
     }
 
-    [[nodiscard]] bool run(const Options& /*options*/, Pace* /*pace*/,
-                           const std::atomic<bool>& /*stop*/) const override {
-        return true;
-    }
-
 private:
     MadeUp& model_;
 };
 
 constexpr std::atomic<bool> going_on = false;
 
-Choice chosen(MadeUp& model, const Options& options, const Open& open_float = {}) {
-    auto choice =
-        choose(std::make_unique<Known>(model), open_float, options, Clock::now(), going_on);
+Choice chosen(MadeUp& model, const Aim& aim, const OpenFloat& open_float = {}) {
+    Known known(model);
+    auto choice = choose(known, open_float, aim, Clock::now(), going_on);
     REQUIRE(choice);
     for (const std::string& reason : choice->reasons) UNSCOPED_INFO(reason);
     return std::move(*choice);
@@ -195,19 +190,19 @@ TEST_CASE("float is taken where it does as well, and is faster") {
             MadeUp in_float = model;
             in_float.ray_cost *= cost;
             bool opened = false;
-            const Open open_float = [&] {
+            Known known(in_float);
+            const OpenFloat open_float = [&]() -> Trials& {
                 opened = true;
-                return std::make_unique<Known>(in_float);
+                return known;
             };
             const Choice choice = chosen(model, {.tolerance = 1}, open_float);
             INFO("sizes from " << feature << ", float costs " << cost);
             // 255 · 8 u · 10 / feature: 1e-3 of a step, or 1.2.
-            CHECK((choice.precision == Precision::f32) == (feature == 1 && cost == 0.5));
+            CHECK(choice.in_float == (feature == 1 && cost == 0.5));
             CHECK(opened == (feature == 1));
         }
     MadeUp model = plain();
-    CHECK(chosen(model, {.precision = Precision::exact, .tolerance = 1}).precision ==
-          Precision::exact);
+    CHECK_FALSE(chosen(model, {.tolerance = 1}).in_float);  // a program that cannot open it
 }
 
 TEST_CASE("a time is filled by shadow samples, and depth makes room for it") {
@@ -238,8 +233,8 @@ TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance")
 TEST_CASE("trials can be stopped") {
     MadeUp model = soft(0.5);
     const std::atomic<bool> stopped = true;
-    CHECK_FALSE(
-        choose(std::make_unique<Known>(model), {}, {.tolerance = 1}, Clock::now(), stopped));
+    Known known(model);
+    CHECK_FALSE(choose(known, {}, {.tolerance = 1}, Clock::now(), stopped));
 }
 
 TEST_CASE("a pace takes its time on a machine that is slower or faster than expected") {

@@ -2,6 +2,8 @@
 #include "common/input_rounding.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/picture.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +38,8 @@ TEST_CASE("no scene of scenes/ is at risk in float") {
     for (const auto& entry : std::filesystem::directory_iterator(project_file("scenes"))) {
         if (entry.path().extension() != ".rt") continue;
         INFO(entry.path());
-        CHECK(risks_in_float(input_rounding(load_scene(entry.path().string()))).empty());
+        CHECK(risks_in_float(input_rounding(load_scene(entry.path().string(), basis_around)))
+                  .empty());
     }
 }
 

@@ -4,6 +4,8 @@
 #include "common/scene_reader.hpp"
 #include "common/stages.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/picture.hpp"
 #include "tests/page.hpp"
 
@@ -117,6 +119,7 @@ TEST_CASE("every line of a scene in the stages' pages is read, to the letter") {
     for (const auto& [place, line] : all) {
         if (place.rfind("step", 0) != 0) continue;
         INFO(place << ": " << line);
-        CHECK_NOTHROW(parse_scene("C 0,0,0 0,0,-1 60\n" + line + "\n", place, {.strict = true}));
+        CHECK_NOTHROW(parse_scene("C 0,0,0 0,0,-1 60\n" + line + "\n", place, basis_around,
+                                  {.strict = true}));
     }
 }

@@ -308,7 +308,7 @@ struct Drawn {
 };
 
 Drawn drawn_lamp(const Look& look) {
-    Scene scene = load_scene(project_file("scenes/step11_soft_shadows.rt"));
+    Scene scene = load_scene(project_file("scenes/step11_soft_shadows.rt"), basis_around);
     arrange(scene);
     scene.resolution = {80, 60};
     const auto pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
@@ -458,7 +458,7 @@ double triangles(const Scene& scene, const std::string& file) {
 }
 
 Knowledge stage13() {
-    Scene scene = load_scene(project_file("scenes/step13_meshes.rt"));
+    Scene scene = load_scene(project_file("scenes/step13_meshes.rt"), basis_around);
     load_meshes(scene);
     arrange(scene);
     // Every fourth pixel is enough for two digits.
@@ -492,7 +492,7 @@ Knowledge debugging() {
     all.push_back({"t", t});
     all.push_back({"t, too long", t * too_long});
 
-    const Scene scene = load_scene(project_file("scenes/step05_triangle.rt"));
+    const Scene scene = load_scene(project_file("scenes/step05_triangle.rt"), basis_around);
     const Ray ray = pixel_rays(scene.cameras.front(), scene.resolution)({231, 398});
     const Triangle& seen = (scene.triangles.begin() + 4)->shape;
     CHECK(content("docs/debugging.md").find(code(seen)) != std::string::npos);

@@ -1,8 +1,10 @@
 // From a scene to a picture: colours, the render loop, the picture in a terminal.
 
+#include "common/preview.hpp"
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
-#include "common/terminal.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "tests/kit/for_all.hpp"
 #include "tests/kit/picture.hpp"
@@ -26,7 +28,7 @@ Image noise(Resolution size) {
 }
 
 Scene cornell_box(Resolution size) {
-    Scene scene = load_scene(project_file("scenes/cornell_box.rt"));
+    Scene scene = load_scene(project_file("scenes/cornell_box.rt"), basis_around);
     scene.resolution = size;
     return scene;
 }

@@ -2,6 +2,8 @@
 
 #include "tests/scene_reading.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/catch.hpp"
 
 #include <filesystem>
@@ -39,7 +41,7 @@ struct Folder {
 
 std::string load_refusal(const std::string& file) {
     try {
-        static_cast<void>(load_scene(file));
+        static_cast<void>(load_scene(file, basis_around));
         return "accepted";
     } catch (const InputError& error) {
         return error.what();
@@ -252,7 +254,7 @@ TEST_CASE("a line that is too long to be an element") {
 TEST_CASE("load_scene reads a file") {
     const Folder folder;
     const std::string file = folder.write("good.rt", "C 1,2,3 0,0,-1 60");
-    CHECK(load_scene(file).cameras.at(0).position == Vec3(1, 2, 3));
+    CHECK(load_scene(file, basis_around).cameras.at(0).position == Vec3(1, 2, 3));
     CHECK(load_refusal(folder.write("bad.rt", "C 1,2,3")) ==
           (folder.path / "bad.rt").string() +
               ":1:8: error: a camera's direction is missing: "

@@ -2,6 +2,8 @@
 
 #include "tests/scene_reading.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/verdict.hpp"
 
 #include <cmath>
@@ -207,8 +209,8 @@ TEST_CASE("a cylinder's position is its centre, or with cyl=base the middle of i
     const SceneReading from_base{.strict = true, .cylinder_from_base = true};
     CHECK(center(strict(camera + line)) == Vec3(1, 2, 3));
     CHECK(center(strict(camera + "# rt: cyl=base\n" + line)) == Vec3(1, 7, 3));
-    CHECK(center(parse_scene(camera + line, "", from_base)) == Vec3(1, 7, 3));
-    CHECK(center(parse_scene(camera + line + "# rt: cyl=center\n", "", from_base)) ==
+    CHECK(center(parse_scene(camera + line, "", basis_around, from_base)) == Vec3(1, 7, 3));
+    CHECK(center(parse_scene(camera + line + "# rt: cyl=center\n", "", basis_around, from_base)) ==
           Vec3(1, 2, 3));
 }
 
@@ -225,9 +227,11 @@ TEST_CASE("# rt: on any line says how the whole file is meant") {
     CHECK(scene.cameras[0].fov_axis == FovAxis::horizontal);
     CHECK(scene.cameras[1].fov_axis == FovAxis::horizontal);
     const SceneReading horizontal{.fov_axis = FovAxis::horizontal};
-    CHECK(parse_scene(camera, "", horizontal).cameras[0].fov_axis == FovAxis::horizontal);
-    CHECK(parse_scene("# rt: fov=vertical\n" + camera, "", horizontal).cameras[0].fov_axis ==
-          FovAxis::vertical);
+    CHECK(parse_scene(camera, "", basis_around, horizontal).cameras[0].fov_axis ==
+          FovAxis::horizontal);
+    CHECK(parse_scene("# rt: fov=vertical\n" + camera, "", basis_around, horizontal)
+              .cameras[0]
+              .fov_axis == FovAxis::vertical);
 }
 
 TEST_CASE("comments: #, also behind a word, and // where a word begins") {

@@ -3,6 +3,8 @@
 
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,19 +20,19 @@ struct Lenient {
 inline Lenient lenient(std::string_view text, SceneReading reading = {}) {
     Lenient result;
     reading.warn = [&result](const std::string& warning) { result.warnings.push_back(warning); };
-    result.scene = parse_scene(text, "scene.rt", reading);
+    result.scene = parse_scene(text, "scene.rt", basis_around, reading);
     return result;
 }
 
 /// What strict reading makes of it.
 inline Scene strict(std::string_view text) {
-    return parse_scene(text, "scene.rt", {.strict = true});
+    return parse_scene(text, "scene.rt", basis_around, {.strict = true});
 }
 
 /// The message with which it is refused; "accepted" if it is not.
 inline std::string refusal(std::string_view text, bool strict) {
     try {
-        static_cast<void>(parse_scene(text, "scene.rt", {.strict = strict}));
+        static_cast<void>(parse_scene(text, "scene.rt", basis_around, {.strict = strict}));
         return "accepted";
     } catch (const InputError& error) {
         return error.what();

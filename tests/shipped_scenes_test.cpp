@@ -2,6 +2,8 @@
 #include "common/scene_elements.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/picture.hpp"
 
 #include <algorithm>
@@ -43,7 +45,7 @@ template <class Predicate>
 bool any_scene(Predicate predicate) {
     const std::vector<std::filesystem::path> files = shipped_files();
     return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
-        return predicate(load_scene(file.string(), {.strict = true}));
+        return predicate(load_scene(file.string(), basis_around, {.strict = true}));
     });
 }
 
@@ -63,7 +65,7 @@ bool any_material(Predicate predicate) {
 TEST_CASE("every shipped scene is read by the letter") {
     CHECK(shipped_files().size() >= 16);
     for (const std::filesystem::path& file : shipped_files())
-        CHECK_NOTHROW(load_scene(file.string(), {.strict = true}));
+        CHECK_NOTHROW(load_scene(file.string(), basis_around, {.strict = true}));
 }
 
 TEST_CASE("a shipped scene uses every keyword, option and directive") {

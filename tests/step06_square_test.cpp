@@ -85,7 +85,8 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
 }
 
 TEST_CASE("one looks into the Cornell box through its front, and not out of it (HAI, CR §2.4)") {
-    const Scene scene = load_scene(project_file("scenes/cornell_box.rt"), {.strict = true});
+    const Scene scene =
+        load_scene(project_file("scenes/cornell_box.rt"), basis_around, {.strict = true});
     const auto nearest = [&scene](const Ray& ray) {
         std::optional<Real> t;
         for (const Item<Square>& item : scene.squares)

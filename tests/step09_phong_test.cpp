@@ -1,4 +1,5 @@
 // Stage 9 against CR §3.1 and M1's torch.
+#include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step09_phong/phong.hpp"
 
 #include "tests/kit/light.hpp"
@@ -402,7 +403,8 @@ TEST_CASE("a surface has two sides, and a light shows the one it is on (contract
 }
 
 TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
-    const Scene scene = load_scene(project_file("scenes/step09_phong.rt"), {.strict = true});
+    const Scene scene =
+        load_scene(project_file("scenes/step09_phong.rt"), basis_around, {.strict = true});
     const auto ray_through = pixel_rays(scene.cameras.front(), scene.resolution);
     for (Pixel pixel; pixel.row < scene.resolution.height; pixel.row += 24)
         for (pixel.column = 0; pixel.column < scene.resolution.width; pixel.column += 24) {

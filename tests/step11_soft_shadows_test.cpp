@@ -1,4 +1,5 @@
 // Stage 11 against CR §3.3 and erratum 16.
+#include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
 #include "tests/kit/drawn.hpp"
@@ -188,7 +189,7 @@ constexpr const char* strip =
     "tr -1,2,-900 1,2,-900 1,2,900 255,255,255\ntr -1,2,-900 1,2,900 -1,2,900 255,255,255\n";
 
 Scene scene_of(const std::string& lights) {
-    return parse_scene(strip + lights, "strip.rt", {.strict = true});
+    return parse_scene(strip + lights, "strip.rt", basis_around, {.strict = true});
 }
 
 /// White ground at y = 0, seen from above.
@@ -314,7 +315,8 @@ Exact mean_color(const Image& image, Pixel corner) {
 /// 255 (16 rays), a mean by an eighth of that, and two means differ by less than 6 of 255.
 Verdict picture_matches_on_average(const std::string& name) {
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
-    Scene scene = load_scene(project_file("scenes/" + name + ".rt"), {.strict = true});
+    Scene scene =
+        load_scene(project_file("scenes/" + name + ".rt"), basis_around, {.strict = true});
     arrange(scene);
     scene.resolution = reference.resolution;
     const Image image = drawn(scene);

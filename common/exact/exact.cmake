@@ -14,10 +14,10 @@ function(raysteps_exact name)
 endfunction()
 
 # raysteps_common_f64 with packed meshes of certified triangles.
+set(RAYSTEPS_EXACT_PACKED_MESH ${PROJECT_SOURCE_DIR}/steps/step13_meshes/exact/packed_mesh.cpp)
 if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # which has no kernels
     raysteps_exact(raysteps_exact_packed_mesh
-        ${PROJECT_SOURCE_DIR}/common/packed_mesh.cpp
-        ${PROJECT_SOURCE_DIR}/common/exact/packed_triangles.cpp)
+        ${PROJECT_SOURCE_DIR}/common/packed_mesh.cpp ${RAYSTEPS_EXACT_PACKED_MESH})
     add_library(raysteps_exact_common_f64 INTERFACE)
     target_sources(raysteps_exact_common_f64 INTERFACE
         $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/packed_mesh\\.cpp>

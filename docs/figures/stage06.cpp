@@ -155,7 +155,7 @@ void label_box(Svg& svg, Sketch& sketch, Vec3 eye) {
 
 std::string cornell_from_above() {
     Svg svg({640, 330}, "The Cornell box from above: the front wall is met from inside only");
-    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/cornell_box.rt");
+    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/cornell_box.rt", basis_around);
     const std::vector<Square> walls = upright_walls(scene);
     const Camera& camera = scene.cameras.front();
     const Basis basis = camera_basis(camera.direction);

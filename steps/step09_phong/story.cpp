@@ -1,5 +1,5 @@
 #include "common/story.hpp"
-
+#include "common/surface.hpp"
 #include "common/vector.hpp"
 
 namespace rt {

@@ -13,6 +13,8 @@
 #include "common/png.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <iostream>
 
 namespace {
@@ -41,7 +43,8 @@ Image asked_of(const std::string& program, const Scene& scene) {
 void ask(const std::string& program, const std::string& stage, const std::string& file) {
     const Image reference = read_png(project_file("docs/pictures/" + stage + ".png"));
     const Image spread = thinned(read_png(project_file("tests/pictures/" + stage + ".png")));
-    Scene scene = load_scene(project_file("scenes/" + stage + ".rt"), {.strict = true});
+    Scene scene =
+        load_scene(project_file("scenes/" + stage + ".rt"), basis_around, {.strict = true});
     load_meshes(scene);
     scene.resolution = reference.resolution;
     const Image mine = thinned(asked_of(program, scene));

@@ -4,6 +4,8 @@
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <ctime>
 #include <utility>
 
@@ -13,7 +15,7 @@ Drawing RT_PRECISION::draw(const std::string& file, Resolution size) {
     Drawing drawing;
     try {
         const std::clock_t start = std::clock();
-        Scene scene = load_scene(file);
+        Scene scene = load_scene(file, basis_around);
         load_meshes(scene);
         arrange(scene);
         scene.resolution = size;

@@ -1,5 +1,7 @@
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/fuzz/scene_invariants.hpp"
 
 #include <algorithm>
@@ -189,7 +191,8 @@ std::optional<Numbers> read(std::string_view text, bool strict) {
         require(++warnings <= 21, "the warnings end");
     };
     try {
-        return checked_numbers(parse_scene(text, "fuzz.rt", {.strict = strict, .warn = warn}));
+        return checked_numbers(
+            parse_scene(text, "fuzz.rt", basis_around, {.strict = strict, .warn = warn}));
     } catch (const InputError& error) {
         check_message(error.what(), "error: ");
         return std::nullopt;

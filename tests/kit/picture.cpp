@@ -6,6 +6,8 @@
 #include "common/png.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <cstdlib>
 
 namespace rt {
@@ -41,7 +43,8 @@ Verdict picture_matches(const std::string& name, const Drawing& drawing) {
     const std::string scene_name = drawing.scene.empty() ? name : drawing.scene;
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
     const Image spread = read_png(project_file("tests/pictures/" + scene_name + ".png"));
-    Scene scene = load_scene(project_file("scenes/" + scene_name + ".rt"), {.strict = true});
+    Scene scene =
+        load_scene(project_file("scenes/" + scene_name + ".rt"), basis_around, {.strict = true});
     load_meshes(scene);
     arrange(scene);
     scene.resolution = reference.resolution;

@@ -6,6 +6,8 @@
 #include "common/mesh_loading.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "scenes/meshes/surfaces.hpp"
 #include "scenes/meshes/write_mesh.hpp"
 #include "tests/measurements/peer_scenes.hpp"
@@ -35,7 +37,7 @@ void write_mesh(const path& file, int n) {
 
 /// The `.rt` file for the others, beside each other in the folder.
 void write_for_peers(const path& file, const path& folder, const Effort& effort) {
-    rt::Scene scene = rt::load_scene(file.string());
+    rt::Scene scene = rt::load_scene(file.string(), rt::basis_around);
     rt::load_meshes(scene);
     const path stem = folder / file.stem();
     write(path(stem) += ".pov", [&](std::ostream& out) { write_povray(out, scene, effort); });

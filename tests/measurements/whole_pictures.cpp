@@ -10,6 +10,8 @@
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/measurements/child_process.hpp"
 #include "tests/measurements/peer_scenes.hpp"
 
@@ -65,7 +67,7 @@ double tachyon(const Picture& picture, rt::Resolution size) {
 /// Two steps: reading and building, then tracing.
 std::vector<Usage> ours(const Picture& picture, int threads) {
     return run_apart([&](const auto& step_done) {
-        rt::Scene scene = rt::load_scene(picture.stem + ".rt");
+        rt::Scene scene = rt::load_scene(picture.stem + ".rt", rt::basis_around);
         rt::load_meshes(scene);
         rt::arrange(scene);
         step_done();

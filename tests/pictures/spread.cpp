@@ -4,6 +4,8 @@
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <random>
 
 namespace rt {
@@ -30,7 +32,8 @@ void take_in(Rgb came, Rgb reference, Rgb& spread) {
 }  // namespace
 
 void RT_PRECISION::widen(Image& spread, const Image& reference, const std::string& name) {
-    Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/" + name + ".rt", {.strict = true});
+    Scene scene =
+        load_scene(RAYSTEPS_ROOT "/scenes/" + name + ".rt", basis_around, {.strict = true});
     load_meshes(scene);
     arrange(scene);
     const auto pixel_ray = pixel_rays(scene.cameras.front(), reference.resolution);

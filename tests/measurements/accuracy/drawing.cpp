@@ -4,6 +4,8 @@
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include <algorithm>
 #include <ctime>
 #include <limits>
@@ -11,7 +13,7 @@
 namespace rt {
 
 Drawing RT_PRECISION::drawn(const std::string& file, Resolution size, const Look& look) {
-    Scene scene = load_scene(file);
+    Scene scene = load_scene(file, basis_around);
     load_meshes(scene);
     arrange(scene);
     scene.resolution = size;

@@ -6,6 +6,7 @@
 #include "common/scene_reader.hpp"
 #include "common/stage.hpp"
 
+#include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step11_soft_shadows/lighting.hpp"
 
@@ -141,7 +142,7 @@ void measure(const Scene& scene, const std::vector<Lit>& all, const Way& way, in
 }  // namespace
 
 int main() {
-    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/step11_soft_shadows.rt");
+    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/step11_soft_shadows.rt", basis_around);
     std::vector<Lit> all = all_lit(scene);
     for (Lit& lit : all) {
         // Another seed than those that are measured.

@@ -1,7 +1,7 @@
 // How `--precision exact` asks a packed mesh: stage 5's certified kernel, one triangle after the
 // other.
-#include "common/exact/leader.hpp"
 #include "common/packed_mesh.hpp"
+#include "common/exact/leader.hpp"
 #include "common/vector.hpp"
 
 #include "steps/step05_triangle/triangle.hpp"
