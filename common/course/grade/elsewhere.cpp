@@ -15,13 +15,29 @@ constexpr std::chrono::minutes time_limit{5};
 constexpr const char* setup = R"sh(#!/bin/sh
 # Gradescope runs this once, as root, when it makes the image of the autograder.
 set -eu
+export DEBIAN_FRONTEND=noninteractive
 root=${AUTOGRADER:-/autograder}
 packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev"
+    nlohmann-json3-dev libarchive-dev"
 dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
-    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $packages
+    apt-get install -y --no-install-recommends $packages
 }
+# Gradescope's standard image, Ubuntu 22.04, has CMake 3.22 and g++ 11: both are too old.
+is_new() {
+    version=$(cmake --version | sed -n '1s/.*version //p')
+    [ "$(printf '%s\n' 3.25 "$version" | sort -V | head -n 1)" = 3.25 ]
+}
+if ! is_new; then
+    apt-get install -y --no-install-recommends python3-pip
+    python3 -m pip install 'cmake>=3.25'
+    hash -r
+    is_new || { echo "CMake 3.25 or newer is needed, not $version" >&2; exit 1; }
+fi
+if [ "$(g++ -dumpversion | cut -d. -f1)" -lt 12 ]; then
+    apt-get install -y --no-install-recommends g++-12
+    export CXX=g++-12
+fi
 # Builds the grader, for every submission, on whichever processor that is graded.
 cmake -S "$root/source/raysteps" -B "$root/source/raysteps/build" -G Ninja \
     -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
@@ -30,12 +46,30 @@ sh "$root/source/raysteps/course" grade --help > /dev/null
 
 constexpr const char* run_autograder = R"sh(#!/bin/sh
 # Gradescope runs this for each submission: the files are in submission/, and what a student reads
-# comes from results/results.json. Each is asked by a seed of its own.
+# comes from results/results.json, which is written whatever happens. Each is asked by a seed of its
+# own.
 root=${AUTOGRADER:-/autograder}
+seconds=${RAYSTEPS_SECONDS:-540}  # less than Gradescope's time limit, after which nothing is kept
+answer=$root/results/results.json
 results=$(mktemp -d)
-trap 'rm -rf "$results"' EXIT
-"$root/source/raysteps/build/grade" "$root/submission" --out "$results" \
-    --gradescope "$root/results/results.json"
+why="The autograder itself failed. This says nothing of your work: please tell your instructor."
+
+finish() {
+    rm -rf "$results"
+    [ -s "$answer" ] || printf '{"score": 0, "output": "%s"}\n' "$why" > "$answer"
+}
+trap finish EXIT
+grader=
+trap '[ -z "$grader" ] || kill "$grader"; exit 143' HUP INT TERM
+mkdir -p "$root/results"
+rm -f "$answer"
+timeout -k 10 "$seconds" "$root/source/raysteps/build/grade" "$root/submission" --out "$results"@STAGES@ \
+    --gradescope "$answer" &
+grader=$!
+wait "$grader"
+status=$?
+[ $status = 0 ] || echo "grade ended with $status" >&2
+[ $status != 124 ] || why="Your submission was not graded within $seconds s: does a loop not end?"
 )sh";
 
 constexpr const char* workflow = R"sh(# Grades the class in submissions/, in eight parts at a time.
@@ -48,7 +82,7 @@ on:
 env:
   PACKAGES: >-
     cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev
+    nlohmann-json3-dev libarchive-dev
 jobs:
   grade:
     runs-on: ubuntu-24.04
@@ -155,10 +189,15 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 /// Writes files of one place.
 class Writer {
 public:
-    explicit Writer(const fs::path& project) : project_(quoted(project.string())) {}
+    Writer(const fs::path& project, const std::set<int>& stages)
+        : project_(quoted(project.string())) {
+        for (const int stage : stages)
+            stages_ += (stages_.empty() ? " --stages " : ",") + std::to_string(stage);
+    }
 
     void write(const fs::path& file, std::string text) const {
         replace(text, "@PROJECT@", project_);
+        replace(text, "@STAGES@", stages_);
         write_text(file, text);
         if (text.rfind("#!", 0) == 0)
             fs::permissions(file,
@@ -168,6 +207,7 @@ public:
 
 private:
     std::string project_;
+    std::string stages_;
 };
 
 void run(const Command& command) {
@@ -176,25 +216,26 @@ void run(const Command& command) {
 }
 
 void write_autograder(const fs::path& folder, const fs::path& project, const Writer& writer) {
-    const fs::path packed = folder / "autograder";
-    fs::remove_all(packed);
+    const TemporaryFolder scratch;
+    const fs::path& packed = scratch.path();
     fs::create_directories(packed / "raysteps");
     run({"sh", "-c", copy_project, "copy", project.string(), (packed / "raysteps").string()});
     writer.write(packed / "setup.sh", setup);
     writer.write(packed / "run_autograder", run_autograder);
-    const fs::path archive = fs::absolute(folder / "autograder.zip");
+    const fs::path archive = folder / "autograder.zip";
     run({"cmake", "-E", "chdir", packed.string(), "cmake", "-E", "tar", "cf", archive.string(),
          "--format=zip", "setup.sh", "run_autograder", "raysteps"});
-    fs::remove_all(packed);
 }
 
 }  // namespace
 
-void write_for(const std::string& place, const fs::path& folder, const fs::path& project) {
+void write_for(const std::string& place, const fs::path& place_of_files, const fs::path& project,
+               const std::set<int>& stages) {
     if (place != "gradescope" && place != "github" && place != "slurm")
         throw InputError({}, "--for gradescope, github or slurm, not \"" + place + "\"");
-    fs::create_directories(folder);
-    const Writer writer(project);
+    fs::create_directories(place_of_files);
+    const fs::path folder = fs::absolute(place_of_files);  // for tools that start elsewhere
+    const Writer writer(project, stages);
     if (place == "gradescope") write_autograder(folder, project, writer);
     if (place == "github") writer.write(folder / "grade.yml", workflow);
     if (place == "slurm") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace rt::grade {
@@ -13,9 +14,9 @@ namespace rt::grade {
 /// slurm        submit.sh CLASS OUT, an array of jobs and the reports after it; and the same
 ///              for GNU parallel, in_parallel.sh
 ///
-/// Throws InputError if the place is none of these, or a file cannot be written; ProgramError if
-/// the project is not packed.
+/// On Gradescope these stages are graded; all, if there are none. Throws InputError if the place is
+/// none of these, or a file cannot be written; ProgramError if the project is not packed.
 void write_for(const std::string& place, const std::filesystem::path& folder,
-               const std::filesystem::path& project);
+               const std::filesystem::path& project, const std::set<int>& stages);
 
 }  // namespace rt::grade

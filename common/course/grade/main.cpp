@@ -86,7 +86,7 @@ int run(int count, char** words) {
     if (attack) return self_test(order.build);
     if (!elsewhere.empty()) {
         if (order.places.size() != 1) throw rt::InputError({}, "grade: --for wants one folder");
-        rt::grade::write_for(elsewhere, order.places[0], order.project);
+        rt::grade::write_for(elsewhere, order.places[0], order.project, parse_stages(stages));
         return 0;
     }
     if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR says where to");
