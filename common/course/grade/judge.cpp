@@ -2,6 +2,7 @@
 
 #include "common/course/files.hpp"
 #include "common/course/grade/seed.hpp"
+#include "common/course/grade/sha256.hpp"
 #include "common/course/report.hpp"
 
 #include "common/stages.hpp"
@@ -25,24 +26,6 @@ constexpr std::chrono::minutes longest_asking{15};
 std::string name_of(int stage) {
     return std::string(stage_name(stage));
 }
-
-/// A number made of texts (FNV-1a): other texts make another, but for one in 2⁶⁴.
-class Fingerprint {
-public:
-    Fingerprint& add(const std::string& text) {
-        for (const char c : std::to_string(text.size()) + ":" + text)
-            hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
-        return *this;
-    }
-    [[nodiscard]] std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
-        return digits;
-    }
-
-private:
-    std::uint64_t hash_ = 14695981039346656037u;
-};
 
 /// One of our programs that asks a stranger's worker, which the launcher seals.
 Ending run_asking(const Grading& grading, int stage, const Command& program,
@@ -135,11 +118,9 @@ Yardstick judge_reference(const Grading& grading, int stage, const fs::path& fol
         if (!each.passed)
             throw ProgramError("error: the reference of " + name_of(stage) +
                                " itself fails: " + each.name + "\n" + each.words);
-    yardstick.key = Fingerprint()
-                        .add(grading.seed)
-                        .add(read_text(grading.build / (name_of(stage) + "_asked_test_double")))
-                        .add(read_text(yardstick.worker))
-                        .text();
+    yardstick.key = sha256_of_all(
+        grading.seed, read_text(grading.build / (name_of(stage) + "_asked_test_double")),
+        read_text(yardstick.worker));
     return yardstick;
 }
 
@@ -171,15 +152,14 @@ public:
 
     /// Of his files up to a stage.
     [[nodiscard]] std::string chain(int stage) const {
-        Fingerprint fingerprint;
-        for (int each = 1; each <= stage; ++each)
-            fingerprint.add(has(each) ? text(each) : "").add(std::to_string(each));
-        return fingerprint.text();
+        std::string all;
+        for (int each = 1; each <= stage; ++each) all += has(each) ? sha256(text(each)) : "-";
+        return sha256(all);
     }
 
     /// Of all that decides the mark of a stage.
     [[nodiscard]] std::string key(int stage, const Yardstick& yardstick) const {
-        return Fingerprint().add(yardstick.key).add(words(stage)).add(chain(stage)).text();
+        return sha256_of_all(yardstick.key, words(stage), chain(stage));
     }
 
     /// Compiled once.
@@ -248,7 +228,7 @@ Mark Judge::mark(Desk& desk, int stage) {
     Mark mark{.student = desk.student(), .stage = stage, .words = desk.words(stage)};
     for (const CaseMark& each : yardstick.cases) mark.most += each.points;
     if (!desk.has(stage)) return mark;
-    mark.source = Fingerprint().add(desk.text(stage)).text();
+    mark.source = sha256(desk.text(stage));
     const std::string known = name_of(stage) + mark.source + mark.words;
     {
         const std::lock_guard lock(mutex_);

@@ -40,7 +40,7 @@ struct Mark {
     std::string key;  ///< of all that decides what follows: the file, the suite, the seed
     Verdict verdict = Verdict::missing;
     std::string words;            ///< the compiler's, or ours
-    std::string source;           ///< a number made of the file, alike for files that are alike
+    std::string source;           ///< the file's SHA-256
     std::string mistake;          ///< the sentence of the known mistake that it is, if it is one
     std::string smallest;         ///< the smallest failing question, several lines, if one is known
     std::string slice;            ///< its drawing, in the same folder: an SVG
