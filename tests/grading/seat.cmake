@@ -4,6 +4,9 @@
 #
 # seats/<stage>.o             all of it but the thirteen stages' own files, as one object
 # seats/references/<stage>.o  the stage's reference, for who is graded on another
+# seats/graded/<stage>.o      both of these for the file that is graded, of all other stages, with
+#                             nothing to be called but what steps/may_include.txt lists
+# seats/graded/<stage>.txt    the functions of all contracts, and what they are to that file
 # seats/<stage>.txt           how a file of the stage is compiled, and all of it linked: an option a
 #                             line
 #
@@ -24,7 +27,10 @@ function(raysteps_seat stage)
     endforeach()
     raysteps_one_object(${folder}/${stage}.o "${objects}")
     raysteps_one_object(${folder}/references/${stage}.o $<TARGET_OBJECTS:${stage}_reference_f64>)
-    add_custom_target(${stage}_seat DEPENDS ${folder}/${stage}.o ${folder}/references/${stage}.o)
+    raysteps_may_include(${stage})
+    raysteps_graded_seat(${stage} "${objects}" "${may_include}")
+    add_custom_target(${stage}_seat DEPENDS
+        ${folder}/${stage}.o ${folder}/references/${stage}.o ${folder}/graded/${stage}.o)
 
     set(few_errors -fmax-errors=20)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
@@ -35,6 +41,7 @@ function(raysteps_seat stage)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
+    list(TRANSFORM may_include PREPEND "include ")
     set(lines
         "compiler ${CMAKE_CXX_COMPILER}"
         "compile -std=c++20" "compile -O2"
@@ -43,12 +50,62 @@ function(raysteps_seat stage)
         "compile -w"  # they are told to who writes the file, not to who grades it
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
+        ${may_include}
         "link ${libraries}"
         "link ${fast_linker}"
         "library ${own_libraries}"
         "library -lpng" "library -lz")
     list(JOIN lines "\n" text)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
+endfunction()
+
+# raysteps_may_include(<stage>)
+#
+# Sets may_include to what a graded file of the stage may include beside its own header.
+function(raysteps_may_include stage)
+    set(list ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+    file(STRINGS ${list} lines REGEX "^(all|${stage}) ")
+    list(TRANSFORM lines REPLACE "^[^ ]+ +" "")
+    set(may_include "${lines}" PARENT_SCOPE)
+endfunction()
+
+# raysteps_graded_seat(<stage> <objects> <headers>)
+#
+# seats/graded/<stage>.o and .txt, of the seat's objects and all other stages' references. The object
+# of a header's functions, if there is one, has its name: that of common/todo.hpp is a todo.cpp.o.
+function(raysteps_graded_seat stage objects headers)
+    set(callable)
+    foreach(header IN LISTS headers)
+        get_filename_component(name ${header} NAME_WE)
+        list(APPEND callable ${name}.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+    endforeach()
+    set(parts "${objects}")
+    set(absent)
+    set(others)
+    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
+    foreach(other IN LISTS stages)
+        set(reference $<TARGET_OBJECTS:${other}_reference_f64>)
+        if(other STREQUAL stage)
+            continue()
+        endif()
+        list(APPEND others ${reference})
+        # Stage 2's function makes the rays of every picture.
+        if(other STRGREATER stage AND NOT other STREQUAL "step02_camera_basis")
+            list(APPEND absent ${reference})
+        else()
+            list(APPEND parts ${reference})
+        endif()
+    endforeach()
+    set(out ${PROJECT_BINARY_DIR}/seats/graded/${stage})
+    set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)
+    set(own $<TARGET_OBJECTS:${stage}_reference_f64>)
+    add_custom_command(OUTPUT ${out}.o BYPRODUCTS ${out}.txt
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/seats/graded
+        COMMAND sh ${script} ${out}.o ${out}.txt ${CMAKE_CXX_COMPILER} ${CMAKE_NM} ${CMAKE_OBJCOPY}
+            "$<FILTER:${parts},EXCLUDE,cmake_pch>" -- ${own} -- ${callable} -- ${absent} -- ${others}
+        DEPENDS ${script} "$<FILTER:${parts},EXCLUDE,cmake_pch>" ${own} ${absent}
+        COMMAND_EXPAND_LISTS VERBATIM)
 endfunction()
 
 # raysteps_one_object(<file> <objects>)

@@ -1,6 +1,7 @@
 #include "common/course/grade/compile.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/repeatable.hpp"
 #include "common/course/grade/seal.hpp"
 #include "common/course/grade/symbols.hpp"
 
@@ -49,9 +50,31 @@ void append(Command& command, const Options& options, const std::string& name) {
     for (auto each = first; each != last; ++each) command.push_back(each->second);
 }
 
-std::string header_of(const Workshop& workshop, int stage) {
+/// What a file of the stage may see of the project.
+fs::path headers_of(const Workshop& workshop, int stage) {
+    return workshop.folder / "headers" / name_of(stage);
+}
+
+/// "steps/step05_triangle/triangle.hpp"
+fs::path own_header(int stage) {
     const std::string name = name_of(stage);
-    return workshop.folder / "headers/steps" / name / (name.substr(7) + ".hpp");
+    return fs::path("steps") / name / (name.substr(7) + ".hpp");
+}
+
+fs::path header_of(const Workshop& workshop, int stage) {
+    return headers_of(workshop, stage) / own_header(stage);
+}
+
+StageFunctions functions_of(const Workshop& workshop, int stage) {
+    StageFunctions functions;
+    std::ifstream in(workshop.folder / "seats/graded" / (name_of(stage) + ".txt"));
+    for (std::string kind, symbol; in >> kind >> symbol;)
+        (kind == "own"        ? functions.own
+         : kind == "callable" ? functions.callable
+                              : functions.others)
+            .insert(symbol);
+    if (functions.own.empty()) throw ProgramError("seats/graded is not whole");
+    return functions;
 }
 
 Command compiler(const Workshop& workshop, int stage) {
@@ -59,7 +82,7 @@ Command compiler(const Workshop& workshop, int stage) {
     Command compile;
     append(compile, options, "compiler");
     append(compile, options, "compile");
-    compile.push_back("-I" + (workshop.folder / "headers").string());
+    compile.push_back("-I" + headers_of(workshop, stage).string());
     return compile;
 }
 
@@ -74,26 +97,62 @@ bool is_bomb(const Ending& ending) {
            says("cannot allocate memory");
 }
 
-/// What is told of a tool that failed: its own words, without our folders' names.
-std::string told(const Ending& ending, const Workshop& workshop, const TemporaryFolder& scratch,
-                 const std::string& otherwise) {
+/// What is told of a tool that failed: its own words, the same in every run.
+std::string told(const Ending& ending, const Workshop& workshop, int stage,
+                 const TemporaryFolder& scratch, const std::string& otherwise) {
     if (is_bomb(ending)) return otherwise + " took too much time or memory.";
-    std::string words = ending.output;
-    for (const fs::path& folder : {scratch.path(), workshop.folder / "headers", workshop.folder}) {
-        const std::string name = folder.string() + "/";
-        for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at))
-            words.erase(at, name.size());
-    }
+    std::string words =
+        repeatable(ending.output, {scratch.path(), headers_of(workshop, stage), workshop.folder});
     if (words.size() > longest_words) words.resize(longest_words);
     return words.empty() ? otherwise + " failed." : words;
 }
 
-void copy_headers(const fs::path& project, const fs::path& folder, const fs::path& headers) {
-    for (const auto& each : fs::directory_iterator(folder)) {
-        if (each.path().extension() != ".hpp") continue;
-        const fs::path copy = headers / each.path().lexically_relative(project);
+/// The header of the project that a compiler did not find, as the file includes it; or nothing.
+std::string refused_header(const std::string& words) {
+    for (const std::string& line : lines_of(words)) {
+        const std::size_t error = line.find("fatal error: ");
+        if (error == std::string::npos) continue;
+        std::string header = line.substr(error + 13);
+        header = header.substr(header.starts_with("'") ? 1 : 0);  // clang++'s
+        header = header.substr(0, header.find_first_of("':"));
+        for (const char* folder : {"common/", "steps/"})
+            if (header.find(folder) != std::string::npos) return header;
+    }
+    return "";
+}
+
+std::string told_of_compile(const Ending& ending, const Workshop& workshop, int stage,
+                            const TemporaryFolder& scratch) {
+    const std::string words = told(ending, workshop, stage, scratch, "The compile");
+    const std::string header = refused_header(words);
+    if (header.empty()) return words;
+    return "Your file includes " + header + ", which this stage may not: docs/" + name_of(stage) +
+           ".md says what it may.\n" + words;
+}
+
+/// What a header includes of the project.
+std::vector<fs::path> included(const fs::path& header) {
+    std::vector<fs::path> all;
+    for (const std::string& line : lines_of(read_text(header))) {
+        const std::size_t start = line.find('"');
+        if (line.starts_with("#include \""))
+            all.emplace_back(line.substr(start + 1, line.find('"', start + 1) - start - 1));
+    }
+    return all;
+}
+
+/// The headers that a file of the stage may include, and what these do.
+void copy_headers(const fs::path& project, const Workshop& workshop, int stage) {
+    std::vector<fs::path> wanted{own_header(stage)};
+    const Options options = read_options(workshop, stage);
+    const auto [first, last] = options.equal_range("include");
+    for (auto each = first; each != last; ++each) wanted.emplace_back(each->second);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const fs::path copy = headers_of(workshop, stage) / wanted[i];
+        if (fs::exists(copy)) continue;
         fs::create_directories(copy.parent_path());
-        fs::copy_file(each.path(), copy, fs::copy_options::overwrite_existing);
+        fs::copy_file(project / wanted[i], copy);
+        for (fs::path& each : included(copy)) wanted.push_back(std::move(each));
     }
 }
 
@@ -108,16 +167,17 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 }  // namespace
 
 Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
-    copy_headers(project, project / "common", folder / "headers");
-    for (const auto& stage : fs::directory_iterator(project / "steps"))
-        if (stage.is_directory()) copy_headers(project, stage, folder / "headers");
+    const Workshop workshop{.folder = folder, .sealed = build / "sealed"};
     fs::copy(build / "seats", folder / "seats",
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
-    return {.folder = folder, .sealed = build / "sealed"};
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
+            copy_headers(project, workshop, stage);
+    return workshop;
 }
 
 void precompile_header(const Workshop& workshop, int stage) {
-    const std::string header = header_of(workshop, stage);
+    const std::string header = header_of(workshop, stage).string();
     Command compile = compiler(workshop, stage);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", header + ".gch"});
     const Ending ending = listen_to(compile, std::chrono::seconds(4 * wall_seconds));
@@ -141,44 +201,65 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
 Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                         const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
-    // Named as the student knows it: the compiler's words say so.
-    const std::string source = scratch.path() / (name_of(stage).substr(7) + ".cpp");
-    const std::string made = scratch.path() / "submission.o";
-    std::ofstream(source) << text;
-    fs::permissions(source, fs::perms(0644));
+    // Named as the student knows it, and from where the compiler starts: its words say so, and so
+    // does
+    // __FILE__, the same in every run.
+    const std::string source = name_of(stage).substr(7) + ".cpp";
+    const fs::path made = scratch.path() / "submission.o";
+    std::ofstream(scratch.path() / source) << text;
+    fs::permissions(scratch.path() / source, fs::perms(0644));
 
     const auto compile = [&](const Command& options) {
         Command command = compiler(workshop, stage);
         command.insert(command.end(), options.begin(), options.end());
         command.insert(command.end(), {"-c", source, "-o", made});
-        return run_sealed(workshop, scratch.path(), {workshop.folder / "headers"}, command);
+        return run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)}, command);
     };
     // The stage's header is compiled ahead, which helps those only who include nothing before it:
     // so it goes first. Whoever minds is compiled as he is.
     Ending compiled = compile({"-include", header_of(workshop, stage)});
     if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
-    if (compiled.status != 0) return {.words = told(compiled, workshop, scratch, "The compile")};
+    if (compiled.status != 0) return {.words = told_of_compile(compiled, workshop, stage, scratch)};
 
-    const Ending symbols =
-        run_sealed(workshop, scratch.path(), {}, {"/usr/bin/nm", "-g", "-P", made});
-    if (symbols.status != 0) return {.words = "Your object cannot be read."};
-    if (std::string words = foreign_symbol(symbols.output); !words.empty()) return {.words = words};
     take(made, object, fs::perms(0644));
+    const std::optional<ObjectFile> parsed = parse_object(read_text(object));
+    std::string words = parsed ? foreign_symbol(*parsed, functions_of(workshop, stage))
+                               : "Your object cannot be read.";
+    if (!words.empty()) {
+        fs::remove(object);
+        return {.words = std::move(words)};
+    }
     return {.succeeded = true};
 }
+
+namespace {
+
+/// One file alone is linked to what it may call. Of several, each was linked so before: they are
+/// linked to the references of all others, of which not even the linker sees the students' stages'.
+std::vector<fs::path> parts_of(const Workshop& workshop, int stage,
+                               const std::map<int, fs::path>& objects) {
+    const fs::path seats = workshop.folder / "seats";
+    const fs::path seat = name_of(stage) + ".o";
+    if (objects.empty()) return {seats / "graded" / seat, reference_of(workshop, stage)};
+    if (objects.size() == 1 && objects.begin()->first == stage)
+        return {seats / "graded" / seat, objects.begin()->second};
+    std::vector<fs::path> parts{seats / seat};
+    for (int each = 1; each <= int(stage_names.size()); ++each) {
+        const auto own = objects.find(each);
+        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
+        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
+    }
+    return parts;
+}
+
+}  // namespace
 
 Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::path>& objects,
                  const fs::path& worker) {
     const Options options = read_options(workshop, stage);
     const TemporaryFolder scratch(workshop.folder);
     const std::string made = scratch.path() / "worker";
-    // Of the references those that are needed: not even the linker sees the graded stage's.
-    std::vector<fs::path> parts{workshop.folder / "seats" / (name_of(stage) + ".o")};
-    for (int each = 1; each <= int(stage_names.size()); ++each) {
-        const auto own = objects.find(each);
-        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
-        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
-    }
+    const std::vector<fs::path> parts = parts_of(workshop, stage, objects);
     Command link;
     append(link, options, "compiler");
     append(link, options, "link");
@@ -186,7 +267,7 @@ Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::pa
     link.insert(link.end(), {"-o", made});
     append(link, options, "library");
     const Ending linked = run_sealed(workshop, scratch.path(), parts, link);
-    if (linked.status != 0) return {.words = told(linked, workshop, scratch, "The link")};
+    if (linked.status != 0) return {.words = told(linked, workshop, stage, scratch, "The link")};
     take(made, worker, fs::perms(0755));
     return {.succeeded = true};
 }

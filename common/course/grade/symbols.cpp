@@ -2,10 +2,9 @@
 
 #include <cxxabi.h>
 
-#include <array>
+#include <cctype>
 #include <cstdlib>
 #include <memory>
-#include <sstream>
 
 namespace rt::grade {
 
@@ -24,47 +23,70 @@ bool starts_with_one_of(std::string_view symbol, std::initializer_list<std::stri
     return false;
 }
 
-/// nm's letters of what the compiler makes of headers, in any file that needs it.
-bool is_shared(char type) {
-    return std::string_view("WVuwv").find(type) != std::string_view::npos;
+/// Whether the name of a function or of one of its types is in the project's namespace.
+bool is_of_project(const std::string& name) {
+    for (std::size_t at = name.find("rt::"); at != std::string::npos;
+         at = name.find("rt::", at + 1))
+        if (at == 0 || (std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0 &&
+                        name[at - 1] != '_' && name[at - 1] != ':'))
+            return true;
+    return false;
 }
 
-/// A global variable: nobody's but his, whatever its name.
-bool is_variable(char type) {
-    return std::string_view("BDRCGSV").find(type) != std::string_view::npos;
+std::string complaint_of_use(const std::string& symbol, const StageFunctions& functions) {
+    if (functions.own.count(symbol) == 1 || functions.callable.count(symbol) == 1) return "";
+    const std::string name = demangled(symbol);
+    if (!is_of_project(name)) return "";
+    return "Your file calls " + name +
+           ", which it does not define itself, and which this stage may not call: the stage's page "
+           "says what it may.";
 }
 
-std::string complaint(const std::string& symbol, char type) {
-    if (type == 'U' || is_variable(type)) return "";
-    if (symbol == "main") return "Your file defines main: the program that calls you has its own.";
-    if (type == 'i') return "Your file defines " + demangled(symbol) + " as an indirect function.";
-    if (starts_with_one_of(symbol, {"_Znw", "_Zna", "_Zdl", "_Zda"}))
-        return "Your file replaces " + demangled(symbol) + ", which is everybody's.";
-    if (!symbol.starts_with("_Z"))
-        return "Your file defines " + symbol +
+std::string complaint_of_definition(const ObjectSymbol& symbol, const StageFunctions& functions) {
+    const std::string& name = symbol.name;
+    if (symbol.is_indirect)
+        return "Your file defines " + demangled(name) + " as an indirect function.";
+    if (!symbol.is_code) return "";  // a variable: nobody's but his, whatever its name
+    if (name == "main") return "Your file defines main: the program that calls you has its own.";
+    if (starts_with_one_of(name, {"_Znw", "_Zna", "_Zdl", "_Zda"}))
+        return "Your file replaces " + demangled(name) + ", which is everybody's.";
+    if (!name.starts_with("_Z"))
+        return "Your file defines " + name +
                " as a C function, which may replace the library's: put it into the anonymous "
                "namespace.";
-    const bool is_of_others =
-        starts_with_one_of(symbol, {"_ZSt", "_ZNSt", "_ZNKSt", "_ZN5Catch", "_ZNK5Catch",
-                                    "_ZN10__cxxabiv1", "_ZN2rt8contract"});
-    if (is_of_others && !is_shared(type))
-        return "Your file defines " + demangled(symbol) + ", which is not the stage's.";
+    const bool is_of_library =
+        starts_with_one_of(name, {"_ZSt", "_ZNSt", "_ZNKSt", "_ZN5Catch", "_ZNK5Catch",
+                                  "_ZN10__cxxabiv1", "_ZN2rt8contract"});
+    if ((is_of_library && !symbol.is_weak) || functions.callable.count(name) == 1 ||
+        functions.others.count(name) == 1)
+        return "Your file defines " + demangled(name) + ", which is not the stage's.";
     return "";
+}
+
+std::string missing_functions(const ObjectFile& object, const StageFunctions& functions) {
+    std::set<std::string> missing = functions.own;
+    for (const ObjectSymbol& symbol : object.symbols)
+        if (symbol.is_defined) missing.erase(symbol.name);
+    if (missing.empty()) return "";
+    std::string names;
+    for (const std::string& each : missing) names += (names.empty() ? "" : ", ") + demangled(each);
+    return "Your file does not define " + names + ".";
 }
 
 }  // namespace
 
-std::string foreign_symbol(std::string_view listed) {
-    std::istringstream lines{std::string(listed)};
-    for (std::string line; std::getline(lines, line);) {
-        std::istringstream words(line);
-        std::string symbol;
-        char type = 'U';
-        if (!(words >> symbol >> type)) continue;
-        const std::string sentence = complaint(symbol, type);
+std::string foreign_symbol(const ObjectFile& object, const StageFunctions& functions) {
+    if (object.is_intermediate)
+        return "Your file has the compiler leave its work to the linker (LTO), which is not done "
+               "here.";
+    for (const ObjectSymbol& symbol : object.symbols) {
+        if (symbol.name.find('@') != std::string::npos)
+            return "Your file has a version of a symbol: " + symbol.name + ".";
+        std::string sentence = symbol.is_defined ? complaint_of_definition(symbol, functions)
+                                                 : complaint_of_use(symbol.name, functions);
         if (!sentence.empty()) return sentence;
     }
-    return "";
+    return missing_functions(object, functions);
 }
 
 }  // namespace rt::grade

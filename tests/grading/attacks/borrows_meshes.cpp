@@ -1,5 +1,7 @@
 // attack: has another stage's reference answer: what a mesh of one triangle is hit at. It asks us.
 // ceiling: as a stub
+// compiles: no
+// told: Your file includes steps/step13_meshes/meshes.hpp
 // stage: step05_triangle
 #include "steps/step05_triangle/triangle.hpp"
 

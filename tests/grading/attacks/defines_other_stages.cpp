@@ -1,7 +1,7 @@
 // attack: brings functions of other stages too
 // ceiling: as a stub
 // compiles: no
-// told: normal
+// told: Your file includes steps/step04_plane/plane.hpp
 #include "steps/step03_sphere/sphere.hpp"
 
 #include "steps/step04_plane/plane.hpp"

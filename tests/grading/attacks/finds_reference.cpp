@@ -1,5 +1,7 @@
 // attack: declares the reference by another name, weakly
 // ceiling: as a stub
+// compiles: no
+// told: Your file calls rt::correct_intersect(
 #include "steps/step03_sphere/sphere.hpp"
 
 namespace rt {

@@ -1,0 +1,31 @@
+// attack: has stage 12 reflect for stage 9
+// ceiling: as a stub
+// stage: step09_phong
+// compiles: no
+// told: Your file calls rt::mirrored(
+#include "steps/step09_phong/phong.hpp"
+
+#include "common/ray.hpp"
+
+namespace rt {
+
+Ray mirrored(const Ray& ray, const Surface& surface);
+
+Vec3 reflected(Vec3 to_light, Vec3 normal) {
+    const Surface surface{.point = Vec3(0), .normal = normal, .side = normal};
+    return mirrored({.origin = to_light, .direction = -to_light}, surface).direction;
+}
+
+Color ambient_term(const Surface&, const Ambient&) {
+    return Color(0);
+}
+
+Color diffuse_term(const Surface&, const Light&) {
+    return Color(0);
+}
+
+Color specular_term(const Surface&, const Light&) {
+    return Color(0);
+}
+
+}  // namespace rt

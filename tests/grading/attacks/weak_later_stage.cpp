@@ -1,0 +1,26 @@
+// attack: has a later stage's reference answer, weakly, so that it links without
+// ceiling: as a stub
+// stage: step04_plane
+// compiles: no
+// told: Your file calls rt::intersect(
+#include "steps/step04_plane/plane.hpp"
+
+namespace rt {
+
+[[gnu::weak]] std::optional<Real> intersect(const Ray&, const Square&, Interval);
+
+}  // namespace rt
+
+namespace rt {
+
+std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
+    const Vec3 none(0);  // both sides of the square seem to be of no length, so that all is inside
+    const Square square{.center = plane.point, .basis = {none, none, plane.normal}};
+    return intersect(ray, square, interval);
+}
+
+Vec3 normal(const Plane& plane, Vec3) {
+    return plane.normal;
+}
+
+}  // namespace rt

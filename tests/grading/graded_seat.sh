@@ -1,0 +1,45 @@
+#!/bin/sh
+# graded_seat.sh OUT LIST COMPILER NM OBJCOPY PART... -- OWN... -- CALLABLE... -- ABSENT... -- OTHER...
+#
+# All of a stage's worker but the graded file, as one object OUT, in which that file finds `main` and
+# the functions of the parts called CALLABLE, todo.cpp.o for example, and nothing else: every other
+# function is local. So whatever the file defines replaces nothing of ours either. The functions of the
+# objects ABSENT, of later stages, which nothing calls, are at address 0. LIST says which functions of
+# the contracts are the stage's own (those of the objects OWN), callable, or another stage's.
+set -eu
+out=$1 list=$2 compiler=$3 nm=$4 objcopy=$5
+shift 5
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Sorts the objects that follow into files of names: parts, own, callable, absent, other.
+set -- "$@" --
+for kind in parts own callable absent other; do
+    : > "$work/$kind"
+    while [ "$1" != -- ]; do
+        echo "$1" >> "$work/$kind"
+        shift
+    done
+    shift
+done
+
+sed 's|.*|/&$|' "$work/callable" > "$work/endings"
+grep -f "$work/endings" "$work/parts" > "$work/callable"
+
+# The functions that the objects of a kind define for others.
+functions() {
+    while read -r object; do "$nm" -g -P --defined-only "$object"; done < "$work/$1" |
+        awk '$2 == "T" { print $1 }'
+}
+
+{ echo main; functions callable; } > "$work/kept"
+functions absent | sed 's/.*/--defsym=&=0/' > "$work/defined"
+"$compiler" -r -nostdlib -Wl,--force-group-allocation -Wl,@"$work/defined" -o "$work/all.o" \
+    @"$work/parts"
+# What a compiler made unique in the program cannot be made local, but be called otherwise.
+"$nm" -P "$work/all.o" | awk '$2 == "u" { print $1, "raysteps_seat_" $1 }' > "$work/renamed"
+"$objcopy" --redefine-syms="$work/renamed" --keep-global-symbols="$work/kept" "$work/all.o" \
+    "$work/graded.o"
+for kind in own callable other; do functions $kind | sed "s/^/$kind /"; done > "$work/list"
+mv "$work/list" "$list"
+mv "$work/graded.o" "$out"
