@@ -269,3 +269,16 @@ TEST_CASE("a slice shows the shape's section, the ray and both hits") {
     CHECK(svg.find("yours: ") != std::string::npos);
     CHECK(std::ranges::count(svg, '\n') > 200);
 }
+
+TEST_CASE("a slice of no answer says so, in our words, and of one that is no number too") {
+    const Call call = call_of_sphere(ahead, unit_sphere);
+    Asked reference(RAYSTEPS_REFERENCE_WORKER);
+    Difference difference{.call = call, .expected = reference(call)};
+    difference.came = {.failure = "threw an exception: <b>"};
+    const std::string threw = slice(difference, reference);
+    CHECK(threw.find(">yours: no answer: it threw an exception<") != std::string::npos);
+    CHECK(threw.find("no hit") == std::string::npos);
+    difference.came = difference.expected;
+    difference.came.value->parts.front().number = std::nan("");
+    CHECK(slice(difference, reference).find("yours: no hit") == std::string::npos);
+}

@@ -102,7 +102,9 @@ public:
           ray_{.origin = vec3(call_.arguments[0].parts[0]),
                .direction = vec3(call_.arguments[0].parts[1])},
           came_(t_of(difference.came)),
-          expected_(t_of(difference.expected)) {
+          expected_(t_of(difference.expected)),
+          came_text_(hit_text(difference.came)),
+          expected_text_(hit_text(difference.expected)) {
         const Value& shape = call_.arguments[1];
         const auto [middle, reach] = size_of(shape, ray_);
         view_.right = unit(ray_.direction);
@@ -130,9 +132,9 @@ public:
         if (expected_) text += mark(at(ray_, *expected_), "#1a7f37", "expected", -10);
         if (came_) text += mark(at(ray_, *came_), "#cf222e", "yours", 22);
         text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#1a7f37\">expected: %s</text>\n",
-                          height - 28, hit_text(expected_).c_str());
+                          height - 28, expected_text_.c_str());
         text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#cf222e\">yours: %s</text>\n",
-                          height - 10, hit_text(came_).c_str());
+                          height - 10, came_text_.c_str());
         return text + "</svg>\n";
     }
 
@@ -144,8 +146,12 @@ private:
         return Real(t);
     }
 
-    static std::string hit_text(std::optional<Real> t) {
-        return t ? formatted("t = %.6g", double(*t)) : "no hit";
+    /// Of a failure the part before the colon, which is ours: what follows is the student's words.
+    static std::string hit_text(const Answer& answer) {
+        if (!answer.value)
+            return "no answer: it " + answer.failure.substr(0, answer.failure.find(':'));
+        if (answer.value->parts.empty()) return "no hit";
+        return formatted("t = %.6g", answer.value->parts.front().number);
     }
 
     /// Around the shape, the ray's origin and the hits, with a margin.
@@ -227,6 +233,8 @@ private:
     Ray ray_;
     std::optional<Real> came_;
     std::optional<Real> expected_;
+    std::string came_text_;
+    std::string expected_text_;
     View view_;
 };
 

@@ -1,6 +1,7 @@
 // What is made of a class's marks, its numbers worked out by hand.
 #include "common/course/files.hpp"
 #include "common/course/grade/class_report.hpp"
+#include "common/course/grade/csv.hpp"
 #include "common/course/grade/feedback.hpp"
 #include "common/course/grade/grade_book.hpp"
 #include "common/course/grade/gradescope.hpp"
@@ -176,6 +177,8 @@ TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged")
 
 TEST_CASE("a feedback page says what failed, and folds away what passed") {
     const Class two;
+    write_text(student_folder(two.folder, odd) / "step04 slice.svg", "<svg/>");
+    write_text(student_folder(two.folder, odd) / "step04_plane.png", "\x89PNG");
     write_feedback(two.folder, two.marks);
     const std::string page = read_text(student_folder(two.folder, odd) / "feedback.html");
     CHECK(well_formed(page));
@@ -186,12 +189,12 @@ TEST_CASE("a feedback page says what failed, and folds away what passed") {
     CHECK(has(page, "<p>1 case of 2 fails.</p>"));
     CHECK(has(page, "known mistake does: You compare with &lt;0&gt;.</p>"));
     CHECK(has(page, "<pre class=\"wrong\">intersect(…)\n  came: 1</pre>"));
-    CHECK(has(page, "<img src=\"step04%20slice.svg\""));
+    CHECK(has(page, "<img src=\"data:image/svg+xml;base64,PHN2Zy8+\""));
     CHECK(has(page,
               "<h3>a &lt; b &amp; &quot;c&quot; <small>1 point</small></h3>\n"
               "<pre class=\"wrong\">came: ��(\nexpected: &lt;hit&gt;</pre>\n"
               "<small>tests/step04_plane_test.cpp:9</small>"));
-    CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"step04_plane.png\""));
+    CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"data:image/png;base64,iVBORw==\""));
     CHECK(has(page, "the difference: 5 of 12 pixels differ"));
     CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is met</li>\n</ul>"));
     CHECK(has(page, "<pre>warning: &lt;unused&gt;</pre>"));
@@ -272,6 +275,31 @@ TEST_CASE("the class report has every mark, and where to look first") {
     CHECK(less_hard != std::string::npos);
     CHECK_FALSE(has(page, "it is met"));
     CHECK(has(page, "Likeness is no proof."));
+}
+
+TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
+    CHECK(data_address("text/plain", "") == "data:text/plain;base64,");
+    CHECK(data_address("text/plain", "f") == "data:text/plain;base64,Zg==");
+    CHECK(data_address("text/plain", "fo") == "data:text/plain;base64,Zm8=");
+    CHECK(data_address("text/plain", "foobar") == "data:text/plain;base64,Zm9vYmFy");
+    CHECK(data_address("a/b", "\xff\xfe\xfd") == "data:a/b;base64,//79");
+}
+
+TEST_CASE("the class report names stages, what is left over, and who tried what") {
+    Class two;
+    write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
+    two.marks[0].cases[1].words = "your code tried what it may not: files\n";
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, {}, "2026-11-22, seed known as 12");
+    const std::string page = read_text(two.folder / "class.html");
+    CHECK(well_formed(page));
+    CHECK(has(page, "<th class=\"stage\"><span>4 plane</span></th>"));
+    CHECK(has(page, "<p class=\"soft\">2026-11-22, seed known as 12</p>"));
+    CHECK(has(page, "<td class=\"text\">list.txt: &lt;nobody&#39;s&gt;</td>"));
+    CHECK(has(page,
+              "Tried what it may not: files, processes, networks</h3>\n<div "
+              "class=\"scroll\"><table class=\"list\">\n<tr><td class=\"text\">=cmd|&quot;&lt;b&gt;"
+              "&amp;\n</td><td class=\"text\">4 plane</td><td class=\"text\">in 1 case</td></tr>"));
+    CHECK(has(page, "<td class=\"text\">5 triangle</td><td class=\"text\">no &lt;vec&gt;</td>"));
 }
 
 TEST_CASE("nobody's marks make empty reports") {

@@ -31,9 +31,14 @@ std::string mark_cell(const Mark& mark, int most) {
     return points_cell(mark.points(), most);
 }
 
-std::string student_cell(const std::string& student) {
-    return "<th class=\"student\"><a href=\"students/" + address(student) + "/feedback.html\">" +
-           escaped(student) + "</a></th>";
+/// With a link to what the student reads, unless the name is hidden or there is nothing to read.
+std::string student_cell(const Submission& submission) {
+    const bool linked = submission.called == submission.student && !submission.marks.empty();
+    return "<th class=\"student\">" +
+           (linked ? "<a href=\"students/" + address(submission.student) + "/feedback.html\">" +
+                         escaped(submission.student) + "</a>"
+                   : escaped(submission.called)) +
+           "</th>";
 }
 
 /// The mean share of what was handed in.
@@ -52,24 +57,78 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
     return row(cells + "<td></td>");
 }
 
-std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages) {
+/// A lecturer's points take the place of the grader's.
+std::string stage_cell(const Submission& submission, int stage, int most, const Term& term) {
+    if (const auto given = term.overrides.find({submission.student, stage});
+        given != term.overrides.end())
+        return points_cell(int(given->second.points), most);
+    const auto mark = submission.marks.find(stage);
+    return mark == submission.marks.end() ? missing_cell : mark_cell(*mark->second, most);
+}
+
+std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages,
+                   const Term& term) {
     std::string head = "<th class=\"student\"></th>";
     for (const auto& [stage, most] : stages)
-        head += "<th title=\"" + stage_title(stage) + "\">" + std::to_string(stage) + "</th>";
+        head += "<th class=\"stage\"><span>" + stage_title(stage) +
+                (term.bonus.count(stage) == 1 ? ", bonus" : "") + "</span></th>";
     std::string rows = row(head + "<th>points</th>");
-    for (const Submission& submission : submissions(marks)) {
-        std::string cells = student_cell(submission.student);
-        for (const auto& [stage, most] : stages) {
-            const auto mark = submission.marks.find(stage);
-            cells += mark == submission.marks.end() ? missing_cell : mark_cell(*mark->second, most);
-        }
-        const int points = submission.points();
-        rows +=
-            row(cells + share_cell("share", points, most_points(stages), std::to_string(points)));
+    const double all = most_points(stages, term);
+    for (const Submission& submission : submissions(marks, term)) {
+        std::string cells = student_cell(submission);
+        for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
+        const int share = std::clamp(int(100 * submission.points / std::max(all, 1e-9)), 0, 100);
+        rows += row(cells + share_cell("share", share, 100, number(submission.points)));
     }
     return "<p class=\"soft\">The points of each stage, of a hundred; – is not handed in, × cannot "
            "be judged.</p>\n" +
            table("matrix", rows + mean_row(marks, stages));
+}
+
+/// What a lecturer's settings have changed, and who handed in nothing.
+std::string remarks(const std::vector<Mark>& marks, const Term& term) {
+    std::string rows;
+    for (const Submission& submission : submissions(marks, term))
+        for (const std::string& line : lines_of(submission.remarks))
+            rows += row(text_cell(submission.called) + text_cell(line));
+    return rows.empty() ? "" : section("Remarks", table("list", rows));
+}
+
+/// What of the class's folder is nobody's, and names in the term's files that nobody has.
+std::string left_over(const std::filesystem::path& results, const Term& term) {
+    const std::filesystem::path file = results / left_over_file;
+    std::string rows;
+    if (std::filesystem::exists(file))
+        for (const std::string& line : lines_of(read_text(file))) rows += row(text_cell(line));
+    for (const std::string& line : term.unknown) rows += row(text_cell(line));
+    return rows.empty() ? "" : section("Left over", table("list", rows));
+}
+
+std::string first_line(const std::string& words) {
+    return words.substr(0, words.find('\n'));
+}
+
+/// Whose code was stopped at what no answer needs, and whose was not run at all.
+std::string trials(const std::vector<Mark>& marks, const Term& term) {
+    std::vector<std::string> tried;
+    std::vector<std::string> refused;
+    for (const Mark& mark : marks) {
+        const std::string who =
+            text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
+        const auto cases =
+            std::count_if(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
+                return each.words.find("tried what it may not") != std::string::npos;
+            });
+        if (cases > 0) tried.push_back(row(who + text_cell("in " + counted(int(cases), "case"))));
+        if (mark.verdict == Verdict::refused)
+            refused.push_back(row(who + text_cell(first_line(mark.words))));
+    }
+    std::string html;
+    if (!tried.empty())
+        html +=
+            "<h3>Tried what it may not: files, processes, networks</h3>\n" + first_rows("", tried);
+    if (!refused.empty()) html += "<h3>Could not be judged</h3>\n" + first_rows("", refused);
+    return html.empty() ? "<p>Nobody's.</p>\n" : html;
 }
 
 std::string mistakes(const std::vector<Mark>& marks) {
@@ -133,9 +192,10 @@ std::string cases(const std::vector<Mark>& marks) {
                       rows);
 }
 
-std::string names(const std::vector<std::string>& students) {
+std::string names(const std::vector<std::string>& students, const Term& term) {
     std::string all;
-    for (const std::string& student : students) all += (all.empty() ? "" : ", ") + student;
+    for (const std::string& student : students)
+        all += (all.empty() ? "" : ", ") + term.called(student);
     return all;
 }
 
@@ -147,19 +207,19 @@ std::string near_stages(const NearFiles& near) {
     return all;
 }
 
-std::string same(const std::vector<SameFile>& found) {
+std::string same(const std::vector<SameFile>& found, const Term& term) {
     std::string rows;
     for (const SameFile& each : found)
-        rows += row(text_cell(stage_title(each.stage)) + text_cell(names(each.students)));
+        rows += row(text_cell(stage_title(each.stage)) + text_cell(names(each.students, term)));
     return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
 }
 
-std::string near(const std::vector<NearFiles>& found) {
+std::string near(const std::vector<NearFiles>& found, const Term& term) {
     if (found.empty()) return "";
     std::vector<std::string> rows;
     for (const NearFiles& each : found)
         rows.push_back(
-            row(text_cell(names({each.one, each.other})) + text_cell(near_stages(each))));
+            row(text_cell(names({each.one, each.other}, term)) + text_cell(near_stages(each))));
     return "<h3>Near, but not the same</h3>\n<p class=\"soft\">How much of the shorter file is in "
            "the longer, from " +
            std::to_string(near_percent) +
@@ -168,26 +228,33 @@ std::string near(const std::vector<NearFiles>& found) {
            first_rows("", rows);
 }
 
-std::string alike(const Likeness& found) {
+std::string alike(const Likeness& found, const Term& term) {
     const std::string html =
         "<p class=\"hint\">Likeness is no proof. Two who worked side by side, or from the same "
         "page, write alike, and a short stage leaves little choice: read the files, and ask, "
         "before you conclude anything.</p>\n";
     if (found.same.empty() && found.near.empty()) return html + "<p>No two files are alike.</p>\n";
-    return html + same(found.same) + near(found.near);
+    return html + same(found.same, term) + near(found.near, term);
 }
 
 }  // namespace
 
 void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
-                        const std::vector<Mark>& marks) {
+                        const std::vector<Mark>& marks, const Term& term,
+                        const std::string& edition) {
     const std::map<int, int> stages = graded_stages(marks);
+    const double most = most_points(stages, term);
     const std::string body =
-        "<header><h1>Class report</h1> <p>" + counted(int(submissions(marks).size()), "student") +
-        ", " + counted(int(stages.size()), "stage") + ", " + counted(most_points(stages), "point") +
-        "</p></header>\n" + section("Points", matrix(marks, stages)) +
-        section("Known mistakes", mistakes(marks)) + section("Hardest cases", cases(marks)) +
-        section("Files that are alike", alike(likeness(results, project, marks)));
+        "<header><h1>Class report</h1> <p>" +
+        counted(int(submissions(marks, term).size()), "student") + ", " +
+        counted(int(stages.size()), "stage") + ", " + number(most) +
+        (most == 1 ? " point" : " points") + "</p></header>\n" +
+        (edition.empty() ? "" : "<p class=\"soft\">" + escaped(edition) + "</p>\n") +
+        section("Points", matrix(marks, stages, term)) + remarks(marks, term) +
+        left_over(results, term) + section("Known mistakes", mistakes(marks)) +
+        section("Hardest cases", cases(marks)) +
+        section("Code that was stopped or refused", trials(marks, term)) +
+        section("Files that are alike", alike(likeness(results, project, marks), term));
     write_text(results / "class.html", page("Class report", body));
 }
 

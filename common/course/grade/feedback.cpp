@@ -11,6 +11,8 @@ namespace rt::grade {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 std::string preformatted(const std::string& words, const std::string& kind = "") {
     if (words.empty()) return "";
     const std::string start = kind.empty() ? "<pre>" : "<pre class=\"" + kind + "\">";
@@ -21,9 +23,16 @@ std::string folded(const std::string& summary, const std::string& inside) {
     return "<details><summary>" + summary + "</summary>\n" + inside + "</details>\n";
 }
 
-std::string drawing(const std::string& file, const std::string& caption) {
-    return "<figure><img src=\"" + address(file) + "\" alt=\"" + caption + "\"/>\n<figcaption>" +
-           caption + "</figcaption></figure>\n";
+/// In the page itself, so that it is one file.
+std::string drawing(const fs::path& file, const std::string& caption) {
+    std::error_code none;
+    std::string image;
+    if (fs::is_regular_file(fs::symlink_status(file, none)))
+        image = "<img src=\"" +
+                data_address(file.extension() == ".svg" ? "image/svg+xml" : "image/png",
+                             read_text(file)) +
+                "\" alt=\"" + caption + "\"/>\n";
+    return "<figure>" + image + "<figcaption>" + caption + "</figcaption></figure>\n";
 }
 
 std::string of_points(int points, int most) {
@@ -36,7 +45,7 @@ std::string failed_case(const CaseMark& each) {
            "</small>\n";
 }
 
-std::string diagnosis(const Mark& mark) {
+std::string diagnosis(const Mark& mark, const fs::path& folder) {
     std::string html;
     for (const std::string& sentence : lines_of(mark.mistake))
         html +=
@@ -44,20 +53,20 @@ std::string diagnosis(const Mark& mark) {
     if (!mark.smallest.empty())
         html += "<h3>Where it goes wrong, at its plainest</h3>\n" +
                 preformatted(mark.smallest, "wrong");
-    if (!mark.slice.empty()) html += drawing(mark.slice, "The same, drawn");
+    if (!mark.slice.empty()) html += drawing(folder / mark.slice, "The same, drawn");
     return html;
 }
 
-std::string picture(const PictureMark& picture) {
+std::string picture(const PictureMark& picture, const fs::path& folder) {
     const std::string caption =
         "By your stages up to this one, by the references', and the difference: " +
         (picture.different == 0 ? "none of " + counted(picture.pixels, "pixel") + " differs"
                                 : std::to_string(picture.different) + " of " +
                                       counted(picture.pixels, "pixel") + " differ");
-    return drawing(picture.file, caption);
+    return drawing(folder / picture.file, caption);
 }
 
-std::string judged(const Mark& mark) {
+std::string judged(const Mark& mark, const fs::path& folder) {
     std::string failed;
     std::string passed;
     int passes = 0;
@@ -75,10 +84,11 @@ std::string judged(const Mark& mark) {
         html +=
             "<p>What passes does so in the starter too: there are points for it once anything "
             "else passes.</p>\n";
-    html += diagnosis(mark) + failed;
+    html += diagnosis(mark, folder) + failed;
     const bool differs = mark.picture && mark.picture->different > 0;
-    if (differs) html += "<h3>Your picture</h3>\n" + picture(*mark.picture);
-    if (mark.picture && !differs) html += folded("Your picture is right", picture(*mark.picture));
+    if (differs) html += "<h3>Your picture</h3>\n" + picture(*mark.picture, folder);
+    if (mark.picture && !differs)
+        html += folded("Your picture is right", picture(*mark.picture, folder));
     const std::string what_passes =
         fails == 0 ? "Every case passes"
                    : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
@@ -87,7 +97,7 @@ std::string judged(const Mark& mark) {
     return html;
 }
 
-std::string section(const Mark& mark, int most) {
+std::string section(const Mark& mark, int most, const fs::path& folder) {
     const std::string html = "<section id=\"" + std::string(stage_name(mark.stage)) +
                              "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
                              "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
@@ -97,7 +107,7 @@ std::string section(const Mark& mark, int most) {
     if (mark.verdict == Verdict::refused)
         return html + "<p>Your file cannot be judged:</p>\n" + preformatted(mark.words, "wrong") +
                "</section>\n";
-    return html + judged(mark) + "</section>\n";
+    return html + judged(mark, folder) + "</section>\n";
 }
 
 /// The stages at a glance, each a link.
@@ -117,16 +127,19 @@ std::string overview(const Submission& submission, const std::map<int, int>& sta
 
 }  // namespace
 
-void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks) {
+void write_feedback(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
-    for (const Submission& submission : submissions(marks)) {
-        std::string body = "<header><h1>" + escaped(submission.student) + "</h1> <p>" +
-                           of_points(submission.points(), most_points(stages)) + "</p></header>\n" +
-                           overview(submission, stages);
-        for (const auto& [stage, mark] : submission.marks) body += section(*mark, stages.at(stage));
-        const std::filesystem::path file =
-            student_folder(results, submission.student) / "feedback.html";
-        write_text(file, page(submission.student, body));
+    const double most = most_points(stages, term);
+    for (const Submission& submission : submissions(marks, term)) {
+        if (submission.marks.empty()) continue;
+        const fs::path folder = student_folder(results, submission.student);
+        std::string body = "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
+                           number(submission.points) + " of " + number(most) +
+                           (most == 1 ? " point" : " points") + "</p></header>\n" +
+                           preformatted(submission.remarks) + overview(submission, stages);
+        for (const auto& [stage, mark] : submission.marks)
+            body += section(*mark, stages.at(stage), folder);
+        write_text(folder / "feedback.html", page(submission.called, body));
     }
 }
 

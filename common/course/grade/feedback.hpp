@@ -2,10 +2,13 @@
 #pragma once
 
 #include "common/course/grade/results.hpp"
+#include "common/course/grade/term.hpp"
 
 namespace rt::grade {
 
-/// Writes results/students/<student>/feedback.html for each student. Throws InputError.
-void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks);
+/// Writes results/students/<student>/feedback.html for each student who handed in: one file, with
+/// its pictures inside. Throws InputError.
+void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks,
+                    const Term& term = {});
 
 }  // namespace rt::grade

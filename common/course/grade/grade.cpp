@@ -9,6 +9,7 @@
 #include "common/course/grade/junit.hpp"
 #include "common/course/grade/layers.hpp"
 #include "common/course/grade/seed.hpp"
+#include "common/course/grade/term.hpp"
 
 #include "common/in_parallel.hpp"
 #include "common/input_error.hpp"
@@ -23,6 +24,8 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 
 namespace rt::grade {
 
@@ -180,7 +183,10 @@ bool grade(const Order& order) {
     const ClassFolder found = order.one ? one_submission(order.places)
                                         : find_class(grading.workshop, order.places, order.results);
     const std::vector<Envelope> envelopes = chosen(found.envelopes, order);
-    if (order.students.empty()) report_left_over(order.results, found.left_over);
+    // One student graded again leaves what was said of the class.
+    const bool is_class = found.envelopes.size() > 1 || !found.left_over.empty();
+    if (is_class && order.part == 1 && order.students.empty())
+        report_left_over(order.results, found.left_over);
     if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
     std::signal(SIGINT, [](int) { stop = true; });
     Judge judge(grading, judge_references(order, grading));
@@ -194,12 +200,45 @@ bool grade(const Order& order) {
     return !stop;
 }
 
+namespace {
+
+/// The day; as reproducible builds have it, where two runs must be the same bytes.
+std::string today() {
+    const char* given = std::getenv("SOURCE_DATE_EPOCH");
+    const std::time_t now = given == nullptr ? std::time(nullptr) : std::atoll(given);
+    std::tm day{};
+    char text[16];
+    if (localtime_r(&now, &day) == nullptr || std::strftime(text, sizeof text, "%F", &day) == 0)
+        return "";
+    return text;
+}
+
+/// The project's commit, if git knows it.
+std::string version_of(const fs::path& project) {
+    const Ending told = listen_to({"git", "-c", "safe.directory=" + project.string(), "-C",
+                                   project.string(), "rev-parse", "--short=10", "HEAD"},
+                                  std::chrono::seconds(10));
+    return told.status == 0 ? lines_of(told.output).at(0) : "of no known commit";
+}
+
+std::string edition_of(const fs::path& results, const fs::path& project) {
+    const bool seeded = fs::exists(seed_file(results));
+    return today() + ", Raysteps " + version_of(project) +
+           (seeded ? ", seed known as " + seed_identifier(read_seed(seed_file(results))) : "");
+}
+
+}  // namespace
+
 void write_reports(const fs::path& results, const fs::path& project) {
     const std::vector<Mark> marks = read_marks(results);
     if (marks.empty()) throw InputError({results}, "holds no marks");
-    write_grade_book(results, marks);
-    write_feedback(results, marks);
-    write_class_report(results, project, marks);
+    Term term = read_term(results, marks);
+    if (term.anonymous) term.key = read_seed(seed_file(results));
+    for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());
+    write_grade_book(results, marks, term);
+    write_upload(results, marks, term);
+    write_feedback(results, marks, term);
+    write_class_report(results, project, marks, term, edition_of(results, project));
     write_junit(results, marks);
 }
 

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "common/course/grade/results.hpp"
+#include "common/course/grade/term.hpp"
 
 namespace rt::grade {
 
-/// Writes results/grades.csv: student, the points of each stage, total, of. Throws InputError.
-void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks);
-
-/// A cell of RFC 4180, which no spreadsheet takes for a formula.
-[[nodiscard]] std::string cell(const std::string& text);
+/// Writes results/grades.csv: student, the points of each stage, total, of, and what the term has
+/// to remark on a student. Throws InputError.
+void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
+                      const Term& term = {});
 
 }  // namespace rt::grade

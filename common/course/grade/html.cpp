@@ -1,5 +1,6 @@
 #include "common/course/grade/html.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -68,7 +69,7 @@ pre { margin: .25rem 0; padding: .75rem 1rem; background: var(--paper); border-r
 .hint { padding: .6rem 1rem; background: var(--hint); border-radius: .4rem; }
 figure { margin: .5rem 0; }
 img { display: block; max-width: 100%; height: auto; border-radius: .3rem; background: #fff; }
-img[src$=".svg"] { width: 30rem; }
+img[src^="data:image/svg"] { width: 30rem; }
 figcaption { color: var(--soft); font-size: .85rem; margin-top: .25rem; }
 details { margin-top: .75rem; }
 summary { cursor: pointer; color: var(--soft); }
@@ -87,6 +88,8 @@ td.text, th.text { text-align: left; vertical-align: top; }
 td.text:last-child { white-space: normal; min-width: 13rem; }
 .matrix { min-width: min(100%, 60rem); }
 .matrix td, .matrix th { min-width: 2.6rem; }
+th.stage { vertical-align: bottom; }
+th.stage span { display: inline-block; writing-mode: vertical-rl; transform: rotate(180deg); }
 th.student { position: sticky; left: 0; max-width: 10rem; overflow: hidden; text-align: left;
              text-overflow: ellipsis; background: var(--card); border-radius: 0; }
 @media (min-width: 50rem) { th.student { max-width: 18rem; } }
@@ -177,6 +180,21 @@ std::string percent(int part, int whole) {
 
 std::string counted(int count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string data_address(std::string_view kind, std::string_view bytes) {
+    constexpr std::string_view digits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out = "data:" + std::string(kind) + ";base64,";
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned word = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            word = word << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+        for (std::size_t k = 0; k < 4; ++k)
+            out += k <= count ? digits[word >> (18 - 6 * k) & 63] : '=';
+    }
+    return out;
 }
 
 }  // namespace rt::grade

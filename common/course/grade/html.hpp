@@ -17,6 +17,9 @@ namespace rt::grade {
 /// The address of a file or folder beside the page, whatever it is called.
 [[nodiscard]] std::string address(std::string_view name);
 
+/// The bytes of a file as an address of their own: "data:image/png;base64,…".
+[[nodiscard]] std::string data_address(std::string_view kind, std::string_view bytes);
+
 /// The page with this body, which is HTML, and this title, which is not. It is well-formed XML too.
 [[nodiscard]] std::string page(std::string_view title, std::string_view body);
 

@@ -3,24 +3,69 @@
 #include "common/stages.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace rt::grade {
 
-int Submission::points() const {
-    int sum = 0;
-    for (const auto& [stage, mark] : marks) sum += mark->points();
-    return sum;
+namespace {
+
+void add_remark(Submission& submission, const std::string& words) {
+    submission.remarks += (submission.remarks.empty() ? "" : "\n") + words;
 }
 
-std::vector<Submission> submissions(const std::vector<Mark>& marks) {
-    std::map<std::string, Submission> by_name;
-    for (const Mark& mark : marks) {
-        Submission& submission = by_name[mark.student];
-        submission.student = mark.student;
-        submission.marks[mark.stage] = &mark;
+const Override* override_of(const Submission& submission, int stage, const Term& term) {
+    const auto found = term.overrides.find({submission.student, stage});
+    return found == term.overrides.end() ? nullptr : &found->second;
+}
+
+std::string reason(const Override& given) {
+    return given.comment.empty() ? "" : ": " + given.comment;
+}
+
+/// What the marks are worth in this term.
+void count(Submission& submission, const std::map<int, int>& graded, const Term& term) {
+    for (const auto& [stage, most] : graded) {
+        const auto mark = submission.marks.find(stage);
+        double points = mark == submission.marks.end() ? 0 : mark->second->points();
+        if (const Override* given = override_of(submission, stage, term)) {
+            add_remark(submission, stage_title(stage) + ": " + number(given->points) +
+                                       " instead of " + number(points) + reason(*given));
+            points = given->points;
+        }
+        submission.stages[stage] = points * term.weight(stage);
+        submission.points += submission.stages[stage];
     }
+    const auto late = term.days_late.find(submission.student);
+    submission.days_late = late == term.days_late.end() ? 0 : late->second;
+    if (const double lost = std::min(100.0, term.late_percent * submission.days_late); lost > 0) {
+        add_remark(submission, number(submission.days_late) + " days late: " + number(lost) +
+                                   " % of " + number(submission.points) + " points");
+        submission.points *= 1 - lost / 100;
+    }
+    if (const Override* given = override_of(submission, Term::total, term)) {
+        add_remark(submission, "in all: " + number(given->points) + " instead of " +
+                                   number(submission.points) + reason(*given));
+        submission.points = given->points;
+    }
+}
+
+}  // namespace
+
+std::vector<Submission> submissions(const std::vector<Mark>& marks, const Term& term) {
+    std::map<std::string, Submission> by_name;
+    for (const Mark& mark : marks) by_name[mark.student].marks[mark.stage] = &mark;
+    if (term.roster)
+        for (const std::string& student : term.roster->students)
+            if (!student.empty()) by_name[student];
+    const std::map<int, int> graded = graded_stages(marks);
     std::vector<Submission> all;
-    for (auto& [name, submission] : by_name) all.push_back(std::move(submission));
+    for (auto& [name, submission] : by_name) {
+        submission.student = name;
+        submission.called = term.called(name);
+        if (submission.marks.empty()) add_remark(submission, "handed in nothing");
+        count(submission, graded, term);
+        all.push_back(std::move(submission));
+    }
     return all;
 }
 
@@ -33,9 +78,10 @@ std::map<int, int> graded_stages(const std::vector<Mark>& marks) {
     return stages;
 }
 
-int most_points(const std::map<int, int>& stages) {
-    int sum = 0;
-    for (const auto& [stage, most] : stages) sum += most;
+double most_points(const std::map<int, int>& stages, const Term& term) {
+    double sum = 0;
+    for (const auto& [stage, most] : stages)
+        if (term.bonus.count(stage) == 0) sum += most * term.weight(stage);
     return sum;
 }
 
@@ -43,6 +89,15 @@ std::string stage_title(int stage) {
     std::string title(stage_name(stage).substr(std::string_view("step05_").size()));
     std::replace(title.begin(), title.end(), '_', ' ');
     return std::to_string(stage) + " " + title;
+}
+
+std::string number(double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    std::string digits = text;
+    while (digits.back() == '0') digits.pop_back();
+    if (digits.back() == '.') digits.pop_back();
+    return digits == "-0" ? "0" : digits;
 }
 
 }  // namespace rt::grade

@@ -1,0 +1,227 @@
+// A lecturer's settings: what they make of marks, worked out by hand, and how they may be wrong.
+#include "common/course/files.hpp"
+#include "common/course/grade/class_report.hpp"
+#include "common/course/grade/feedback.hpp"
+#include "common/course/grade/grade_book.hpp"
+#include "common/course/grade/submissions.hpp"
+#include "common/input_error.hpp"
+
+#include "tests/grading/reports_class.hpp"
+#include "tests/kit/catch.hpp"
+
+namespace rt::grade {
+
+namespace {
+
+/// Stages 3 and 5, of 4 and 10 points: ann_1 has 3 and 5, ben_2 has 4 and nothing.
+struct Small : Results {
+    Small() {
+        add("ann_1", 3, 3, 4);
+        add("ann_1", 5, 5, 10);
+        add("ben_2", 3, 4, 4);
+        marks.push_back({.student = "ben_2", .stage = 5, .verdict = Verdict::missing, .most = 10});
+        for (const Mark& mark : marks) write_mark(folder, mark);
+    }
+
+    void add(const std::string& student, int stage, int points, int most) {
+        marks.push_back({.student = student,
+                         .stage = stage,
+                         .verdict = Verdict::judged,
+                         .cases = {{.name = "passed", .points = points, .passed = true},
+                                   {.name = "failed", .points = most - points}},
+                         .most = most});
+    }
+
+    void write(const std::string& file, const std::string& text) const {
+        write_text(folder / file, text);
+    }
+
+    [[nodiscard]] Term term() const { return read_term(folder, marks); }
+
+    [[nodiscard]] std::string book() const {
+        write_grade_book(folder, marks, term());
+        return read_text(folder / "grades.csv");
+    }
+
+    /// What is said of the settings.
+    [[nodiscard]] std::string error() const {
+        try {
+            (void)term();
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "none";
+    }
+
+    std::vector<Mark> marks;
+};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("without settings a grade book is the marks") {
+    const Small two;
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of\r\n"
+          "ann_1,3,5,8,14\r\n"
+          "ben_2,4,0,4,14\r\n");
+}
+
+TEST_CASE("stages have weights, and some are a bonus") {
+    const Small two;
+    two.write("term.txt", "# this term\nweight: sphere 2\nweight: 5 0.5\n");
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of\r\n"
+          "ann_1,6,2.5,8.5,13\r\n"
+          "ben_2,8,0,8,13\r\n");
+    two.write("term.txt", "bonus: 5\n");
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of\r\n"
+          "ann_1,3,5,8,4\r\n"
+          "ben_2,4,0,4,4\r\n");
+}
+
+TEST_CASE("a day late costs a share of the points, and no more than all") {
+    const Small two;
+    two.write("late.csv", "student,days\nAnn_1,2\nben_2,30\n");
+    two.write("term.txt", "late: late.csv\nlate percent: 10\n");
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+          "ann_1,3,5,6.4,14,2 days late: 20 % of 8 points\r\n"
+          "ben_2,4,0,0,14,30 days late: 100 % of 4 points\r\n");
+}
+
+TEST_CASE("a lecturer's points go before the grader's, with the reason, and last") {
+    const Small two;
+    two.write("overrides.csv",
+              "\xef\xbb\xbfstudent;stage;points;comment\r\n"
+              "ann_1;triangle;7,5;\"edges; by hand\"\r\n"
+              "2;total;12;oral exam\r\n"
+              "carl;3;1;nobody\r\n");
+    two.write("term.txt", "overrides: overrides.csv\n");
+    for (int again = 0; again < 2; ++again)
+        CHECK(two.book() ==
+              "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+              "ann_1,3,7.5,10.5,14,\"5 triangle: 7.5 instead of 5: edges; by hand\"\r\n"
+              "ben_2,4,0,12,14,in all: 12 instead of 4: oral exam\r\n");
+    CHECK(two.term().unknown ==
+          std::vector<std::string>{"overrides.csv:4: there is no student \"carl\""});
+    write_feedback(two.folder, two.marks, two.term());
+    const std::string page = read_text(student_folder(two.folder, "ann_1") / "feedback.html");
+    CHECK(has(page, "<p>10.5 of 14 points</p>"));
+    CHECK(has(page, "5 triangle: 7.5 instead of 5: edges; by hand"));
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, two.term());
+    CHECK(has(read_text(two.folder / "class.html"), "carl"));
+}
+
+TEST_CASE("who is on the roster and handed in nothing has a line, and who is not on it is told") {
+    const Small two;
+    two.write("class.csv", "student,email\nann_1,a@x\nZoe Doe,z@x\n");
+    two.write("term.txt", "roster: class.csv\n");
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+          "ann_1,3,5,8,14,\r\n"
+          "ben_2,4,0,4,14,\r\n"
+          "zoe_doe,0,0,0,14,handed in nothing\r\n");
+    CHECK(two.term().unknown ==
+          std::vector<std::string>{"ben_2: handed in, and is not on the roster"});
+    write_upload(two.folder, two.marks, two.term());
+    CHECK(read_text(two.folder / "upload.csv") ==
+          "student,email,Raysteps\r\nann_1,a@x,8\r\nZoe Doe,z@x,0\r\n");
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, two.term());
+    CHECK(has(read_text(two.folder / "class.html"), "zoe_doe</th>"));
+}
+
+TEST_CASE("Moodle's grading worksheet comes back with grades, of its maximum") {
+    const Small two;
+    const std::string head =
+        "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Grade can be "
+        "changed\",\"Last modified (grade)\",\"Feedback comments\"\n";
+    two.write("sheet.csv", "\xef\xbb\xbf" + head +
+                               "\"Participant 2\",\"Ben, B\",b@x,Submitted,,100.00,Yes,-,\n"
+                               "\"Participant 1\",-Ann,a@x,Submitted,,100.00,Yes,-,\n"
+                               "\"Participant 9\",Zoe Doe,z@x,No submission,,100.00,Yes,-,\n");
+    two.write("term.txt", "roster: sheet.csv\n");
+    write_upload(two.folder, two.marks, two.term());
+    // 4 and 8 of 14
+    CHECK(read_text(two.folder / "upload.csv") ==
+          "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
+          "Last modified (grade),Feedback comments\r\n"
+          "Participant 2,\"Ben, B\",b@x,Submitted,28.57,100.00,Yes,-,\r\n"
+          "Participant 1,-Ann,a@x,Submitted,57.14,100.00,Yes,-,\r\n"
+          "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,handed in nothing\r\n");
+    CHECK(two.term().unknown.empty());
+    CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,handed in nothing"));
+}
+
+TEST_CASE("Canvas's gradebook comes back with one column, and the points possible") {
+    const Small two;
+    two.write("gradebook.csv",
+              "Student,ID,SIS User ID,SIS Login ID,Section,Essay (77),Final Score\n"
+              "    Points Possible,,,,,10,(read only)\n"
+              "\"Ann, A\",1,u1,l1,S,9,90\n"
+              "\"Ben, B\",2,u2,l2,S,8,80\n"
+              "\"Student, Test\",99,,t,S,,\n");
+    two.write("term.txt", "roster: gradebook.csv\nout of: 28\n");
+    write_upload(two.folder, two.marks, two.term());
+    CHECK(read_text(two.folder / "upload.csv") ==
+          "Student,ID,SIS User ID,SIS Login ID,Section,Raysteps\r\n"
+          "    Points Possible,,,,,28\r\n"
+          "\"Ann, A\",1,u1,l1,S,16\r\n"
+          "\"Ben, B\",2,u2,l2,S,8\r\n"
+          "\"Student, Test\",99,,t,S,\r\n");
+    two.write("term.txt", "roster: gradebook.csv\ngrade: Essay (77)\n");
+    write_upload(two.folder, two.marks, two.term());
+    CHECK(has(read_text(two.folder / "upload.csv"), "\"Ann, A\",1,u1,l1,S,8\r\n"));
+}
+
+TEST_CASE("who is anonymous has no name in what may be shown") {
+    const Small two;
+    two.write("term.txt", "anonymous: yes\n");
+    Term term = two.term();
+    term.key = 7;
+    const std::string ann = term.called("ann_1");
+    CHECK(ann.size() == 10);
+    CHECK(ann != term.called("ben_2"));
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, term);
+    write_feedback(two.folder, two.marks, term);
+    write_upload(two.folder, two.marks, term);
+    CHECK_FALSE(has(read_text(two.folder / "class.html"), "ann_1"));
+    CHECK(has(read_text(two.folder / "class.html"), ann));
+    CHECK_FALSE(has(read_text(student_folder(two.folder, "ann_1") / "feedback.html"), "ann_1"));
+    CHECK(has(read_text(two.folder / "names.csv"), ann + ",ann_1\r\n"));
+    term.key = 8;
+    CHECK(ann != term.called("ann_1"));
+}
+
+TEST_CASE("what is wrong with the settings is told with its place") {
+    const Small two;
+    const auto says = [&](const std::string& settings) {
+        two.write("term.txt", settings);
+        return two.error();
+    };
+    const std::string file = (two.folder / "term.txt").string();
+    CHECK(says("\nwieght: 5 2\n").starts_with(file + ":2: error: \"wieght: 5 2\" is no setting"));
+    CHECK(says("weight: 5 two\n") == file + ":1: error: \"two\" is no number from 0 to 1000");
+    CHECK(says("weight: ball 2\n") == file + ":1: error: no stage \"ball\"");
+    CHECK(says("weight: 5\n").starts_with(file + ":1: error: a weight is of a stage"));
+    CHECK(says("late percent: 101\n").starts_with(file + ":1: error: \"101\" is no number"));
+    CHECK(says("roster: none.csv\n").starts_with(file + ":1: error: there is no file"));
+    CHECK(says("anonymous\n") == file + ":1: error: \"anonymous\" is not \"word: value\"");
+    two.write("a.csv", "who\nann_1\n");
+    const std::string table = (two.folder / "a.csv").string();
+    CHECK(says("roster: a.csv\n") == table + ":1: error: has no column \"student\"");
+    two.write("a.csv", "student,days\nann_1,\"2\n");
+    CHECK(says("late: a.csv\n") == table + ":2: error: this quote is not closed");
+    two.write("a.csv", "student,days\n\nann_1,-2\n");
+    CHECK(says("late: a.csv\n") == table + ":3: error: \"-2\" is no number from 0 to 366");
+    two.write("a.csv", "student\nann_1\nAnn_1\n");
+    CHECK(says("roster: a.csv\n") == table + ":3: error: \"Ann_1\" is ann_1, who is there already");
+    two.write("a.csv", "");
+    CHECK(says("roster: a.csv\n") == table + ": error: is empty");
+}
+
+}  // namespace rt::grade
