@@ -4,7 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,8 +17,6 @@
 #include <functional>
 #include <thread>
 
-extern char** environ;
-
 namespace rt {
 
 namespace {
@@ -26,37 +24,51 @@ namespace {
 constexpr std::size_t most_output = 64 * 1024;
 constexpr int signalled = 128;
 constexpr int milliseconds_between_looks = 10;
+constexpr int milliseconds_to_end = 200;
 
 enum class Group { ours, its_own };
+
+/// In the child: becomes the program, or returns why not. Calls nothing that might wait for another
+/// thread of the parent.
+int become(char** arguments, int output, Group group, pid_t parent) {
+    signal(SIGINT, SIG_DFL);
+    if (group == Group::its_own) setpgid(0, 0);
+    // What somebody listens to ends with him, however he ends; what is run for its own sake is
+    // told.
+    prctl(PR_SET_PDEATHSIG, output == -1 ? SIGTERM : SIGKILL);
+    if (getppid() != parent) _exit(signalled + SIGKILL);
+    if (output != -1) {
+        const int nothing = open("/dev/null", O_RDONLY);
+        if (nothing == -1 || dup2(nothing, STDIN_FILENO) == -1) return errno;
+        if (nothing != STDIN_FILENO) close(nothing);
+        for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+            if (dup2(output, stream) == -1) return errno;
+    }
+    execvp(arguments[0], arguments);
+    return errno;
+}
 
 /// Starts the program; `output` takes both its streams, unless it is -1.
 pid_t start(const Command& command, int output, Group group) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t interrupt;
-    sigemptyset(&interrupt);
-    sigaddset(&interrupt, SIGINT);
-    posix_spawnattr_setsigdefault(&attributes, &interrupt);
-    short flags = POSIX_SPAWN_SETSIGDEF;
-    if (group == Group::its_own) flags |= POSIX_SPAWN_SETPGROUP;
-    posix_spawnattr_setflags(&attributes, flags);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    if (output != -1) {
-        posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-        posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
+    std::array<int, 2> failure{};
+    if (pipe2(failure.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left to listen with");
+    const pid_t parent = getpid();
+    const pid_t process = fork();
+    int error = process == -1 ? errno : 0;
+    if (process == 0) {
+        error = become(arguments.data(), output, group, parent);
+        _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
     }
-    pid_t process = 0;
-    const int error =
-        posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    if (error != 0) throw InputError({}, command[0] + " does not start: " + std::strerror(error));
-    return process;
+    close(failure[1]);
+    // Nothing comes once it has become the program.
+    while (process > 0 && read(failure[0], &error, sizeof error) == -1 && errno == EINTR) continue;
+    close(failure[0]);
+    if (error == 0) return process;
+    if (process > 0) waitpid(process, nullptr, 0);
+    throw InputError({}, command[0] + " does not start: " + std::strerror(error));
 }
 
 /// Keeps what comes from the program, until it closes the pipe or is `given_up`.
@@ -123,8 +135,11 @@ Ending listen_to(const Command& command, std::chrono::milliseconds limit,
     close(ear);
     // It may have closed its streams, and go on.
     int answer = 0;
-    while (waitpid(process, &answer, WNOHANG) == 0) {
-        if (given_up()) kill(group == Group::ours ? process : -process, SIGKILL);
+    for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {
+        // It may have others to end first.
+        if (given_up())
+            kill(group == Group::ours ? process : -process,
+                 ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     ending.status = exit_status(answer);

@@ -32,7 +32,8 @@ struct Ending {
 
 /// Runs a program that says nothing to anybody but us, for so long at most. Throws InputError if
 /// it cannot be started. With `cancelled` it ends as soon as that is set, and what it has started
-/// with it; Ctrl-C is then ours to hear, and not the program's.
+/// with it; Ctrl-C is then ours to hear, and not the program's. It is asked to end (SIGTERM), and a
+/// fifth of a second later is ended; it ends with the thread that listens, too.
 [[nodiscard]] Ending listen_to(const Command& command, std::chrono::milliseconds limit,
                                const std::atomic<bool>* cancelled = nullptr);
 

@@ -26,7 +26,6 @@ namespace rt::contract {
 
 namespace {
 
-constexpr std::size_t longest_words = 200;
 constexpr std::chrono::milliseconds between_looks{20};
 constexpr double ending_seconds = 0.2;  // it has closed its end: the rest of its end takes less
 
@@ -65,7 +64,7 @@ std::string words_of_signal(int signal) {
     return "crashed: " + std::string(strsignal(signal));
 }
 
-/// Neither computing nor about to, nor kept waiting by the kernel.
+/// Neither computing nor about to: whatever it waits for, it is its own doing.
 bool is_asleep(pid_t process) {
     std::array<char, 512> text{};
     const int file =
@@ -76,8 +75,7 @@ bool is_asleep(pid_t process) {
     const std::string_view stat(text.data(), std::size_t(std::max<ssize_t>(size, 0)));
     const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
     if (name_end == std::string_view::npos || name_end + 2 >= stat.size()) return true;
-    const char state = stat[name_end + 2];
-    return state != 'R' && state != 'D';
+    return stat[name_end + 2] != 'R';
 }
 
 }  // namespace
@@ -229,9 +227,9 @@ std::string Worker::ask(const std::string& question, double seconds) {
     Frame came{};
     std::memcpy(&came, piece.data(), sizeof came);
     count -= sizeof came;
-    if (came.ticket != asked.ticket || came.size < 1 || came.size > largest_frame ||
-        count > came.size)
+    if (came.ticket != asked.ticket || came.size < 1 || count > came.size)
         give_up("wrote into the channel to who asks");
+    if (came.size > largest_answer) give_up("gave an answer that is larger than any answer is");
     std::string answer(came.size, '\0');
     std::memcpy(answer.data(), piece.data() + sizeof came, count);
     while (count < answer.size())

@@ -11,8 +11,15 @@ struct Frame {
     std::uint64_t ticket;
 };
 
-/// A frame that says it is larger is refused: a mesh of a million triangles has 60 MB.
-inline constexpr std::uint64_t largest_frame = std::uint64_t(256) << 20;
+/// A question that says it is larger is refused: a mesh of a million triangles has 60 MB.
+inline constexpr std::uint64_t largest_question = std::uint64_t(256) << 20;
+
+/// An answer that says it is larger is refused: a picture of 640 × 480 pixels has 0.9 MB, 65536
+/// points of a light 1.5 MB, and anything else some numbers.
+inline constexpr std::uint64_t largest_answer = std::uint64_t(4) << 20;
+
+/// Of the words of an exception, what is sent.
+inline constexpr std::size_t longest_words = 200;
 
 /// The first byte of an answer.
 enum class Outcome : std::uint8_t {

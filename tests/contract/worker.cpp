@@ -123,7 +123,7 @@ Writer answer_to(const std::string& question, const std::map<int, Answer>& answe
     } catch (const std::exception& exception) {
         writer = {};
         put(writer, Outcome::thrown);
-        writer.raw(exception.what(), std::strlen(exception.what()));
+        writer.raw(exception.what(), strnlen(exception.what(), longest_words));
     } catch (...) {
         writer = {};
         put(writer, Outcome::thrown);
@@ -140,7 +140,7 @@ int serve() {
     // A last frame that is cut short is malformed, its absence is not.
     while (inbox.goes_on()) {
         if (!inbox.read(reinterpret_cast<char*>(&frame), sizeof frame) ||
-            frame.size > largest_frame || !read_question(inbox, question, frame.size))
+            frame.size > largest_question || !read_question(inbox, question, frame.size))
             throw Malformed("a frame cut short");
         const Writer answer = answer_to(question, answers);
         frame.size = answer.bytes().size();

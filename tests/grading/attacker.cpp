@@ -1,13 +1,23 @@
 // Tries what a sealed process may not do: `attacker WHAT [PATH]` ends with status 0 if it could.
+// `attacker --no-namespaces PROGRAM ARGUMENTS…` becomes a program to which the kernel gives none.
 #include <fcntl.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sched.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/ptrace.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstddef>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <functional>
@@ -54,6 +64,54 @@ bool finds_the_environment() {
     return false;
 }
 
+/// A thread whose creator stands still in the kernel until it ends.
+bool waits_for_a_thread() {
+    static char stack[65536];
+    const auto thread = [](void*) -> int {
+        sleep(60);
+        return 0;
+    };
+    return clone(thread, stack + sizeof stack,
+                 CLONE_VM | CLONE_SIGHAND | CLONE_THREAD | CLONE_VFORK, nullptr) != -1;
+}
+
+/// By the worker's own descriptor, beside which an absolute path is all that counts.
+bool executes_beside_the_descriptor() {
+    constexpr int own_program = 9;
+    return syscall(SYS_execveat, own_program, path.c_str(), nullptr, environ, AT_EMPTY_PATH) == 0;
+}
+
+bool leaves_its_group() {
+    const pid_t child = fork();
+    if (child == 0) _exit(setsid() != -1 || setpgid(0, 0) == 0 ? 0 : 1);
+    int status = 0;
+    return waitpid(child, &status, 0) == child && status == 0;
+}
+
+bool has_a_child_that_sleeps() {
+    if (fork() == 0) {
+        setsid();
+        if (fork() == 0) sleep(60);
+        sleep(60);
+    }
+    return sleep(60) == 0;
+}
+
+bool signals_by_a_pipe() {
+    int ends[2];
+    return pipe(ends) == 0 && fcntl(ends[0], F_SETOWN, getppid()) == 0;
+}
+
+bool prints_its_user() {
+    return std::printf("%u\n", getuid()) > 0 && std::fflush(stdout) == 0;
+}
+
+/// A core that is piped to a program is made with the limit 0, too, but not with 1: core(5).
+bool pipes_its_core() {
+    rlimit core{};
+    return getrlimit(RLIMIT_CORE, &core) != 0 || core.rlim_cur != 1 || core.rlim_max != 1;
+}
+
 bool leaves_a_daemon() {
     if (fork() == 0) {
         setsid();
@@ -80,6 +138,15 @@ const std::map<std::string, std::function<bool()>> attempts{
     {"exec", [] { return execl(program, program, nullptr) == 0; }},
     {"exec another way",
      [] { return syscall(SYS_execveat, AT_FDCWD, program, nullptr, environ, AT_EMPTY_PATH) == 0; }},
+    {"exec beside", executes_beside_the_descriptor},
+    {"wait for a thread", waits_for_a_thread},
+    {"leave the group", leaves_its_group},
+    {"children", has_a_child_that_sleeps},
+    {"signal by a pipe", signals_by_a_pipe},
+    {"change mode", [] { return chmod(path.c_str(), 0) == 0; }},
+    {"priority", [] { return setpriority(PRIO_PROCESS, pid_t(getppid()), 10) == 0; }},
+    {"user", prints_its_user},
+    {"core", pipes_its_core},
     {"trace", [] { return ptrace(PTRACE_ATTACH, getppid(), nullptr, nullptr) == 0; }},
     {"signal", [] { return kill(path.empty() ? getppid() : std::stoi(path), 0) == 0; }},
     {"memory",
@@ -107,11 +174,29 @@ const std::map<std::string, std::function<bool()>> attempts{
     {"sleep", [] { return sleep(60) == 0; }},
 };
 
+/// As in most containers.
+int without_namespaces(char** command) {
+    sock_filter steps[] = {
+        {BPF_LD | BPF_W | BPF_ABS, 0, 0, offsetof(seccomp_data, nr)},
+        {BPF_JMP | BPF_JEQ | BPF_K, 0, 1, SYS_unshare},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ERRNO | EPERM},
+        {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_ALLOW},
+    };
+    const sock_fprog filter{4, steps};
+    if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
+        syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &filter) != 0)
+        return 99;
+    execv(command[0], command);
+    return 99;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
+    const std::string what = count > 1 ? words[1] : "";
+    if (what == "--no-namespaces") return without_namespaces(words + 2);
     if (count > 2) path = words[2];
     constexpr int unknown = 99;
-    const auto attempt = attempts.find(count > 1 ? words[1] : "");
+    const auto attempt = attempts.find(what);
     _exit(attempt == attempts.end() ? unknown : attempt->second() ? 0 : 1);
 }

@@ -157,6 +157,10 @@ std::string stage_file(const std::string& stage, const std::string& folder) {
     return std::string(RAYSTEPS_ROOT) + "/steps/" + stage + "/" + folder + "/" + name;
 }
 
+bool is_built(const std::string& stage) {
+    return fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + ".o");
+}
+
 std::size_t ceiling(Grader& grader, const Attack& attack) {
     static std::map<std::string, std::size_t> of_stub;
     const std::string said = attack.said("ceiling", "as a stub");
@@ -176,7 +180,7 @@ std::size_t ceiling(Grader& grader, const Attack& attack) {
 TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing") {
     Grader grader;
     for (const std::string stage : {"step03_sphere", "step05_triangle", "step13_meshes"}) {
-        if (!fs::exists(std::string(RAYSTEPS_BUILD) + "/seats/" + stage + ".o")) continue;
+        if (!is_built(stage)) continue;
         INFO(stage);
         const std::string start = "// stage: " + stage + "\n";
         const Grade right = grader.grade(
@@ -200,6 +204,7 @@ TEST_CASE("attacks earn nothing and harm nobody") {
     for (const fs::path& file : files_in(RAYSTEPS_ATTACKS, ".cpp")) {
         const Attack attack{.name = file.stem(), .text = content(file)};
         if (only != nullptr && attack.name != only) continue;
+        if (!is_built(attack.stage())) continue;  // stage 13 is not, without OpenMesh
         ++count;
         INFO(attack.name + ": " + attack.said("attack", "?"));
         CHECK(attack.text.find("// attack: ") != std::string::npos);

@@ -14,14 +14,10 @@
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
     set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_neutral)
-    set(libraries -static)
-    set(own_libraries)
-    if(stage STREQUAL "step13_meshes")  # whose OpenMesh is a shared library
-        list(APPEND parts raysteps_mesh_file)
-        set(libraries)
-        set(own_libraries "$<TARGET_LINKER_FILE:OpenMeshCore>")
-    endif()
     set(objects $<TARGET_PROPERTY:${stage}_picture_f64,INTERFACE_SOURCES>)
+    # A worker gets its meshes with the questions, and reads no file.
+    set(objects "$<FILTER:${objects},EXCLUDE,raysteps_meshes_f64|raysteps_without_meshes_f64>")
+    list(APPEND objects $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
     foreach(part IN LISTS parts)
         list(APPEND objects $<TARGET_OBJECTS:${part}>)
     endforeach()
@@ -51,9 +47,8 @@ function(raysteps_seat stage)
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
         ${may_include}
-        "link ${libraries}"
+        "link -static"
         "link ${fast_linker}"
-        "library ${own_libraries}"
         "library -lpng" "library -lz")
     list(JOIN lines "\n" text)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")

@@ -273,7 +273,7 @@ Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::pa
 }
 
 std::string worker_limits(int stage) {
-    return stage == mesh_stage ? "cpu=10 memory=1024 libraries=1" : "cpu=10 memory=512";
+    return stage == mesh_stage ? "cpu=10 memory=1024" : "cpu=10 memory=512";
 }
 
 }  // namespace rt::grade

@@ -44,8 +44,7 @@ struct Made {
                                const std::map<int, std::filesystem::path>& objects,
                                const std::filesystem::path& worker);
 
-/// How the stage's worker is sealed: what RAYSTEPS_LIMITS says to it. Stage 13's has shared
-/// libraries.
+/// How the stage's worker is sealed: what RAYSTEPS_LIMITS says to it.
 [[nodiscard]] std::string worker_limits(int stage);
 
 /// Runs a tool that may read these, and write into the folder only, which it starts in.

@@ -18,7 +18,7 @@ set -eu
 export DEBIAN_FRONTEND=noninteractive
 root=${AUTOGRADER:-/autograder}
 packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev libarchive-dev"
+    nlohmann-json3-dev libarchive-dev libseccomp-dev"
 dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
     apt-get install -y --no-install-recommends $packages
@@ -82,7 +82,7 @@ on:
 env:
   PACKAGES: >-
     cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev libarchive-dev
+    nlohmann-json3-dev libarchive-dev libseccomp-dev
 jobs:
   grade:
     runs-on: ubuntu-24.04

@@ -1,16 +1,14 @@
 #include "common/course/grade/filter.hpp"
 
 #include <fcntl.h>
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
 #include <sched.h>
+#include <seccomp.h>
 #include <sys/prctl.h>
-#include <sys/syscall.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
+#include <csignal>
 #include <cstdint>
 #include <initializer_list>
 
@@ -18,168 +16,165 @@ namespace rt::grade {
 
 namespace {
 
-#if defined(__x86_64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr std::uint32_t architecture = AUDIT_ARCH_AARCH64;
-#else
-#error "the filter knows the system calls of x86-64 and of aarch64"
-#endif
+using Names = std::initializer_list<const char*>;
+using Conditions = std::initializer_list<scmp_arg_cmp>;
 
-using Calls = std::initializer_list<long>;
+constexpr std::uint32_t end_process = SCMP_ACT_KILL_PROCESS;
+constexpr std::uint32_t pretended = SCMP_ACT_ERRNO(0);  // returns success, and nothing is done
 
-constexpr std::uint32_t allow = SECCOMP_RET_ALLOW;
-constexpr std::uint32_t end_process = SECCOMP_RET_KILL_PROCESS;
-
-constexpr std::uint32_t refuse(int error) {
-    return SECCOMP_RET_ERRNO | std::uint32_t(error);
+constexpr std::uint32_t refused(int error) {
+    return SCMP_ACT_ERRNO(std::uint32_t(error));
 }
 
-/// A program that the kernel runs on each system call, its number in the accumulator.
+scmp_arg_cmp argument_is(unsigned argument, std::uint64_t value) {
+    return {.arg = argument, .op = SCMP_CMP_EQ, .datum_a = value, .datum_b = 0};
+}
+
+/// Whether the bits of the mask are these.
+scmp_arg_cmp bits_are(unsigned argument, std::uint64_t mask, std::uint64_t bits) {
+    return {.arg = argument, .op = SCMP_CMP_MASKED_EQ, .datum_a = mask, .datum_b = bits};
+}
+
+/// A list of system calls that are let through; of any other comes what is given at first. Calls by
+/// the numbers of another architecture end the process.
 class Filter {
 public:
-    Filter() {
-        load(offsetof(seccomp_data, arch));
-        step(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0);
-        answer(end_process);
-        load(offsetof(seccomp_data, nr));
-#if defined(__x86_64__)
-        constexpr std::uint32_t first_of_x32 = 0x40000000;  // the same calls, by other numbers
-        step(BPF_JMP | BPF_JGE | BPF_K, first_of_x32, 0, 1);
-        answer(end_process);
-#endif
+    explicit Filter(std::uint32_t otherwise) : context_(seccomp_init(otherwise)) {
+        holds_ = context_ != nullptr;
+        note(seccomp_attr_set(context_, SCMP_FLTATR_ACT_BADARCH, end_process));
+    }
+    ~Filter() { seccomp_release(context_); }
+    Filter(const Filter&) = delete;
+    Filter& operator=(const Filter&) = delete;
+
+    void let(Names calls) { answer(SCMP_ACT_ALLOW, calls); }
+
+    void let_if(const char* call, Conditions conditions) {
+        answer_if(SCMP_ACT_ALLOW, call, conditions);
     }
 
-    void each(Calls calls, std::uint32_t what) {
-        for (const long call : calls) {
-            step(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(call), 0, 1);
-            answer(what);
-        }
+    void answer(std::uint32_t what, Names calls) {
+        for (const char* call : calls) answer_if(what, call, {});
     }
 
-    /// Only if the argument is this (its lower half: the kernel reads no more of an int).
-    void if_argument_is(long call, int argument, std::uint32_t value, std::uint32_t what) {
-        only_if(call, argument, BPF_JEQ, value, what);
+    /// If all conditions hold.
+    void answer_if(std::uint32_t what, const char* call, Conditions conditions) {
+        note(seccomp_rule_add_array(context_, what, number(call), unsigned(conditions.size()),
+                                    conditions.begin()));
     }
 
-    /// Only if the argument has a bit of these.
-    void if_argument_has(long call, int argument, std::uint32_t bits, std::uint32_t what) {
-        only_if(call, argument, BPF_JSET, bits, what);
-    }
-
-    void answer(std::uint32_t what) {
-        step(BPF_RET | BPF_K, what, 0, 0);
-    }
-
-    [[nodiscard]] bool put_on() const {
-        const sock_fprog program{static_cast<unsigned short>(steps_.size()),
-                                 const_cast<sock_filter*>(steps_.data())};
-        return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-               syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, 0, &program) == 0;
-    }
+    [[nodiscard]] bool put_on() const { return holds_ && seccomp_load(context_) == 0; }
 
 private:
-    void step(int code, std::uint32_t value, int if_so, int if_not) {
-        steps_.push_back({static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(if_so),
-                          static_cast<std::uint8_t>(if_not), value});
+    /// A name that an architecture does not have gets a number that stands for nothing there.
+    int number(const char* call) {
+        const int number = seccomp_syscall_resolve_name(call);
+        holds_ = holds_ && number != __NR_SCMP_ERROR;
+        return number;
     }
 
-    void load(std::size_t place) {
-        step(BPF_LD | BPF_W | BPF_ABS, std::uint32_t(place), 0, 0);
-    }
+    void note(int error) { holds_ = holds_ && error == 0; }
 
-    void only_if(long call, int argument, int test, std::uint32_t value, std::uint32_t what) {
-        step(BPF_JMP | BPF_JEQ | BPF_K, std::uint32_t(call), 0, 4);
-        load(offsetof(seccomp_data, args) + sizeof(std::uint64_t) * std::size_t(argument));
-        step(BPF_JMP | test | BPF_K, value, 0, 1);
-        answer(what);
-        load(offsetof(seccomp_data, nr));
-    }
-
-    std::vector<sock_filter> steps_;
+    scmp_filter_ctx context_;
+    bool holds_ = false;
 };
 
-Filter filter_of_worker(bool libraries) {
-    Filter filter;
-    // Its channel, its memory, its own threads and signals, the time, and its end.
-    filter.each({SYS_read, SYS_write, SYS_readv, SYS_writev, SYS_close, SYS_lseek}, allow);
-    filter.each({SYS_brk, SYS_mmap, SYS_munmap, SYS_mremap, SYS_mprotect, SYS_madvise}, allow);
-    filter.each({SYS_futex, SYS_set_tid_address, SYS_set_robust_list, SYS_rseq, SYS_sched_yield,
-                 SYS_gettid, SYS_getpid},
-                allow);
-    filter.each({SYS_rt_sigaction, SYS_rt_sigprocmask, SYS_rt_sigreturn, SYS_sigaltstack}, allow);
-    filter.each({SYS_clock_gettime, SYS_clock_getres, SYS_gettimeofday, SYS_nanosleep,
-                 SYS_clock_nanosleep, SYS_restart_syscall, SYS_getrandom},
-                allow);
-    filter.each({SYS_fstat, SYS_exit, SYS_exit_group}, allow);
-    filter.if_argument_is(SYS_tgkill, 0, std::uint32_t(getpid()), allow);  // abort
-    filter.if_argument_has(SYS_clone, 0, CLONE_THREAD, allow);
-    filter.each({SYS_clone3}, refuse(ENOSYS));  // its flags are in memory: back to clone
-    // The step into the worker itself; Landlock knows no other program.
-    filter.if_argument_has(SYS_execveat, 4, AT_EMPTY_PATH, allow);
-#if defined(__x86_64__)
-    constexpr int set_thread_pointer = 0x1002;
-    filter.if_argument_is(SYS_arch_prctl, 0, set_thread_pointer, allow);
-    filter.each({SYS_arch_prctl, SYS_time, SYS_open, SYS_stat, SYS_access, SYS_readlink, SYS_poll},
-                refuse(EACCES));
-#endif
-    // What a library, or a forgotten line of debugging, tries: it need not cost a case.
-    if (libraries) filter.each({SYS_openat, SYS_pread64, SYS_newfstatat}, allow);
-    filter.each({SYS_openat,
-                 SYS_newfstatat,
-                 SYS_statx,
-                 SYS_faccessat,
-                 SYS_readlinkat,
-                 SYS_ioctl,
-                 SYS_fcntl,
-                 SYS_uname,
-                 SYS_sysinfo,
-                 SYS_prctl,
-                 SYS_prlimit64,
-                 SYS_getuid,
-                 SYS_geteuid,
-                 SYS_getgid,
-                 SYS_getegid,
-                 SYS_getppid,
-                 SYS_sched_getaffinity,
-                 SYS_getrusage,
-                 SYS_getcwd,
-                 SYS_ppoll},
-                refuse(EACCES));
-    filter.answer(end_process);
-    return filter;
+void let_threads(Filter& filter) {
+    // All that a thread has, and of the rest no more than pthread_create asks for: a parent that
+    // waits for its child (CLONE_VFORK) would stand still without computing or sleeping.
+    constexpr std::uint64_t needed = CLONE_VM | CLONE_SIGHAND | CLONE_THREAD;
+    constexpr std::uint64_t harmless = CLONE_FS | CLONE_FILES | CLONE_SYSVSEM | CLONE_SETTLS |
+                                       CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID |
+                                       CLONE_CHILD_SETTID | CLONE_DETACHED;
+    filter.let_if("clone", {bits_are(0, ~harmless, needed)});
 }
 
-Filter filter_of_compiler() {
-    Filter filter;
-    const std::uint32_t refused = refuse(EPERM);
-    filter.each({SYS_socket, SYS_socketpair, SYS_connect, SYS_bind, SYS_sendto, SYS_sendmsg},
-                refused);
-    filter.each({SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_kill, SYS_tkill,
-                 SYS_rt_sigqueueinfo, SYS_pidfd_open, SYS_pidfd_getfd, SYS_pidfd_send_signal},
-                refused);
-    filter.each({SYS_mount, SYS_umount2, SYS_unshare, SYS_setns, SYS_chroot, SYS_pivot_root,
-                 SYS_open_by_handle_at, SYS_mknodat},
-                refused);
-    filter.each({SYS_bpf, SYS_perf_event_open, SYS_userfaultfd, SYS_io_uring_setup, SYS_keyctl,
-                 SYS_add_key, SYS_request_key, SYS_personality},
-                refused);
-    filter.each({SYS_clock_settime, SYS_settimeofday, SYS_adjtimex, SYS_clock_adjtime, SYS_reboot,
-                 SYS_swapon, SYS_init_module, SYS_finit_module, SYS_kexec_load},
-                refused);
-    filter.if_argument_has(SYS_clone, 0,
-                           CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC,
-                           refused);
-    filter.each({SYS_clone3}, refuse(ENOSYS));
-    filter.answer(allow);
-    return filter;
+bool filter_worker() {
+    Filter filter(end_process);
+    // Its channel, its memory, its own threads and signals, the time, and its end.
+    filter.let({"read", "write", "readv", "writev", "close", "lseek", "fstat"});
+    filter.let({"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"});
+    filter.let(
+        {"futex", "set_tid_address", "set_robust_list", "rseq", "sched_yield", "gettid", "getpid"});
+    filter.let({"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigaltstack"});
+    filter.let({"clock_gettime", "clock_getres", "gettimeofday", "nanosleep", "clock_nanosleep",
+                "restart_syscall", "getrandom"});
+    filter.let({"exit", "exit_group"});
+    filter.let_if("tgkill", {argument_is(0, std::uint64_t(getpid()))});  // abort
+    let_threads(filter);
+    filter.answer(refused(ENOSYS), {"clone3"});  // its flags are in memory: back to clone
+    // The step into the worker itself. A path beside the descriptor finds no program that Landlock
+    // lets it run.
+    filter.let_if("execveat", {argument_is(0, program_descriptor), argument_is(4, AT_EMPTY_PATH)});
+    constexpr int set_thread_pointer = 0x1002;
+    filter.let_if("arch_prctl", {argument_is(0, set_thread_pointer)});
+    constexpr int control_flow_status = 0x3001;  // which the start of a program asks for
+    filter.answer_if(refused(EACCES), "arch_prctl", {argument_is(0, control_flow_status)});
+    filter.answer(refused(EACCES), {"time", "open", "stat", "access", "readlink", "poll"});
+    // What a forgotten line of debugging tries: it need not cost a case.
+    filter.answer(
+        refused(EACCES),
+        {"openat",  "newfstatat", "statx",   "faccessat", "readlinkat",        "ioctl",
+         "fcntl",   "uname",      "sysinfo", "prctl",     "prlimit64",         "getuid",
+         "geteuid", "getgid",     "getegid", "getppid",   "sched_getaffinity", "getrusage",
+         "getcwd",  "ppoll"});
+    return filter.put_on();
+}
+
+bool filter_compiler() {
+    // What a tool finds missing it does without.
+    Filter filter(refused(ENOSYS));
+    // Files: which ones, Landlock says.
+    filter.let({"open",      "openat",          "close",      "read",
+                "write",     "readv",           "writev",     "pread64",
+                "pwrite64",  "preadv",          "pwritev",    "lseek",
+                "stat",      "fstat",           "lstat",      "newfstatat",
+                "statx",     "access",          "faccessat",  "faccessat2",
+                "readlink",  "readlinkat",      "getdents64", "getcwd",
+                "chdir",     "fchdir",          "statfs",     "fstatfs",
+                "umask",     "ftruncate",       "fallocate",  "fadvise64",
+                "fsync",     "fdatasync",       "msync",      "sync_file_range",
+                "unlink",    "unlinkat",        "rename",     "renameat",
+                "renameat2", "mkdir",           "mkdirat",    "rmdir",
+                "link",      "linkat",          "symlink",    "symlinkat",
+                "sendfile",  "copy_file_range", "close_range"});
+    filter.let({"pipe", "pipe2", "dup", "dup2", "dup3", "poll", "ppoll", "select", "pselect6",
+                "epoll_create1", "epoll_ctl", "epoll_wait", "epoll_pwait", "eventfd2"});
+    // Not F_SETOWN, by which a pipe signals another process.
+    for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_GETLK,
+                              F_SETLK, F_SETLKW, F_GETPIPE_SZ, F_SETPIPE_SZ})
+        filter.let_if("fcntl", {argument_is(1, std::uint64_t(command))});
+    // Whose a file is and how old, nobody asks; and a descriptor that may be read is enough to
+    // change it.
+    filter.answer(pretended, {"chmod", "fchmod", "fchmodat", "chown", "fchown", "lchown",
+                              "fchownat", "utime", "utimes", "futimesat", "utimensat"});
+    filter.answer(refused(ENOTTY), {"ioctl"});
+    // Memory, threads, the time.
+    filter.let({"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"});
+    filter.let({"futex", "set_tid_address", "set_robust_list", "get_robust_list", "rseq",
+                "sched_yield", "sched_getaffinity", "membarrier"});
+    filter.let({"clock_gettime", "clock_getres", "gettimeofday", "time", "times", "nanosleep",
+                "clock_nanosleep", "restart_syscall", "getrandom", "getrusage", "getrlimit",
+                "setrlimit", "sysinfo", "uname", "arch_prctl"});
+    filter.let_if("prlimit64", {argument_is(0, 0)});  // its own
+    filter.let_if("prctl", {argument_is(0, PR_SET_NAME)});
+    filter.let({"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "rt_sigsuspend",
+                "rt_sigtimedwait", "rt_sigpending", "sigaltstack", "alarm", "setitimer"});
+    // Processes, which stay in the group that they are ended by: no setsid, no setpgid.
+    filter.let({"fork", "vfork", "execve", "wait4", "waitid", "exit", "exit_group"});
+    constexpr std::uint64_t of_their_own = CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID |
+                                           CLONE_NEWNET | CLONE_NEWIPC | CLONE_NEWUTS |
+                                           CLONE_NEWCGROUP | CLONE_PTRACE | CLONE_UNTRACED;
+    filter.let_if("clone", {bits_are(0, of_their_own, 0)});
+    filter.let({"getpid", "gettid", "getppid", "getpgrp", "getpgid", "getsid", "getuid", "geteuid",
+                "getgid", "getegid", "getresuid", "getresgid", "getgroups"});
+    return filter.put_on();
 }
 
 }  // namespace
 
 bool filter_system_calls(const Seal& seal) {
-    const bool worker = seal.work == Work::answering;
-    return (worker ? filter_of_worker(seal.libraries) : filter_of_compiler()).put_on();
+    return seal.work == Work::answering ? filter_worker() : filter_compiler();
 }
 
 }  // namespace rt::grade

@@ -5,9 +5,10 @@
 
 namespace rt::grade {
 
-/// Puts the filter on this process and on all that come of it, for good. A worker has a short list
-/// of what it may do, is refused what honest code tries without harm (to open a file), and is ended
-/// by anything else. A compiler is refused a list. Returns whether the filter is on.
+/// Puts the filter on this process and on all that come of it, for good. Either has a list of what
+/// it may do. Beyond it a worker is refused what honest code tries without harm (to open a file)
+/// and is ended by anything else; to a compiler the kernel seems to have no such call. Returns
+/// whether the filter is on.
 [[nodiscard]] bool filter_system_calls(const Seal& seal);
 
 }  // namespace rt::grade

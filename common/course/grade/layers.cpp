@@ -5,13 +5,17 @@
 #include "common/course/grade/seal.hpp"
 
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <utility>
 
 namespace rt::grade {
 
@@ -34,14 +38,61 @@ bool files_are_out_of_reach() {
 
 bool calls_are_filtered() {
     return filter_system_calls({.work = Work::building}) && socket(AF_UNIX, SOCK_STREAM, 0) == -1 &&
-           errno == EPERM;
+           errno == ENOSYS;
 }
 
 bool memory_is_limited() {
     constexpr int megabytes = 512;
-    if (!limit({.megabytes = megabytes}, false)) return false;
+    if (!limit({.megabytes = megabytes})) return false;
     return mmap(nullptr, std::size_t(megabytes) << 20, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1,
                 0) == MAP_FAILED;
+}
+
+/// A process that stays until the pipe is closed at its other end.
+bool start_one_that_stays(const std::array<int, 2>& ends) {
+    const pid_t process = fork();
+    if (process != 0) return process > 0;
+    char byte = 0;
+    close(ends[1]);
+    _exit(read(ends[0], &byte, 1) == 0 ? 0 : 1);
+}
+
+bool processes_are_limited() {
+    constexpr int threads = 8;
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    if (geteuid() == 0 && !take_user_of_its_own({})) return false;
+    if (!limit({.threads = threads})) return false;
+    for (int i = 0; i <= threads; ++i)
+        if (!start_one_that_stays(ends)) return true;
+    return false;
+}
+
+/// What root needs to be somebody else for each process, and to end that: none in a container that
+/// has "dropped" them.
+std::string missing_capabilities() {
+    constexpr std::array<std::pair<int, const char*>, 5> needed = {
+        {{CAP_CHOWN, "CAP_CHOWN"},
+         {CAP_DAC_OVERRIDE, "CAP_DAC_OVERRIDE"},
+         {CAP_KILL, "CAP_KILL"},
+         {CAP_SETGID, "CAP_SETGID"},
+         {CAP_SETUID, "CAP_SETUID"}}};
+    __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    std::array<__user_cap_data_struct, 2> had{};
+    if (syscall(SYS_capget, &header, had.data()) != 0) return "";
+    std::string missing;
+    for (const auto& [number, name] : needed)
+        if ((had[0].effective >> number & 1) == 0)
+            missing += (missing.empty() ? ": this root lacks " : ", ") + std::string(name);
+    return missing;
+}
+
+Layer layer_of_users() {
+    const std::string name = "a user of its own for each process";
+    if (geteuid() != 0) return {name + " (only if root grades)", false};
+    const std::string missing = missing_capabilities();
+    return {name + missing, missing.empty() && holds([] { return take_user_of_its_own({}); }),
+            true};
 }
 
 }  // namespace
@@ -53,7 +104,8 @@ std::vector<Layer> layers() {
         {"files are out of reach (Landlock, version " + version + ")",
          holds(files_are_out_of_reach), true},
         {"time, memory and output are limited", holds(memory_is_limited), true},
-        {"a user of its own for each process (only if root grades)", holds(take_user_of_its_own)},
+        {"processes and threads are limited", holds(processes_are_limited), true},
+        layer_of_users(),
         {"namespaces of its own for each worker",
          holds([] { return take_namespaces(Work::answering); })},
         {"processes, network and mounts of its own for each compiler",

@@ -15,7 +15,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <ctime>
@@ -24,7 +26,6 @@ namespace rt::grade {
 
 namespace {
 
-constexpr int program_descriptor = 9;  // closed by the step into the program
 constexpr rlim_t megabyte = 1 << 20;
 
 void require(bool holds, const char* what) {
@@ -60,14 +61,13 @@ void forget_signals() {
 
 void add_rules(const Seal& seal, Landlock& rules) {
     const bool worker = seal.work == Work::answering;
-    if (worker) rules.let_run(program_descriptor);
-    if (!worker || seal.libraries)
+    if (worker) {
+        rules.let_run(program_descriptor);
+    } else {
         for (const char* folder :
-             {"/usr/lib", "/usr/lib64", "/usr/local/lib", "/lib", "/lib64", "/etc/ld.so.cache"})
-            rules.let_read(folder);
-    if (!worker) {
-        for (const char* folder : {"/usr/bin", "/usr/libexec", "/usr/include", "/usr/local/include",
-                                   "/bin", "/etc/alternatives"})
+             {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/libexec", "/usr/include",
+              "/usr/local/bin", "/usr/local/lib", "/usr/local/libexec", "/usr/local/include",
+              "/bin", "/lib", "/lib64", "/etc/ld.so.cache", "/etc/alternatives"})
             rules.let_read(folder);
         rules.let_write("/dev/null");
     }
@@ -75,35 +75,83 @@ void add_rules(const Seal& seal, Landlock& rules) {
     for (const std::string& folder : seal.writable) rules.let_write(folder);
 }
 
-/// To the user that this process will be.
-void give_away(const std::string& folder) {
-    if (geteuid() != 0) return;
-    const unsigned user = user_of_its_own();
-    require(lchown(folder.c_str(), user, user) == 0, folder.c_str());
+/// Whether one process more may be started now.
+bool can_fork() {
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    while (child > 0 && waitpid(child, nullptr, 0) == -1 && errno == EINTR) continue;
+    return child > 0;
+}
+
+/// How many processes and threads there are of this user, by the kernel's own count: the limit at
+/// which no more can be started. (A count in /proc would see no more than /proc shows.)
+rlim_t processes_of_user() {
+    rlimit before{};
+    if (getrlimit(RLIMIT_NPROC, &before) != 0) return 0;
+    const auto is_enough = [&](rlim_t limit) {
+        const rlimit tried{.rlim_cur = std::min(limit, before.rlim_max),
+                           .rlim_max = before.rlim_max};
+        return limit >= before.rlim_max || (setrlimit(RLIMIT_NPROC, &tried) == 0 && can_fork());
+    };
+    rlim_t enough = 2;  // this process, and one more
+    rlim_t too_few = 1;
+    for (; !is_enough(enough); enough *= 2) too_few = enough;
+    while (enough - too_few > 1) {
+        const rlim_t middle = too_few + (enough - too_few) / 2;
+        (is_enough(middle) ? enough : too_few) = middle;
+    }
+    setrlimit(RLIMIT_NPROC, &before);
+    return enough - 1;
+}
+
+/// What a sealed process is watched for: its end, and that of who wants it.
+sigset_t watched_signals() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int each : {SIGCHLD, SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, each);
+    return signals;
+}
+
+/// The signal that came; 0 if none came until then.
+int wait_for_one_of(const sigset_t& signals, std::chrono::steady_clock::time_point deadline) {
+    for (;;) {
+        using namespace std::chrono;
+        const auto left = duration_cast<nanoseconds>(deadline - steady_clock::now()).count();
+        if (left <= 0) return 0;
+        const timespec time{.tv_sec = left / 1000000000, .tv_nsec = left % 1000000000};
+        const int signal = sigtimedwait(&signals, nullptr, &time);
+        if (signal > 0) return signal;
+    }
 }
 
 /// Two steps of one: the process goes on as the child, and the parent waits for it, no longer than
-/// it may take, and ends all that came of it.
+/// it may take, and ends all that came of it: a group, since the filter lets nobody leave it.
 void go_on_watched(int seconds) {
-    sigset_t children;
-    sigemptyset(&children);
-    sigaddset(&children, SIGCHLD);
-    sigprocmask(SIG_BLOCK, &children, nullptr);
+    const sigset_t signals = watched_signals();
+    sigprocmask(SIG_BLOCK, &signals, nullptr);
+    require(prctl(PR_SET_PDEATHSIG, SIGTERM, 0, 0, 0) == 0, "end with the parent");
+    require(prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0) == 0, "whose parents have ended");
     const pid_t child = fork();
     require(child != -1, "no process");
     if (child == 0) {
         setsid();
-        sigprocmask(SIG_UNBLOCK, &children, nullptr);
+        sigprocmask(SIG_UNBLOCK, &signals, nullptr);
         require(prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0, "end with the parent");
         return;
     }
-    timespec left{.tv_sec = seconds, .tv_nsec = 0};
-    const bool in_time = sigtimedwait(&children, nullptr, &left) == SIGCHLD;
-    kill(-child, SIGKILL);
-    kill(child, SIGKILL);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+    int signal = SIGCHLD;
     int status = 0;
-    while (waitpid(child, &status, 0) == -1 && errno == EINTR) continue;
-    if (!in_time) _exit(128 + SIGXCPU);
+    pid_t ended = 0;
+    // Others' children, whose parents have ended, are this one's.
+    while (ended != child && signal == SIGCHLD) {
+        signal = wait_for_one_of(signals, deadline);
+        while (ended != child && (ended = waitpid(-1, &status, WNOHANG)) > 0) continue;
+    }
+    kill(-child, SIGKILL);
+    if (ended != child) kill(child, SIGKILL);  // it has no group yet
+    for (int other = 0; waitpid(-1, &other, 0) != -1 || errno == EINTR;) continue;
+    if (ended != child) _exit(128 + (signal > 0 ? signal : SIGXCPU));
     _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 
@@ -116,17 +164,22 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 
 }  // namespace
 
-unsigned user_of_its_own() {
+bool take_user_of_its_own(const Seal& seal) {
     constexpr unsigned first = 61184;  // systemd's, for services that have none of their own
     constexpr unsigned count = 4000;
-    return first + unsigned(getpid()) % count;
-}
-
-bool take_user_of_its_own() {
     if (geteuid() != 0) return false;
-    const unsigned user = user_of_its_own();
-    return setgroups(0, nullptr) == 0 && setresgid(user, user, user) == 0 &&
-           setresuid(user, user, user) == 0;
+    const gid_t group = builders_group;
+    if (setgroups(seal.work == Work::building ? 1 : 0, &group) != 0) return false;
+    for (unsigned i = 0; i < count; ++i) {
+        const unsigned user = first + (unsigned(getpid()) + i) % count;
+        for (const std::string& folder : seal.writable)
+            if (lchown(folder.c_str(), user, user) != 0) return false;
+        if (setresgid(user, user, user) != 0 || setresuid(user, user, 0) != 0) return false;
+        // Of two at once that are the same user, one at least sees both, and goes back.
+        if (processes_of_user() == 1) return setresuid(user, user, user) == 0;
+        if (setresuid(0, 0, 0) != 0) return false;
+    }
+    return false;
 }
 
 bool take_namespaces(Work work) {
@@ -137,7 +190,7 @@ bool take_namespaces(Work work) {
     return unshare(flags) == 0;
 }
 
-bool limit(const Seal& seal, bool processes_are_counted) {
+bool limit(const Seal& seal) {
     const auto set = [](auto resource, rlim_t soft, rlim_t hard) {
         const rlimit both{.rlim_cur = soft, .rlim_max = hard};
         return setrlimit(resource, &both) == 0;
@@ -147,43 +200,45 @@ bool limit(const Seal& seal, bool processes_are_counted) {
     const rlim_t files = rlim_t(seal.file_megabytes) * megabyte;
     const rlim_t stack = 8 * megabyte;
     const rlim_t open_files = seal.work == Work::answering ? 16 : 64;
+    rlimit before{};
+    if (getrlimit(RLIMIT_NPROC, &before) != 0) return false;
+    const rlim_t processes = std::min(before.rlim_max, processes_of_user() + rlim_t(seal.threads));
+    const rlim_t core = 1;  // with 0 it would still be piped to a program, where the system has one
     return set(RLIMIT_CPU, cpu, cpu + 1) && set(RLIMIT_AS, memory, memory) &&
-           set(RLIMIT_FSIZE, files, files) && set(RLIMIT_CORE, 0, 0) &&
+           set(RLIMIT_FSIZE, files, files) && set(RLIMIT_CORE, core, core) &&
            set(RLIMIT_STACK, stack, stack) && set(RLIMIT_NOFILE, open_files, open_files) &&
            set(RLIMIT_MEMLOCK, 0, 0) && set(RLIMIT_MSGQUEUE, 0, 0) &&
-           (!processes_are_counted ||
-            set(RLIMIT_NPROC, rlim_t(seal.threads), rlim_t(seal.threads)));
+           set(RLIMIT_NPROC, processes, processes);
 }
 
 void become(const Seal& seal, const std::vector<std::string>& command) {
     const bool worker = seal.work == Work::answering;
+    const pid_t parent = getppid();
     close_descriptors(worker);
     if (worker) open_program(command.at(0));
     setsid();
     forget_signals();
     umask(worker ? 077 : 022);  // what one tool made, another of another user reads
-    for (const std::string& folder : seal.writable) give_away(folder);
     if (!seal.writable.empty())
         require(chdir(seal.writable.front().c_str()) == 0, seal.writable.front().c_str());
     Landlock rules;
     add_rules(seal, rules);
     const bool root = geteuid() == 0;
-    const bool own_user = take_user_of_its_own();
-    require(own_user || !root, "no user of its own");
-    const bool namespaces = take_namespaces(seal.work);
+    require(take_user_of_its_own(seal) || !root, "no user of its own");
+    (void)take_namespaces(seal.work);  // where there are any
     // What stands in memory that nobody has set is the same in every run.
     if (worker) personality(ADDR_NO_RANDOMIZE);
     // After the change of user, which forgets it.
     require(prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0, "end with the parent");
+    if (getppid() != parent) _exit(128 + SIGKILL);
     if (!worker) go_on_watched(seal.wall_seconds);
-    // Without either, the limit would count all that the user runs.
-    require(limit(seal, own_user || (worker && namespaces)), "limits");
+    require(limit(seal), "limits");
     require(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, "no new privileges");
     const bool files = rules.put_on();
-    require(files || (worker && !seal.libraries), "Landlock");
+    require(files || worker, "Landlock");
     require(filter_system_calls(seal), "seccomp");
 
-    std::vector<std::string> environment{"LC_ALL=C", "PATH=/usr/bin:/bin"};
+    std::vector<std::string> environment{"LC_ALL=C", "PATH=/usr/local/bin:/usr/bin:/bin"};
     if (!seal.writable.empty()) environment.push_back("TMPDIR=" + seal.writable.front());
     if (worker)
         syscall(SYS_execveat, program_descriptor, "", pointers(command).data(),

@@ -20,8 +20,7 @@ struct Seal {
     int wall_seconds = 30;  ///< of building; who asks a worker watches the clock
     int megabytes = 1024;   ///< of address space
     int file_megabytes = 0;
-    int threads = 64;        ///< or processes, where they can be counted: see Layers
-    bool libraries = false;  ///< a worker that is linked to shared libraries
+    int threads = 64;  ///< or processes, beside those that the user runs already
     std::vector<std::string> readable;
     std::vector<std::string> writable;
 };
@@ -33,11 +32,15 @@ struct SealError : std::runtime_error {
 /// Its only channel.
 inline constexpr int channel = 3;
 
+/// Where a worker's program is open until it runs.
+inline constexpr int program_descriptor = 9;
+
 /// Where `become` leaves what standard error was, until it has become.
 inline constexpr int complaints = 10;
 
-/// The user that a process becomes which was started by root: of a range that no system gives away.
-[[nodiscard]] unsigned user_of_its_own();
+/// The group that all builders are in that were started by root: it may enter the grader's temporary
+/// folder, which nobody else may. Of a range that no system gives away.
+inline constexpr unsigned builders_group = 61183;
 
 /// The launcher's exit status if the program did not start: as timeout and env have it.
 inline constexpr int not_sealed = 125;
@@ -47,8 +50,10 @@ inline constexpr int not_sealed = 125;
 [[noreturn]] void become(const Seal& seal, const std::vector<std::string>& command);
 
 /// The seal's steps, which Layers tries one by one. Each says whether it is taken now.
-[[nodiscard]] bool take_user_of_its_own();
+
+/// From root to a user that no process is of, to whom the seal's writable folders are given.
+[[nodiscard]] bool take_user_of_its_own(const Seal& seal);
 [[nodiscard]] bool take_namespaces(Work work);
-[[nodiscard]] bool limit(const Seal& seal, bool processes_are_counted);
+[[nodiscard]] bool limit(const Seal& seal);
 
 }  // namespace rt::grade

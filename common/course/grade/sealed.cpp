@@ -1,5 +1,5 @@
-// sealed [work=building] [cpu=10] [wall=30] [memory=1024] [file=0] [threads=64] [libraries=1]
-//        [read=FOLDER]… [write=FOLDER]… -- PROGRAM ARGUMENTS…
+// sealed [work=building] [cpu=10] [wall=30] [memory=1024] [file=0] [threads=64] [read=FOLDER]…
+//        [write=FOLDER]… -- PROGRAM ARGUMENTS…
 //
 // Becomes the program, sealed.
 #include "common/course/grade/seal.hpp"
@@ -42,8 +42,6 @@ void read_word(const std::string& word, Seal& seal) {
         seal.file_megabytes = number(value);
     else if (name == "threads")
         seal.threads = number(value);
-    else if (name == "libraries")
-        seal.libraries = number(value) != 0;
     else if (name == "read")
         seal.readable.push_back(value);
     else if (name == "write")
