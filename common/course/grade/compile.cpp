@@ -1,6 +1,7 @@
 #include "common/course/grade/compile.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/load.hpp"
 #include "common/course/grade/repeatable.hpp"
 #include "common/course/grade/seal.hpp"
 #include "common/course/grade/symbols.hpp"
@@ -19,7 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-constexpr int wall_seconds = 30;
+constexpr int wall_seconds = 30;  // where nothing else runs; a tool computes for 15 at most
+constexpr int header_megabytes = 256;
 
 /// How a seat is compiled and linked, as seats/*.txt has it: a name and an option a line.
 using Options = std::multimap<std::string, std::string>;
@@ -107,6 +109,29 @@ std::string told(const Ending& ending, const Workshop& workshop, int stage,
     return words.empty() ? otherwise + " failed." : words;
 }
 
+/// Where a tool has its parts, if that is no folder of the system's, and what it is told to include
+/// from: a compiler in /opt, headers in /home.
+std::vector<fs::path> folders_of(const Command& command) {
+    std::vector<fs::path> folders;
+    std::error_code none;
+    const fs::path prefix = fs::canonical(command.at(0), none).parent_path().parent_path();
+    if (!prefix.empty() && prefix != "/" && prefix != "/usr")
+        for (const char* folder : {"bin", "lib", "lib64", "libexec", "include", "share"})
+            folders.push_back(prefix / folder);
+    const std::string include = "-isystem";
+    for (const std::string& word : command)
+        if (word.rfind(include, 0) == 0) folders.emplace_back(word.substr(include.size()));
+    return folders;
+}
+
+/// For whoever may enter the folder that they are in, whatever the project's own are.
+void let_all_read(const fs::path& folder) {
+    using fs::perms;
+    for (const auto& each : fs::recursive_directory_iterator(folder))
+        fs::permissions(each, each.is_directory() ? perms(0755) : perms(0644));
+    fs::permissions(folder, perms(0755));
+}
+
 /// The header of the project that a compiler did not find, as the file includes it; or nothing.
 std::string refused_header(const std::string& words) {
     for (const std::string& line : lines_of(words)) {
@@ -173,27 +198,43 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
         if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
             copy_headers(project, workshop, stage);
+    for (const char* each : {"headers", "seats"})
+        if (fs::exists(folder / each)) let_all_read(folder / each);
     return workshop;
 }
 
+void go_on(const Workshop& workshop) {
+    if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
+}
+
 void precompile_header(const Workshop& workshop, int stage) {
+    const TemporaryFolder scratch(workshop.folder);
     const std::string header = header_of(workshop, stage).string();
+    const std::string made = scratch.path() / "header.gch";
     Command compile = compiler(workshop, stage);
-    compile.insert(compile.end(), {"-x", "c++-header", header, "-o", header + ".gch"});
-    const Ending ending = listen_to(compile, std::chrono::seconds(4 * wall_seconds));
-    if (ending.status != 0) throw ProgramError(ending.output);
+    compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
+    const Ending ending = run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)},
+                                     compile, header_megabytes);
+    if (ending.status != 0)
+        throw ProgramError("error: the headers of " + name_of(stage) +
+                           " do not compile in the seal\n" + ending.output);
+    take(made, header + ".gch", fs::perms(0644));
 }
 
 Ending run_sealed(const Workshop& workshop, const fs::path& writable,
-                  const std::vector<fs::path>& readable, const Command& command) {
-    Command sealed{
-        workshop.sealed, "work=building", "cpu=15",      "wall=" + std::to_string(wall_seconds),
-        "memory=1500",   "file=32",       "threads=256", "write=" + writable.string()};
+                  const std::vector<fs::path>& readable, const Command& command, int megabytes) {
+    const int wall = int(wall_seconds * busy());
+    Command sealed{workshop.sealed, "work=building",
+                   "cpu=15",        "wall=" + std::to_string(wall),
+                   "memory=1500",   "file=" + std::to_string(megabytes),
+                   "threads=1000",  "write=" + writable.string()};
     for (const fs::path& each : readable) sealed.push_back("read=" + each.string());
+    for (const fs::path& each : folders_of(command)) sealed.push_back("read=" + each.string());
     sealed.push_back("--");
     sealed.insert(sealed.end(), command.begin(), command.end());
     // The launcher watches the clock; we do in case that it cannot.
-    Ending ending = listen_to(sealed, std::chrono::seconds(wall_seconds + 10));
+    Ending ending = listen_to(sealed, std::chrono::seconds(wall + 10), workshop.stop);
+    go_on(workshop);
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     return ending;
 }
@@ -201,9 +242,8 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
 Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                         const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
-    // Named as the student knows it, and from where the compiler starts: its words say so, and so
-    // does
-    // __FILE__, the same in every run.
+    // Named as the student knows it, and from where the compiler starts: its words say so, and
+    // so does __FILE__, the same in every run.
     const std::string source = name_of(stage).substr(7) + ".cpp";
     const fs::path made = scratch.path() / "submission.o";
     std::ofstream(scratch.path() / source) << text;

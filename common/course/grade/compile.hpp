@@ -3,8 +3,10 @@
 
 #include "common/course/process.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 namespace rt::grade {
@@ -14,16 +16,25 @@ namespace rt::grade {
 /// must be open to all.
 struct Workshop {
     std::filesystem::path folder;
-    std::filesystem::path sealed;  ///< the launcher
+    std::filesystem::path sealed;             ///< the launcher
+    const std::atomic<bool>* stop = nullptr;  ///< once it is set, what runs is ended
 };
+
+/// What was on its way is worth nothing: somebody has stopped it.
+struct Interrupted : std::runtime_error {
+    Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Throws Interrupted if the workshop is stopped.
+void go_on(const Workshop& workshop);
 
 /// Fills the folder from the project and from what is built of it. Throws filesystem_error.
 [[nodiscard]] Workshop open_workshop(const std::filesystem::path& project,
                                      const std::filesystem::path& build,
                                      const std::filesystem::path& folder);
 
-/// Compiles a stage's header ahead, so that a file after it takes a third of its time. Throws
-/// ProgramError.
+/// Compiles a stage's header ahead, sealed, so that a file after it takes a third of its time.
+/// Throws ProgramError.
 void precompile_header(const Workshop& workshop, int stage);
 
 /// What came of a compile or a link.
@@ -32,7 +43,7 @@ struct Made {
     std::string words;  ///< why not, fit for who wrote the file
 };
 
-// Both throw ProgramError, or filesystem_error, if it is we who fail.
+// Both throw ProgramError, or filesystem_error, if it is we who fail; Interrupted.
 
 /// Compiles what was handed in for a stage. Refuses what defines symbols that are not his to
 /// define.
@@ -47,9 +58,10 @@ struct Made {
 /// How the stage's worker is sealed: what RAYSTEPS_LIMITS says to it.
 [[nodiscard]] std::string worker_limits(int stage);
 
-/// Runs a tool that may read these, and write into the folder only, which it starts in.
+/// Runs a tool that may read these, what belongs to the tool, and what it is told to include from
+/// (-isystem); and write into the folder only, which it starts in, files of so many megabytes.
 [[nodiscard]] Ending run_sealed(const Workshop& workshop, const std::filesystem::path& writable,
                                 const std::vector<std::filesystem::path>& readable,
-                                const Command& command);
+                                const Command& command, int megabytes = 32);
 
 }  // namespace rt::grade

@@ -8,6 +8,7 @@
 #include "common/course/grade/judge.hpp"
 #include "common/course/grade/junit.hpp"
 #include "common/course/grade/layers.hpp"
+#include "common/course/grade/seal.hpp"
 #include "common/course/grade/seed.hpp"
 #include "common/course/grade/term.hpp"
 
@@ -79,18 +80,20 @@ private:
     int descriptor_;
 };
 
-/// Open to all, as compilers and workers are nobody in particular; of a name that says whose it is,
-/// so that what a killed run has left is gone with the next.
+/// The lecturer's alone, and root's builders': these are nobody in particular. Of a name that says
+/// whose it is, so that what a killed run has left is gone with the next, and of letters at random.
 fs::path workshop_folder(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
-    const fs::path folder =
-        fs::temp_directory_path() /
-        ("raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part));
+    const std::string start =
+        "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
     std::error_code none;
-    fs::remove_all(folder, none);
-    if (!fs::create_directory(folder))
-        throw InputError({folder}, "is there, and is not ours to remove");
-    fs::permissions(folder, fs::perms(0755));
+    for (const auto& each : fs::directory_iterator(fs::temp_directory_path(), none))
+        if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
+    std::string folder = fs::temp_directory_path() / (start + "XXXXXX");
+    if (mkdtemp(folder.data()) == nullptr) throw InputError({folder}, "cannot be made");
+    if (geteuid() == 0 && (lchown(folder.c_str(), 0, builders_group) != 0 ||
+                           chmod(folder.c_str(), S_IRWXU | S_IXGRP) != 0))
+        throw InputError({folder}, "cannot be opened to compilers");
     return folder;
 }
 
@@ -154,6 +157,15 @@ void precompile_headers(const Order& order, const Grading& grading) {
                 [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
 }
 
+/// Each alone; of few submissions one of them, since a compile takes seconds: what keeps a compiler
+/// from its headers keeps it from all.
+void compile_references(const Order& order, const Grading& grading, std::size_t submissions) {
+    std::vector<int> stages(grading.stages.begin(), grading.stages.end());
+    if (submissions < headers_pay_from) stages.erase(stages.begin(), stages.end() - 1);
+    in_parallel(order.jobs, stages.size(), &stop,
+                [&](std::size_t i) { compile_reference(grading, stages[i]); });
+}
+
 std::map<int, Yardstick> judge_references(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     std::vector<Yardstick> found(stages.size());
@@ -166,20 +178,14 @@ std::map<int, Yardstick> judge_references(const Order& order, const Grading& gra
     return yardsticks;
 }
 
-}  // namespace
-
-bool grade(const Order& order) {
-    check_seal();
-    check_places(order);
-    fs::create_directories(order.results);
-    const Lock lock(order.results, order.part);
-    const Workplace workplace(order);
+Outcome grade(const Order& order, const fs::path& folder) {
     Grading grading{.project = order.project,
                     .build = order.build,
                     .results = fs::absolute(order.results),
-                    .workshop = open_workshop(order.project, order.build, workplace.folder()),
+                    .workshop = open_workshop(order.project, order.build, folder),
                     .seed = seed_identifier(agreed_seed(order.results, order.seed_file)),
                     .stages = stages_of(order)};
+    grading.workshop.stop = &stop;
     const ClassFolder found = order.one ? one_submission(order.places)
                                         : find_class(grading.workshop, order.places, order.results);
     const std::vector<Envelope> envelopes = chosen(found.envelopes, order);
@@ -188,16 +194,41 @@ bool grade(const Order& order) {
     if (is_class && order.part == 1 && order.students.empty())
         report_left_over(order.results, found.left_over);
     if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
-    std::signal(SIGINT, [](int) { stop = true; });
+    compile_references(order, grading, envelopes.size());
     Judge judge(grading, judge_references(order, grading));
+    go_on(grading.workshop);
     std::fprintf(stderr, "%zu submissions, %zu stages, seed known as %s\n", envelopes.size(),
                  grading.stages.size(), grading.seed.c_str());
     Progress progress(errors_on_terminal(), int(envelopes.size()));
+    std::atomic<bool> failed = false;
     in_parallel(order.jobs, envelopes.size(), &stop, [&](std::size_t i) {
-        judge.judge(envelopes[i], stop);
+        const std::string why = judge.judge(envelopes[i]);
+        if (!why.empty()) {
+            failed = true;
+            std::fprintf(stderr, "error: %s could not be judged: %s\n",
+                         envelopes[i].student.c_str(), why.c_str());
+        }
         progress.advance();
     });
-    return !stop;
+    go_on(grading.workshop);
+    return failed ? Outcome::failed : Outcome::judged;
+}
+
+}  // namespace
+
+Outcome grade(const Order& order) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        std::signal(signal, [](int) { stop = true; });
+    check_seal();
+    check_places(order);
+    fs::create_directories(order.results);
+    const Lock lock(order.results, order.part);
+    const Workplace workplace(order);
+    try {
+        return grade(order, workplace.folder());
+    } catch (const Interrupted&) {
+        return Outcome::interrupted;
+    }
 }
 
 namespace {

@@ -24,10 +24,16 @@ struct Order {
     std::set<std::string> students;  ///< all, if it is empty
 };
 
-/// Judges what there is no mark for yet, on so many threads, until Ctrl-C. Returns whether all is
-/// judged. Throws InputError for what is wrong with the order; ProgramError if the seal does not
-/// hold, or the references fail.
-[[nodiscard]] bool grade(const Order& order);
+/// What came of it.
+enum class Outcome {
+    judged,       ///< all
+    interrupted,  ///< by Ctrl-C or SIGTERM
+    failed,       ///< at some submissions, which standard error has named
+};
+
+/// Judges what there is no mark for yet, on so many threads. Throws InputError for what is wrong
+/// with the order; ProgramError if the seal does not hold, or the references fail.
+[[nodiscard]] Outcome grade(const Order& order);
 
 /// Writes the reports of all marks that there are. Throws InputError.
 void write_reports(const std::filesystem::path& results, const std::filesystem::path& project);

@@ -1,12 +1,14 @@
 #include "common/course/grade/judge.hpp"
 
 #include "common/course/files.hpp"
+#include "common/course/grade/load.hpp"
 #include "common/course/grade/seed.hpp"
 #include "common/course/grade/sha256.hpp"
 #include "common/course/report.hpp"
 
 #include "common/stages.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace rt::grade {
@@ -20,22 +22,35 @@ namespace fs = std::filesystem;
 constexpr int answer_seconds = 5;
 constexpr int case_seconds = 8;
 constexpr int suite_seconds = 20;
-// By the clock, in case that nobody else ends it: a busy machine must not cost points.
-constexpr std::chrono::minutes longest_asking{15};
+// By the clock, in case that nothing else ends it: suite, diagnosis and picture of a stage, on a
+// machine that has nothing else to do.
+constexpr std::chrono::seconds longest_asking{60};
+// A stage may take so many times as long as its reference took here, beside others.
+constexpr int times_of_reference = 30;
+constexpr std::chrono::seconds longest_of_all{900};
+// What a suite says of a case that was not reached in time (tests/contract/suite_link.cpp), and we.
+constexpr const char* too_long_a_suite = "took longer than all cases may take";
+constexpr const char* not_reached = "was not reached: the cases before it took too long\n";
+
+using Clock = std::chrono::steady_clock;
 
 std::string name_of(int stage) {
     return std::string(stage_name(stage));
 }
 
-/// One of our programs that asks a stranger's worker, which the launcher seals.
+/// One of our programs that asks a stranger's worker, which the launcher seals. Throws Interrupted.
 Ending run_asking(const Grading& grading, int stage, const Command& program,
-                  const Command& variables) {
+                  const Command& variables, Clock::time_point until) {
     Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
                     "RAYSTEPS_LIMITS=" + worker_limits(stage)};
     command.insert(command.end(), variables.begin(), variables.end());
     command.push_back(grading.build / program.front());
     command.insert(command.end(), program.begin() + 1, program.end());
-    return listen_to(command, longest_asking);
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    if (left.count() <= 0) return {.out_of_time = true};
+    Ending ending = listen_to(command, left, grading.workshop.stop);
+    go_on(grading.workshop);
+    return ending;
 }
 
 /// The cases that the stage's starter passes.
@@ -47,7 +62,8 @@ std::set<std::string> given_cases(const Grading& grading, int stage) {
 }
 
 /// What the stage's suite says of the worker. The cases that were reached.
-std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker) {
+std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
+                                Clock::time_point until) {
     const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
     const Command variables{"RAYSTEPS_WORKER=" + worker.string(),
                             "RAYSTEPS_REPORT=" + report.string(),
@@ -55,9 +71,11 @@ std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::pat
                             "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
                             "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
                             "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
-    (void)run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
-                     variables);
+    const Ending ending =
+        run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
+                   variables, until);
     std::vector<CaseMark> cases;
+    if (!fs::exists(report) && ending.out_of_time) return cases;
     if (!fs::exists(report))
         throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
     const std::set<std::string> given = given_cases(grading, stage);
@@ -78,8 +96,24 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
         cases.push_back({.name = all[i].name,
                          .points = all[i].points,
                          .given = all[i].given,
-                         .words = "was not reached: the cases before it took too long\n"});
+                         .words = not_reached});
     return cases;
+}
+
+/// Whether a limit of all its cases has ended the suite. Who was asked in vain for so long is not
+/// asked any more.
+bool is_out_of_time(const Mark& mark) {
+    return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
+        return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
+    });
+}
+
+/// Until when a stage may be asked that begins now.
+Clock::time_point end_of_asking(const Yardstick& yardstick) {
+    const std::chrono::duration<double> seconds = std::max<std::chrono::duration<double>>(
+        busy() * longest_asking, times_of_reference * yardstick.took);
+    return Clock::now() + std::chrono::ceil<std::chrono::milliseconds>(
+                              std::min<std::chrono::duration<double>>(seconds, longest_of_all));
 }
 
 /// Whether every function is: what stands in for one may look like a known mistake.
@@ -109,11 +143,27 @@ void read_diagnosis(const std::string& output, Mark& mark) {
 
 }  // namespace
 
+void compile_reference(const Grading& grading, int stage) {
+    const std::vector<fs::path> files =
+        files_in(grading.project / "steps" / stage_name(stage) / "reference", ".cpp");
+    const TemporaryFolder scratch(grading.workshop.folder);
+    const Made made = compile_submission(grading.workshop, stage, read_text(files.at(0)),
+                                         scratch.path() / "reference.o");
+    if (!made.succeeded)
+        throw ProgramError(
+            "error: not even the reference of " + name_of(stage) +
+            " compiles in the seal, so no submission would. Is the compiler, or GLM, "
+            "where others may not read it?\n" +
+            made.words + "\n");
+}
+
 Yardstick judge_reference(const Grading& grading, int stage, const fs::path& folder) {
     Yardstick yardstick{.worker = folder / (name_of(stage) + "_reference")};
     const Made made = link_worker(grading.workshop, stage, {}, yardstick.worker);
     if (!made.succeeded) throw ProgramError(made.words);
-    yardstick.cases = ask_suite(grading, stage, yardstick.worker);
+    const auto start = Clock::now();
+    yardstick.cases = ask_suite(grading, stage, yardstick.worker, start + longest_of_all);
+    yardstick.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
     for (const CaseMark& each : yardstick.cases)
         if (!each.passed)
             throw ProgramError("error: the reference of " + name_of(stage) +
@@ -174,10 +224,12 @@ public:
     Made link(int stage) { return link(stage, {{stage, object(stage)}}); }
 
     /// The worker of his own stages up to this one.
-    Made link_chain(int stage) {
+    Made link_chain(int stage, Clock::time_point until) {
         std::map<int, fs::path> objects;
-        for (int each = 1; each <= stage; ++each)
+        for (int each = 1; each <= stage; ++each) {
+            if (Clock::now() > until) return {};
             if (has(each) && compiled(each).succeeded) objects[each] = object(each);
+        }
         return link(stage, objects);
     }
 
@@ -213,9 +265,9 @@ namespace {
 
 /// Of what the picture shows of the student's own stages.
 std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
-                                      const fs::path& file) {
+                                      const fs::path& file, Clock::time_point until) {
     const Ending ending = run_asking(
-        grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()}, {});
+        grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()}, {}, until);
     PictureMark mark{.file = file.filename()};
     if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) return {};
     return mark;
@@ -223,7 +275,7 @@ std::optional<PictureMark> picture_of(const Grading& grading, int stage, const f
 
 }  // namespace
 
-Mark Judge::mark(Desk& desk, int stage) {
+Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
     const Yardstick& yardstick = yardsticks_.at(stage);
     Mark mark{.student = desk.student(), .stage = stage, .words = desk.words(stage)};
     for (const CaseMark& each : yardstick.cases) mark.most += each.points;
@@ -246,9 +298,11 @@ Mark Judge::mark(Desk& desk, int stage) {
     mark.verdict = made.succeeded ? Verdict::judged : Verdict::refused;
     mark.words += made.words;
     if (made.succeeded) {
-        mark.cases = completed(ask_suite(grading_, stage, desk.worker()), yardstick.cases);
+        mark.cases = completed(ask_suite(grading_, stage, desk.worker(), until), yardstick.cases);
         if (mark.points() < mark.most && !is_written(desk.text(stage))) {
             mark.words += "RT_TODO still stands in your file: no known mistake was looked for.\n";
+        } else if (is_out_of_time(mark)) {
+            mark.words += "Your file took too long: no known mistake was looked for.\n";
         } else if (mark.points() < mark.most) {
             const std::string probes =
                 grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
@@ -256,7 +310,7 @@ Mark Judge::mark(Desk& desk, int stage) {
                 run_asking(grading_, stage,
                            {"diagnose", probes, desk.worker().string(), yardstick.worker.string(),
                             desk.beside(stage, ".svg").string()},
-                           {});
+                           {}, until);
             if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
             if (fs::exists(desk.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
         }
@@ -266,7 +320,7 @@ Mark Judge::mark(Desk& desk, int stage) {
     return mark;
 }
 
-std::optional<PictureMark> Judge::picture(Desk& desk, int stage) {
+std::optional<PictureMark> Judge::picture(Desk& desk, int stage, Clock::time_point until) {
     const std::string known = name_of(stage) + desk.chain(stage);
     {
         const std::lock_guard lock(mutex_);
@@ -278,27 +332,55 @@ std::optional<PictureMark> Judge::picture(Desk& desk, int stage) {
             return mark;
         }
     }
-    if (!desk.link_chain(stage).succeeded) return {};
+    if (!desk.link_chain(stage, until).succeeded) return {};
     const std::optional<PictureMark> mark =
-        picture_of(grading_, stage, desk.worker(), desk.beside(stage, ".png"));
+        picture_of(grading_, stage, desk.worker(), desk.beside(stage, ".png"), until);
     const std::lock_guard lock(mutex_);
     if (mark) drawn_[known] = {desk.student(), *mark};
     return mark;
 }
 
-void Judge::judge(const Envelope& envelope, const std::atomic<bool>& stop) {
-    Desk desk(grading_, envelope);
-    for (const auto& [stage, yardstick] : yardsticks_) {
-        if (stop) return;
-        const std::string key = desk.key(stage, yardstick);
-        const std::optional<Mark> before = read_mark(grading_.results, desk.student(), stage);
-        if (before && before->key == key) continue;
-        for (const char* ending : {".svg", ".png"}) fs::remove(desk.beside(stage, ending));
-        Mark came = mark(desk, stage);
-        came.student = desk.student();
-        came.key = key;
-        if (came.verdict == Verdict::judged) came.picture = picture(desk, stage);
-        write_mark(grading_.results, came);
+void Judge::judge(Desk& desk, int stage) {
+    go_on(grading_.workshop);
+    const Yardstick& yardstick = yardsticks_.at(stage);
+    const std::string key = desk.key(stage, yardstick);
+    const std::optional<Mark> before = read_mark(grading_.results, desk.student(), stage);
+    if (before && before->key == key) return;
+    const Clock::time_point until = end_of_asking(yardstick);
+    for (const char* ending : {".svg", ".png"}) fs::remove(desk.beside(stage, ending));
+    Mark came = mark(desk, stage, until);
+    came.student = desk.student();
+    came.key = key;
+    if (came.verdict == Verdict::judged && !is_out_of_time(came))
+        came.picture = picture(desk, stage, until);
+    write_mark(grading_.results, came);
+}
+
+std::string Judge::judge(const Envelope& envelope) {
+    auto next = yardsticks_.begin();
+    try {
+        Desk desk(grading_, envelope);
+        for (; next != yardsticks_.end(); ++next) judge(desk, next->first);
+        return "";
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        const std::string why = error.what();
+        for (; next != yardsticks_.end(); ++next) {
+            Mark mark{.student = envelope.student,
+                      .stage = next->first,
+                      .verdict = Verdict::refused,
+                      .words =
+                          "Your file could not be judged, for no fault of yours. It will be "
+                          "judged again.\n"};
+            for (const CaseMark& each : next->second.cases) mark.most += each.points;
+            try {
+                write_mark(grading_.results, mark);
+            } catch (const std::exception&) {
+                break;  // why this student has no line in the grade book is told already
+            }
+        }
+        return why;
     }
 }
 

@@ -26,7 +26,12 @@ struct Yardstick {
     std::filesystem::path worker;  ///< of the references alone
     std::string key;               ///< of what decides a mark, apart from the student's files
     std::vector<CaseMark> cases;   ///< all passed
+    std::chrono::milliseconds took{0};
 };
+
+/// Compiles the reference of a stage as if it were handed in. Throws ProgramError if it does not
+/// compile: then nothing would, whatever may be wrong with this machine.
+void compile_reference(const Grading& grading, int stage);
 
 /// Judges the reference of a stage, whose worker goes to the folder. Throws ProgramError if it has
 /// not all the points: then nobody could.
@@ -39,16 +44,20 @@ public:
     Judge(const Grading& grading, std::map<int, Yardstick> yardsticks)
         : grading_(grading), yardsticks_(std::move(yardsticks)) {}
 
-    /// Writes a mark for each stage, unless there is one already that the same would come of.
-    /// Stops between two stages once it is told to. Throws ProgramError, InputError or
-    /// filesystem_error if it is we who fail.
-    void judge(const Envelope& envelope, const std::atomic<bool>& stop);
+    /// Writes a mark for each stage, unless there is one already that the same would come of. If it
+    /// is we who fail, says why, and the marks that are left say so; the next run judges them
+    /// again. Throws Interrupted once the workshop is stopped.
+    [[nodiscard]] std::string judge(const Envelope& envelope);
 
 private:
     class Desk;
 
-    [[nodiscard]] Mark mark(Desk& desk, int stage);
-    [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage);
+    using Time = std::chrono::steady_clock::time_point;
+
+    void judge(Desk& desk, int stage);
+    // Nobody is asked anything after the time.
+    [[nodiscard]] Mark mark(Desk& desk, int stage, Time until);
+    [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage, Time until);
 
     const Grading& grading_;
     const std::map<int, Yardstick> yardsticks_;

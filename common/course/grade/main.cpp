@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sys/stat.h>
+
 #include <iostream>
 #include <thread>
 
@@ -90,6 +92,7 @@ int run(int count, char** words) {
         return 0;
     }
     if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR says where to");
+    umask(S_IRWXG | S_IRWXO);  // results are the lecturer's alone
     if (report) {
         rt::grade::write_reports(order.results, order.project);
         return 0;
@@ -99,17 +102,19 @@ int run(int count, char** words) {
     if (!part.empty()) parse_part(part, order);
     order.students = {students.begin(), students.end()};
     order.one = order.one || !gradescope.empty();
-    if (!rt::grade::grade(order)) {
+    const rt::grade::Outcome outcome = rt::grade::grade(order);
+    if (outcome == rt::grade::Outcome::interrupted) {
         std::cerr << "interrupted: the same command goes on from here\n";
         return 1;
     }
-    if (order.parts > 1) return 0;  // --report follows when all parts are there
+    const int status = outcome == rt::grade::Outcome::failed ? 2 : 0;
+    if (order.parts > 1) return status;  // --report follows when all parts are there
     rt::grade::write_reports(order.results, order.project);
     if (!gradescope.empty())
         rt::grade::write_gradescope(gradescope, rt::grade::read_marks(order.results));
     std::cout << (order.results / "grades.csv").string() << '\n'
               << (order.results / "class.html").string() << '\n';
-    return 0;
+    return status;
 }
 
 }  // namespace
