@@ -25,11 +25,13 @@ struct Aim {
     std::optional<double> tolerance;  ///< an error of a pixel, in 8-bit steps
     std::optional<double> time;       ///< so many seconds
     Given given;
+    std::optional<std::size_t> hierarchy_from;  ///< shapes of a kind, instead of where it pays
     int threads = 1;
 };
 
 struct Choice {
-    bool in_float = false;  ///< as well as in double, and sooner
+    bool in_float = false;                      ///< as well as in double, and sooner
+    std::optional<std::size_t> hierarchy_from;  ///< as the aim's; nothing if it is as usual
     Trial expected;
     std::unique_ptr<Pace> pace;        ///< if the picture is to take a time
     std::vector<std::string> reasons;  ///< lines that say what was chosen, and why

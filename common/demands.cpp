@@ -2,12 +2,13 @@
 
 #include "common/in_parallel.hpp"
 #include "common/input_rounding.hpp"
-#include "common/sampling.hpp"
 #include "common/stage.hpp"
 #include "common/stages.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
 
 namespace rt {
@@ -15,11 +16,20 @@ namespace rt {
 namespace {
 
 template <class Shape>
+std::size_t count(const Shape& /*shape*/) {
+    return 1;
+}
+std::size_t count(const PlacedMesh& placed) {
+    return placed.model->mesh.triangles.size();
+}
+
+template <class Shape>
 void take_in(Demands& demands, const Items<Shape>& items) {
     for (const auto& [shape, material] : items) {
         if (material.specular > 0)
             demands.shininess = std::max(demands.shininess, double(material.shininess));
-        demands.mirrors = demands.mirrors || material.mirror > 0;
+        demands.strongest_mirror = std::max(demands.strongest_mirror, double(material.mirror));
+        demands.shapes += count(shape);
     }
     if (Bounded<Shape> && items.size() > demands.most_alike) {
         demands.most_alike = items.size();
@@ -50,8 +60,10 @@ Demands demands_of(const Scene& scene, int stage, const Look& look) {
     for_each_kind(scene, [&](const auto& items) { take_in(demands, items); });
     take_in(demands, scene.meshes);
     const bool lit = look.shading == Shading::color && stage >= light_stage;
-    demands.mirrors = demands.mirrors && lit;
-    if (!lit) demands.shininess = 1;
+    if (!lit) {
+        demands.strongest_mirror = 0;
+        demands.shininess = 1;
+    }
     for (const Light& light : scene.lights) {
         if (!lit) break;
         demands.sized_lights = demands.sized_lights || light.radius > 0;
@@ -63,21 +75,26 @@ Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings)
     constexpr std::size_t together = 16;  // pixels that a thread takes at once
     const Resolution size = scene.resolution;
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
-    Shot shot{.shades = std::vector<Shade>(settings.pixels)};
+    const std::size_t count = settings.pixels.size();
+    Shot shot{.shades = std::vector<Shade>(count), .light_rays = std::vector<int>(count)};
+    std::atomic<std::int64_t> rays = 0;
     const std::clock_t start = std::clock();
     const auto draw = [&](std::size_t part) {
         Context context{.look = look};
-        const std::size_t end = std::min((part + 1) * together, settings.pixels);
+        const std::size_t end = std::min((part + 1) * together, count);
         for (std::size_t i = part * together; i < end; ++i) {
-            const Vec2 place = spread_sample(std::uint32_t(i), 0);
-            const Pixel pixel{.row = int(place.y * Real(size.height)),
-                              .column = int(place.x * Real(size.width))};
+            const Pixel pixel = settings.pixels[i];
             context.pixel = seed_pixel(pixel, size, settings.round);
+            context.sized_light_rays = 0;
             shot.shades[i] = shade(trace(scene, pixel_ray(pixel), context));
+            shot.light_rays[i] = int(context.sized_light_rays);
         }
+        rays += context.rays;
     };
-    in_parallel(settings.threads, (settings.pixels + together - 1) / together, settings.stop, draw);
-    shot.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / double(settings.pixels);
+    in_parallel(settings.threads, (count + together - 1) / together, settings.stop, draw);
+    if (count == 0) return shot;
+    shot.rays = double(rays) / double(count);
+    shot.seconds = double(std::clock() - start) / CLOCKS_PER_SEC / double(count);
     return shot;
 }
 

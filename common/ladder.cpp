@@ -36,6 +36,24 @@ bool stop_at_errors(const Trial& a, const Trial& b) {
 
 }  // namespace
 
+void Ladder::add(Trial trial) {
+    constexpr double least = 1e-9;  // a clock may show nothing at all
+    trial.seconds = std::max(trial.seconds, trials_.empty() ? least : top().seconds);
+    trials_.push_back(trial);
+}
+
+void Ladder::extend(const std::vector<Look>& looks, double seconds) {
+    // What takes longer next to each other is the rays: as the error to the power of -4/3. At least
+    // half of the time is theirs, where they are many.
+    const double without_rays = std::min(trials_.front().seconds, top().seconds / 2);
+    for (const Look& look : looks) {
+        const Trial last = top();
+        if (last.seconds > seconds) return;
+        const double rays = (last.seconds - without_rays) * std::exp2(2.0 / 3);
+        add({.look = look, .seconds = without_rays + rays, .error = last.error});
+    }
+}
+
 void Ladder::end_with(const Trial& trial) {
     std::erase_if(trials_, [&](const Trial& other) { return other.seconds >= trial.seconds; });
     add(trial);

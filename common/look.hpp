@@ -13,6 +13,7 @@ enum class Shading {
 enum class Term { all, ambient, diffuse, specular };
 
 constexpr int most_shadow_samples = 1 << 20;
+constexpr int most_depth = 1000;
 
 struct Look {
     Shading shading = Shading::color;

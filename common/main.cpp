@@ -1,9 +1,11 @@
 // The program of every stage: CMake says which.
 #include "common/choice.hpp"
+#include "common/choice_words.hpp"
 #include "common/input_error.hpp"
 #include "common/options.hpp"
 #include "common/session.hpp"
 #include "common/terminal.hpp"
+#include "common/used_options.hpp"
 
 #include <atomic>
 #include <csignal>
@@ -47,13 +49,17 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     if (shown) std::cerr << "\033[K" << std::flush;
     if (!choice) return false;
     options.look = choice->expected.look;
+    options.hierarchy_from = choice->hierarchy_from;
     if (choice->in_float) {
         options.precision = rt::Precision::f32;
         session = std::move(in_float);
     }
     in_float.reset();
-    if (!options.quiet)
+    if (!options.quiet) {
         for (const std::string& reason : choice->reasons) std::cout << reason << '\n';
+        if (!options.time)
+            std::cout << rt::line("equivalent", rt::equivalent_options(program, options)) << '\n';
+    }
     return session->run(options, choice->pace.get(), stop);
 }
 

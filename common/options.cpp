@@ -22,7 +22,7 @@ namespace {
 
 constexpr int max_side = 8192;  // as in scenes
 constexpr int max_threads = 1024;
-constexpr int max_depth = 1000;
+constexpr int most_shapes = 1'000'000'000;
 
 constexpr double brightest = 255;  ///< in 8-bit steps
 constexpr double least_error = 1e-3;
@@ -145,7 +145,7 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
     }
     if (stage >= mirror_stage)
         add("--depth", look.depth, "mirror upon mirror, at most; 8 if not given", "N",
-            CLI::Range(0, max_depth));
+            CLI::Range(0, most_depth));
 }
 
 /// A file in the project's folder, as short as it can be said from here.
@@ -197,6 +197,10 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         add_choice(app, "--shade", normal, {"torch", "normal"},
                    "colour by a torch at the eye, or by abs(normal)");
     add_light_options(app, program.stage, options.look);
+    app.add_option("--hierarchy-from", options.hierarchy_from,
+                   "a hierarchy of so many shapes of a kind, or more; 32 if not given, 8 of meshes")
+        ->check(CLI::Range(2, most_shapes).description(""))
+        ->type_name("N");
     add_goals(app, options);
     add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
                "what a scene's field of view spans");

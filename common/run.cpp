@@ -11,6 +11,7 @@
 #include "common/stages.hpp"
 #include "common/story.hpp"
 #include "common/terminal.hpp"
+#include "common/used_options.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -22,11 +23,6 @@
 namespace rt {
 
 namespace {
-
-const char* name(Precision precision) {
-    if (precision == Precision::exact) return "exact";
-    return precision == Precision::f32 ? "float" : "double";
-}
 
 std::string size_text(Resolution size) {
     return std::to_string(size.width) + " x " + std::to_string(size.height);
@@ -42,8 +38,8 @@ void refuse_later_stages(const Scene& scene, const Program& program, const Optio
 }
 
 /// Where the shapes are the lesson there are no balls, so that a wrong formula shows.
-Arrangement arrangement(const Program& program) {
-    return {.balls = program.stage >= light_stage};
+Arrangement arrangement(const Program& program, const Options& options) {
+    return {.hierarchy_from = options.hierarchy_from, .balls = program.stage >= light_stage};
 }
 
 Scene load(const Program& program, const Options& options) {
@@ -55,7 +51,7 @@ Scene load(const Program& program, const Options& options) {
     if (options.explain) return scene;
     refuse_later_stages(scene, program, options);
     load_meshes(scene);
-    arrange(scene, arrangement(program));
+    arrange(scene, arrangement(program, options));
     return scene;
 }
 
@@ -70,23 +66,9 @@ void check_output(const Options& options) {
 
 /// What the picture says of itself: whatever made it what it is. The number of threads did not.
 std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
-    const Look& look = options.look;
-    const bool lights = program.stage >= light_stage;
-    std::string used = look.shading == Shading::normal ? "--shade normal"
-                       : lights                        ? "--shade phong"
-                                                       : "--shade torch";
-    if (look.term == Term::ambient) used += " --term ambient";
-    if (look.term == Term::diffuse) used += " --term diffuse";
-    if (look.term == Term::specular) used += " --term specular";
-    if (program.stage >= soft_shadow_stage)
-        used += " --shadow-samples " + std::to_string(look.shadow_samples);
-    if (look.shadow_error > 0) used += " --shadow-error " + text(Real(look.shadow_error));
-    if (look.shadow_agree > 0) used += " --shadow-agree " + std::to_string(look.shadow_agree);
-    if (program.stage >= mirror_stage) used += " --depth " + std::to_string(look.depth);
-    if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
-    if (options.reading.cylinder_from_base) used += " --cyl base";
-    if (options.reading.strict) used += " --strict";
-    if (options.time) used += " --time " + text(Real(*options.time));
+    const bool is_float = options.precision == Precision::f32;
+    const std::string used =
+        is_float ? equivalent_options(program, options) : used_options(program, options);
     return {{"Title", std::filesystem::path(options.scene).filename().string()},
             {"Software", "Raysteps " + std::string(stage_name(program.stage))},
             {"Size", size_text(size)},
@@ -165,7 +147,10 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
 class ReadScene : public Session {
 public:
     ReadScene(const Program& program, const Options& options)
-        : program_(program), look_(options.look), scene_(load(program, options)) {}
+        : program_(program),
+          look_(options.look),
+          arrangement_(arrangement(program, options)),
+          scene_(load(program, options)) {}
 
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
 
@@ -174,7 +159,7 @@ public:
     }
 
     void arrange(std::size_t hierarchy_from) override {
-        Arrangement how = arrangement(program_);
+        Arrangement how = arrangement_;
         how.hierarchy_from = hierarchy_from;
         rt::arrange(scene_, how);
     }
@@ -198,6 +183,7 @@ public:
 private:
     Program program_;
     Look look_;
+    Arrangement arrangement_;
     Scene scene_;
 };
 

@@ -5,8 +5,6 @@
 
 namespace rt {
 
-namespace {
-
 double distance(const Shade& a, const Shade& b) {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -16,8 +14,6 @@ double distance(const Shade& a, const Shade& b) {
     return most;
 }
 
-}  // namespace
-
 std::vector<double> distances(const Shot& a, const Shot& b) {
     std::vector<double> all;
     for (std::size_t i = 0; i < a.shades.size(); ++i)
@@ -25,21 +21,27 @@ std::vector<double> distances(const Shot& a, const Shot& b) {
     return all;
 }
 
-double exceptions(std::size_t tried) {
-    constexpr double promised = 0.01;
-    constexpr double certain = 1.64;  // standard errors
-    return std::max(promised - certain * std::sqrt(promised / double(tried)), 0.);
+std::size_t exceptions(std::size_t tried, double share) {
+    constexpr double certain = 1.64;  // standard errors: 95 %
+    if (share >= 1) return tried;
+    const double expected = share * double(tried);
+    return std::size_t(std::max(expected - certain * std::sqrt(expected * (1 - share)), 0.));
 }
 
-double share_beyond(double limit, const std::vector<double>& distances) {
-    const auto beyond = std::ranges::count_if(distances, [=](double d) { return d > limit; });
-    return double(beyond) / double(distances.size());
-}
-
-double error_but_for(double share, std::vector<double> distances) {
-    const auto place = distances.end() - 1 - std::ptrdiff_t(share * double(distances.size()));
+double error_but_for(std::size_t exceptions, std::vector<double> distances) {
+    if (exceptions >= distances.size()) return 0;
+    const auto place = distances.end() - 1 - std::ptrdiff_t(exceptions);
     std::ranges::nth_element(distances, place);
     return *place;
+}
+
+double error_but_for_share(double share, const std::vector<double>& distances) {
+    if (distances.empty() || share >= 1) return 0;
+    // So many, all of them within the tolerance, show with 95 % that no more than the share is not:
+    // (1 - share)^n = 0.05.
+    const double enough = std::log(0.05) / std::log(1 - share);
+    const double too_few = std::sqrt(std::max(enough / double(distances.size()), 1.));
+    return too_few * error_but_for(exceptions(distances.size(), share), distances);
 }
 
 }  // namespace rt

@@ -5,16 +5,21 @@
 
 namespace rt {
 
-/// By how much the pixels of two shots differ: in the strongest channel, in 8-bit steps.
+/// By how much two colors differ: in the strongest channel, in 8-bit steps.
+[[nodiscard]] double distance(const Shade& a, const Shade& b);
+
+/// By how much the pixels of two shots differ, likewise.
 [[nodiscard]] std::vector<double> distances(const Shot& a, const Shot& b);
 
-/// The share of the pixels that may be further off than the tolerance: so many of those tried that
-/// with 95 % certainty no more than one in a hundred are, of all.
-[[nodiscard]] double exceptions(std::size_t tried);
+/// How many of those tried may be further off than the tolerance, so that with 95 % confidence no
+/// more than this share is, of all.
+[[nodiscard]] std::size_t exceptions(std::size_t tried, double share);
 
-[[nodiscard]] double share_beyond(double limit, const std::vector<double>& distances);
+/// All but so many of the distances are no larger; 0 if that leaves none.
+[[nodiscard]] double error_but_for(std::size_t exceptions, std::vector<double> distances);
 
-/// All but such a share of the distances are no larger.
-[[nodiscard]] double error_but_for(double share, std::vector<double> distances);
+/// No more than the share is further off than this, with 95 % confidence. Where so few are tried
+/// that not even all of them would show it, it is more than all of them.
+[[nodiscard]] double error_but_for_share(double share, const std::vector<double>& distances);
 
 }  // namespace rt

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rt {
@@ -15,11 +16,12 @@ namespace rt {
 /// What a scene requires that settings can spare or spoil.
 struct Demands {
     bool sized_lights = false;
-    bool mirrors = false;
     double shininess = 1;                                  ///< the largest exponent of a highlight
     double extent = 0;                                     ///< as InputRounding::largest
     double feature = 0;                                    ///< as InputRounding::smallest
     double gap = std::numeric_limits<double>::infinity();  ///< as InputRounding::gap
+    double strongest_mirror = 0;     ///< the largest share of what a shape faces that it shows
+    std::size_t shapes = 0;          ///< triangles of meshes too
     std::size_t most_alike = 0;      ///< shapes in the longest list that a hierarchy could replace
     std::size_t hierarchy_from = 0;  ///< what arrange takes if nobody has tried
     double unit_roundoff = 0;        ///< of the precision
@@ -30,15 +32,18 @@ using Shade = std::array<double, 3>;
 
 /// Which of the picture's pixels to draw, and how.
 struct ShotSettings {
-    std::size_t pixels = 0;  ///< the first of a fixed order, spread evenly over the picture
-    int round = 0;           ///< each draws its own samples
+    std::span<const Pixel> pixels;
+    int round = 0;  ///< each draws its own samples
     int threads = 1;
     const std::atomic<bool>* stop = nullptr;  ///< set to give up
 };
 
+/// What was drawn, and what it took: the rays are the same in every run, the seconds are not.
 struct Shot {
-    std::vector<Shade> shades;
-    double seconds = 0;  ///< of CPU time, for each pixel
+    std::vector<Shade> shades;    ///< in the order of the pixels
+    std::vector<int> light_rays;  ///< of each pixel, to lights with a size
+    double rays = 0;              ///< of all kinds, for each pixel in the mean
+    double seconds = 0;           ///< of CPU time, for each pixel
 };
 
 class Trials {

@@ -61,6 +61,7 @@ refused "no tolerance" "--tolerance" step11_soft_shadows --tolerance nan
 refused "300 digits of a tolerance" "--tolerance" step11_soft_shadows --tolerance "$long"
 refused "no error" "--shadow-error" step11_soft_shadows --shadow-error 0
 refused "no time" "--time" step03_sphere --time 0
+refused "a hierarchy of one" "--hierarchy-from" step11_soft_shadows --hierarchy-from 1
 refused "agreement about nothing" "--shadow-error" step11_soft_shadows --shadow-agree 8
 refused "a negative depth" "--depth" step12_mirror --depth=-1
 refused "a torch among lights" "--shade" step09_phong --shade torch
@@ -128,10 +129,17 @@ few=$(rays)
 for words in hierarchy depth precision expected trials; do
     grep -q "^  $words  " out || fail "--tolerance tells of the $words"
 done
-error=$(sed -n 's/.*estimated to be off by less than \([0-9.]*\) step.*/--shadow-error \1/p' out)
-agree=$(sed -n 's/.*, or \([0-9]*\) rays agree$/--shadow-agree \1/p' out)
-"$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 $error $agree --quiet
-cmp -s 1.png 2.png || fail "--tolerance says what can be asked for: $error $agree"
+# The same choice in the same bytes: again, and by the options that it says are equivalent.
+gap=${scenes%/scenes}/tests/measurements/accuracy/scenes/gap.rt
+for scene in "$soft" "$gap"; do
+    "$build/step11_soft_shadows" "$scene" -o 1.png --size 80x60 --threads 1 --tolerance 4 > out
+    equivalent=$(sed -n 's/^  equivalent  *//p' out)
+    [ -n "$equivalent" ] || fail "--tolerance tells equivalent options"
+    "$build/step11_soft_shadows" "$scene" -o 2.png --size 80x60 $equivalent --quiet
+    cmp -s 1.png 2.png || fail "--tolerance says what can be asked for: $equivalent"
+    "$build/step11_soft_shadows" "$scene" -o 2.png --size 80x60 --tolerance 4 --quiet
+    cmp -s 1.png 2.png || fail "--tolerance chooses the same again"
+done
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
 grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out

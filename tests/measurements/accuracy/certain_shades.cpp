@@ -8,10 +8,10 @@ int main() {
     const Program program{.stage = 13, .root = RAYSTEPS_ROOT, .exact = true};
     const Look converged{
         .shadow_samples = most_shadow_samples, .shadow_error = 1.0 / 16, .depth = 64};
-    for (const auto& scene : all_scenes()) {
+    for (const auto& scene : scenes_for_choices()) {
         const auto session = f64::open_session(program, {.scene = scene.string()});
-        const Shot shot =
-            session->shot(converged, {.pixels = shades_of_a_scene, .round = last_round});
+        const std::vector<Pixel> pixels = certain_pixels(session->resolution());
+        const Shot shot = session->shot(converged, {.pixels = pixels, .round = last_round});
         std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);
         std::fflush(stdout);
     }

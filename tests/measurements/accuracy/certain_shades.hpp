@@ -4,12 +4,26 @@
 
 #include "common/session.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
 namespace rt {
 
 constexpr std::size_t shades_of_a_scene = 20'000;
+
+/// So many of the picture's pixels, spread evenly: a step of the golden ratio from each to the next.
+[[nodiscard]] inline std::vector<Pixel> certain_pixels(Resolution size) {
+    std::vector<Pixel> pixels;
+    const std::size_t all = std::size_t(size.width) * std::size_t(size.height);
+    for (std::size_t i = 0; i < shades_of_a_scene; ++i) {
+        const double part = 0.6180339887498949 * double(i);
+        const auto place = std::size_t((part - std::floor(part)) * double(all));
+        pixels.push_back({.row = int(place / std::size_t(size.width)),
+                          .column = int(place % std::size_t(size.width))});
+    }
+    return pixels;
+}
 
 /// That no trial of `--tolerance` has.
 constexpr int last_round = 1000;

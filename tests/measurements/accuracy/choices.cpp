@@ -42,8 +42,9 @@ double kept(const Shot& shot, const std::vector<Shade>& right, double tolerance)
 /// The least time of a few, if they are short.
 Shot drawn(const Session& session, const Look& look) {
     Shot best{.seconds = infinite};
+    const std::vector<Pixel> pixels = certain_pixels(session.resolution());
     for (double all = 0; all < 0.3; all += best.seconds * double(shades_of_a_scene)) {
-        Shot shot = session.shot(look, {.pixels = shades_of_a_scene, .round = last_round - 1});
+        Shot shot = session.shot(look, {.pixels = pixels, .round = last_round - 1});
         if (shot.seconds < best.seconds) best = std::move(shot);
     }
     return best;
@@ -92,10 +93,10 @@ public:
         for (const int depth : {8, 6, 4, 3, 2, 1, 0, 16}) {
             for (auto& ladder : ladders(demands.sized_lights, {.depth = depth}))
                 for (Settings& settings : ladder) {
-                    if (demands.mirrors) settings.words += " --depth " + std::to_string(depth);
+                    if (demands.strongest_mirror > 0) settings.words += " --depth " + std::to_string(depth);
                     if (try_one(session, settings) > 1.2 * found_[0].seconds) break;
                 }
-            if (!demands.mirrors) break;
+            if (!demands.strongest_mirror > 0) break;
         }
     }
 
@@ -181,7 +182,7 @@ int main(int count, char** arguments) {
     std::FILE* const other = popen(("'" + beside.string() + "'").c_str(), "r");
     if (other == nullptr) return 1;
     std::puts("scene,goal,asked,kept,seconds,trials,best,settings");
-    for (const auto& scene : all_scenes()) {
+    for (const auto& scene : scenes_for_choices()) {
         const std::vector<Shade> right = read_shades(other);
         if (right.size() < shades_of_a_scene) return 1;
         if (!only.empty() && scene.stem() != only) continue;

@@ -28,11 +28,26 @@ bool is_edge(const Image& image, Pixel pixel) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> all_scenes() {
+namespace {
+
+std::vector<std::filesystem::path> scenes_in(const char* folder) {
     std::vector<std::filesystem::path> scenes;
-    for (const auto& entry : std::filesystem::directory_iterator(RAYSTEPS_ROOT "/scenes"))
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (entry.path().extension() == ".rt") scenes.push_back(entry.path());
     std::ranges::sort(scenes);
+    return scenes;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> all_scenes() {
+    return scenes_in(RAYSTEPS_ROOT "/scenes");
+}
+
+std::vector<std::filesystem::path> scenes_for_choices() {
+    std::vector<std::filesystem::path> scenes = all_scenes();
+    std::ranges::copy(scenes_in(RAYSTEPS_ROOT "/tests/measurements/accuracy/scenes"),
+                      std::back_inserter(scenes));
     return scenes;
 }
 

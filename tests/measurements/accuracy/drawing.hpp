@@ -26,6 +26,9 @@ inline namespace f64 {
 /// The project's scenes, by name.
 [[nodiscard]] std::vector<std::filesystem::path> all_scenes();
 
+/// These, and some that are hard to choose for: gaps, far from the origin, rare penumbrae.
+[[nodiscard]] std::vector<std::filesystem::path> scenes_for_choices();
+
 /// How far two pictures of one size differ, in steps of 255.
 struct Difference {
     double error = 0;  ///< the root of its mean square over all pixels, of each the worst channel
