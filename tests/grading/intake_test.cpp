@@ -1,10 +1,12 @@
 // Folders and archives of strangers, some of whom mean no good.
 #include "common/course/files.hpp"
 #include "common/course/grade/class_folder.hpp"
+#include "common/in_parallel.hpp"
 #include "common/input_error.hpp"
 
 #include "tests/kit/catch.hpp"
 
+#include <atomic>
 #include <fstream>
 
 using namespace rt;
@@ -21,6 +23,7 @@ public:
         for (const char* each : {"class", "workshop"}) fs::create_directory(folder_ / each);
         fs::permissions(folder_ / "workshop", fs::perms(0755));
         workshop_ = {.folder = folder_ / "workshop", .sealed = RAYSTEPS_SEALED};
+        fs::copy_file(workshop_.sealed.parent_path() / "unpack", folder_ / "workshop/unpack");
     }
 
     [[nodiscard]] fs::path place(const std::string& name) const { return folder_ / "class" / name; }
@@ -412,4 +415,15 @@ TEST_CASE("one submission is one, whatever folders it has; a class with a stray 
     ground.write("sphere.cpp", "stray");
     CHECK_THROWS_AS(ground.find({ground.place("")}), InputError);
     CHECK_THROWS_AS(one_submission({ground.place("nowhere")}), InputError);
+}
+
+TEST_CASE("many archives are opened at a time") {
+    const Ground ground;
+    ground.write("work/sphere.cpp", "three");
+    ground.pack("a.tar.gz", "work", {"--gzip", "."});
+    std::atomic<int> right = 0;
+    in_parallel(4, 60, nullptr, [&](std::size_t) {
+        if (ground.take("a.tar.gz").files == Files{{3, "three"}}) ++right;
+    });
+    CHECK(right == 60);
 }

@@ -114,6 +114,20 @@ TEST_CASE("the grade book has a line a student") {
           "zoe,0,3,3,6\r\n");
 }
 
+TEST_CASE("the grade book says why nothing was found of one who handed in") {
+    const Results results;
+    const std::vector<Mark> marks{{.student = "anna",
+                                   .stage = 3,
+                                   .words = "The archive a.rar cannot be opened.\nx",
+                                   .most = 2},
+                                  {.student = "ben", .stage = 3, .most = 2}};
+    write_grade_book(results.folder, marks);
+    CHECK(read_text(results.folder / "grades.csv") ==
+          "student,step03_sphere,total,of,remarks\r\n"
+          "anna,0,0,2,The archive a.rar cannot be opened.\r\n"
+          "ben,0,0,2,\r\n");
+}
+
 TEST_CASE("JUnit's XML has a testsuite a student and stage") {
     const Class two;
     write_junit(two.folder, two.marks);

@@ -154,6 +154,10 @@ TEST_CASE("Moodle's grading worksheet comes back with grades, of its maximum") {
           "Participant 1,-Ann,a@x,Submitted,57.14,100.00,Yes,-,\r\n"
           "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,handed in nothing\r\n");
     CHECK(two.term().unknown.empty());
+    two.write("term.txt", "roster: sheet.csv\nbonus: 5\n");
+    write_upload(two.folder, two.marks, two.term());
+    CHECK(has(read_text(two.folder / "upload.csv"), "-Ann,a@x,Submitted,100,100.00"));
+    two.write("term.txt", "roster: sheet.csv\n");
     CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,handed in nothing"));
 }
 

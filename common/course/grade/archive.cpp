@@ -75,15 +75,12 @@ std::optional<Unpacked> unpack(const Workshop& workshop, const fs::path& archive
                                const fs::path& folder, int megabytes) {
     const TemporaryFolder scratch(workshop.folder);
     const fs::path copy = scratch.path() / "archive";
-    const fs::path tool = scratch.path() / "unpack";
+    const fs::path tool = workshop.folder / "unpack";
     std::error_code failed;
     if (!fs::is_regular_file(fs::symlink_status(archive, failed))) return std::nullopt;
     fs::copy_file(archive, copy, failed);
     if (failed) return std::nullopt;
     fs::permissions(copy, fs::perms(0644));
-    // Where the user that the tool becomes finds it, whoever's the build folder is.
-    fs::copy_file(workshop.sealed.parent_path() / "unpack", tool);
-    fs::permissions(tool, fs::perms(0755));
     fs::permissions(scratch.path(), fs::perms(0755));
     const Ending ending =
         run_sealed(workshop, folder, {copy, tool}, {tool, copy, folder, std::to_string(megabytes)});

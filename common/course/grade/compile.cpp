@@ -198,7 +198,11 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
         if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
             copy_headers(project, workshop, stage);
-    for (const char* each : {"headers", "seats"})
+    // Where the user that a sealed tool becomes finds it, whoever's the build folder is; and before
+    // there are threads: a program that a process started meanwhile holds open cannot be run.
+    if (fs::exists(build / "unpack"))
+        fs::copy_file(build / "unpack", folder / "unpack", fs::copy_options::overwrite_existing);
+    for (const char* each : {"headers", "seats", "unpack"})
         if (fs::exists(folder / each)) let_all_read(folder / each);
     return workshop;
 }

@@ -22,6 +22,16 @@ std::string reason(const Override& given) {
     return given.comment.empty() ? "" : ": " + given.comment;
 }
 
+/// Why nothing was found of one who handed in, an archive that cannot be opened say.
+std::string why_nothing(const Submission& submission) {
+    std::string words;
+    for (const auto& [stage, mark] : submission.marks) {
+        if (mark->verdict != Verdict::missing) return "";
+        if (words.empty()) words = mark->words.substr(0, mark->words.find('\n'));
+    }
+    return words;
+}
+
 /// What the marks are worth in this term.
 void count(Submission& submission, const std::map<int, int>& graded, const Term& term) {
     for (const auto& [stage, most] : graded) {
@@ -63,6 +73,8 @@ std::vector<Submission> submissions(const std::vector<Mark>& marks, const Term& 
         submission.student = name;
         submission.called = term.called(name);
         if (submission.marks.empty()) add_remark(submission, "handed in nothing");
+        if (const std::string why = why_nothing(submission); !why.empty())
+            add_remark(submission, why);
         count(submission, graded, term);
         all.push_back(std::move(submission));
     }

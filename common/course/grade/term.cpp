@@ -348,10 +348,12 @@ void write_upload(const fs::path& results, const std::vector<Mark>& marks, const
         const double possible =
             term.out_of > 0 ? term.out_of : number_of(row.at(most)).value_or(of);
         const auto found = by_student.find(roster.students[i]);
-        if (found != by_student.end())
-            add(row, number(of > 0 ? found->second.points * possible / of : 0),
-                found->second.remarks);
-        else
+        if (found != by_student.end()) {
+            // Moodle takes no grade above its maximum, of a bonus say.
+            double points = of > 0 ? found->second.points * possible / of : 0;
+            if (most != -1) points = std::min(points, possible);
+            add(row, number(points), found->second.remarks);
+        } else
             add(row, lower(trimmed(row.at(0))) == "points possible" ? number(possible) : "", "");
     }
     write_text(results / "upload.csv", text);
