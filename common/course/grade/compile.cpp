@@ -200,9 +200,11 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
             copy_headers(project, workshop, stage);
     // Where the user that a sealed tool becomes finds it, whoever's the build folder is; and before
     // there are threads: a program that a process started meanwhile holds open cannot be run.
-    if (fs::exists(build / "unpack"))
+    if (fs::exists(build / "unpack")) {
         fs::copy_file(build / "unpack", folder / "unpack", fs::copy_options::overwrite_existing);
-    for (const char* each : {"headers", "seats", "unpack"})
+        fs::permissions(folder / "unpack", fs::perms(0755));
+    }
+    for (const char* each : {"headers", "seats"})
         if (fs::exists(folder / each)) let_all_read(folder / each);
     return workshop;
 }

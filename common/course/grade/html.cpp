@@ -88,7 +88,7 @@ td.text, th.text { text-align: left; vertical-align: top; }
 td.text:last-child { white-space: normal; min-width: 13rem; }
 .matrix { min-width: min(100%, 60rem); }
 .matrix td, .matrix th { min-width: 2.6rem; }
-th.stage { vertical-align: bottom; }
+.matrix th { vertical-align: bottom; }
 th.stage span { display: inline-block; writing-mode: vertical-rl; transform: rotate(180deg); }
 th.student { position: sticky; left: 0; max-width: 10rem; overflow: hidden; text-align: left;
              text-overflow: ellipsis; background: var(--card); border-radius: 0; }
