@@ -123,44 +123,71 @@ jobs:
 )sh";
 
 constexpr const char* submit = R"sh(#!/bin/sh
-# submit.sh CLASS OUT: grades a class with Slurm. The project, CLASS and OUT are in folders
-# that all nodes share. Interrupted, or a node lost: the same command goes on.
+# submit.sh CLASS OUT [--parts N] [--tasks LIST] [OPTION OF ./course grade]...
+#
+# Grades a class with Slurm, in N parts (16), each of them a task of an array, and writes the reports
+# when all have ended well. The project, CLASS and OUT are in folders that all nodes share; the tasks'
+# logs are in OUT/slurm. Interrupted, or a node lost: the same command goes on. --tasks 2,7 runs these
+# parts alone, of the same N.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname "$0")" && pwd)
+[ $# -ge 2 ] || { sed -n '2s/^# /usage: /p' "$0" >&2; exit 2; }
 class=$(CDPATH='' cd -- "$1" && pwd)
-mkdir -p "$2"
+mkdir -p "$2/slurm"
 out=$(CDPATH='' cd -- "$2" && pwd)
-# Built once, before many tasks use it, on processors that may differ.
-cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
-@PROJECT@/course grade --help > /dev/null
-job=$(sbatch --parsable "$here/grade.sbatch" "$class" "$out")
-sbatch --kill-on-invalid-dep=yes --dependency="afterok:${job%%;*}" "$here/report.sbatch" "$out"
+shift 2
+parts=16
+tasks=
+while [ "${1-}" = --parts ] || [ "${1-}" = --tasks ]; do
+    [ $# -ge 2 ] || { echo "error: $1 wants a value" >&2; exit 2; }
+    case $1 in
+        --parts) parts=$2 ;;
+        --tasks) tasks=$2 ;;
+    esac
+    shift 2
+done
+case $parts in
+    '' | *[!0-9]* | 0*) echo "error: --parts wants a number from 1 on, not \"$parts\"" >&2; exit 2 ;;
+esac
+# Built once, before many tasks use it. For nodes whose processors differ, see docs/instructors.md.
+sh @PROJECT@/course grade --help > /dev/null
+job=$(sbatch --parsable --array="${tasks:-1-$parts}" --output="$out/slurm/%A_%a.log" \
+    "$here/grade.sbatch" "$class" "$out" "$parts" "$@")
+echo "graded by job ${job%%;*}"
+sbatch --kill-on-invalid-dep=yes --dependency="afterok:${job%%;*}" \
+    --output="$out/slurm/%j_reports.log" "$here/report.sbatch" "$out"
 )sh";
 
 constexpr const char* array = R"sh(#!/bin/sh
+# grade.sbatch CLASS OUT PARTS [OPTION OF ./course grade]...: one part of the class, by the number of
+# the task, however many tasks the array has.
 #SBATCH --job-name=raysteps
-#SBATCH --array=1-16
 #SBATCH --cpus-per-task=2
+#SBATCH --mem=4G
 #SBATCH --time=02:00:00
-exec @PROJECT@/build/grade "$1" --out "$2" --jobs "${SLURM_CPUS_PER_TASK:-1}" \
-    --part "$SLURM_ARRAY_TASK_ID/${SLURM_ARRAY_TASK_COUNT:-16}"
+class=$1 out=$2 parts=$3
+shift 3
+exec @PROJECT@/build/grade "$class" --out "$out" --jobs "${SLURM_CPUS_PER_TASK:-1}" \
+    --part "$SLURM_ARRAY_TASK_ID/$parts" "$@"
 )sh";
 
 constexpr const char* report = R"sh(#!/bin/sh
 #SBATCH --job-name=raysteps_report
+#SBATCH --mem=1G
 #SBATCH --time=00:30:00
 exec @PROJECT@/build/grade --report --out "$1"
 )sh";
 
 constexpr const char* in_parallel = R"sh(#!/bin/sh
-# in_parallel.sh CLASS OUT: the same with GNU parallel, on this machine or, with its
-# --sshloginfile, on others that share the folders.
+# in_parallel.sh CLASS OUT [OPTION OF ./course grade]...: the same with GNU parallel, on this machine
+# or, with its --sshloginfile, on others that share the folders.
 set -eu
-cmake -S @PROJECT@ -B @PROJECT@/build -G Ninja -DRAYSTEPS_ANY_PROCESSOR=ON > /dev/null
-@PROJECT@/course grade --help > /dev/null
-seq 16 | parallel --quote @PROJECT@/build/grade "$1" --out "$2" --jobs 1 \
-    --part {}/16
-@PROJECT@/build/grade --report --out "$2"
+[ $# -ge 2 ] || { sed -n '2s/^# /usage: /p' "$0" >&2; exit 2; }
+class=$1 out=$2
+shift 2
+sh @PROJECT@/course grade --help > /dev/null
+seq 16 | parallel --quote @PROJECT@/build/grade "$class" --out "$out" --jobs 1 --part {}/16 "$@"
+@PROJECT@/build/grade --report --out "$out"
 )sh";
 
 /// Copies what belongs to the project: what git knows, or else all but what comes of it.
