@@ -10,6 +10,8 @@ struct Basis {
     Vec3 x{1, 0, 0};
     Vec3 y{0, 1, 0};
     Vec3 z{0, 0, 1};
+
+    bool operator==(const Basis&) const = default;
 };
 
 /// A basis whose z points along `z`: stage 2's basis_around.

@@ -13,6 +13,8 @@ struct Motion {
     Basis rotation;
     Real scale = 1;  ///< positive
     Vec3 translation;
+
+    bool operator==(const Motion&) const = default;
 };
 
 }  // namespace rt::inline RT_PRECISION

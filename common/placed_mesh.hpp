@@ -32,6 +32,8 @@ struct Model {
 struct PlacedMesh {
     std::shared_ptr<const Model> model;
     Motion placement;
+
+    bool operator==(const PlacedMesh&) const = default;
 };
 
 /// A mesh is slow to ask, and its balls are wide.

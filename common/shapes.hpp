@@ -8,6 +8,8 @@ namespace rt::inline RT_PRECISION {
 struct Sphere {
     Vec3 center;
     Real radius = 1;  ///< positive
+
+    bool operator==(const Sphere&) const = default;
 };
 
 /// All points p with ⟨p − point, normal⟩ = 0.
@@ -22,6 +24,8 @@ struct Triangle {
     Vec3 a;
     Vec3 b;
     Vec3 c;
+
+    bool operator==(const Triangle&) const = default;
 };
 
 /// |x| ≤ side / 2 and |y| ≤ side / 2 in its own frame (MRT §6). It turns as its basis turns.
@@ -30,6 +34,8 @@ struct Square {
     Basis basis;  ///< x and y along its sides, z its normal
     Real side = 1;
     bool one_sided = false;  ///< seen only from the side its normal points to (HAI)
+
+    bool operator==(const Square&) const = default;
 };
 
 /// The side of a tube, without caps: distance radius from the axis, |z| ≤ height / 2 (MRT §7).
@@ -38,6 +44,8 @@ struct Cylinder {
     Vec3 axis{0, 1, 0};  ///< unit length
     Real radius = 1;
     Real height = 1;
+
+    bool operator==(const Cylinder&) const = default;
 };
 
 /// The side of one nappe, without base: x² + y² = (radius / height)² z², 0 ≤ z ≤ height
@@ -47,6 +55,8 @@ struct Cone {
     Vec3 axis{0, 1, 0};  ///< unit length, from the apex into the cone
     Real radius = 1;     ///< at height
     Real height = 1;
+
+    bool operator==(const Cone&) const = default;
 };
 
 /// |x|, |y| and |z| ≤ half_size's in its own frame (M1, "boite orientée").
@@ -54,6 +64,8 @@ struct OrientedBox {
     Vec3 center;
     Basis basis;
     Vec3 half_size{Real(0.5)};  ///< along the basis's x, y and z
+
+    bool operator==(const OrientedBox&) const = default;
 };
 
 }  // namespace rt::inline RT_PRECISION
