@@ -11,6 +11,10 @@ std::ptrdiff_t commas(std::string_view text) {
     return std::count(text.begin(), text.end(), ',');
 }
 
+bool is_letter(char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+}
+
 Token trimmed(Token token) {
     constexpr std::string_view blanks = " \t\r\v\f";
     const std::size_t begin = std::min(token.text.find_first_not_of(blanks), token.text.size());
@@ -18,6 +22,11 @@ Token trimmed(Token token) {
     token.column += static_cast<int>(begin);
     token.text = token.text.substr(0, token.text.find_last_not_of(blanks) + 1);
     return token;
+}
+
+/// Whether it looks like `key:value`, with a key that begins as a word does.
+bool is_option(std::string_view text) {
+    return is_letter(text.front()) && text.find(':') != std::string_view::npos;
 }
 
 /// What stands between the two commas and around them; nothing if there are not two, or if one
@@ -73,6 +82,23 @@ int ElementLine::choice(std::string_view key, std::initializer_list<std::string_
     refuse(*value, what(key) + " must be " + expected);
 }
 
+bool ElementLine::only_options_follow() {
+    const auto is_other = [](Token token) { return !is_option(token.text); };
+    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+    return !strict() && !at_end() && std::none_of(rest, line_.tokens.end(), is_other);
+}
+
+bool ElementLine::words_without_triple() const {
+    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+    const auto has_comma = [](Token token) { return commas(token.text) > 0; };
+    const auto is_word = [](Token token) {
+        return token.text.find_first_not_of("+-.0123456789eE") != std::string_view::npos &&
+               !is_option(token.text);
+    };
+    return std::none_of(rest, line_.tokens.end(), has_comma) &&
+           std::any_of(rest, line_.tokens.end(), is_word);
+}
+
 bool ElementLine::triple_follows() const {
     return !at_end() && three_parts(peek_field()).has_value();
 }
@@ -88,12 +114,18 @@ void ElementLine::refuse_line(const std::string& message) const {
 void ElementLine::finish() {
     for (; !at_end(); ++next_) {
         const Token token = line_.tokens[next_];
-        const std::size_t colon = token.text.find(':');
-        const std::string_view key =
-            colon == std::string_view::npos ? "" : token.text.substr(0, colon);
+        const bool option = is_option(token.text);
+        const auto key = option ? token.text.substr(0, token.text.find(':')) : "";
+        const std::size_t left = line_.tokens.size() - next_;
+        const std::string of =
+            std::string(form_.noun) + ": expected \"" + std::string(form_.layout) + "\"";
         doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
-              quoted(token.text) + " is too much for " + std::string(form_.noun) + ": expected \"" +
-                  std::string(form_.layout) + "\"",
+              quoted(token.text) +
+                  (option ? " is no option of "
+                   : left == 1
+                       ? " is one word too many for "
+                       : " is the first of " + std::to_string(left) + " words too many for ") +
+                  of,
               "it is ignored");
     }
 }
@@ -127,7 +159,20 @@ std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
         warn(token, "blank in triple", "blanks around the commas of " + quoted(token.text));
     }
     if (parts) return *parts;
+    if (strict()) refuse_blanks();
     refuse(token, what(field) + " must be three numbers as in 1,2,3");
+}
+
+/// Says so, if blanks are what is wrong with the triple that was just taken.
+void ElementLine::refuse_blanks() {
+    --next_;
+    const Token whole =
+        joined(line_.tokens[next_], line_.tokens[next_ + words_around_commas() - 1]);
+    if (three_parts(whole))
+        report_.fail(line_.number, whole.column,
+                     "blanks around the commas of " + quoted(whole.text) +
+                         ": expected three numbers as in 1,2,3");
+    ++next_;
 }
 
 void ElementLine::skip_to_triple(std::string_view field) {
@@ -154,10 +199,10 @@ Token ElementLine::end_of_line() const {
 
 /// How many words belong to the next field: more than one if blanks stand around the commas of a
 /// triple. A word that would bring a third comma is a field of its own.
-std::size_t ElementLine::words_of_field() const {
+std::size_t ElementLine::words_around_commas() const {
     std::size_t end = next_ + 1;
     auto count = commas(line_.tokens[next_].text);
-    while (!strict() && end < line_.tokens.size()) {
+    while (end < line_.tokens.size()) {
         const std::string_view word = line_.tokens[end].text;
         const bool touches = line_.tokens[end - 1].text.ends_with(',') || word.starts_with(',');
         if (!touches || count + commas(word) > 2) break;
@@ -165,6 +210,10 @@ std::size_t ElementLine::words_of_field() const {
         ++end;
     }
     return end - next_;
+}
+
+std::size_t ElementLine::words_of_field() const {
+    return strict() ? 1 : words_around_commas();
 }
 
 Token ElementLine::peek_field() const {

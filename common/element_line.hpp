@@ -30,6 +30,9 @@ public:
     /// Which of the values the option has, the first if it is absent. Only after all fields.
     [[nodiscard]] int choice(std::string_view key, std::initializer_list<std::string_view> values);
 
+    /// Whether nothing but words `key:value` follows: lenient reading then takes no field.
+    [[nodiscard]] bool only_options_follow();
+
     /// Whether the next field is a triple; blanks around its commas are fine in lenient reading.
     [[nodiscard]] bool triple_follows() const;
 
@@ -62,6 +65,9 @@ protected:
     /// The parts of the option `key:x,y,z`, if the line has it. Only after all fields.
     [[nodiscard]] std::optional<std::array<Token, 3>> option_triple(std::string_view key);
 
+    /// Whether what follows has no comma, and a word that is neither a number nor `key:value`.
+    [[nodiscard]] bool words_without_triple() const;
+
     /// Leaves out words before a colour that cannot be one, if a triple comes later on the line.
     void skip_to_triple(std::string_view field);
 
@@ -70,8 +76,10 @@ protected:
     [[nodiscard]] Token end_of_line() const;
 
 private:
+    [[nodiscard]] std::size_t words_around_commas() const;
     [[nodiscard]] std::size_t words_of_field() const;
     [[nodiscard]] Token peek_field() const;
+    void refuse_blanks();
     [[nodiscard]] Token take(std::string_view field, std::size_t words);
 
     Line line_;

@@ -26,4 +26,10 @@ std::string to_string(const Place& place) {
 InputError::InputError(const Place& place, const std::string& message)
     : std::runtime_error(to_string(place) + "error: " + one_line(message)) {}
 
+InputError::InputError(const std::string& text) : std::runtime_error(text) {}
+
+InputError InputError::with(const std::string& remark) const {
+    return InputError(what() + (" (" + one_line(remark) + ")"));
+}
+
 }  // namespace rt

@@ -3,13 +3,16 @@
 #include "common/choice_words.hpp"
 #include "common/input_error.hpp"
 #include "common/options.hpp"
+#include "common/png.hpp"
 #include "common/session.hpp"
 #include "common/terminal.hpp"
 #include "common/used_options.hpp"
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -22,9 +25,12 @@ constexpr int bad_input = 2;
 constexpr int interrupted = 130;  // as shells count it: 128 + SIGINT
 
 std::atomic<bool> stop = false;
+std::atomic<bool> reading = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
+/// Who only reads has nothing to put in order, and may be in the middle of ten million triangles.
 void on_interrupt(int /*signal*/) {
+    if (reading) std::_Exit(interrupted);
     stop = true;
 }
 
@@ -36,13 +42,33 @@ constexpr bool exact = false;
 constexpr auto open_float = rt::f32::open_session;
 #endif
 
+/// Before the work, so that nobody waits for a picture that has no place.
+void check_output(const rt::Options& options) {
+    std::error_code not_there;
+    if (std::filesystem::equivalent(options.scene, options.output, not_there))
+        throw rt::InputError({options.output},
+                             "is the scene itself, which the picture would overwrite");
+    rt::check_writable(options.output);
+}
+
+std::unique_ptr<rt::Session> open(const rt::Program& program, const rt::Options& options,
+                                  rt::Precision precision) {
+    const auto open_session = precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
+    reading = true;
+    std::unique_ptr<rt::Session> session = open_session(program, options);
+    reading = false;
+    return session;
+}
+
 /// With settings of its own choice, for a tolerance or a time.
 bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
                     std::unique_ptr<rt::Session> session) {
     std::unique_ptr<rt::Session> in_float;
     rt::OpenFloat other;
     if (!options.precision_given && !exact)
-        other = [&]() -> rt::Trials& { return *(in_float = open_float(program, options)); };
+        other = [&]() -> rt::Trials& {
+            return *(in_float = open(program, options, rt::Precision::f32));
+        };
     const bool shown = !options.quiet && rt::errors_on_terminal();
     if (shown) std::cerr << "trying settings\r" << std::flush;
     const auto choice = choose(*session, other, options, start, stop);
@@ -63,14 +89,21 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     return session->run(options, choice->pace.get(), stop);
 }
 
+std::vector<std::string> risks_in_float(const rt::Options& options) {
+    reading = true;
+    std::vector<std::string> risks = rt::f64::risks_in_float(options);
+    reading = false;
+    return risks;
+}
+
 void explain_risks(const rt::Options& options) {
-    const std::vector<std::string> risks = rt::f64::risks_in_float(options);
+    const std::vector<std::string> risks = risks_in_float(options);
     if (!risks.empty()) std::cout << "and is at risk with --precision float\n";
     for (const std::string& risk : risks) std::cout << "  " << risk << '\n';
 }
 
 void warn_of_risks(const rt::Options& options) {
-    for (const std::string& risk : rt::f64::risks_in_float(options))
+    for (const std::string& risk : risks_in_float(options))
         std::cerr << to_string(rt::Place{options.scene}) << "warning: " << risk
                   << "; try --precision double\n";
 }
@@ -80,8 +113,8 @@ int run_program(int argc, char** argv) {
     const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
     const auto options = rt::parse_options(program, argc, argv);
     if (!options) return 0;
-    auto open = options->precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
-    std::unique_ptr<rt::Session> session = open(program, *options);
+    if (options->makes_picture()) check_output(*options);
+    std::unique_ptr<rt::Session> session = open(program, *options, options->precision);
     const bool is_float = options->precision == rt::Precision::f32;
     if (is_float && !options->quiet && !options->explain) warn_of_risks(*options);
     const bool chosen = (options->tolerance || options->time) && !options->explain;
@@ -95,8 +128,13 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that we report
+#endif
     try {
-        return run_program(argc, argv);
+        const int status = run_program(argc, argv);
+        rt::finish_output();
+        return status;
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
     } catch (const std::bad_alloc&) {

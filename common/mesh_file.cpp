@@ -8,6 +8,8 @@
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -67,6 +69,15 @@ void silence_open_mesh() {
     omout().disable();
 }
 
+bool has_area(const MeshFile& mesh) {
+    return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto& corners) {
+        const glm::dvec3 a = mesh.vertices[corners[0]];
+        const glm::dvec3 b = mesh.vertices[corners[1]];
+        const glm::dvec3 c = mesh.vertices[corners[2]];
+        return glm::cross(b - a, c - a) != glm::dvec3(0);
+    });
+}
+
 MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
     silence_open_mesh();
     std::istringstream stream(std::move(mesh.content), std::ios::in | std::ios::binary);
@@ -92,6 +103,8 @@ MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
     if (result.triangles.empty()) {
         throw InputError({file}, "has no triangles: expected at least one");
     }
+    if (!has_area(result))
+        result.warnings.emplace_back("no triangle has an area: no ray meets the mesh");
     return result;
 }
 
@@ -105,9 +118,12 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
 }
 
 MeshFile read_mesh_file(const std::string& file) {
-    // What can be told before much is read. What has no size, a pipe say, is read up to the limit.
+    // What can be told before much is read. A device may have no end, and a pipe no beginning.
     static_cast<void>(check_for(file));
     std::error_code has_none;
+    const auto status = std::filesystem::status(file, has_none);
+    if (std::filesystem::exists(status) && std::filesystem::is_other(status))
+        throw InputError({file}, "is a device or a pipe: expected a file");
     const std::uintmax_t size = std::filesystem::file_size(file, has_none);
     if (!has_none) require_size(size, file);
     return parse_mesh_file(read_input_file(file, largest_mesh_file), file);

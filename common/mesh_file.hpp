@@ -21,6 +21,7 @@ struct MeshFile {
     std::vector<glm::vec3> vertices;  ///< all finite
     std::vector<glm::vec3> normals;   ///< one a vertex, of any length, NaN too; or none at all
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< at least one
+    std::vector<std::string> warnings;                    ///< what is read, and is hardly meant so
 };
 
 /// The mesh in the file. Throws InputError if there is none, or a part of it is wrong.

@@ -3,7 +3,6 @@
 #include "common/mesh_normals.hpp"
 #include "common/mesh_reader.hpp"
 
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -11,8 +10,8 @@ namespace rt {
 
 namespace {
 
-std::shared_ptr<const Model> load_model(const std::string& file, bool smooth) {
-    Model model{.mesh = load_mesh(file)};
+std::shared_ptr<const Model> load_model(const std::string& file, bool smooth, const Warn& warn) {
+    Model model{.mesh = load_mesh(file, warn)};
     Mesh& mesh = model.mesh;
     if (!smooth) mesh.normals.clear();
     if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
@@ -21,16 +20,28 @@ std::shared_ptr<const Model> load_model(const std::string& file, bool smooth) {
     return std::make_shared<const Model>(std::move(model));
 }
 
+/// "the mesh of scene.rt:4:1"
+std::string named_by(const Place& place) {
+    std::string text = to_string(place);
+    text.resize(text.rfind(':'));
+    return "the mesh of " + text;
+}
+
 }  // namespace
 
-void load_meshes(Scene& scene) {
+void load_meshes(Scene& scene, const Warn& warn) {
     std::map<std::pair<std::string, bool>, std::shared_ptr<const Model>> models;
     for (const NamedMesh& named : scene.named_meshes) {
-        // As the scene's folder sees it, wherever the program runs.
-        const auto folder = std::filesystem::path(named.place.file).parent_path();
-        const std::string file = (folder / named.file).string();
+        const std::string file = path_of(named);
+        const auto warn_of_line = [&](const std::string& warning) {
+            if (warn) warn(warning + " (" + named_by(named.place) + ")");
+        };
         auto& model = models[{file, named.smooth}];
-        if (!model) model = load_model(file, named.smooth);
+        try {
+            if (!model) model = load_model(file, named.smooth, warn_of_line);
+        } catch (const InputError& error) {
+            throw error.with(named_by(named.place));
+        }
         scene.meshes.push_back(
             {.shape = {.model = model, .placement = named.placement}, .material = named.material});
     }

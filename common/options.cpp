@@ -23,6 +23,7 @@ namespace {
 constexpr int max_side = 8192;  // as in scenes
 constexpr int max_threads = 1024;
 constexpr int most_shapes = 1'000'000'000;
+constexpr int max_cameras = 1'000'000;
 
 constexpr double brightest = 255;  ///< in 8-bit steps
 constexpr double least_error = 1e-3;
@@ -206,6 +207,12 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
                "what a scene's field of view spans");
     add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
                "what a cylinder's position is");
+    add_choice(app, "--hand", options.reading.axes.left_handed, {"right", "left"},
+               "how a scene's axes lie; left: left and right are exchanged");
+    add_choice(app, "--up", options.reading.axes.z_up, {"y", "z"}, "which of its axes points up");
+    app.add_option("--camera", options.camera, "which of the scene's cameras; 1 if not given")
+        ->check(CLI::Range(1, max_cameras).description(""))
+        ->type_name("N");
     app.add_flag("--strict", options.reading.strict, "read the scene to the letter of the format");
     app.add_flag("--explain", options.explain,
                  "say what the scene requires and what is left out, and make no picture");
@@ -231,6 +238,9 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     options.precision_given = is_given("--precision");
     options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
                      .depth = is_given("--depth")};
+    for (const char* file : {"scene", "--output"})
+        if (is_given(file) && app.get_option(file)->as<std::string>().empty())
+            throw InputError({}, std::string(file) + " must be the name of a file, not \"\"");
     if (options.scene.empty()) options.scene = default_scene(program);
     if (options.output.empty()) options.output = default_output(program, options.scene);
     return options;

@@ -24,12 +24,15 @@ struct Options : Aim {
     std::string output;  ///< a file
     SceneReading reading;
     std::optional<Resolution> size;  ///< instead of the scene's
+    int camera = 1;                  ///< which of the scene's
     std::optional<Pixel> pixel;      ///< tell its story, and make no picture
     Precision precision = Precision::f64;
     bool precision_given = false;
     bool explain = false;  ///< say what the scene requires, and make no picture
     bool preview = false;
     bool quiet = false;
+
+    [[nodiscard]] bool makes_picture() const { return !explain && !pixel; }
 };
 
 /// What the command line asks for; nothing if all it asked for, help, has been printed. Throws

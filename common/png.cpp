@@ -1,15 +1,16 @@
 #include "common/png.hpp"
 
 #include "common/input_error.hpp"
+#include "common/whole_file.hpp"
 
 #include <png.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <new>
-#include <utility>
 
 namespace rt {
 
@@ -21,44 +22,37 @@ namespace fs = std::filesystem;
     throw InputError({file}, "cannot be written: " + why);
 }
 
-/// A file that is written beside the one that is meant, and takes its place once it is whole.
-class PartFile {
-public:
-    explicit PartFile(const std::string& file) : file_(file), part_(file + ".part") {
-        const fs::path folder = fs::path(file).parent_path();
-        std::error_code error;
-        if (!folder.empty()) fs::create_directories(folder, error);
-        if (error) throw InputError({folder.string()}, "cannot be made: " + error.message());
-        // Renaming would replace a device, too.
-        const fs::file_status status = fs::status(file, error);
-        if (fs::exists(status) && !fs::is_regular_file(status))
-            throw InputError({file}, "is a folder or a device: expected a name for the picture");
-        stream_ = std::fopen(part_.c_str(), "wb");
-        if (stream_ == nullptr) fail_to_write(file_, std::strerror(errno));
-    }
-    ~PartFile() {
-        if (stream_ != nullptr) std::fclose(stream_);
-        std::error_code not_there;
-        fs::remove(part_, not_there);
-    }
-    PartFile(const PartFile&) = delete;
-    PartFile& operator=(const PartFile&) = delete;
+constexpr std::size_t signature_size = 8;
 
-    [[nodiscard]] std::FILE* stream() const { return stream_; }
+/// Whether it is empty, or begins as a PNG does.
+bool may_be_replaced(std::FILE* file) {
+    std::array<png_byte, signature_size> bytes{};
+    const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file);
+    return count == 0 ? std::ferror(file) == 0
+                      : count == bytes.size() && png_sig_cmp(bytes.data(), 0, count) == 0;
+}
 
-    void take_its_place() {
-        if (std::fclose(std::exchange(stream_, nullptr)) != 0)
-            fail_to_write(file_, std::strerror(errno));
-        std::error_code error;
-        fs::rename(part_, file_, error);
-        if (error) fail_to_write(file_, error.message());
+/// Refuses a place where something stands that is not a picture's: renaming would replace a device,
+/// too, and a file that nobody may write to.
+void check_place(const std::string& file) {
+    const fs::path target = behind_links(file);
+    std::error_code not_there;
+    const fs::file_status status = fs::status(target, not_there);
+    if (!fs::exists(status)) {
+        if (!target.has_filename()) fail_to_write(file, "it is the name of a folder");
+        return;
     }
-
-private:
-    std::string file_;
-    std::string part_;
-    std::FILE* stream_ = nullptr;
-};
+    if (!fs::is_regular_file(status))
+        throw InputError({file}, "is a folder or a device: expected a name for the picture");
+    std::FILE* const older = std::fopen(target.string().c_str(), "r+b");
+    if (older == nullptr) fail_to_write(file, std::strerror(errno));
+    const bool replaced = may_be_replaced(older);
+    std::fclose(older);
+    if (!replaced)
+        throw InputError({file},
+                         "is there already, and is no PNG, which the picture could replace: "
+                         "expected another name");
+}
 
 /// libpng's error function must not return, and may throw: no C frame between holds memory.
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
@@ -118,13 +112,16 @@ private:
 }  // namespace
 
 void check_writable(const std::string& file) {
-    const PartFile begun(file);
+    check_place(file);
+    check_folder_of(file);
 }
 
 void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts) {
-    PartFile part(file);
-    Writer(file).write(part.stream(), image, texts);
-    part.take_its_place();
+    check_place(file);
+    WholeFile whole(file);
+    Writer(file).write(whole.stream(), image, texts);
+    check_place(file);  // somebody may have used the time
+    whole.take_its_place();
 }
 
 Image read_png(const std::string& file) {

@@ -1,5 +1,6 @@
 #include "common/session.hpp"
 
+#include "common/blank_picture.hpp"
 #include "common/demands.hpp"
 #include "common/input_rounding.hpp"
 #include "common/mesh_loading.hpp"
@@ -19,6 +20,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 namespace rt {
 
@@ -42,26 +44,39 @@ Arrangement arrangement(const Program& program, const Options& options) {
     return {.hierarchy_from = options.hierarchy_from, .balls = program.stage >= light_stage};
 }
 
+/// Makes it the first.
+void choose_camera(Scene& scene, const Options& options) {
+    const auto index = std::size_t(options.camera - 1);
+    if (index < scene.cameras.size()) return std::swap(scene.cameras[0], scene.cameras[index]);
+    const std::size_t count = scene.cameras.size();
+    throw InputError({options.scene}, "has " + std::to_string(count) +
+                                          (count == 1 ? " camera" : " cameras") +
+                                          ", and no --camera " + std::to_string(options.camera));
+}
+
+/// A mesh could begin as a PNG does, which the picture may replace.
+void refuse_mesh_as_output(const Scene& scene, const Options& options) {
+    for (const NamedMesh& mesh : scene.named_meshes) {
+        std::error_code not_there;
+        if (std::filesystem::equivalent(path_of(mesh), options.output, not_there))
+            throw InputError({options.output},
+                             "is a mesh of the scene, which the picture would overwrite");
+    }
+}
+
 Scene load(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
         reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
     Scene scene = load_scene(options.scene, basis_around, reading);
+    choose_camera(scene, options);
     if (options.size) scene.resolution = *options.size;
     if (options.explain) return scene;
     refuse_later_stages(scene, program, options);
-    load_meshes(scene);
+    if (options.makes_picture()) refuse_mesh_as_output(scene, options);
+    load_meshes(scene, reading.warn);
     arrange(scene, arrangement(program, options));
     return scene;
-}
-
-/// Before the work, so that nobody waits for a picture that has no place.
-void check_output(const Options& options) {
-    std::error_code not_there;
-    if (std::filesystem::equivalent(options.scene, options.output, not_there))
-        throw InputError({options.output},
-                         "is the scene itself, which the picture would overwrite");
-    check_writable(options.output);
 }
 
 /// What the picture says of itself: whatever made it what it is. The number of threads did not.
@@ -95,9 +110,17 @@ void report(const Rendering& rendering, const Options& options, const Pace* pace
                 first.row, first.column);
 }
 
+/// Whoever sees nothing is told why.
+void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
+                   const Image& image) {
+    if (program.stage < shapes_stage) return;
+    const std::string reason = why_blank(scene, options.look, program.stage, image);
+    if (!reason.empty())
+        std::cerr << to_string(Place{options.scene}) << "warning: " << reason << '\n';
+}
+
 bool make_picture(const Program& program, const Options& options, const Scene& scene, Pace* pace,
                   const std::atomic<bool>& stop) {
-    check_output(options);
     const auto start = std::chrono::steady_clock::now();
     std::optional<Rendering> rendering;
     {
@@ -113,6 +136,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     if (!rendering) return false;
     write_png(options.output, rendering->image, texts(program, options, scene.resolution));
     if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
+    if (!options.quiet) warn_if_blank(scene, program, options, rendering->image);
     if (!options.quiet) report(*rendering, options, pace, seconds.count());
     return true;
 }

@@ -1,6 +1,7 @@
 // What a .rt file describes.
 #pragma once
 
+#include "common/axes.hpp"
 #include "common/input_error.hpp"
 #include "common/items.hpp"
 #include "common/pixel.hpp"
@@ -66,6 +67,8 @@ struct Scene {
     Items<OrientedBox> boxes;
     std::vector<NamedMesh> named_meshes;
     Items<PlacedMesh> meshes;  ///< the named ones, once they are loaded
+
+    Axes axes;  ///< the file's; all of the above is in ours
 };
 
 }  // namespace rt::inline RT_PRECISION
@@ -87,6 +90,9 @@ void for_each_kind(SomeScene& scene, Visit visit) {
     visit(scene.cones);
     visit(scene.boxes);
 }
+
+/// The mesh's file, as the scene's folder sees it, wherever the program runs.
+[[nodiscard]] std::string path_of(const NamedMesh& mesh);
 
 /// Arranges each kind of shape, once the scene is whole. Pictures are the same without, but later.
 void arrange(Scene& scene, const Arrangement& how = {});

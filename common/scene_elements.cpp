@@ -9,6 +9,7 @@ namespace rt::inline RT_PRECISION {
 namespace {
 
 void read_resolution(Fields& fields, const ElementReading&, Scene& scene) {
+    if (fields.only_options_follow()) return;
     const int width = fields.pixels("width");
     scene.resolution = {.width = width, .height = fields.pixels("height")};
 }
@@ -25,6 +26,13 @@ void read_camera(Fields& fields, const ElementReading& reading, Scene& scene) {
                              .direction = direction,
                              .fov = fields.angle("field of view"),
                              .fov_axis = reading.fov_axis});
+}
+
+/// Left-handed if the scene's axes are: what is placed by it is mirrored.
+Basis to_our_axes(const Basis& basis, Axes axes) {
+    return {.x = to_our_axes(basis.x, axes),
+            .y = to_our_axes(basis.y, axes),
+            .z = to_our_axes(basis.z, axes)};
 }
 
 void read_light(Fields& fields, const ElementReading&, Scene& scene) {
@@ -61,8 +69,9 @@ void read_sphere(Fields& fields, const ElementReading&, Scene& scene) {
 void read_plane(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 point = fields.point("position");
     const Vec3 normal = fields.direction("normal");
-    scene.planes.push_back(
-        {.shape = {.point = point, .normal = normal}, .material = read_material(fields)});
+    const Material material = read_material(fields);
+    if (fields.is_left_out()) return;
+    scene.planes.push_back({.shape = {.point = point, .normal = normal}, .material = material});
 }
 
 void read_triangle(Fields& fields, const ElementReading&, Scene& scene) {
@@ -79,6 +88,7 @@ void read_square(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Real side = fields.length("side");
     const Material material = read_material(fields);
     const bool one_sided = fields.choice("sides", {"2", "1"}) == 1;
+    if (fields.is_left_out()) return;
     scene.squares.push_back(
         {.shape = {.center = center, .basis = basis, .side = side, .one_sided = one_sided},
          .material = material});
@@ -94,6 +104,7 @@ void read_cylinder(Fields& fields, const ElementReading& reading, Scene& scene) 
     const Real height = fields.length("height");
     const Material material = early ? early_material : read_material(fields);
     const Vec3 center = reading.cylinder_from_base ? position + height / 2 * axis : position;
+    if (fields.is_left_out()) return;
     if (!is_finite(center)) fields.refuse_line("a cylinder's centre is too far away");
     scene.cylinders.push_back(
         {.shape = {.center = center, .axis = axis, .radius = radius, .height = height},
@@ -105,17 +116,21 @@ void read_cone(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 axis = fields.direction("direction");
     const Real radius = fields.length("diameter") / 2;
     const Real height = fields.length("height");
+    const Material material = read_material(fields);
+    if (fields.is_left_out()) return;
     scene.cones.push_back(
         {.shape = {.apex = apex, .axis = axis, .radius = radius, .height = height},
-         .material = read_material(fields)});
+         .material = material});
 }
 
 void read_box(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 center = fields.point("position");
     const Basis basis = reading.basis_around(fields.direction("direction"));
     const Vec3 size = fields.lengths("size");
+    const Material material = read_material(fields);
+    if (fields.is_left_out()) return;
     scene.boxes.push_back({.shape = {.center = center, .basis = basis, .half_size = size / Real(2)},
-                           .material = read_material(fields)});
+                           .material = material});
 }
 
 void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
@@ -123,13 +138,14 @@ void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
     mesh.placement.translation = fields.point("position");
     mesh.placement.scale = fields.length("scale");
     mesh.material = read_material(fields);
-    mesh.placement.rotation = reading.basis_around(fields.direction_option("dir", {0, 0, 1}));
+    mesh.placement.rotation = to_our_axes(
+        reading.basis_around(fields.direction_option("dir", {0, 0, 1})), reading.axes);
     mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
     scene.named_meshes.push_back(mesh);
 }
 
 constexpr const char* last_counts = "the last one counts";
-constexpr const char* all_kept = "all are kept, and pictures use the first";
+constexpr const char* all_kept = "pictures use the first, or that of --camera N";
 
 constexpr auto table = std::to_array<Element>({
     {{"R", "the resolution", "R width height"}, read_resolution, last_counts},

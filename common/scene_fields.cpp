@@ -26,18 +26,22 @@ std::string component_of(const std::string& name) {
 }  // namespace
 
 Vec3 Fields::point(std::string_view field) {
-    return triple(field).value;
+    return to_our_axes(triple(field).value, axes_);
 }
 
 Vec3 Fields::direction(std::string_view field) {
-    return direction_of(triple(field), field);
+    const Triple read = triple(field);
+    const auto found = unit_direction(read, field);
+    if (found) return to_our_axes(*found, axes_);
+    if (strict()) refuse_zero(read, field);
+    warn(joined(read.parts[0], read.parts[2]), "zero " + what(field),
+         what(field) + " is zero: expected a direction such as 0,1,0; the shape is left out");
+    left_out_ = true;
+    return {0, 0, 1};
 }
 
 Vec3 Fields::camera_direction(std::string_view field) {
-    const Triple read = triple(field);
-    const auto found = unit_direction(read, field);
-    if (!found) warn(read.parts[0], "zero", what(field) + " is zero: it looks along 0,0,-1");
-    return found.value_or(Vec3(0, 0, -1));
+    return to_our_axes(unit_direction(triple(field), field).value_or(Vec3(0)), axes_);
 }
 
 Real Fields::length(std::string_view field) {
@@ -74,6 +78,10 @@ Vec3 Fields::direction_option(std::string_view key, Vec3 otherwise) {
 }
 
 Real Fields::angle(std::string_view field) {
+    if (at_end()) {
+        doubt(end_of_line(), "no angle", missing(field), "it is 60");
+        return pi / 3;
+    }
     // float's π is more than π, and the tangent of its half negative.
     const Real largest = std::nextafter(pi, Real(0));
     return std::min(up_to(180, take_word(field), field) * pi / 180, largest);
@@ -81,6 +89,7 @@ Real Fields::angle(std::string_view field) {
 
 Color Fields::color() {
     skip_to_triple("colour");
+    if (word_for_color()) return Color(1);
     const Triple read = triple("colour");
     const std::string name = component_of(what("colour"));
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
@@ -90,6 +99,19 @@ Color Fields::color() {
               name + " must be a whole number, not " + quoted(read.parts[i].text), "it is kept");
     }
     return read.value / Real(255);
+}
+
+/// Takes words up to the first that is no number, if lenient reading finds one and no triple.
+bool Fields::word_for_color() {
+    if (strict() || !words_without_triple()) return false;
+    for (std::optional<Decimal> number = Decimal(); number;) {
+        const Token word = take_word("colour");
+        number = parse_decimal(word.text);
+        doubt(word, "word for colour " + what(""),
+              quoted(word.text) + " stands where " + what("colour") + " was expected",
+              "it is white");
+    }
+    return true;
 }
 
 Color Fields::color_or_white() {
@@ -135,9 +157,14 @@ Fields::Triple Fields::triple_of(const std::array<Token, 3>& parts, std::string_
     return read;
 }
 
+void Fields::refuse_zero(const Triple& read, std::string_view field) const {
+    refuse(joined(read.parts[0], read.parts[2]),
+           what(field) + " must not be zero: expected a direction such as 0,1,0");
+}
+
 Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
     const auto found = unit_direction(read, field);
-    if (!found) refuse(joined(read.parts[0], read.parts[2]), what(field) + " must point somewhere");
+    if (!found) refuse_zero(read, field);
     return *found;
 }
 

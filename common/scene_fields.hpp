@@ -6,6 +6,7 @@
 #include "common/scene.hpp"
 
 #include <string_view>
+#include <utility>
 
 namespace rt::inline RT_PRECISION {
 
@@ -13,14 +14,19 @@ namespace rt::inline RT_PRECISION {
 /// place of the token, if it is missing or not what it must be.
 class Fields : public ElementLine {
 public:
-    using ElementLine::ElementLine;
+    Fields(Line line, const ElementForm& form, SceneReport& report, Axes axes)
+        : ElementLine(std::move(line), form, report), axes_(axes) {}
 
+    /// In our axes.
     [[nodiscard]] Vec3 point(std::string_view field);
 
-    /// Made unit length. It must not be zero.
+    /// In our axes, made unit length. If it is zero, lenient reading leaves out the shape.
     [[nodiscard]] Vec3 direction(std::string_view field);
 
-    /// Made unit length. Zero looks along (0, 0, −1), with a warning (MRT §2).
+    /// Whether the shape has a direction that is zero: no ray could meet it.
+    [[nodiscard]] bool is_left_out() const { return left_out_; }
+
+    /// In our axes, made unit length, or zero.
     [[nodiscard]] Vec3 camera_direction(std::string_view field);
 
     /// A positive number, whose half is positive too.
@@ -38,12 +44,14 @@ public:
     // Options, and what they are if the line has none.
     [[nodiscard]] Real ratio_option(std::string_view key, Real otherwise);
     [[nodiscard]] Real length_option(std::string_view key, Real otherwise);
-    [[nodiscard]] Vec3 direction_option(std::string_view key, Vec3 otherwise);
+    [[nodiscard]] Vec3 direction_option(std::string_view key, Vec3 otherwise);  ///< in its axes
 
-    /// 0 to 180 degrees as radians, less than π.
+    /// 0 to 180 degrees as radians, less than π. 60 degrees, with a warning, if lenient reading
+    /// finds nothing.
     [[nodiscard]] Real angle(std::string_view field);
 
-    /// 0 to 255 as 0 to 1. Lenient reading skips what stands before it, and keeps fractions.
+    /// 0 to 255 as 0 to 1. Lenient reading skips what stands before it, and keeps fractions; a word
+    /// in its place, of a texture say, is white.
     [[nodiscard]] Color color();
 
     /// color(), or white, with a warning, if lenient reading finds nothing at all.
@@ -62,10 +70,15 @@ private:
     [[nodiscard]] Decimal decimal(Token token, const std::string& name);
     [[nodiscard]] Triple triple(std::string_view field);
     [[nodiscard]] Triple triple_of(const std::array<Token, 3>& parts, std::string_view field);
+    [[noreturn]] void refuse_zero(const Triple& triple, std::string_view field) const;
     [[nodiscard]] Vec3 direction_of(const Triple& triple, std::string_view field);
     [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
     [[nodiscard]] Real length_of(Token token, const std::string& name);
     [[nodiscard]] Real up_to(int bound, Token token, std::string_view field);
+    [[nodiscard]] bool word_for_color();
+
+    Axes axes_;
+    bool left_out_ = false;
 };
 
 /// Of a picture, in pixels. A larger one is more likely a slip than a wish: 8192 × 8192 pixels are

@@ -13,6 +13,7 @@ set(RAYSTEPS_SCENE_TEXT_SOURCES
 
 # Compiled once a precision.
 set(RAYSTEPS_SCENE_REAL_SOURCES
+    ${raysteps_root}/common/bounds.cpp
     ${raysteps_root}/common/decimal.cpp
     ${raysteps_root}/common/scene.cpp
     ${raysteps_root}/common/scene_elements.cpp

@@ -1,9 +1,11 @@
 #include "common/scene_reader.hpp"
 
+#include "common/bounds.hpp"
 #include "common/input_file.hpp"
 #include "common/scene_elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -50,11 +52,15 @@ void apply_directive(Token word, int line, SceneReport& report, SceneReading& re
         reading.fov_axis = text == "fov=vertical" ? FovAxis::vertical : FovAxis::horizontal;
     } else if (text == "cyl=center" || text == "cyl=base") {
         reading.cylinder_from_base = text == "cyl=base";
+    } else if (text == "hand=right" || text == "hand=left") {
+        reading.axes.left_handed = text == "hand=left";
+    } else if (text == "up=y" || text == "up=z") {
+        reading.axes.z_up = text == "up=z";
     } else {
         report.doubt(line, word.column, "directive " + std::string(text),
                      quoted(text) +
-                         " after \"# rt:\" must be fov=vertical, fov=horizontal, "
-                         "cyl=center or cyl=base",
+                         " after \"# rt:\" must be fov=vertical, fov=horizontal, cyl=center, "
+                         "cyl=base, hand=right, hand=left, up=y or up=z",
                      "it is ignored");
     }
 }
@@ -70,11 +76,61 @@ SceneReading with_directives(std::string_view text, SceneReading reading, SceneR
     return reading;
 }
 
+/// "-1,0,0", for a scene to have it.
+std::string text_of(Vec3 axis) {
+    const auto digits = [](Real component) { return std::to_string(int(component)); };
+    return digits(axis.x) + "," + digits(axis.y) + "," + digits(axis.z);
+}
+
+/// Of the six directions along the axes, the one nearest to which most shapes lie, as their centres
+/// are seen from there. (0, 0, −1) if there are none, as in MRT §2.
+Vec3 axis_to_most_shapes(const Scene& scene, Vec3 from) {
+    std::array<int, 6> near{};
+    const auto count = [&](Vec3 center) {
+        const Vec3 way = center - from;
+        const Vec3 size = glm::abs(way);
+        const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+        if (size[axis] > 0) ++near[std::size_t(2 * axis + (way[axis] < 0 ? 1 : 0))];
+    };
+    for_each_kind(scene, [&count]<class Shape>(const Items<Shape>& items) {
+        if constexpr (Bounded<Shape>)
+            for (const Item<Shape>& item : items) {
+                const auto [min, max] = bounds(item.shape);
+                count(min / Real(2) + max / Real(2));
+            }
+    });
+    for (const NamedMesh& mesh : scene.named_meshes) count(mesh.placement.translation);
+    std::size_t best = 5;
+    for (std::size_t i = 0; i < near.size(); ++i)
+        if (near[i] > near[best]) best = i;
+    Vec3 axis(0);
+    axis[int(best) / 2] = best % 2 == 0 ? Real(1) : Real(-1);
+    return axis;
+}
+
+/// What a wrong file is told in the end, if most of it seems to be something else.
+std::string foreign_remark(std::string_view text) {
+    int lines = 0;
+    int known = 0;
+    Lines all(text);
+    while (const auto line = all.next()) {
+        if (line->tokens.empty()) continue;
+        ++lines;
+        if (find_element(line->tokens.front().text) != nullptr) ++known;
+    }
+    constexpr int few = 3;
+    if (lines < few || 2 * known >= lines) return "";
+    return std::to_string(lines - known) + " of " + std::to_string(lines) +
+           " lines begin with a word that no scene has: is this another format?";
+}
+
 /// Reads one file's elements, remembering where each keyword stood first.
 class ElementReader {
 public:
     ElementReader(ElementReading reading, SceneReport& report)
-        : reading_(std::move(reading)), report_(report) {}
+        : reading_(std::move(reading)), report_(report) {
+        scene_.axes = reading_.axes;
+    }
 
     void read(Line line) {
         const Token keyword = line.tokens.front();
@@ -92,15 +148,28 @@ public:
                           "a second " + quoted(keyword.text) + ": expected one",
                           element->if_repeated);
         }
-        Fields fields(std::move(line), element->form, report_);
+        const int number = line.number;
+        const std::size_t cameras = scene_.cameras.size();
+        Fields fields(std::move(line), element->form, report_, reading_.axes);
         element->read(fields, reading_, scene_);
         fields.finish();
+        if (scene_.cameras.size() > cameras && scene_.cameras.back().direction == Vec3(0))
+            without_direction_.push_back(
+                {.camera = cameras, .line = number, .column = place.column});
     }
 
     /// The scene, after the last line.
     Scene take() {
         if (scene_.cameras.empty()) {
             report_.fail(0, 0, "no camera: expected a line \"C position direction fov\"");
+        }
+        for (const auto& [index, line, column] : without_direction_) {
+            Camera& camera = scene_.cameras[index];
+            camera.direction = axis_to_most_shapes(scene_, camera.position);
+            report_.warn(line, column, "zero",
+                         "a camera's direction is zero: it looks along " +
+                             text_of(to_its_axes(camera.direction, scene_.axes)) +
+                             ", the axis nearest to most shapes");
         }
         const auto camera = first_.find("c");
         if (report_.strict() && camera != first_.end() && !first_.contains("R")) {
@@ -111,11 +180,27 @@ public:
     }
 
 private:
+    struct Undirected {
+        std::size_t camera;
+        int line;
+        int column;
+    };
+
     ElementReading reading_;
     SceneReport& report_;
     std::map<std::string_view, Place> first_;
+    std::vector<Undirected> without_direction_;
     Scene scene_;
 };
+
+Scene read_elements(std::string_view text, const ElementReading& reading, SceneReport& report) {
+    ElementReader reader(reading, report);
+    Lines lines(text);
+    while (auto line = lines.next()) {
+        if (!line->tokens.empty()) reader.read(std::move(*line));
+    }
+    return reader.take();
+}
 
 }  // namespace
 
@@ -123,12 +208,12 @@ Scene parse_scene(std::string_view text, const std::string& file, BasisAround* b
                   const SceneReading& reading) {
     SceneReport report(file, reading);
     check_is_text(text, report);
-    ElementReader reader({with_directives(text, reading, report), basis}, report);
-    Lines lines(text);
-    while (auto line = lines.next()) {
-        if (!line->tokens.empty()) reader.read(std::move(*line));
+    try {
+        return read_elements(text, {with_directives(text, reading, report), basis}, report);
+    } catch (const InputError& error) {
+        const std::string remark = foreign_remark(text);
+        throw remark.empty() ? error : error.with(remark);
     }
-    return reader.take();
 }
 
 Scene load_scene(const std::string& file, BasisAround* basis, const SceneReading& reading) {

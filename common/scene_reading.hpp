@@ -1,10 +1,9 @@
 // How a scene is read where the format leaves a choice.
 #pragma once
 
+#include "common/axes.hpp"
+#include "common/input_error.hpp"
 #include "common/scene.hpp"
-
-#include <functional>
-#include <string>
 
 namespace rt {
 
@@ -16,8 +15,10 @@ struct SceneReading {
     FovAxis fov_axis = FovAxis::vertical;
     /// A cylinder's position is its base, not its centre; used unless the file says `# rt: cyl=…`.
     bool cylinder_from_base = false;
+    /// Used unless the file says `# rt: hand=…` or `# rt: up=…`.
+    Axes axes;
     /// Told each warning, "file:line:column: warning: …", once a kind. Nobody, if empty.
-    std::function<void(const std::string&)> warn = nullptr;
+    Warn warn = nullptr;
 };
 
 }  // namespace rt

@@ -1,7 +1,13 @@
 #include "common/terminal.hpp"
 
+#include "common/input_error.hpp"
+
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <string>
 
 // The one question that standard C++ cannot ask.
 #ifdef _WIN32
@@ -11,6 +17,15 @@
 #endif
 
 namespace rt {
+
+void finish_output() {
+    std::cout.flush();
+    const bool was_wrong = std::ferror(stdout) != 0;
+    errno = 0;
+    if (std::fflush(stdout) == 0 && !was_wrong) return;
+    const std::string why = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+    throw InputError({}, "the standard output cannot be written" + why);
+}
 
 bool errors_on_terminal() {
 #ifdef _WIN32

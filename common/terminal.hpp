@@ -6,6 +6,10 @@
 
 namespace rt {
 
+/// Throws InputError unless all that was printed has been taken: a disk may be full, or nobody be
+/// there.
+void finish_output();
+
 /// Whether somebody reads the standard error stream on a terminal.
 [[nodiscard]] bool errors_on_terminal();
 

@@ -38,6 +38,9 @@ std::string used_options(const Program& program, const Options& options) {
         used += " --hierarchy-from " + std::to_string(*options.hierarchy_from);
     if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
     if (options.reading.cylinder_from_base) used += " --cyl base";
+    if (options.reading.axes.left_handed) used += " --hand left";
+    if (options.reading.axes.z_up) used += " --up z";
+    if (options.camera != 1) used += " --camera " + std::to_string(options.camera);
     if (options.reading.strict) used += " --strict";
     if (options.time) used += " --time " + shortest(*options.time);
     return used;

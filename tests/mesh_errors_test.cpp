@@ -74,6 +74,53 @@ TEST_CASE("files that are no mesh") {
     CHECK(refusal(inside) == inside + ": error: is a directory: expected a file");
 }
 
+TEST_CASE("a byte order mark is skipped in every text format") {
+    const std::string mark = "\xEF\xBB\xBF";
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+        {"a.off", "# a comment\nOFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+        {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        {"a.ply", ply_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+        {"a.stl",
+         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+         "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n"},
+    };
+    for (const auto& [name, content] : files) {
+        INFO(name);
+        const Mesh mesh = mesh_of(name, mark + content);
+        CHECK(mesh.vertices == mesh_of(name, content).vertices);
+        CHECK(mesh.triangles.size() == 1);
+    }
+    // Lines are counted as without it.
+    CHECK(mesh_refusal("a.obj", mark + "v 0 0 0\nv 1 0\n").starts_with("a.obj:2: error: "));
+}
+
+TEST_CASE("faces and meshes without area are warned of") {
+    const auto warnings = [](const std::string& name, const std::string& content) {
+        const MeshFolder folder;
+        const std::string file = folder.write(name, content);
+        std::vector<std::string> all;
+        static_cast<void>(load_mesh(file, [&](const std::string& warning) {
+            REQUIRE(warning.starts_with(file + ": warning: "));
+            all.push_back(warning.substr(file.size() + 11));
+        }));
+        return all;
+    };
+    using Warnings = std::vector<std::string>;
+    const std::string four = "0 0 0\n1 0 0\n0 1 0\n2 0 0\n";
+    const std::string few = "fewer than three different corners, and no area: left out";
+    CHECK(warnings("a.off", "OFF\n4 1 0\n" + four + "3 0 1 2\n").empty());
+    CHECK(warnings("a.off", "OFF\n4 2 0\n" + four + "3 0 1 2\n2 0 1\n") ==
+          Warnings{"1 face has " + few});
+    CHECK(warnings("a.off", "OFF\n4 4 0\n" + four + "3 0 1 2\n0\n1 2\n3 0 0 1\n") ==
+          Warnings{"3 faces have " + few});
+    CHECK(warnings("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n") ==
+          Warnings{"1 face has " + few});
+    CHECK(warnings("a.off", "OFF\n4 1 0\n" + four + "3 0 1 3\n") ==
+          Warnings{"no triangle has an area: no ray meets the mesh"});
+    CHECK(warnings("a.off", "OFF\n4 2 0\n" + four + "3 0 1 3\n3 0 1 2\n").empty());
+}
+
 TEST_CASE("a file above 512 MiB") {
     const MeshFolder folder;
     const std::string file = folder.write("a.off", "OFF\n");
@@ -180,6 +227,9 @@ TEST_CASE("PLY") {
          ":2: error: expected how many there are of an element, not \"\""},
         {"a.ply", "ply\nproperty float x\n",
          ":2: error: expected format, element, property or end_header, not \"property\""},
+        {"a.ply", "ply\nformat ascii 2.0\nend_header\n",
+         ":2: error: expected version 1.0, not \"2.0\""},
+        {"a.ply", "ply\nformat ascii\nend_header\n", ":2: error: expected version 1.0, not \"\""},
         {"a.ply", "ply\nend_header\n",
          ": error: expected the format ascii, binary_little_endian or binary_big_endian, not \"\""},
         {"a.ply", "ply\nformat ascii 1.0\nend_header\n",

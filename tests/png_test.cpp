@@ -5,11 +5,13 @@
 
 #include "tests/kit/for_all.hpp"
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 using namespace rt;
@@ -136,10 +138,87 @@ TEST_CASE("a picture that cannot be written says why, and leaves nothing") {
               ": error: is a folder or a device: expected a name for the picture");
     CHECK_THROWS_AS(check_writable(scratch.file("folder.png")), InputError);
     CHECK_THROWS_AS(check_writable(scratch.file("file/a.png")), InputError);
-    CHECK_NOTHROW(check_writable(scratch.file("file")));
+    CHECK_THROWS_AS(check_writable(scratch.file("file")), InputError);
     CHECK_NOTHROW(check_writable(scratch.file("a.png")));
     CHECK(content(scratch.file("file")) == "as it was");
     CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("a picture replaces a picture, or an empty file, and nothing else") {
+    const Scratch scratch;
+    for (const std::string_view kept : {"R 640 480\n", "\x89PNG", "\x89PNG\r\n\x1a", " "}) {
+        write(scratch.file("kept"), std::string(kept));
+        CHECK(
+            refusal(scratch.file("kept")).starts_with(scratch.file("kept") + ": error: is there"));
+        CHECK_THROWS_AS(check_writable(scratch.file("kept")), InputError);
+        CHECK(content(scratch.file("kept")) == kept);
+    }
+    write(scratch.file("empty"), "");
+    CHECK_NOTHROW(check_writable(scratch.file("empty")));
+    CHECK(refusal(scratch.file("empty")) == "written");
+    CHECK(refusal(scratch.file("empty")) == "written");  // a picture by now
+    CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("files beside a picture stay, whatever they are called") {
+    const Scratch scratch;
+    const std::vector<std::string> names = {"a.png.part", ".a.png.new", "a.png~",
+                                            ".raysteps-.part"};
+    for (const std::string& name : names) write(scratch.file(name), "mine");
+    CHECK(refusal(scratch.file("a.png")) == "written");
+    for (const std::string& name : names) CHECK(content(scratch.file(name)) == "mine");
+    CHECK(std::size_t(scratch.count()) == names.size() + 1);
+}
+
+TEST_CASE("a place is checked without a trace") {
+    const Scratch scratch;
+    CHECK_NOTHROW(check_writable(scratch.file("new/deep/a.png")));
+    CHECK(scratch.count() == 0);
+}
+
+TEST_CASE("a name as long as the system has them is fine") {
+    const Scratch scratch;
+    const std::string file = scratch.file(std::string(255, 'a'));
+    CHECK(refusal(file) == "written");
+    CHECK(read_png(file).resolution.width == 2);
+}
+
+TEST_CASE("where a symbolic link stands, what it leads to is written") {
+    const Scratch scratch;
+    fs::create_directory(scratch.file("folder"));
+    std::error_code no_links;  // of a system, or a user
+    fs::create_symlink("folder/a.png", scratch.file("link.png"), no_links);
+    if (no_links) return;
+    CHECK(refusal(scratch.file("link.png")) == "written");  // it leads to nothing yet
+    CHECK(refusal(scratch.file("link.png")) == "written");
+    CHECK(fs::is_symlink(scratch.file("link.png")));
+    CHECK(read_png(scratch.file("folder/a.png")).resolution.width == 2);
+    write(scratch.file("folder/source.cpp"), "int main() {}");
+    fs::create_symlink("source.cpp", scratch.file("folder/other.png"));
+    CHECK(refusal(scratch.file("folder/other.png")).find(": error: is there") != std::string::npos);
+    CHECK(content(scratch.file("folder/source.cpp")) == "int main() {}");
+    fs::create_symlink("round.png", scratch.file("round.png"));
+    CHECK(refusal(scratch.file("round.png")).find(": error: ") != std::string::npos);
+}
+
+TEST_CASE("several writers of one picture each write a whole one") {
+    const Scratch scratch;
+    const std::string file = scratch.file("a.png");
+    constexpr int writers = 8;
+    std::vector<std::thread> threads;
+    std::atomic<int> wrong = 0;
+    for (int i = 1; i <= writers; ++i)
+        threads.emplace_back([&, i] {
+            for (int turn = 0; turn < 20; ++turn) {
+                write_png(file, noise({8 * i, 8 * i}), {});
+                const Image back = read_png(file);  // somebody's
+                const int side = back.resolution.width;
+                if (back.pixels != noise({side, side}).pixels) ++wrong;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(wrong == 0);
+    CHECK(scratch.count() == 1);
 }
 
 TEST_CASE("what is no PNG is refused by name") {

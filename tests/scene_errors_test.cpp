@@ -58,8 +58,6 @@ TEST_CASE("wrong in lenient and in strict reading") {
         {"cy 0,0,0 0,1,0 1 -1 1,2,3",
          R"(18: error: a cylinder's height must be positive, not "-1")"},
         {"co 0,0,0 0,1,0 -0 1 1,2,3", R"(16: error: a cone's diameter must be positive, not "-0")"},
-        {"pl 0,0,0 0,-0,0. 1,2,3",
-         R"(10: error: a plane's normal must point somewhere, not "0,-0,0.")"},
         {"tr 0,0,0 1,1 1,0,0 1,2,3",
          R"(10: error: a triangle's second corner must be three numbers as in 1,2,3, not "1,1")"},
         {"sp 1,2,3,4 1 1,2,3",
@@ -82,8 +80,12 @@ TEST_CASE("wrong in lenient and in strict reading") {
         {"L 0,0,0 -0.1 1,2,3", R"(9: error: a light's brightness must be from 0 to 1, not "-0.1")"},
         {"c 0,0,0 0,0,1 181",
          R"(15: error: a camera's field of view must be from 0 to 180, not "181")"},
-        {"c 0,0,0 0,0,1",
-         R"(14: error: a camera's field of view is missing: expected "c position direction fov")"},
+        {"c 0,0,0",
+         R"(8: error: a camera's direction is missing: expected "c position direction fov")"},
+        {"sp 0,0,0 1 255 1",
+         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "255")"},
+        {"mesh a.off 0,0,0 1 1,2,3 dir:0,0,0",
+         R"(30: error: a mesh's dir must not be zero: expected a direction such as 0,1,0, not "0,0,0")"},
         {"pl 0,0,0 0,1,0  ",
          R"(15: error: a plane's colour is missing: expected "pl position normal colour")"},
         {"sp",
@@ -178,13 +180,25 @@ TEST_CASE("strict reading refuses what lenient reading warns of") {
         {"cu 0,0,0 1 1,2,3",
          R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co box mesh)"},
         {"sp 0,0,0 1 1,2,3 x",
-         R"(18: error: "x" is too much for a sphere: expected "sp position diameter colour")"},
+         R"(18: error: "x" is one word too many for a sphere: expected "sp position diameter colour")"},
+        {"sp 0,0,0 1 1,2,3 1 1",
+         R"(18: error: "1" is the first of 2 words too many for a sphere: expected "sp position diameter colour")"},
         {"sp 0,0,0 1 1,2,3 sides:1",
-         R"(18: error: "sides:1" is too much for a sphere: expected "sp position diameter colour")"},
+         R"(18: error: "sides:1" is no option of a sphere: expected "sp position diameter colour")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:1 sides:2",
-         R"(32: error: "sides:2" is too much for a square: expected "sq position normal side colour [sides:1|2]")"},
+         R"(32: error: "sides:2" is no option of a square: expected "sq position normal side colour [sides:1|2]")"},
         {"sp 0,0,0 1 1, 2, 3",
-         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "1,")"},
+         R"(12: error: blanks around the commas of "1, 2, 3": expected three numbers as in 1,2,3)"},
+        {"sp 0,0 ,0 1 1,2,3",
+         R"(4: error: blanks around the commas of "0,0 ,0": expected three numbers as in 1,2,3)"},
+        {"sp 0,0,0 1 wood",
+         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "wood")"},
+        {"sp 0,0,0 1 0 m wood.png",
+         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "0")"},
+        {"c 0,0,0 0,0,1",
+         R"(14: error: a camera's field of view is missing: expected "c position direction fov")"},
+        {"pl 0,0,0 0,-0,0. 1,2,3",
+         R"(10: error: a plane's normal must not be zero: expected a direction such as 0,1,0, not "0,-0,0.")"},
         {"sp 0,0,0 1, 1,2,3",
          R"(10: error: a sphere's diameter must be a decimal number, not "1,")"},
         {"sp 0,0,0 1 r 1,2,3", R"(12: error: "r" stands where a sphere's colour was expected)"},
@@ -201,7 +215,7 @@ TEST_CASE("strict reading refuses what lenient reading warns of") {
         {"C 0,0,0 0,0,1 60", R"(1: error: a second "C": expected one)"},
         {" R 1 1", R"(2: error: a second "R": expected one)"},
         {"# rt: fov=wide",
-         R"(7: error: "fov=wide" after "# rt:" must be fov=vertical, fov=horizontal, cyl=center or cyl=base)"},
+         R"(7: error: "fov=wide" after "# rt:" must be fov=vertical, fov=horizontal, cyl=center, cyl=base, hand=right, hand=left, up=y or up=z)"},
     };
     for (const Wrong& wrong : all) {
         CHECK(strict_refusal(with_camera(wrong.line)) == "scene.rt:3:" + wrong.message);
@@ -214,6 +228,20 @@ TEST_CASE("strict reading wants the R of the older dialect, whose camera is c") 
     CHECK(strict_refusal("\n c 0,0,0 0,0,-1 60\n") ==
           "scene.rt:2:2: error: \"c\" without a resolution: expected \"R width height\"");
     CHECK(lenient_refusal("\n c 0,0,0 0,0,-1 60\n") == "accepted");
+}
+
+TEST_CASE("a file of another program is told to be one") {
+    const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string remark =
+        " (5 of 5 lines begin with a word that no scene has: is this another format?)";
+    CHECK(lenient_refusal(obj) ==
+          "scene.rt: error: no camera: expected a line \"C position direction fov\"" + remark);
+    CHECK(strict_refusal(obj).ends_with("cy co box mesh" + remark));
+    // One of its words may be one of ours.
+    CHECK(lenient_refusal("CAM 1\nlookat 0 0 0\nnewmtl a\nC white\n")
+              .ends_with("not \"white\" (3 of 4 lines begin with a word that no scene has: is this "
+                         "another format?)"));
+    CHECK(lenient_refusal("C 0,0,0 0,0,-1 60\nsp 0,0,0 x\na\n").ends_with("not \"x\""));
 }
 
 TEST_CASE("a message quotes neither control characters nor long words") {

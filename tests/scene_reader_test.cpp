@@ -2,12 +2,15 @@
 
 #include "tests/scene_reading.hpp"
 
+#include "common/vector.hpp"
+
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "tests/kit/verdict.hpp"
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace rt;
@@ -175,14 +178,84 @@ TEST_CASE("directions are made unit length") {
     }
 }
 
-TEST_CASE("a camera whose direction is zero looks along -z, with a warning") {
-    const std::string text = "C 1,2,3 0,0,0 60\n";
-    CHECK(strict(text).cameras.at(0).direction == Vec3(0, 0, -1));
-    const Lenient read = lenient(text);
-    CHECK(read.scene.cameras.at(0).direction == Vec3(0, 0, -1));
-    CHECK(read.warnings ==
-          std::vector<std::string>{
-              "scene.rt:1:9: warning: a camera's direction is zero: it looks along 0,0,-1"});
+TEST_CASE("a camera whose direction is zero looks along an axis to most shapes, with a warning") {
+    const auto looks = [](const std::string& shapes, const std::string& axis) {
+        const std::string text = "C 1,2,3 0,0,0 60\n" + shapes;
+        const Lenient read = lenient(text);
+        CHECK(read.warnings ==
+              std::vector<std::string>{
+                  "scene.rt:1:1: warning: a camera's direction is zero: it looks along " + axis +
+                  ", the axis nearest to most shapes"});
+        CHECK(strict(text).cameras.at(0).direction == read.scene.cameras.at(0).direction);
+        return read.scene.cameras.at(0).direction;
+    };
+    CHECK(looks("", "0,0,-1") == Vec3(0, 0, -1));
+    CHECK(looks("pl 0,0,9 0,0,1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));
+    CHECK(looks("sp 1,2,3 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));  // where the camera stands
+    CHECK(looks("sp 10,3,4 1 1,2,3\n", "1,0,0") == Vec3(1, 0, 0));
+    CHECK(looks("cy -10,3,4 0,1,0 1 1 1,2,3\n", "-1,0,0") == Vec3(-1, 0, 0));
+    CHECK(looks("sq 1,10,3 0,1,0 1 1,2,3\n", "0,1,0") == Vec3(0, 1, 0));
+    CHECK(looks("tr 0,-9,3 1,-9,3 2,-9,3 1,2,3\n", "0,-1,0") == Vec3(0, -1, 0));
+    CHECK(looks("co 1,2,10 0,0,1 1 1 1,2,3\n", "0,0,1") == Vec3(0, 0, 1));
+    CHECK(looks("sp 1,2,-10 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));
+    // Two against one that is farther away; and as many each.
+    CHECK(looks("sp 9,2,3 1 1,2,3\nsp 9,3,3 1 1,2,3\nsp 1,2,99 1 1,2,3\n", "1,0,0") ==
+          Vec3(1, 0, 0));
+    CHECK(looks("sp 1,2,-9 1 1,2,3\nsp 9,3,3 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));
+    // In the scene's own words.
+    CHECK(looks("sp 1,2,10 1 1,2,3\n# rt: up=z\n", "0,0,1") == Vec3(0, 1, 0));
+    CHECK(looks("sp 9,2,3 1 1,2,3\n# rt: hand=left\n", "1,0,0") == Vec3(-1, 0, 0));
+}
+
+TEST_CASE("a shape whose direction is zero is left out, with a warning") {
+    for (const std::string line :
+         {"pl 0,0,0 0,0,0 1,2,3", "sq 0,0,0 0,-0,0 1 1,2,3", "cy 0,0,0 0,0,0 1 1 1,2,3",
+          "co 0,0,0 0,0,0. 1 1 1,2,3", "box 0,0,0 0,0,0 1,1,1 1,2,3"}) {
+        const Lenient read = lenient(camera + line + "\nsp 0,0,0 1 1,2,3\n");
+        REQUIRE(read.warnings.size() == 1);
+        CHECK(read.warnings[0].ends_with(
+            "is zero: expected a direction such as 0,1,0; the shape is left out"));
+        CHECK(read.scene.spheres.size() == 1);
+        for_each_kind(read.scene, []<class Shape>(const Items<Shape>& items) {
+            if constexpr (!std::is_same_v<Shape, Sphere>) CHECK(items.empty());
+        });
+    }
+}
+
+TEST_CASE("hand=left exchanges left and right, up=z turns z upwards") {
+    const std::string text =
+        "C 1,2,3 0,0.6,0.8 60\nL 4,5,6 1\nsp 1,2,3 2 1,2,3\ntr 1,2,3 4,5,6 7,8,9 1,2,3\n"
+        "pl 1,2,3 0,0.6,0.8 1,2,3\nmesh a.off 1,2,3 1 1,2,3\nsq 1,2,3 1,0,0 2 1,2,3\n";
+    const auto check = [](const Scene& scene, auto ours) {
+        CHECK(scene.cameras[0].position == ours(Vec3(1, 2, 3)));
+        CHECK(scene.cameras[0].direction == ours(unit(Vec3(0, Real(0.6), Real(0.8)))));
+        CHECK(scene.lights[0].position == ours(Vec3(4, 5, 6)));
+        CHECK(scene.spheres[0].shape.center == ours(Vec3(1, 2, 3)));
+        CHECK(scene.triangles[0].shape.c == ours(Vec3(7, 8, 9)));
+        CHECK(scene.planes[0].shape.normal == ours(unit(Vec3(0, Real(0.6), Real(0.8)))));
+        CHECK(scene.squares[0].shape.basis.z == ours(Vec3(1, 0, 0)));
+        const Motion& placement = scene.named_meshes[0].placement;
+        CHECK(placement.translation == ours(Vec3(1, 2, 3)));
+        CHECK(turned(Vec3(1, 2, 3), placement) == ours(Vec3(1, 2, 3)));
+    };
+    const auto as_it_is = [](Vec3 v) { return v; };
+    const auto mirrored = [](Vec3 v) { return Vec3(-v.x, v.y, v.z); };
+    const auto turned_up = [](Vec3 v) { return Vec3(v.x, v.z, -v.y); };
+    const auto both = [](Vec3 v) { return Vec3(-v.x, v.z, -v.y); };
+    check(lenient(text).scene, as_it_is);
+    check(lenient("# rt: hand=left\n" + text).scene, mirrored);
+    check(lenient("# rt: up=z\n" + text).scene, turned_up);
+    check(lenient(text + "# rt: up=z hand=left\n").scene, both);
+    check(lenient(text, {.axes = {.left_handed = true, .z_up = true}}).scene, both);
+    check(lenient(text + "# rt: up=y hand=right\n", {.axes = {.left_handed = true, .z_up = true}})
+              .scene,
+          as_it_is);
+    // A point that the scene has is found again.
+    for (const bool left_handed : {false, true})
+        for (const bool z_up : {false, true}) {
+            const Axes axes{.left_handed = left_handed, .z_up = z_up};
+            CHECK(to_its_axes(to_our_axes(Vec3(1, 2, 3), axes), axes) == Vec3(1, 2, 3));
+        }
 }
 
 TEST_CASE("a square lies in the x and y of the basis around its normal") {
@@ -279,12 +352,12 @@ TEST_CASE("lenient reading warns once a kind and goes on") {
         "must be one of R A C c L l sp pl tr sq cy co box mesh; the line is ignored";
     CHECK(read.warnings ==
           std::vector<std::string>{
-              "scene.rt:1:19: warning: \"sr:7680\" is too much for a camera: "
+              "scene.rt:1:19: warning: \"sr:7680\" is no option of a camera: "
               "expected \"C position direction fov\"; it is ignored",
               "scene.rt:2:1: warning: \"cube\" " + keywords,
-              "scene.rt:3:19: warning: \"checker\" is too much for a sphere: "
+              "scene.rt:3:19: warning: \"checker\" is the first of 2 words too many for a sphere: "
               "expected \"sp position diameter colour\"; it is ignored",
-              "scene.rt:6:19: warning: \"mirror-like:1\" is too much for a sphere: "
+              "scene.rt:6:19: warning: \"mirror-like:1\" is no option of a sphere: "
               "expected \"sp position diameter colour\"; it is ignored",
               "scene.rt:7:1: warning: \"SP\" " + keywords});
 }
@@ -320,6 +393,48 @@ TEST_CASE("lenient reading tells a colour from a diameter that ends with a comma
     CHECK(scene.cylinders[1].material.color == Color(1, Real(0.2), 0));
 }
 
+TEST_CASE("lenient reading takes a word in place of a colour for white") {
+    const auto color = [](const std::string& line) {
+        const Lenient read = lenient(camera + line);
+        INFO(line);
+        CHECK(read.warnings.size() >= 1);
+        REQUIRE(read.scene.spheres.size() == 1);
+        CHECK(read.scene.spheres[0].shape.radius == 2);
+        return read.scene.spheres[0].material;
+    };
+    for (const std::string words : {"wood", "./wood.png", "m  images/wood.png", "0 m \"wood\"",
+                                    "checker 1 2 3", "wood spec:0.5"})
+        CHECK(color("sp 1,2,3 4 " + words).color == Color(1));
+    CHECK(color("sp 1,2,3 4 wood spec:0.5 more").specular == Real(0.5));
+    CHECK(
+        lenient(camera + "sp 1,2,3 4 wood").warnings ==
+        std::vector<std::string>{"scene.rt:2:12: warning: \"wood\" stands where a sphere's colour "
+                                 "was expected; it is white"});
+    CHECK(color("sp 1,2,3 4 wood 255,51,0").color == Color(1, Real(0.2), 0));
+    // A colour that is wrong, or forgotten, is still an error.
+    for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5"})
+        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + words) != "accepted");
+}
+
+TEST_CASE("lenient reading takes 60 degrees for a field of view that is missing") {
+    const Lenient read = lenient("C 0,0,0 0,0,-1\n");
+    CHECK(read.scene.cameras.at(0).fov == pi / 3);
+    CHECK(read.warnings ==
+          std::vector<std::string>{
+              "scene.rt:1:15: warning: a camera's field of view is missing: expected "
+              "\"C position direction fov\"; it is 60"});
+}
+
+TEST_CASE("lenient reading ignores an R of which all words are key:value") {
+    const Lenient read = lenient(camera + "R samples:16 depth:4\n");
+    CHECK(read.scene.resolution.width == 640);
+    CHECK(read.scene.resolution.height == 480);
+    CHECK(read.warnings.size() == 2);
+    CHECK(lenient_refusal(camera + "R samples:16 4") != "accepted");
+    CHECK(lenient_refusal(camera + "R") != "accepted");
+    CHECK(lenient_refusal(camera + "R 16:4") != "accepted");
+}
+
 TEST_CASE("lenient reading takes light without a colour for white") {
     const Lenient read = lenient(camera + "A 0.5\nL 0,1,0 0.5\n");
     CHECK(read.scene.ambient->color == Color(1));
@@ -339,7 +454,7 @@ TEST_CASE("of several R or A the last counts in lenient reading; cameras all sta
               "scene.rt:3:1: warning: a second \"R\": expected one; the last one counts",
               "scene.rt:4:1: warning: a second \"A\": expected one; the last one counts",
               "scene.rt:6:1: warning: a second \"C\": expected one; "
-              "all are kept, and pictures use the first"});
+              "pictures use the first, or that of --camera N"});
 }
 
 TEST_CASE("a scene's square has the basis of stage 2 around its normal (MRT §6)") {

@@ -86,6 +86,7 @@ TEST_CASE("a shipped scene uses every keyword, option and directive") {
         CHECK(scenes.find(" " + option + ":") != std::string::npos);
     }
     CHECK(scenes.find("\n# rt: fov=horizontal cyl=base\n") != std::string::npos);
+    CHECK(scenes.find("\n# rt: hand=left up=z\n") != std::string::npos);
 }
 
 TEST_CASE("a shipped scene has every kind of shape, and sets every field") {

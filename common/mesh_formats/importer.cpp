@@ -102,6 +102,7 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
         if (corners_.empty() || corners_.back() != place) corners_.push_back(place);
     }
     while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
+    if (corners_.size() < 3) ++faces_without_area_;
     if (corners_.size() == 3) {
         add_triangle(corners_[0], corners_[1], corners_[2]);
     } else if (corners_.size() > 3) {
@@ -116,6 +117,10 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
 }
 
 MeshFile MeshImporter::take() {
+    if (faces_without_area_ > 0)
+        mesh_.warnings.push_back(std::to_string(faces_without_area_) +
+                                 (faces_without_area_ == 1 ? " face has" : " faces have") +
+                                 " fewer than three different corners, and no area: left out");
     if (mesh_.normals.empty()) return std::move(mesh_);
     has_normal_.resize(mesh_.vertices.size());
     mesh_.normals.resize(mesh_.vertices.size(), glm::vec3(0));

@@ -35,7 +35,8 @@ public:
     /// follows is off.
     explicit MeshImporter(std::istream* list = nullptr) : list_(list) {}
 
-    /// The mesh, once all is read: without normals, unless each vertex of a triangle has one.
+    /// The mesh, once all is read, with warnings of what was left out: without normals, unless each
+    /// vertex of a triangle has one.
     [[nodiscard]] MeshFile take();
 
     Vertex add_vertex(const OpenMesh::Vec3f& point) override;
@@ -101,6 +102,7 @@ private:
     MeshFile mesh_;
     std::vector<bool> has_normal_;
     std::size_t faces_ = 0;
+    std::size_t faces_without_area_ = 0;  ///< of fewer than three vertices
     std::vector<std::uint32_t> corners_;  ///< of one face; kept for its memory
 
     /// A vertex with several normals: its copies, and which of them the next face uses.

@@ -116,6 +116,7 @@ void check_size(const PlyHeader& header, std::uint64_t bytes, const std::string&
 }  // namespace
 
 CheckedMesh checked_ply(std::string content, const std::string& file) {
+    blank_byte_order_mark(content);
     MeshLines lines(content, file);
     const PlyHeader header = take_ply_header(lines);
     check_header(header, file);

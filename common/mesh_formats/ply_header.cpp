@@ -72,6 +72,8 @@ PlyHeader take_ply_header(MeshLines& lines) {
         if (keyword == "end_header") return header;
         if (keyword == "format") {
             header.format = take_word(rest);
+            const std::string_view version = take_word(rest);
+            if (version != "1.0") lines.refuse("expected version 1.0, not " + quoted_word(version));
         } else if (keyword == "element") {
             header.elements.push_back(take_element(rest, lines));
         } else if (keyword == "property" && !header.elements.empty()) {

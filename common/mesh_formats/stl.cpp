@@ -74,7 +74,9 @@ CheckedMesh checked_stl(std::string content, const std::string& file) {
         check_numbers(content, file);
         return {.content = std::move(content), .reader = "stl", .is_binary = true};
     }
-    if (content.starts_with("solid")) return checked_text(std::move(content), file);
+    blank_byte_order_mark(content);
+    if (content.starts_with("solid") || content.starts_with("   solid"))
+        return checked_text(std::move(content), file);
     if (!has_header) throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
     throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
                                  std::to_string(header_size + count * triangle_size) +

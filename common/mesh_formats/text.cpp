@@ -15,7 +15,13 @@ constexpr bool is_blank(char c) {
 
 }  // namespace
 
+void blank_byte_order_mark(std::string& content) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (content.starts_with(mark)) std::fill_n(content.begin(), mark.size(), ' ');
+}
+
 void plain_text(std::string& content) {
+    blank_byte_order_mark(content);
     for (const char odd : {'\v', '\f'}) {
         for (auto at = content.find(odd); at != std::string::npos; at = content.find(odd, at)) {
             content[at] = ' ';

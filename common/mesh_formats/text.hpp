@@ -12,8 +12,12 @@
 
 namespace rt {
 
-/// Makes the last line end, since OpenMesh's streams must not meet the end of the file in a number,
-/// and vertical tab and form feed blanks, since its readers disagree on them.
+/// Some editors begin a text with one.
+void blank_byte_order_mark(std::string& content);
+
+/// Blanks a byte order mark. Makes the last line end, since OpenMesh's streams must not meet the
+/// end of the file in a number, and vertical tab and form feed blanks, since its readers disagree
+/// on them.
 void plain_text(std::string& content);
 
 /// The lines of a text, one after the other. The text may be written to between them.

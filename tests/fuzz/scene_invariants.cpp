@@ -59,13 +59,18 @@ void add(Numbers& numbers, const Triangle& triangle) {
     for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) add(numbers, corner);
 }
 
-void add(Numbers& numbers, const Basis& basis) {
+/// Right-handed or left-handed.
+void add_axes(Numbers& numbers, const Basis& basis) {
     const auto& [x, y, z] = basis;
     require(is_unit(x) && is_unit(y) && is_unit(z), "axes have unit length");
     require(near(dot(x, y), 0) && near(dot(y, z), 0) && near(dot(z, x), 0),
             "axes are at right angles");
-    require(near(dot(cross(x, y), z), 1), "a basis is right-handed");
     for (const Vec3& v : {x, y, z}) add(numbers, v);
+}
+
+void add(Numbers& numbers, const Basis& basis) {
+    require(near(dot(cross(basis.x, basis.y), basis.z), 1), "a basis is right-handed");
+    add_axes(numbers, basis);
 }
 
 void add(Numbers& numbers, const Square& square) {
@@ -113,7 +118,7 @@ void add(Numbers& numbers, const Material& material) {
 void add(Numbers& numbers, const NamedMesh& mesh) {
     require(!mesh.file.empty() && mesh.place.line > 0, "a mesh has a file, and its place");
     require(mesh.placement.scale > 0, "a mesh's scale is positive");
-    add(numbers, mesh.placement.rotation);
+    add_axes(numbers, mesh.placement.rotation);  // left-handed in a scene whose axes are
     add(numbers, mesh.placement.translation);
     add(numbers, mesh.material);
     numbers.insert(numbers.end(), {mesh.placement.scale, Real(mesh.smooth)});

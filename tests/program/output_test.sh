@@ -70,7 +70,126 @@ cp old.png kept.png
     [ $? = 2 ]
 ) || fail "no room for the picture: the status is 2"
 cmp -s old.png kept.png || fail "no room for the picture: the old one stays"
-[ ! -e old.png.part ] || fail "no room for the picture: no part of it is left"
+[ -z "$(find . -name '*.part')" ] || fail "no room for the picture: no part of it is left"
+(
+    ulimit -f 1  # which kills who does not ask otherwise
+    "$build/step03_sphere" own.rt -o old.png --size 640x480 2> err > /dev/null
+    [ $? = 2 ]
+) || fail "a limit for files: the status is 2"
+grep -q '^old.png: error: ' err || fail "a limit for files: it is told"
+cmp -s old.png kept.png || fail "a limit for files: the old picture stays"
+[ -z "$(find . -name '*.part')" ] || fail "a limit for files: no part of a picture is left"
+
+# What is printed arrives, or the status says that it has not.
+unheard() {
+    "$build/step03_sphere" own.rt --size 64x48 "$@" > /dev/full 2> err
+    [ $? = 2 ] || fail "$*: nobody heard it, and the status is 2"
+    grep -q '^error: the standard output cannot be written' err && [ "$(wc -l < err)" = 1 ] ||
+        fail "$*: nobody heard it, and that is told in one line"
+}
+if [ -c /dev/full ]; then
+    unheard --pixel 0,0
+    unheard --explain
+    unheard --help
+    unheard -o unheard.png
+fi
+"$build/step03_sphere" own.rt --pixel 0,0 >&- 2> err
+[ $? = 2 ] && [ -s err ] || fail "nobody is there to hear it"
+
+# A name that is empty is none.
+"$build/step03_sphere" own.rt --size 64x48 -o "" > out 2> err
+[ $? = 2 ] && [ "$(wc -l < err)" = 1 ] || fail "an output of an empty name"
+"$build/step03_sphere" "" -o nothing.png > out 2> err
+[ $? = 2 ] && [ "$(wc -l < err)" = 1 ] && [ ! -e nothing.png ] || fail "a scene of an empty name"
+
+# What is not a picture's stays: sources, scenes, meshes, by whatever name.
+echo 'int main() {}' > triangle.cpp
+cp own.rt other.rt
+ln own.rt hard.rt
+ln -s "$folder/other.rt" far.png
+for file in triangle.cpp other.rt hard.rt far.png; do
+    cp "$file" before
+    refused "a file of somebody's, $file" "$file"
+    cmp -s before "$file" || fail "$file is as it was"
+done
+: > empty.png
+"$build/step03_sphere" own.rt -o empty.png --size 3x2 --quiet || fail "an empty file is a place"
+picture_of 0000000300000002 empty.png || fail "an empty file becomes a picture"
+
+# Neighbours stay, a scene of that name and a link too.
+cp own.rt neighbour.png.part
+cp own.rt precious
+ln -s precious linked.png.part
+"$build/step03_sphere" neighbour.png.part -o neighbour.png --size 3x2 --quiet || fail "an odd name"
+"$build/step03_sphere" own.rt -o linked.png --size 3x2 --quiet || fail "a link beside it"
+cmp -s own.rt neighbour.png.part && cmp -s own.rt precious || fail "neighbours are as they were"
+
+# Where nobody may write, nothing is written; a picture that is protected stays.
+if [ "$(id -u)" != 0 ]; then
+    mkdir locked
+    chmod a-w locked old.png
+    refused "a folder that is locked" locked/a.png
+    refused "a picture that is locked" old.png
+    chmod u+w locked old.png
+fi
+
+# Several at once: each writes a whole picture.
+for turn in 1 2 3 4 5; do
+    for size in 64x48 32x24 16x12; do
+        "$build/step03_sphere" own.rt -o race.png --size $size --quiet --threads 1 2>> race.err &
+    done
+    wait
+    case $(od -An -tx1 -N24 race.png | tr -d ' \n') in
+        89504e470d0a1a0a0000000d494844520000004000000030) size=64x48 ;;
+        89504e470d0a1a0a0000000d494844520000002000000018) size=32x24 ;;
+        *) size=16x12 ;;
+    esac
+    "$build/step03_sphere" own.rt -o alone.png --size $size --quiet
+    cmp -s race.png alone.png || fail "one of several, whole"
+done
+[ ! -s race.err ] || fail "several at once: each is content"
+[ -z "$(find . -name '.raysteps-*')" ] || fail "several at once leave nothing behind"
+
+# Meshes are inputs too.
+if [ -x "$build/step13_meshes" ]; then
+    mkdir meshes
+    cp "$project/scenes/meshes/cube.off" meshes/cube.off
+    printf 'C 0,0,5 0,0,-1 60\nmesh meshes/cube.off 0,0,0 1 255,0,0\n' > mesh.rt
+    ln meshes/cube.off hard.off
+    for file in meshes/cube.off ./meshes/../meshes/cube.off hard.off; do
+        "$build/step13_meshes" mesh.rt -o $file --size 8x6 > out 2> err
+        [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] || fail "a mesh of the scene: $file"
+    done
+    cmp -s meshes/cube.off "$project/scenes/meshes/cube.off" || fail "a mesh is as it was"
+    # A binary STL may begin as a PNG does: 80 bytes of anything, a number, one triangle.
+    { printf '\211PNG\r\n\032\n'; head -c 72 /dev/zero; printf '\001\000\000\000'; head -c 24 /dev/zero
+        printf '\000\000\200\077'; head -c 12 /dev/zero; printf '\000\000\200\077'; head -c 6 /dev/zero; } > png.stl
+    sed 's#meshes/cube.off#png.stl#' mesh.rt > stl.rt
+    cp png.stl png.before
+    "$build/step13_meshes" stl.rt -o png.stl > out 2> err
+    [ $? = 2 ] && grep -q 'is a mesh of the scene' err || fail "a mesh that looks like a picture"
+    cmp -s png.stl png.before || fail "that mesh is as it was"
+
+    # What has no end, or no beginning, is no mesh, and that is told at once.
+    ln -s /dev/zero zero.off
+    mkfifo pipe.off
+    for file in zero.off pipe.off; do
+        printf 'C 0,0,5 0,0,-1 60\nmesh %s 0,0,0 1 255,0,0\n' $file > odd.rt
+        (ulimit -v 400000 && timeout 5 "$build/step13_meshes" odd.rt -o odd.png) > out 2> err
+        [ $? = 2 ] && grep -q "^$file: error: .*odd.rt:2:1" err || fail "$file is no mesh"
+    done
+fi
+
+# Ctrl-C is heard while a scene is read: here one that does not come.
+mkfifo slow.rt
+"$build/step03_sphere" slow.rt -o slow.png > out 2> err &
+reader=$!
+sleep 0.5
+kill -INT $reader
+(sleep 2; kill -KILL $reader) 2> /dev/null &
+wait $reader
+[ $? = 130 ] || fail "Ctrl-C while a scene is read"
+[ ! -e slow.png ] || fail "Ctrl-C while a scene is read leaves no picture"
 
 # A system without threads to give makes the same picture. (Sanitizers need more memory.)
 if (ulimit -v 400000 && "$build/step03_sphere" --help) > /dev/null 2>&1; then

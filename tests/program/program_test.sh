@@ -18,13 +18,13 @@ refused() {
     what=$1
     words=$2
     shift 2
-    rm -f picture.png picture.png.part
+    rm -f picture.png
     "$build/$@" -o picture.png > out 2> err
     [ $? = 2 ] || fail "$what: the status is 2"
     grep -q "error: " err && grep -qF -- "$words" err || fail "$what: says \"$words\""
     [ "$(wc -l < err)" = 1 ] || fail "$what: says it in one line"
     [ ! -s out ] || fail "$what: says nothing else"
-    [ ! -e picture.png ] && [ ! -e picture.png.part ] || fail "$what: leaves no picture"
+    [ ! -e picture.png ] && [ -z "$(find . -name '*.part')" ] || fail "$what: leaves no picture"
 }
 
 holds() {
@@ -159,6 +159,6 @@ sleep 0.3
 kill -INT $process
 wait $process
 [ $? = 130 ] || fail "Ctrl-C ends with 130"
-[ ! -e long.png ] && [ ! -e long.png.part ] || fail "Ctrl-C leaves no file"
+[ ! -e long.png ] && [ -z "$(find . -name '*.part')" ] || fail "Ctrl-C leaves no file"
 
 exit $failed
