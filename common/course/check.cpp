@@ -12,6 +12,7 @@
 #include "common/course/workbook.hpp"
 #include "common/input_error.hpp"
 #include "common/png.hpp"
+#include "common/terminal.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -113,7 +114,8 @@ void explain_failure(const Judgement& judgement) {
 /// My picture beside the stage's, in a file that is told.
 void show_picture(int stage) {
     const std::string name(stage_name(stage));
-    const std::filesystem::path mine = build_folder / (name + "_mine.png");
+    const TemporaryFolder folder(build_folder);
+    const std::filesystem::path mine = folder.path() / "mine.png";
     const Ending ending =
         listen_to({(build_folder / (name + "_judged")).string(), "--quiet", "-o", mine.string()},
                   picture_limit);
@@ -203,7 +205,7 @@ void watch(int stage) {
         }
         std::printf("\nwaiting for %s to be saved; Ctrl-C ends\n",
                     step_path(stage, "student").c_str());
-        std::fflush(stdout);
+        finish_output();
     }
 }
 

@@ -1,6 +1,7 @@
 #include "common/course/comparing.hpp"
 
 #include "common/course/build.hpp"
+#include "common/course/files.hpp"
 #include "common/course/pictures.hpp"
 #include "common/course/project.hpp"
 #include "common/course/stories.hpp"
@@ -44,7 +45,8 @@ std::string answer(const std::string& program, const Contest& contest, const Com
 }
 
 Image picture(const std::string& program, const Contest& contest) {
-    const std::string file = (build_folder / (program + ".png")).string();
+    const TemporaryFolder folder(build_folder);
+    const std::string file = (folder.path() / "picture.png").string();
     answer(program, contest, {"--quiet", "-o", file});
     return read_png(file);
 }

@@ -1,6 +1,7 @@
 #include "common/course/files.hpp"
 
 #include "common/input_error.hpp"
+#include "common/whole_file.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,20 +21,16 @@ std::string read_text(const fs::path& file) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-    const fs::path beside = file.parent_path() / ("." + file.filename().string() + ".new");
-    std::error_code failed;
-    {
-        std::ofstream out(beside, std::ios::binary);
-        out << text;
-        out.close();
-        if (!out) failed = std::make_error_code(std::errc::io_error);
-    }
-    if (!failed) fs::rename(beside, file, failed);
-    if (!failed) return;
-    std::error_code ignored;
-    fs::remove(beside, ignored);
-    throw InputError({file.string()},
-                     "cannot be written: is the disk full, or the folder not yours?");
+    WholeFile whole(file);
+    whole.write(text);
+    whole.take_its_place();
+}
+
+void copy_whole(const fs::path& from, const fs::path& to) {
+    WholeFile whole(to);
+    whole.write(read_text(from));
+    whole.take_its_place();
+    fs::permissions(to, fs::status(from).permissions() | fs::perms::owner_write);
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending) {

@@ -10,9 +10,12 @@ namespace rt {
 /// The file's text. Throws InputError if it cannot be read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
-/// Writes beside the file, and renames what is whole: whoever is interrupted, or has no room left
-/// on the disk, keeps what was there. Throws InputError if it fails.
+/// Writes a WholeFile: whoever is interrupted, or has no room left on the disk, keeps what was
+/// there. Throws InputError if it fails.
 void write_text(const std::filesystem::path& file, const std::string& text);
+
+/// The same with another file's text and permissions.
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// The files of a folder with this ending, by name; none if there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,

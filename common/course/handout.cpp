@@ -148,34 +148,33 @@ void pack(const fs::path& folder, const fs::path& archive) {
     if (ending.status != 0) throw ProgramError("error: tar fails\n" + ending.output);
 }
 
+void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
+    const fs::file_type type = fs::symlink_status(target).type();
+    const bool is_free = type == fs::file_type::not_found ||
+                         (type == fs::file_type::directory && fs::is_empty(target));
+    if (!is_free) throw InputError({destination.string()}, "is there already");
+}
+
 }  // namespace
 
 int hand_out(const fs::path& destination) {
     if (std::string(machine).empty())
         throw InputError({}, "hand-outs are made on x86_64 and aarch64");
+    if (destination.empty()) throw InputError({}, "handout: expected a name, not \"\"");
     const fs::path target = fs::absolute(destination / "").parent_path();
-    if (fs::exists(target) && !(fs::is_directory(target) && fs::is_empty(target)))
-        throw InputError({destination.string()}, "is there already");
+    refuse_what_is_there(destination, target);
     std::string name = target.filename().string();
     const bool packed = name.size() > std::string(archive_ending).size() &&
                         name.compare(name.size() - 7, 7, archive_ending) == 0;
     if (packed) name.resize(name.size() - 7);
 
-    // Beside it, under another name until it is whole.
-    const fs::path workshop = target.parent_path() / ("." + name + ".new");
-    fs::remove_all(workshop);  // of a command that was interrupted
-    fs::create_directories(workshop);
-    std::size_t files = 0;
-    try {
-        files = fill(workshop / name);
-        if (packed) pack(workshop / name, workshop / target.filename());
-        fs::rename(workshop / (packed ? target.filename() : fs::path(name)), target);
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove_all(workshop, ignored);
-        throw;
-    }
-    fs::remove_all(workshop);
+    // Beside it until it is whole.
+    fs::create_directories(target.parent_path());
+    const TemporaryFolder workshop(target.parent_path());
+    const std::size_t files = fill(workshop.path() / name);
+    if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
+    refuse_what_is_there(destination, target);  // somebody may have used the time
+    fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
     std::printf("%s: %zu files, and no solution among them\nfor %s", destination.c_str(), files,
                 fits().substr(3, fits().find('\n') - 2).c_str());
     std::printf("Whoever has an older one: ./course update %s\n", target.filename().c_str());

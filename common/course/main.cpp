@@ -17,6 +17,7 @@
 #include "common/course/workbook.hpp"
 
 #include "common/input_error.hpp"
+#include "common/terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -334,7 +335,9 @@ int run_command(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that we tell
     try {
-        return run_command(argc, argv);
+        const int status = run_command(argc, argv);
+        rt::finish_output();
+        return status;
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
     } catch (const rt::ProgramError& error) {

@@ -60,19 +60,4 @@ std::string fingerprint(const fs::path& file) {
     return std::to_string(~crc) + " " + std::to_string(text.size());
 }
 
-void copy_whole(const fs::path& from, const fs::path& to) {
-    const fs::path beside = to.parent_path() / ("." + to.filename().string() + ".new");
-    fs::create_directories(to.parent_path());
-    std::error_code ignored;
-    try {
-        fs::remove(beside);  // of a command that was interrupted
-        fs::copy_file(from, beside);
-        fs::permissions(beside, fs::perms::owner_write, fs::perm_options::add);
-        fs::rename(beside, to);
-    } catch (...) {
-        fs::remove(beside, ignored);
-        throw;
-    }
-}
-
 }  // namespace rt

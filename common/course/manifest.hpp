@@ -33,7 +33,4 @@ void write_manifest(const std::filesystem::path& folder, const Manifest& manifes
 /// cannot be read.
 [[nodiscard]] std::string fingerprint(const std::filesystem::path& file);
 
-/// Copies a file, its permissions with it, whole or not at all. Throws an exception if it fails.
-void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
-
 }  // namespace rt

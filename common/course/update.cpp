@@ -6,9 +6,11 @@
 #include "common/course/project.hpp"
 #include "common/course/workbook.hpp"
 #include "common/input_error.hpp"
+#include "common/whole_file.hpp"
 
 #include <cstdio>
 #include <regex>
+#include <set>
 
 namespace rt {
 
@@ -43,6 +45,7 @@ Manifest read_whole(const fs::path& folder) {
 /// The folder of a hand-out that may be packed.
 fs::path unpacked(const fs::path& newer) {
     if (fs::is_directory(newer)) return newer;
+    if (newer.empty()) throw InputError({}, "update: expected a hand-out, not \"\"");
     if (!fs::exists(newer)) throw InputError({newer.string()}, "is not there");
     const fs::path folder = build_folder / "newer_handout";
     fs::remove_all(folder);
@@ -67,6 +70,7 @@ public:
         both.title = under_way;
         for (const auto& [path, fingerprints] : its_.fingerprints)
             both.fingerprints[path].insert(fingerprints.begin(), fingerprints.end());
+        remove_left_overs(both);
         write_manifest(project_folder, both);
         for (const auto& [path, fingerprints] : mine_.fingerprints)
             if (its_.fingerprints.count(path) == 0 && is_there(project_folder / path)) drop(path);
@@ -87,6 +91,17 @@ public:
     }
 
 private:
+    /// Of an update that was killed.
+    static void remove_left_overs(const Manifest& manifest) {
+        std::set<fs::path> folders;
+        for (const auto& [path, fingerprints] : manifest.fingerprints)
+            folders.insert((project_folder / path).parent_path());
+        std::error_code none;
+        for (const fs::path& folder : folders)
+            for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+                if (is_part_file(entry.path())) fs::remove(entry.path(), none);
+    }
+
     void drop(const std::string& path) {
         say("removed", path);
         if (!mine_.matches(project_folder, path)) return put_aside(path);

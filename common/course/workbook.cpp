@@ -108,16 +108,16 @@ void Workbook::start() {
                                  std::to_string(stage_) + " keeps it and starts anew");
     std::error_code there;
     fs::create_directories(folder_, there);
-    const fs::path fresh = fresh_start();
-    for (const fs::path& file : files_in(fresh, ".cpp"))
+    const TemporaryFolder workshop(folder_.parent_path());
+    for (const fs::path& file : files_in(fresh_start(workshop.path()), ".cpp"))
         fs::rename(file, folder_ / file.filename());
-    fs::remove(fresh);
 }
 
 std::string Workbook::reset() {
     if (files().empty())
         throw InputError({}, "nothing to reset: ./course start " + std::to_string(stage_));
-    const fs::path fresh = fresh_start();
+    const TemporaryFolder workshop(folder_.parent_path());
+    const fs::path fresh = fresh_start(workshop.path());
     int number = 1;
     std::string kept;
     do {
@@ -129,10 +129,8 @@ std::string Workbook::reset() {
     return kept;
 }
 
-fs::path Workbook::fresh_start() const {
-    fs::path fresh = folder_;
-    fresh += "_new";
-    fs::remove_all(fresh);  // of a command that was interrupted
+fs::path Workbook::fresh_start(const fs::path& workshop) const {
+    fs::path fresh = workshop / folder_.filename();
     fs::create_directory(fresh);
     for (const fs::path& file : files_in(project_folder / step_path(stage_, "starter"), ".cpp"))
         write_text(fresh / file.filename(), read_text(file));

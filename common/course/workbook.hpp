@@ -43,8 +43,8 @@ public:
     std::string reset();
 
 private:
-    /// The starter in a folder beside, whole before anything else is touched.
-    [[nodiscard]] std::filesystem::path fresh_start() const;
+    /// The starter in a folder of the workshop, whole before anything else is touched.
+    [[nodiscard]] std::filesystem::path fresh_start(const std::filesystem::path& workshop) const;
 
     int stage_;
     std::filesystem::path folder_;
