@@ -3,13 +3,11 @@
 
 #include "common/balls.hpp"
 #include "common/bounds.hpp"
+#include "common/copies.hpp"
 #include "common/hierarchy.hpp"
 #include "common/material.hpp"
 
-#include <algorithm>
 #include <concepts>
-#include <cstddef>
-#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <utility>
@@ -74,7 +72,14 @@ public:
     void arrange(const Arrangement& how = {}, const Box& scene = {}) {
         disarrange();
         if constexpr (Bounded<Shape>) {
-            if (many(how)) leave_out_copies();
+            if (many(how))
+                leave_out_copies(
+                    items_,
+                    [](const Item<Shape>& item) {
+                        const Box box = bounds(item.shape);
+                        return hash({box.min, box.max});
+                    },
+                    [](const Item<Shape>& a, const Item<Shape>& b) { return a.shape == b.shape; });
             if (many(how))
                 hierarchy_ = Hierarchy(
                     items_.size(), [this](std::size_t i) { return bounds(items_[i].shape); },
@@ -139,40 +144,6 @@ private:
         std::vector<Ball> balls;
         for (const Item<Shape>& item : items_) balls.push_back(ball_around(item.shape));
         return Balls(balls);
-    }
-
-    /// Copies have the same box, and others seldom have: a few of a box are compared.
-    void leave_out_copies() {
-        constexpr std::size_t most_compared = 8;
-        std::vector<std::pair<std::size_t, std::size_t>> order;  // hash of the box, index
-        order.reserve(items_.size());
-        for (std::size_t i = 0; i < items_.size(); ++i)
-            order.emplace_back(hash(bounds(items_[i].shape)), i);
-        std::sort(order.begin(), order.end());
-        std::vector<bool> is_copy(items_.size());
-        std::vector<std::size_t> others;  // of the same box
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            if (i == 0 || order[i].first != order[i - 1].first) others.clear();
-            const std::size_t index = order[i].second;
-            is_copy[index] = std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-                return items_[other].shape == items_[index].shape;
-            });
-            if (!is_copy[index] && others.size() < most_compared) others.push_back(index);
-        }
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < items_.size(); ++i)
-            if (!is_copy[i]) items_[kept++] = items_[i];
-        items_.erase(items_.begin() + std::ptrdiff_t(kept), items_.end());
-    }
-
-    static std::size_t hash(const Box& box) {
-        std::size_t hash = 0;
-        for (const Vec3& corner : {box.min, box.max})
-            for (const Real coordinate : {corner.x, corner.y, corner.z}) {
-                hash = (hash ^ std::hash<Real>()(coordinate)) * 0x9E3779B97F4A7C15u;
-                hash ^= hash >> 29U;
-            }
-        return hash;
     }
 
     void disarrange() {

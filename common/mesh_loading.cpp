@@ -1,8 +1,10 @@
 #include "common/mesh_loading.hpp"
 
+#include "common/copies.hpp"
 #include "common/mesh_normals.hpp"
 #include "common/mesh_reader.hpp"
 
+#include <array>
 #include <map>
 #include <utility>
 
@@ -10,11 +12,27 @@ namespace rt {
 
 namespace {
 
+/// After the normals, in which each copy counts.
+void leave_out_copied_triangles(Mesh& mesh) {
+    using Corners = std::array<std::uint32_t, 3>;
+    const auto& points = mesh.vertices;
+    leave_out_copies(
+        mesh.triangles,
+        [&](const Corners& t) {
+            return hash({points[t[0]], points[t[1]], points[t[2]]});
+        },
+        [&](const Corners& t, const Corners& u) {
+            return points[t[0]] == points[u[0]] && points[t[1]] == points[u[1]] &&
+                   points[t[2]] == points[u[2]];
+        });
+}
+
 std::shared_ptr<const Model> load_model(const std::string& file, bool smooth, const Warn& warn) {
     Model model{.mesh = load_mesh(file, warn)};
     Mesh& mesh = model.mesh;
     if (!smooth) mesh.normals.clear();
     if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
+    leave_out_copied_triangles(mesh);
     if (mesh.triangles.size() >= packing_pays_from) model.packed.emplace(mesh);
     model.bounds = model.packed ? model.packed->bounds() : bounds(mesh);
     return std::make_shared<const Model>(std::move(model));
