@@ -99,6 +99,15 @@ course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
 
+# Nobody is there to read it; a file of somebody's where the picture would go.
+./course > /dev/full 2> out
+[ $? = 2 ] || fail "a full disk is told by the status"
+says "the standard output cannot be written"
+cp README.md renders/step03_sphere_compare.png
+course 2 compare 3
+cmp -s README.md renders/step03_sphere_compare.png || fail "what is no picture stays"
+rm renders/step03_sphere_compare.png
+
 # A crash, a loop.
 printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s\n%s\n}\n' $stage \
     'std::optional<Real> intersect(const Ray&, const Sphere&, Interval) { std::raise(SIGSEGV); return {}; }' \
@@ -141,9 +150,13 @@ cp watched out
 says "cases pass, in float and double"
 says "error: "
 
-# Nothing is lost: not by a new start, not by a full disk.
+# Nothing is lost: not by a new start, not by a full disk. What is beside it is the student's too.
 cp $mine kept
+mkdir $stage/student_new
+echo "mine" > $stage/student_new/notes.txt
 course 0 reset 3
+[ -s $stage/student_new/notes.txt ] || fail "a folder beside it stays"
+[ -z "$(find $stage -name 'raysteps.*' -o -name '.raysteps-*')" ] || fail "nothing is left over"
 says "$stage/student_1"
 cmp -s kept $stage/student_1/sphere.cpp || fail "what was there is kept"
 cmp -s $stage/starter/sphere.cpp $mine || fail "the starter is back"

@@ -164,7 +164,7 @@ for seconds in 0 0.02 0.05 0.1 0.15 0.2 0.3 0.4; do
     build/course update ../many > ../out 2>&1 || fail "once more, after $seconds s"
     diff -rq ../many . | grep -v '^Only in \.[/:]' > ../out
     [ ! -s ../out ] || fail "all is brought, after $seconds s"
-    find . -name '.*.new' > ../out
+    find . -name '.raysteps-*' > ../out
     [ ! -s ../out ] || fail "and nothing is left over"
     diff -r ../student $stage/student > ../out || fail "a student's files stay"
     tar -xf ../before.tar

@@ -10,7 +10,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <stdexcept>
+#include <string>
 
 using namespace rt;
 
@@ -48,8 +50,9 @@ fs::path scene_of(const Mesh& mesh, const fs::path& folder) {
 }  // namespace
 
 int main() {
-    const fs::path folder = fs::temp_directory_path() / "raysteps_decimation";
-    fs::create_directories(folder);
+    const std::string number = std::to_string(std::random_device()());
+    const fs::path folder = fs::temp_directory_path() / ("raysteps_decimation." + number);
+    if (!fs::create_directory(folder)) return 1;  // it is somebody's
     Mesh mesh;
     if (!OpenMesh::IO::read_mesh(mesh, RAYSTEPS_ROOT "/scenes/meshes/owl.off")) return 1;
     const Drawing whole = f64::drawn(scene_of(mesh, folder), size, {});
