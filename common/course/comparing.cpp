@@ -7,6 +7,7 @@
 #include "common/course/stories.hpp"
 #include "common/input_error.hpp"
 #include "common/png.hpp"
+#include "common/preview.hpp"
 #include "common/terminal.hpp"
 
 #include <unistd.h>
