@@ -138,8 +138,8 @@ void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
     mesh.placement.translation = fields.point("position");
     mesh.placement.scale = fields.length("scale");
     mesh.material = read_material(fields);
-    mesh.placement.rotation = to_our_axes(
-        reading.basis_around(fields.direction_option("dir", {0, 0, 1})), reading.axes);
+    mesh.placement.rotation =
+        to_our_axes(reading.basis_around(fields.direction_option("dir", {0, 0, 1})), reading.axes);
     mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
     scene.named_meshes.push_back(mesh);
 }

@@ -216,7 +216,7 @@ TEST_CASE("a shape whose direction is zero is left out, with a warning") {
         CHECK(read.warnings[0].ends_with(
             "is zero: expected a direction such as 0,1,0; the shape is left out"));
         CHECK(read.scene.spheres.size() == 1);
-        for_each_kind(read.scene, []<class Shape>(const Items<Shape>& items) {
+        for_each_kind(read.scene, []<class Shape>([[maybe_unused]] const Items<Shape>& items) {
             if constexpr (!std::is_same_v<Shape, Sphere>) CHECK(items.empty());
         });
     }
