@@ -55,7 +55,7 @@ std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
     const Vec3 way = box.min / Real(2) + box.max / Real(2) - position;
     const Real size = largest_component(glm::abs(way));
     if (size > 0 && size < infinity) directions.push_back(way / size);
-    for (const Vec3 axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
         directions.push_back(axis);
         directions.push_back(-axis);
     }
@@ -84,7 +84,7 @@ std::string why_nothing_is_met(const Scene& scene, const Look& look) {
     Camera tried = camera;
     int most = 0;
     Vec3 best(0);
-    for (const Vec3 direction : other_directions(scene, camera.position)) {
+    for (const Vec3& direction : other_directions(scene, camera.position)) {
         if (rounded(direction) == Vec3(0)) continue;
         tried.direction = unit(rounded(direction));
         const int count = hits(scene, tried, look);
