@@ -89,7 +89,7 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     return session->run(options, choice->pace.get(), stop);
 }
 
-std::vector<std::string> risks_in_float(const rt::Options& options) {
+std::vector<std::string> read_risks(const rt::Options& options) {
     reading = true;
     std::vector<std::string> risks = rt::f64::risks_in_float(options);
     reading = false;
@@ -97,13 +97,13 @@ std::vector<std::string> risks_in_float(const rt::Options& options) {
 }
 
 void explain_risks(const rt::Options& options) {
-    const std::vector<std::string> risks = risks_in_float(options);
+    const std::vector<std::string> risks = read_risks(options);
     if (!risks.empty()) std::cout << "and is at risk with --precision float\n";
     for (const std::string& risk : risks) std::cout << "  " << risk << '\n';
 }
 
 void warn_of_risks(const rt::Options& options) {
-    for (const std::string& risk : risks_in_float(options))
+    for (const std::string& risk : read_risks(options))
         std::cerr << to_string(rt::Place{options.scene}) << "warning: " << risk
                   << "; try --precision double\n";
 }
