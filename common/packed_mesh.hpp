@@ -18,7 +18,8 @@ public:
     explicit PackedMesh(const Mesh& mesh);
 
     /// Where the ray first meets the mesh strictly inside the interval, or nothing. No ray passes
-    /// between triangles that share an edge or a vertex.
+    /// between triangles that share an edge or a vertex, if they are not below 1e-15 of the mesh's
+    /// size in float, 1e-111 in double, where areas underflow.
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
     /// Whether the ray meets the mesh at all strictly inside the interval.

@@ -7,8 +7,14 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// What is added to every bound: more than what underflows on the way drops.
+/// What is added to a bound of a sum of products: more than what underflows on the way drops.
 inline constexpr Real underflow = Real(0x1p-900);
+
+/// Whether products of six such lengths stay numbers, and what underflows beside them is far less
+/// than u of them. Kernels take other lengths to more digits, in units of their own.
+[[nodiscard]] inline bool moderate(Real least, Real largest) {
+    return Real(0x1p-150) < least && largest < Real(0x1p150);
+}
 
 // A kernel starts from a point p of the ray that is near the shape, relative to it: fused_at of a
 // difference and a t, and what that difference drops. Two sums round, by u |p| each; so does what

@@ -53,17 +53,17 @@ ExactVector point_at(const oracle::Ray& ray, Real t) {
     return ray.origin + oracle::Exact(t) * ray.direction;
 }
 
-/// The shape's first hit, and whether the ray crosses its surface anywhere else.
+/// The shape's first hit in the interval, and whether the ray crosses its surface anywhere else.
 struct Answer {
     std::vector<Number> roots;
     std::optional<std::size_t> first;
 };
 
 template <class Shape>
-Answer answer(const oracle::Ray& ray, const Shape& shape) {
+Answer answer(const oracle::Ray& ray, const Shape& shape, const oracle::Interval& interval) {
     Answer answer;
     for (const Root& root : roots(ray, shape)) {
-        if (!answer.first && contains({}, root) && belongs(ray, shape, root))
+        if (!answer.first && contains(interval, root) && belongs(ray, shape, root))
             answer.first = answer.roots.size();
         answer.roots.push_back(root.value());
     }
@@ -101,7 +101,7 @@ Judgement judge(const Case<Shape>& asked, std::optional<Real> came) {
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
     const double unit = unit_of(asked, came);
-    const Answer expected = answer(ray, shape);
+    const Answer expected = answer(ray, shape, exact(asked.interval));
     Judgement judgement{.wrong = !same(came, expected, rounding(asked, unit))};
     if (!came) return judgement;
     judgement.off =
@@ -120,11 +120,12 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double d
     const glm::dvec3 x = glm::normalize(glm::cross(d, aside));
     const glm::dvec3 y = glm::cross(d, x);
     const auto shape = exact(asked.shape);
+    const auto interval = exact(asked.interval);
     const auto right = [&](glm::dvec3 move) {
         oracle::Ray ray = exact(asked.ray);
         move *= distance;
         ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
-        return same(came, answer(ray, shape), rounding(asked, distance));
+        return same(came, answer(ray, shape, interval), rounding(asked, distance));
     };
     for (int i = 0; i < ways; ++i) {
         const double angle = 2 * std::numbers::pi * i / ways;
@@ -139,9 +140,12 @@ double band_of(const Case<Shape>& asked, std::optional<Real> came, double known)
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
     double direct = std::numeric_limits<double>::infinity();
-    if (came && !answer(ray, shape).first) {
-        const Number way = gap(ray, point_at(ray, *came), shape) / unit;
-        if (way > 0) direct = way.template convert_to<double>();
+    if (came && !answer(ray, shape, exact(asked.interval)).first) {
+        const ExactVector point = point_at(ray, *came);
+        Number way = gap(ray, point, shape) / unit;
+        // The ray meets the shape, but not in the interval, which may be shorter than any move.
+        if (way <= 0) way = off_surface(point, shape) / unit;
+        direct = way.template convert_to<double>();
     }
     if (direct <= known) return known;
     constexpr double most = 1e6;  // more than that is no longer a matter of rounding
@@ -156,7 +160,7 @@ double band_of(const Case<Shape>& asked, std::optional<Real> came, double known)
 
 template <class Shape>
 std::optional<Real> rounded_answer(const Case<Shape>& asked) {
-    const auto root = intersect(exact(asked.ray), exact(asked.shape), oracle::Interval{});
+    const auto root = intersect(exact(asked.ray), exact(asked.shape), exact(asked.interval));
     if (!root) return std::nullopt;
     return root->value().template convert_to<Real>();
 }

@@ -60,29 +60,46 @@ struct Row {
     std::uint64_t wrong = 0;
     Measure off;
     Measure band;
+    Measure end;  ///< the band where t is as near to an end of the interval as it may be off
     Measure ulps;
 };
+
+/// `at_end`: an end of the interval is as near to the hit as its rounding.
+template <class Shape>
+void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real> came,
+             const std::string& drawn) {
+    const Judgement judgement = judged(asked, came);
+    const auto place = [&] {
+        return told(asked.ray, asked.shape, asked.interval, came, exact_answer(asked)) + drawn;
+    };
+    if (judgement.off) row.off.add(*judgement.off, place);
+    if (judgement.ulps) row.ulps.add(*judgement.ulps, place);
+    if (!judgement.wrong) return;
+    ++row.wrong;
+    Measure& band_of_kind = at_end ? row.end : row.band;
+    band_of_kind.add(band(asked, came, band_of_kind.worst), place);
+}
 
 template <class Shape>
 Row measured(Sweep sweep) {
     const std::uint64_t seed = number_from("RAYSTEPS_SEED", 2021);
-    Row row{.rays = 8'000 * number_from("RAYSTEPS_STABILITY", 1)};
-    for (std::uint64_t i = 0; i < row.rays; ++i) {
+    const std::uint64_t rays = 8'000 * number_from("RAYSTEPS_STABILITY", 1);
+    Row row;
+    for (std::uint64_t i = 0; i < rays; ++i) {
         Random random(seed + i);
         Case<Shape> asked;
         draw(random, sweep, asked);
-        const auto came = intersect(asked.ray, asked.shape, {});
-        const Judgement judgement = judged(asked, came);
-        const auto place = [&] {
-            return told(asked.ray, asked.shape, {}, came, exact_answer(asked)) +
-                   "\n  random:   RAYSTEPS_SEED=" + std::to_string(seed) + ", ray " +
-                   std::to_string(i);
-        };
-        if (judgement.off) row.off.add(*judgement.off, place);
-        if (judgement.ulps) row.ulps.add(*judgement.ulps, place);
-        if (!judgement.wrong) continue;
-        ++row.wrong;
-        row.band.add(band(asked, came, row.band.worst), place);
+        const std::string drawn =
+            "\n  random:   RAYSTEPS_SEED=" + std::to_string(seed) + ", ray " + std::to_string(i);
+        for (int question = 0; question < 2; ++question) {
+            const auto came = intersect(asked.ray, asked.shape, asked.interval);
+            const bool at_end = question > 0 || sweep == Sweep::surface;
+            measure(row, asked, at_end, came, drawn);
+            ++row.rays;
+            // From the surface, 0 is such an end already, and a ray has one move to excuse both.
+            if (!came || sweep == Sweep::surface || i % 4 != 0) break;
+            asked.interval = around(random, *came);
+        }
     }
     return row;
 }
@@ -97,12 +114,15 @@ template <class Shape>
 void hold(const char* shape, std::initializer_list<Sweep> sweeps, const Bars& bars) {
     for (const Sweep sweep : sweeps) {
         Row row = measured<Shape>(sweep);
-        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2g | %.2g | %.0f |\n", shape,
+        std::printf("| %s | %s | %.2f | %.2f | %.2f | %.2f | %.2g | %.2g | %.0f |\n", shape,
                     name(sweep).c_str(), row.off.typical(), row.off.worst, row.band.worst,
-                    row.ulps.typical(), row.ulps.worst, 1e6 * double(row.wrong) / double(row.rays));
+                    row.end.worst, row.ulps.typical(), row.ulps.worst,
+                    1e6 * double(row.wrong) / double(row.rays));
         std::fflush(stdout);
         CHECK(within(row.off, bars.off, name(sweep) + ": off the surface, in u L:"));
         CHECK(within(row.band, bars.band, name(sweep) + ": the ray must be moved, in u L:"));
+        CHECK(within(row.end, std::min(bars.off, 8.0),
+                     name(sweep) + ": beside an end of the interval, the ray must be moved:"));
         CHECK(within(row.ulps, bars.ulps, name(sweep) + ": ulps of t:"));
     }
 }
@@ -112,41 +132,41 @@ void hold(const char* shape, std::initializer_list<Sweep> sweeps, const Bars& ba
 TEST_CASE("spheres at the extremes") {
     hold<Sphere>("sphere",
                  {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                  Sweep::speed},
+                  Sweep::speed, Sweep::surface},
                  {.off = 8, .band = 4});
 }
 
 TEST_CASE("planes at the extremes") {
     hold<Plane>("plane",
                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                 Sweep::speed},
+                 Sweep::speed, Sweep::surface},
                 {.ulps = 4});
 }
 
 TEST_CASE("triangles at the extremes") {
     hold<Triangle>("triangle",
                    {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                    Sweep::speed, Sweep::border, Sweep::point, Sweep::sliver},
+                    Sweep::speed, Sweep::border, Sweep::point, Sweep::sliver, Sweep::surface},
                    {.off = 8, .band = 2});
 }
 
 TEST_CASE("squares at the extremes") {
     hold<Square>("square",
                  {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                  Sweep::speed, Sweep::border, Sweep::point},
+                  Sweep::speed, Sweep::border, Sweep::point, Sweep::surface},
                  {.off = 6, .band = 2});
 }
 
 TEST_CASE("cylinders at the extremes") {
     hold<Cylinder>("cylinder",
                    {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                    Sweep::speed, Sweep::border, Sweep::parallel},
+                    Sweep::speed, Sweep::border, Sweep::parallel, Sweep::surface},
                    {.off = 8, .band = 3});
 }
 
 TEST_CASE("cones at the extremes") {
     hold<Cone>("cone",
                {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
-                Sweep::speed, Sweep::border, Sweep::point, Sweep::parallel},
+                Sweep::speed, Sweep::border, Sweep::point, Sweep::parallel, Sweep::surface},
                {.off = 8, .band = 2});
 }

@@ -236,7 +236,18 @@ Line at_border(Random& random, const Shape& shape) {
 }
 
 template <class Shape>
+Line from_surface(Random& random, const Shape& shape) {
+    const auto [point, normal] = spot(random, shape);
+    const Real height = random.coin() ? 0 : beside(random);
+    const Real slope = random.coin() ? 0 : beside(random);
+    const Vec3 along = across(random, normal) + slope * normal;
+    return {.point = point + height * normal,
+            .direction = random.coin() ? unit(along) : random.direction()};
+}
+
+template <class Shape>
 Line draw_line(Random& random, Sweep sweep, const Shape& shape) {
+    if (sweep == Sweep::surface) return from_surface(random, shape);
     if (sweep == Sweep::moderate) return anywhere(random, shape);
     if (sweep == Sweep::grazing) return grazing(random, shape);
     if (sweep == Sweep::border) return at_border(random, shape);
@@ -256,24 +267,33 @@ Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
         if (sweep == Sweep::sliver) narrow(random, drawn.shape);
 
     const Line line = draw_line(random, sweep, drawn.shape);
-    const Real distance = sweep == Sweep::distance ? decades(random, 0, 8) : random.between(2, 10);
+    Real distance = sweep == Sweep::distance ? decades(random, 0, 8) : random.between(2, 10);
+    if (sweep == Sweep::surface) distance = 0;
     drawn.ray = {.origin = line.point - distance * line.direction,
                  .direction = random.between(Real(0.5), 2) * line.direction};
 
     Motion motion;
     if (sweep == Sweep::offset) motion.translation = decades(random, 0, 8) * random.direction();
+    if (sweep == Sweep::range) motion.scale = decades(random, -140, 140);
     if (sweep == Sweep::scale) motion.scale = decades(random, -scale_decades, scale_decades);
     drawn.shape = moved(drawn.shape, motion);
     drawn.ray.origin = moved(drawn.ray.origin, motion);
     if (sweep == Sweep::speed) drawn.ray.direction *= decades(random, -18, 18);
+    if (sweep == Sweep::range) drawn.ray.direction *= decades(random, -150, 150);
     return line.beside;
 }
 
 }  // namespace
 
+Interval around(Random& random, Real t) {
+    const Real end = t * (1 + Real(random.below(33) - 16) * unit_roundoff);
+    if (random.coin()) return {.min = end};
+    return {.max = end};
+}
+
 std::string name(Sweep sweep) {
-    const std::array names = {"moderate", "distance", "grazing", "offset",   "scale",
-                              "speed",    "border",   "point",   "parallel", "sliver"};
+    const std::array names = {"moderate", "distance", "grazing",  "offset", "scale",   "speed",
+                              "border",   "point",    "parallel", "sliver", "surface", "range"};
     return names[std::size_t(sweep)];
 }
 

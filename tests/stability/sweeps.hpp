@@ -20,6 +20,8 @@ enum class Sweep {
     point,     ///< aimed at a corner or an apex, and 1e-1 to 1e-12 beside it
     parallel,  ///< the same angles from the axis of a cylinder, from a line on a cone
     sliver,    ///< triangles 1e-1 to 1e-8 as wide as long
+    surface,   ///< from the surface, to rounding, or near it; half of them along it
+    range,     ///< in double: 1e-140 to 1e140 times as large, directions 1e-150 to 1e150 long
 };
 
 [[nodiscard]] std::string name(Sweep sweep);
@@ -28,6 +30,7 @@ template <class Shape>
 struct Case {
     Ray ray;
     Shape shape;
+    Interval interval = {};
 };
 
 // Each draws one case of the sweep. It returns by how much the ray is meant to pass a silhouette,
@@ -39,5 +42,8 @@ Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
 Real draw(Random& random, Sweep sweep, Case<Square>& square);
 Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
 Real draw(Random& random, Sweep sweep, Case<Cone>& cone);
+
+/// An interval that ends or begins a few ulps from there, where a decision is hardest.
+[[nodiscard]] Interval around(Random& random, Real t);
 
 }  // namespace rt

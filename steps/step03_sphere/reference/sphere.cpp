@@ -21,9 +21,13 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
     // The root further from 0 is a sum; the other one is a difference, but their product is C / A.
-    // From the surface itself C is exactly 0, and so is one root.
-    const Real t1 = t_closest + std::copysign(std::sqrt(half_chord_squared * inverse_a), t_closest);
-    const Real t2 = c * inverse_a / t1;
+    // From the surface itself C is exactly 0, and so is one root. Where the ray hardly leaves the
+    // surface both roots and C are nothing but rounding errors, and so is the quotient: it is
+    // further from 0 than the sum, if it is wrong, and then the difference is as good as any.
+    const Real half_chord = std::copysign(std::sqrt(half_chord_squared * inverse_a), t_closest);
+    const Real t1 = t_closest + half_chord;
+    Real t2 = c * inverse_a / t1;
+    if (!(std::abs(t2) <= std::abs(t1))) t2 = t_closest - half_chord;
     const Real near = std::min(t1, t2);
     const Real far = std::max(t1, t2);
     if (interval.contains(near)) return near;
