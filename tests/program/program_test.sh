@@ -113,6 +113,22 @@ done
 [ ! -e explained.png ] || fail "--explain makes no picture"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --explain > out
 grep -q 'nothing is a mirror' out || fail "--explain tells what is left out"
+grep -q 'at risk' out && fail "no scene of scenes/ is at risk in float"
+
+# What float loses of a scene: sizes beside large coordinates, and gaps.
+camera='A 0.2 255,255,255
+C 0,0,10 0,0,-1 60'
+printf '%s\nsp 0,0,0 2 9,9,9\nsp 0,0,0 2.00000002 9,9,9\n' "$camera" > gap.rt
+printf '%s\nsp 3000000,0,0 2 9,9,9\n' "$camera" > far.rt
+for scene in gap far; do
+    "$build/step03_sphere" $scene.rt --explain > out
+    grep -q 'at risk with --precision float' out || fail "--explain tells what float loses: $scene"
+    "$build/step03_sphere" $scene.rt -o a.png --size 8x6 --precision float > out 2> err
+    grep -q "$scene.rt: warning: .*--precision double" err || fail "float warns: $scene"
+    "$build/step03_sphere" $scene.rt -o a.png --size 8x6 > out 2> err
+    [ ! -s err ] || fail "double does not warn: $scene"
+done
+"$build/step03_sphere" gap.rt --explain | grep -q 'only 1e-08 apart' || fail "how small the gap is"
 
 # Fewer rays by --shadow-error, which the report counts, and the same bytes on any number of threads.
 soft=$scenes/step11_soft_shadows.rt
