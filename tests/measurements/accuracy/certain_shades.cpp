@@ -9,7 +9,9 @@ int main() {
     const Look converged{
         .shadow_samples = most_shadow_samples, .shadow_error = 1.0 / 16, .depth = 64};
     for (const auto& scene : scenes_for_choices()) {
-        const auto session = f64::open_session(program, {.scene = scene.string()});
+        Options options;
+        options.scene = scene.string();
+        const auto session = f64::open_session(program, options);
         const std::vector<Pixel> pixels = certain_pixels(session->resolution());
         const Shot shot = session->shot(converged, {.pixels = pixels, .round = last_round});
         std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);

@@ -12,7 +12,8 @@ namespace rt {
 
 constexpr std::size_t shades_of_a_scene = 20'000;
 
-/// So many of the picture's pixels, spread evenly: a step of the golden ratio from each to the next.
+/// So many of the picture's pixels, spread evenly: a step of the golden ratio from each to the
+/// next.
 [[nodiscard]] inline std::vector<Pixel> certain_pixels(Resolution size) {
     std::vector<Pixel> pixels;
     const std::size_t all = std::size_t(size.width) * std::size_t(size.height);
