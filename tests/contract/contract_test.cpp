@@ -208,6 +208,7 @@ TEST_CASE("a worker's answer, or why there is none") {
     CHECK(code(Asked(RAYSTEPS_REFERENCE_WORKER)(beside)) == "std::nullopt");
     CHECK(Asked(wrong + "/crashes")(to_the_right).failure == "crashed: Aborted");
     CHECK(Asked(wrong + "/never_answers")(call).failure == "gave no answer within 1 s");
+    CHECK(Asked(wrong + "/waits_in_the_kernel")(call).failure == "gave no answer within 1 s");
     CHECK(Asked(wrong + "/throws")(beside).failure == "threw an exception: bad optional access");
     CHECK_THROWS_AS(Asked(wrong + "/not_there")(call), CannotStart);
 }

@@ -196,6 +196,33 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
     }
 }
 
+TEST_CASE(
+    "headers in a place of their own are within a compiler's reach, if everybody may read them") {
+    const TemporaryFolder folder;
+    const TemporaryFolder place;
+    for (const TemporaryFolder* each : {&folder, &place})
+        fs::permissions(each->path(), fs::perms(0755));
+    const grade::Workshop workshop =
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
+    std::ofstream(place.path() / "elsewhere.hpp") << "namespace elsewhere {}\n";
+    std::ofstream(folder.path() / "seats/step03_sphere.txt", std::ios::app)
+        << "compile -isystem" << place.path().string() << '\n';
+    const auto compiled = [&] {
+        return grade::compile_submission(
+            workshop, 3,
+            "#include <elsewhere.hpp>\n" + content(stage_file("step03_sphere", "reference")),
+            folder.path() / "submission.o");
+    };
+    const grade::Made made = compiled();
+    INFO(made.words);
+    CHECK(made.succeeded);
+    if (geteuid() != 0) return;  // who compiles is who owns the place
+    fs::permissions(place.path(), fs::perms(0700));
+    const grade::Made closed = compiled();
+    CHECK_FALSE(closed.succeeded);
+    CHECK(closed.words.find("Permission denied") != std::string::npos);
+}
+
 TEST_CASE("attacks earn nothing and harm nobody") {
     Grader grader;
     const pid_t me = getpid();

@@ -166,4 +166,33 @@ while read -r file; do
     cmp -s "$folder/results/$file" "$folder/again/$file" || fail "$file is not the same again"
 done < "$folder/files"
 echo "$(wc -l < "$folder/files") files are the same again"
+
+# Told to stop, it does so within 2 s, and leaves nothing in the temporary folder.
+mkdir "$folder/tmp"
+for signal in INT TERM; do
+    : > "$folder/log"
+    # With its own handler: what a shell starts in the background ignores SIGINT otherwise.
+    TMPDIR=$folder/tmp "$build/grade" "$class" --out "$folder/stopped" --seed-file "$seed" --stages "$listed" \
+        > "$folder/log" 2>&1 &
+    grader=$!
+    sleep 4
+    start=$(date +%s%N)
+    kill -$signal $grader
+    wait $grader
+    [ $? = 1 ] || fail "$signal: exit status"
+    [ $((($(date +%s%N) - start) / 1000000)) -lt 2000 ] || fail "$signal is not obeyed within 2 s"
+    [ -z "$(ls "$folder/tmp")" ] || fail "$signal leaves $(ls "$folder/tmp")"
+done
+
+# Where it is the grader that fails, one has a line that says so, and the next is graded.
+file=$(file_of "${stages##* }")
+mkdir -p "$folder/hindered/students/s000/submitted/$file/in_the_way"
+"$build/grade" "$class" --out "$folder/hindered" --seed-file "$seed" --stages "$listed" --student s000 \
+    --student s001 > "$folder/log" 2>&1
+[ $? = 2 ] || fail "the status of a run that could not judge one"
+grep -q '^error: s000 could not be judged: ' "$folder/log" || fail "who could not be judged"
+for name in s000 s001; do
+    grep -q "^$name," "$folder/hindered/grades.csv" || fail "$name is not in the grade book"
+done
+grep -q 'could not be judged' "$folder/hindered/students/s000/feedback.html" || fail "the reason"
 exit $failed

@@ -30,9 +30,10 @@ constexpr unsigned long of_files = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_
                                    LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_file;
 constexpr unsigned long reading =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-constexpr unsigned long writing = reading | LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_file |
+constexpr unsigned long writing = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR |
+                                  LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_file |
                                   LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_MAKE_DIR |
-                                  LANDLOCK_ACCESS_FS_REMOVE_FILE;
+                                  LANDLOCK_ACCESS_FS_REMOVE_FILE;  // and nothing of it is run
 
 unsigned long rights_of(int version) {
     unsigned long rights = rights_of_version_1;
