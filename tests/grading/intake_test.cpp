@@ -399,6 +399,9 @@ TEST_CASE("names that are one on other systems are made two") {
     ground.write("ann./sphere.cpp", "");
     ground.write("../x", "");
     CHECK(ground.students() == std::vector<std::string>{"Ann", "ann_2", "ann_3"});
+    CHECK(ground.find({ground.place("")}).left_over ==
+          std::vector<std::string>{"ann: is graded as ann_2, as there is another ann",
+                                   "ann.: is graded as ann_3, as there is another ann"});
     CHECK(plain_name("..") == "_");
     CHECK(plain_name("../../x") == "_.._.._x");
     CHECK(plain_name("a\nb") == "a_b");
@@ -426,4 +429,36 @@ TEST_CASE("many archives are opened at a time") {
         if (ground.take("a.tar.gz").files == Files{{3, "three"}}) ++right;
     });
     CHECK(right == 60);
+}
+
+TEST_CASE("archives in archives end, and one that goes on for ever is the last") {
+    const Ground ground;
+    ground.write("work/0/sphere.cpp", "three");
+    for (int i = 0; i < 5; ++i) {
+        ground.write("inner/x", "");
+        if (i > 0) fs::rename(ground.place("last.tar"), ground.place("inner/a.tar"));
+        if (i == 0) ground.write("inner/plane.cpp", "four");
+        ground.pack("last.tar", "inner", {"."});
+    }
+    ground.write("work/2/x", "");
+    fs::rename(ground.place("last.tar"), ground.place("work/2/a.tar"));
+    ground.pack("a.tar", "work", {"."});
+    const HandedIn taken = ground.take("a.tar");
+    CHECK(taken.files == Files{{3, "three"}});
+    // More than 1 GB of zeros, and then a file: parts that gzip takes as one.
+    ground.write("work/zeros", "");
+    fs::resize_file(ground.place("work/zeros"), std::uintmax_t(20 * 64) << 20);
+    ground.write("work/sphere.cpp", "after");
+    const Ending made = listen_to(
+        {"sh", "-c",
+         "cd \"$1\" && tar -cf - zeros | head -c 512 | gzip > ../bomb.tar.gz &&"
+         "head -c 64M zeros | gzip > part && for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 "
+         "19 20; do cat part >> ../bomb.tar.gz; done && tar -cf - sphere.cpp | gzip >> "
+         "../bomb.tar.gz",
+         "sh", ground.place("work")},
+        std::chrono::seconds(60));
+    REQUIRE(made.status == 0);
+    const HandedIn bomb = ground.take("bomb.tar.gz");
+    CHECK(bomb.files.empty());
+    CHECK(bomb.words_on_all.find("bomb.tar.gz is damaged, or too large") != std::string::npos);
 }

@@ -140,15 +140,19 @@ public:
     }
 
     [[nodiscard]] ClassFolder found() {
-        ClassFolder all{.left_over = std::move(left_over_)};
+        ClassFolder all;
         std::set<std::string> taken;
         for (auto& [key, pieces] : by_student_) {
             std::string student = plain_name(key.second);
             const std::string first = student;
             for (int i = 2; !taken.insert(lower(student)).second; ++i)
                 student = first + "_" + std::to_string(i);
+            if (student != first)
+                leave(key.first.has_filename() ? key.first : key.first.parent_path(),
+                      "is graded as " + student + ", as there is another " + first);
             all.envelopes.push_back({.student = student, .pieces = std::move(pieces)});
         }
+        all.left_over = std::move(left_over_);
         return all;
     }
 

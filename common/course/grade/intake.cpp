@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr int most_entries = 1000000;
 constexpr int deepest = 60;
-constexpr int most_archives = 30;
+constexpr int most_archives = 10;
 constexpr int most_megabytes = 32;  // of what is taken out of an archive
 constexpr int deepest_archive = 3;
 constexpr std::size_t most_told = 6;
@@ -115,8 +115,9 @@ private:
 
     void add_archive(const fs::path& archive, const fs::path& name, int depth) {
         const std::string called = name.string();
-        if (depth == deepest_archive || ++archives_ > most_archives) {
-            words_ += called + " was not opened: too many archives.\n";
+        // One that takes too long is enough.
+        if (depth == deepest_archive || ++archives_ > most_archives || !all_whole_) {
+            words_ += called + " was not opened: too many archives, or one too large.\n";
             return;
         }
         taken_out_.emplace_back(workshop_.folder);
@@ -128,6 +129,7 @@ private:
                       "7z).\n";
             return;
         }
+        all_whole_ = unpacked->whole;
         if (!unpacked->whole)
             words_ += "The archive " + called + " is damaged, or too large: not all was read.\n";
         for (const Entry& entry : unpacked->entries) add_entry(entry, name, depth);
@@ -225,6 +227,7 @@ private:
     std::string words_;
     int entries_ = 0;
     int archives_ = 0;
+    bool all_whole_ = true;
 };
 
 }  // namespace

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t largest_archive = 31 << 20;
 constexpr int most_files = 20000;
-constexpr int most_idle = 100000;  // names of folders, and of files of no use
+constexpr std::size_t most_read = 32;  // times what may be taken out
+constexpr int most_idle = 100000;      // names of folders, and of files of no use
 
 class Unpacking {
 public:
@@ -115,13 +116,17 @@ archive* opened(const char* file) {
 int main(int count, char** words) {
     if (count != 4) return 2;
     std::setlocale(LC_ALL, "C.UTF-8");  // names of other encodings are kept as bytes
-    Unpacking unpacking(words[2], std::strtoul(words[3], nullptr, 10));
+    const std::size_t megabytes = std::strtoul(words[3], nullptr, 10);
+    Unpacking unpacking(words[2], megabytes);
     archive* from = opened(words[1]);
     if (from == nullptr) return 1;
     archive_entry* entry = nullptr;
     int status = 0;
     while ((status = archive_read_next_header(from, &entry)) >= ARCHIVE_WARN &&
-           status != ARCHIVE_EOF)
+           status != ARCHIVE_EOF) {
+        const auto read = archive_filter_bytes(from, 0);
+        if (read > la_int64_t(most_read * (megabytes << 20))) break;
         unpacking.take(from, entry);
+    }
     return unpacking.end(status == ARCHIVE_EOF ? "end" : "broken") ? 0 : 1;
 }
