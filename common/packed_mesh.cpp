@@ -47,6 +47,40 @@ std::vector<TrianglePacket> packed(const Mesh& mesh, std::span<const Leaf> leave
     return packets;
 }
 
+/// How much larger a triangle of that size must be, or areas times lengths might underflow: in a
+/// mesh of size 1, below 2^-30 in float, 2^-200 in double.
+Real finer(Real size) {
+    constexpr int least = sizeof(Real) == 4 ? -30 : -200;
+    if (!(size > 0 && size < std::ldexp(Real(1), least))) return 1;
+    constexpr int most = std::numeric_limits<Real>::max_exponent * 3 / 4;
+    return std::ldexp(Real(1), std::min(-std::ilogb(size), most));
+}
+
+Real size(const TrianglePacket& packet, std::size_t lane) {
+    Box box;
+    for (const auto& [x, y, z] : packet.vertices)
+        box = united(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
+    return largest_component(box.max - box.min);
+}
+
+std::vector<std::array<Real, lane_count>> finer(const std::vector<TrianglePacket>& packets) {
+    std::vector<std::array<Real, lane_count>> scales(packets.size());
+    bool any = false;
+    for (std::size_t leaf = 0; leaf < packets.size(); ++leaf)
+        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+            scales[leaf][lane] = finer(size(packets[leaf], lane));
+            any = any || scales[leaf][lane] != 1;
+        }
+    if (!any) return {};
+    return scales;
+}
+
+TrianglePacket enlarged(TrianglePacket packet, Real scale) {
+    for (auto& vertex : packet.vertices)
+        for (Lanes& coordinate : vertex) coordinate = all_lanes(scale) * coordinate;
+    return packet;
+}
+
 }  // namespace
 
 PackedMesh::PackedMesh(const Mesh& mesh) {
@@ -62,6 +96,30 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
     };
     hierarchy_ = Hierarchy(mesh.triangles.size(), box, Hierarchy::Leaves::packed);
     packets_ = packed(mesh, hierarchy_.leaves(), scale_);
+    finer_ = finer(packets_);
+}
+
+Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::size_t leaf,
+                             const Interval& interval) const {
+    // Scaled by a power of two with the ray, a triangle is met at the same t, and areas keep their
+    // signs: neighbours in different scales leave no crack.
+    Crossings all = test(packets_[leaf], interval);
+    auto t = values(all.t);
+    std::array areas = {values(all.areas[0]), values(all.areas[1]), values(all.areas[2])};
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        const Real scale = finer_[leaf][lane];
+        if (scale == 1) continue;
+        const TriangleTest near(
+            {.origin = scale * seen.origin, .direction = scale * seen.direction});
+        const Crossings found = near(enlarged(packets_[leaf], scale), interval);
+        const unsigned bit = 1U << lane;
+        all.hits = (all.hits & ~bit) | (found.hits & bit);
+        t[lane] = values(found.t)[lane];
+        for (std::size_t i = 0; i < 3; ++i) areas[i][lane] = values(found.areas[i])[lane];
+    }
+    all.t = std::bit_cast<Lanes>(t);
+    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<Lanes>(areas[i]);
+    return all;
 }
 
 #ifndef RT_EXACT  // which asks in steps/step13_meshes/exact/packed_mesh.cpp
@@ -73,15 +131,15 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
     Vec3 areas;
     SlabTests slabs(seen);
     hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        const Crossings crossings = test(packets_[leaf], left);
-        for (unsigned hits = crossings.hits; hits != 0;) {
+        const Crossings found = crossings(test, seen, leaf, left);
+        for (unsigned hits = found.hits; hits != 0;) {
             const std::size_t lane = take_lowest(hits);
-            const Real t = values(crossings.t)[lane];
+            const Real t = values(found.t)[lane];
             if (!(t < left.max)) continue;
             left.max = t;
             triangle = &hierarchy_.leaves()[leaf].indices[lane];
-            areas = {values(crossings.areas[0])[lane], values(crossings.areas[1])[lane],
-                     values(crossings.areas[2])[lane]};
+            areas = {values(found.areas[0])[lane], values(found.areas[1])[lane],
+                     values(found.areas[2])[lane]};
         }
         return false;
     });
@@ -97,7 +155,7 @@ bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
     const Interval left = scaled(interval);
     SlabTests slabs(seen);
     return hierarchy_.visit_leaves(
-        slabs, left, [&](std::size_t leaf) { return test(packets_[leaf], left).hits != 0; });
+        slabs, left, [&](std::size_t leaf) { return crossings(test, seen, leaf, left).hits != 0; });
 }
 #endif
 

@@ -386,6 +386,31 @@ TEST_CASE("no ray is lost at an edge or a vertex of a closed mesh (Woop 2013)") 
     }
 }
 
+TEST_CASE("no ray is lost at a surface that is as nothing beside the rest of its mesh (contract)") {
+    const Mesh small_ball = bumpy_ball(2);
+    for (const int decades : {-6, -9, -12, -15, -20, -30, -111, -150, -250}) {
+        const Real scale = std::pow(Real(10), Real(decades));
+        if (scale < std::numeric_limits<Real>::min() * 1'000'000) continue;  // no float
+        // Around it, another one of size 1, in whose scale all of it is packed.
+        const Mesh small = placed(small_ball, scale, Vec3(0));
+        Mesh both = small;
+        const Mesh around = placed(small_ball, 1, Vec3(0));
+        const auto first = std::uint32_t(both.vertices.size());
+        both.vertices.insert(both.vertices.end(), around.vertices.begin(), around.vertices.end());
+        for (const auto& [a, b, c] : around.triangles)
+            both.triangles.push_back({first + a, first + b, first + c});
+        const PackedMesh packed(both);
+        CAPTURE(decades);
+        CHECK(for_all([&](Random& random) {
+            const Ray ray = draw_shot(random, small, scale, Vec3(0));
+            const auto came = packed.nearest(ray, {});
+            return verdict(came && came->triangle < small.triangles.size() &&
+                               packed.blocks(ray, {.max = 2 * came->t}),
+                           "from inside the closed surface, no hit: " + code(ray));
+        }));
+    }
+}
+
 TEST_CASE("a packed mesh gives the hit that exact arithmetic gives (contract)") {
     CHECK(for_all(agrees_with_long_double, 3000));
 }
