@@ -50,7 +50,7 @@ TEST_CASE("situation B, as it is given and as it is worked, is a miss (PHY)") {
     CHECK(hits(ray, Sphere{.center = {1, -3, 0}, .radius = 6}, (30 + std::sqrt(Real(1852))) / 68));
 }
 
-TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)") {
+TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, unit_sphere, 5));
     CHECK(hits(Ray{.origin = {-3, 0, -2}, .direction = {2, 0, 0}},
                Sphere{.center = {0, 0, 0}, .radius = 2}, Real(1.5)));
@@ -72,7 +72,7 @@ TEST_CASE("behind the origin, nothing is met (CR §2.2, PHY)") {
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)") {
+TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 1}, .direction = {0, 0, 1}}, unit_sphere));
     CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}}, unit_sphere, 2));
 }
@@ -83,7 +83,7 @@ TEST_CASE("near hits count as much as far ones (CR §2.1)") {
     CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
 }
 
-TEST_CASE("only hits strictly inside the interval count (contract)") {
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
     CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 4, .max = infinity}));
     CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 5, .max = 7}));
     CHECK(misses(ahead, unit_sphere, Interval{.min = 0, .max = 4}));

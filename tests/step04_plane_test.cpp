@@ -63,7 +63,7 @@ TEST_CASE("behind the origin, nothing is met (MRT §4, t positive)") {
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a parallel ray misses, above the plane and in it (MRT §4)") {
+TEST_CASE("a parallel ray misses, above the plane and in it (MRT §4)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {1, 0, 0}}, ground));
     CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, 0, 0}}, ground));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {3, 0, -4}}, ground));
@@ -71,7 +71,7 @@ TEST_CASE("a parallel ray misses, above the plane and in it (MRT §4)") {
                  Plane{.point = {4, 0, 0}, .normal = {1, 1, 0}}));
 }
 
-TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)") {
+TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -40);  // about 1e-12
     CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {1, -slope, 0}}, ground, 2 / slope));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {1, slope, 0}}, ground));
@@ -91,7 +91,7 @@ TEST_CASE("the horizon: rays above it miss, rays below it land further and furth
     }
 }
 
-TEST_CASE("a ray that starts on the plane does not meet it (PHY, t > 0)") {
+TEST_CASE("a ray that starts on the plane does not meet it (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, 1, 0}}, ground));
     CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, -1, 0}}, ground));
 }
@@ -101,7 +101,7 @@ TEST_CASE("t counts in the length of the direction (PHY, any v)") {
     CHECK(hits(Ray{.origin = {0, 4, 0}, .direction = {0, Real(-0.125), 0}}, ground, 32));
 }
 
-TEST_CASE("only hits strictly inside the interval count (contract)") {
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
     const Ray ray{.origin = {0, 2, 0}, .direction = {0, -1, 0}};
     CHECK(hits(ray, ground, 2, Interval{.min = 1, .max = 3}));
     CHECK(misses(ray, ground, Interval{.min = 0, .max = 2}));

@@ -78,7 +78,8 @@ TEST_CASE("it is met along any direction, some of it zero (MRT §5)") {
     }
 }
 
-TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)") {
+TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)",
+          "[exact]") {
     const Triangle other{.a = {4, 4, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
     CHECK(hits(down_at(2, 2), right_angled, 2));
     CHECK(hits(down_at(2, 2), other, 2));
@@ -90,7 +91,7 @@ TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (errat
     CHECK(hits(down_at(0, 2), turned, 2));
 }
 
-TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)") {
+TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)", "[exact]") {
     CHECK(hits(down_at(0, 0), right_angled, 2));
     CHECK(hits(down_at(4, 0), right_angled, 2));
     CHECK(hits(down_at(0, 4), right_angled, 2));
@@ -102,13 +103,13 @@ TEST_CASE("behind the origin, nothing is met (MRT §4–5, t positive)") {
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a ray in the triangle's plane misses (MRT §5, ⟨d, n⟩ = 0)") {
+TEST_CASE("a ray in the triangle's plane misses (MRT §5, ⟨d, n⟩ = 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {-1, 1, 0}, .direction = {1, 0, 0}}, right_angled));
     CHECK(misses(Ray{.origin = {-1, 0, 0}, .direction = {1, 0, 0}}, right_angled));
     CHECK(misses(Ray{.origin = {-1, 1, 1}, .direction = {1, 0, 0}}, right_angled));
 }
 
-TEST_CASE("a triangle without area is missed (contract)") {
+TEST_CASE("a triangle without area is missed (contract)", "[exact]") {
     const Triangle line{.a = {0, 0, 0}, .b = {2, 0, 0}, .c = {4, 0, 0}};
     const Triangle point{.a = {1, 1, 0}, .b = {1, 1, 0}, .c = {1, 1, 0}};
     CHECK(misses(down_at(1, 0), line));
@@ -116,14 +117,14 @@ TEST_CASE("a triangle without area is missed (contract)") {
     CHECK(misses(down_at(1, 1), point));
 }
 
-TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)") {
+TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") {
     const Real small = std::ldexp(Real(1), -30);  // about 1e-9
     const Triangle triangle{.a = {0, 0, 0}, .b = {4 * small, 0, 0}, .c = {0, 4 * small, 0}};
     CHECK(hits(down_at(small, small), triangle, 2));
     CHECK(misses(down_at(3 * small, 3 * small), triangle));
 }
 
-TEST_CASE("a grazing ray meets the triangle (MRT §5)") {
+TEST_CASE("a grazing ray meets the triangle (MRT §5)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -12);
     CHECK(hits(Ray{.origin = {1, -4, 5 * slope}, .direction = {0, 1, -slope}}, right_angled, 5));
 }
@@ -133,7 +134,7 @@ TEST_CASE("t counts in the length of the direction (PHY, any v)") {
     CHECK(hits(Ray{.origin = {1, 1, 2}, .direction = {0, 0, Real(-0.25)}}, right_angled, 8));
 }
 
-TEST_CASE("only hits strictly inside the interval count (contract)") {
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
     CHECK(hits(down_at(1, 1), right_angled, 2, Interval{.min = 1, .max = 3}));
     CHECK(misses(down_at(1, 1), right_angled, Interval{.min = 0, .max = 2}));
     CHECK(misses(down_at(1, 1), right_angled, Interval{.min = 2, .max = 9}));

@@ -64,7 +64,7 @@ TEST_CASE("the centre is half-way: from -h/2 to h/2 (MRT §7)") {
     CHECK(misses(Ray{.origin = {10, Real(5.5), 5}, .direction = {0, 0, -1}}, moved));
 }
 
-TEST_CASE("both rims belong to the side (MRT §7)") {
+TEST_CASE("both rims belong to the side (MRT §7)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, -3, 5}, .direction = {0, 0, -1}}, upright, 3));
 }
@@ -83,14 +83,14 @@ TEST_CASE("there are no caps (MRT §7)") {
     CHECK(hits(Ray{.origin = {-5, 8, 0}, .direction = {1, -1, 0}}, upright, 7));
 }
 
-TEST_CASE("a ray along the axis misses: a = 0 (erratum 6, MRT §7)") {
+TEST_CASE("a ray along the axis misses: a = 0 (erratum 6, MRT §7)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 9, 0}, .direction = {0, -1, 0}}, upright));
     CHECK(misses(Ray{.origin = {1, 0, 1}, .direction = {0, 1, 0}}, upright));
     CHECK(misses(Ray{.origin = {3, 0, 0}, .direction = {0, 1, 0}}, upright));
     CHECK(misses(Ray{.origin = {2, 0, 0}, .direction = {0, 1, 0}}, upright));
 }
 
-TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT §7)") {
+TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT §7)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -20);
     const Cylinder narrow{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2 * slope, .height = 6};
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {slope, 1, 0}}, narrow, 2));
@@ -110,7 +110,7 @@ TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
     }));
 }
 
-TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)") {
+TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)", "[exact]") {
     CHECK(hits(Ray{.origin = {2, 1, 5}, .direction = {0, 0, -1}}, upright, 5));
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)") {
+TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, upright));
     CHECK(hits(Ray{.origin = {0, 0, 2}, .direction = {0, 0, -1}}, upright, 4));
 }
@@ -129,7 +129,7 @@ TEST_CASE("t counts in the length of the direction (PHY, any v)") {
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.25)}}, upright, 12));
 }
 
-TEST_CASE("only hits strictly inside the interval count (contract)") {
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
     const Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
     CHECK(hits(ray, upright, 7, Interval{.min = 3, .max = infinity}));
     CHECK(misses(ray, upright, Interval{.min = 3, .max = 7}));

@@ -247,7 +247,7 @@ TEST_CASE("a light behind the surface takes nothing away and adds nothing (errat
     }));
 }
 
-TEST_CASE("a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR §3.1)") {
+TEST_CASE("a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR §3.1)", "[exact]") {
     CHECK(dark(facing_z({0, 0, 1}), light_at({5, 0, 0})));
     CHECK(dark(facing_z({-1, 0, 0}), light_at({5, 0, 0})));  // R points to the eye
 }
@@ -275,7 +275,7 @@ TEST_CASE("beside R the highlight is ⟨R, V⟩ to the power of the shininess (C
     }));
 }
 
-TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)") {
+TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)", "[exact]") {
     const Vec3 at_30_degrees(Real(0.5), 0, std::sqrt(Real(0.75)));
     CHECK(specular_is(facing_z(at_30_degrees, 4), white, Color(Real(0.5625))));
     CHECK(specular_is(facing_z(at_30_degrees, Real(0.5)), white,

@@ -1,6 +1,7 @@
 // The body of a contract's function where it is asked of a worker.
 #pragma once
 
+#include "tests/contract/change.hpp"
 #include "tests/contract/contracts.hpp"
 
 namespace rt::contract {
@@ -21,6 +22,26 @@ auto ask(const Arguments&... arguments) {
     auto answer = get<typename std::tuple_element_t<place, Functions>::Answer>(reader);
     reader.end();
     return answer;
+}
+
+/// intersect, after the case's change.
+template <int Stage, class Shape>
+std::optional<Real> ask_hit(const Ray& ray, const Shape& shape, Interval interval) {
+    const Change* const now = change();
+    if (now == nullptr) return ask<Stage, "intersect">(ray, shape, interval);
+    const std::optional<Real> t =
+        ask<Stage, "intersect">(moved(ray, now->any, now->length), rt::moved(shape, now->any),
+                                divided(interval, now->length));
+    return t ? *t * now->length : t;
+}
+
+/// normal, after the case's change.
+template <int Stage, class Shape>
+Vec3 ask_normal(const Shape& shape, Vec3 point) {
+    const Change* const now = change();
+    if (now == nullptr) return ask<Stage, "normal">(shape, point);
+    return turned_back(ask<Stage, "normal">(rt::moved(shape, now->any), rt::moved(point, now->any)),
+                       now->any);
 }
 
 }  // namespace rt::contract

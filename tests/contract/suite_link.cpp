@@ -8,12 +8,14 @@
 // RAYSTEPS_RECORD         a file that all questions are written to, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "tests/contract/asking.hpp"
+#include "tests/contract/call.hpp"
 #include "tests/contract/picture_question.hpp"
 #include "tests/contract/stub.hpp"
 
 #include "tests/kit/catch.hpp"
 #include "tests/kit/drawn.hpp"
 #include "tests/kit/light_points.hpp"
+#include "tests/kit/report.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,6 +28,7 @@ namespace rt::contract {
 
 namespace {
 
+constexpr std::size_t longest_question = 4000;
 constexpr const char* too_long_a_case = "took longer than one case may take";
 constexpr const char* too_long_a_suite = "took longer than all cases may take";
 
@@ -65,8 +68,27 @@ public:
         record_.write(reinterpret_cast<const char*>(&size), sizeof size) << question;
     }
 
+    /// The question as it is asked, after a change.
+    void keep_changed(const std::string& question) {
+        const std::lock_guard lock(mutex_);
+        changed_ = question;
+    }
+
+    /// The last one of the case that was changed, in words.
+    std::string words_on_change() {
+        const std::lock_guard lock(mutex_);
+        if (changed_.empty()) return "";
+        const std::string question = code(call_of(changed_));
+        if (question.size() > longest_question) return "";
+        return "  changed:  all was turned, moved and scaled, so that the answer is the same; at "
+               "last\n"
+               "            " +
+               question;
+    }
+
     void start_afresh() {
         const std::lock_guard lock(mutex_);
+        changed_.clear();
         end_worker();
         gone_.clear();
     }
@@ -98,6 +120,7 @@ private:
     double suite_left_ = seconds("RAYSTEPS_SUITE_SECONDS", 600);
     std::string gone_;  ///< why there is no answer any more in this case
     std::ofstream record_ = open_record();
+    std::string changed_;
 };
 
 Link& link() {
@@ -119,7 +142,9 @@ struct WorkerForEachCase : Listener {
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
         Listener::testCaseStarting(info);
         link().start_afresh();
+        draw_change(info.name, info.tagsAsString().find("[exact]") != std::string::npos);
         link().record("");  // so that a reader sees where a case begins
+        remark_on_failure = [] { return link().words_on_change(); };
     }
 };
 
@@ -129,6 +154,7 @@ CATCH_REGISTER_LISTENER(WorkerForEachCase)
 
 std::string answer_of_worker(const std::string& question) {
     link().record(question);
+    if (change() != nullptr) link().keep_changed(question);
     return link().ask(question);
 }
 
@@ -143,10 +169,11 @@ Image drawn(const Scene& scene, const Look& look, int every) {
 
 std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed, int count) {
     using namespace contract;
+    const Change* const now = change();
     Writer question;
     put(question, Number{.stage = 0, .place = light_points_place});
-    put(question, light);
-    put(question, from);
+    put(question, now == nullptr ? light : changed(light, *now, now->any));
+    put(question, now == nullptr ? from : rt::moved(from, now->any));
     put(question, seed);
     put(question, count);
     const std::string bytes = link().ask(question.bytes());
@@ -154,6 +181,8 @@ std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed
     auto points = get<std::vector<Vec3>>(reader);
     reader.end();
     if (points.size() != std::size_t(count)) throw Malformed("another number of points");
+    if (now != nullptr)
+        for (Vec3& point : points) point = moved_back(point, now->any);
     return points;
 }
 

@@ -4,7 +4,7 @@
 # Right, untouched, mistaken, empty, uncompilable and hostile submissions, as folders and archives. The
 # grader is killed on its way; the grade book must then be the one that was known beforehand, and a
 # second run with the same seed must write the same marks, byte for byte. What a mistake is worth is
-# known from the suites' other link: the programs of tests/mistakes.
+# known from the same suites, asked without the grader and its seal.
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
 students=${3:-12}
@@ -41,10 +41,6 @@ pick() {
     echo "$1"
 }
 
-# Mistakes that answer alike whatever they were asked before: the suites' other link asks all cases of one
-# process, the grader each of another.
-stateless() { grep -L 'std::rand()' "$@"; }
-
 # A known mistake as a student would hand it in, who has nothing of ours to include but headers.
 flattened() {
     awk -v project="$project" '
@@ -66,11 +62,12 @@ stage_points() {
         END { print own ? sum : 0 }' "$1"
 }
 
-# points_of PROGRAM STAGE: run once, however many hand in what it is made of.
+# points_of WORKER STAGE: asked once, however many hand in what it is made of.
 points_of() {
     report=$folder/reports/$(basename "$1")
     [ -e "$report" ] ||
-        RAYSTEPS_SEED_FILE=$seed RAYSTEPS_REPORT=$report "$1" > /dev/null 2>&1
+        RAYSTEPS_SEED_FILE=$seed RAYSTEPS_REPORT=$report RAYSTEPS_WORKER=$1 \
+            "$build/${2}_asked_test_double" > /dev/null 2>&1
     stage_points "$report" "$2"
 }
 
@@ -93,14 +90,14 @@ submit() {
         case $2 in
             right)
                 cp "$project/steps/$stage/reference/"*.cpp "$place"
-                points=$(points_of "$build/${stage}_test_double" "$stage")
+                points=$(points_of "$build/${stage}_reference_worker" "$stage")
                 ;;
             untouched) cp "$project/steps/$stage/starter/"*.cpp "$place" ;;
             mistaken)
-                mistake=$(pick "$3" $(stateless "$project/tests/mistakes/$stage"/*.cpp))
+                mistake=$(pick "$3" "$project/tests/mistakes/$stage"/*.cpp)
                 flattened "$mistake" > "$file"
-                program=$build/mistakes/mistake_${stage}_$(basename "$mistake" .cpp)_double
-                points=$(points_of "$program" "$stage")
+                worker=$build/mistakes/${stage}_$(basename "$mistake" .cpp)_worker
+                points=$(points_of "$worker" "$stage")
                 ;;
             empty) ;;
             broken) echo "int broken(" > "$file" ;;

@@ -9,6 +9,16 @@ namespace rt {
 
 namespace {
 
+thread_local bool drawn = false;
+
+/// Until the end of a scope, questions are drawn.
+struct Drawing {
+    Drawing() { drawn = true; }
+    ~Drawing() { drawn = false; }
+    Drawing(const Drawing&) = delete;
+    Drawing& operator=(const Drawing&) = delete;
+};
+
 Verdict replay(const Property& property, const std::vector<double>& choices) {
     Random random(choices);
     return property(random);
@@ -45,7 +55,12 @@ void shrink(const Property& property, std::vector<double>& choices) {
 
 }  // namespace
 
+bool is_drawn() {
+    return drawn;
+}
+
 Verdict for_all(const Property& property, int cases) {
+    const Drawing drawing;
     for (int i = 0; i < cases; ++i) {
         Random random(draw_number(std::uint64_t(i)));
         if (property(random).holds) continue;

@@ -16,4 +16,7 @@ using Property = std::function<Verdict(Random&)>;
 /// secret.
 [[nodiscard]] Verdict for_all(const Property& property, int cases = 300);
 
+/// Whether this thread asks about a random case.
+[[nodiscard]] bool is_drawn();
+
 }  // namespace rt

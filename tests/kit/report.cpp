@@ -6,6 +6,8 @@
 //   at tests/step05_triangle_test.cpp:61       only of a case that fails: its first failure
 //   | intersect(Ray{…                          its lines
 //   failed                                     or passed
+#include "tests/kit/report.hpp"
+
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 using Listener = Catch::EventListenerBase;
@@ -88,8 +90,10 @@ private:
         if (result.isOk() || told_) return;
         told_ = true;
         out_ << "at " << place(result.getSourceInfo()) << '\n';
-        std::istringstream lines(told(result));
-        for (std::string line; std::getline(lines, line);) out_ << "| " << line << '\n';
+        const std::string remark = rt::remark_on_failure ? rt::remark_on_failure() : "";
+        std::istringstream lines(told(result) + "\n" + remark);
+        for (std::string line; std::getline(lines, line);)
+            if (remark.empty() || line.rfind("  paste:", 0) != 0) out_ << "| " << line << '\n';
         out_.flush();
     }
 

@@ -3,19 +3,27 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    return contract::ask<3, "intersect">(ray, sphere, interval);
+    return contract::ask_hit<3>(ray, sphere, interval);
 }
 
 Vec3 normal(const Sphere& sphere, Vec3 point) {
-    return contract::ask<3, "normal">(sphere, point);
+    return contract::ask_normal<3>(sphere, point);
 }
 
 Color color_from_normal(Vec3 normal) {
-    return contract::ask<3, "color_from_normal">(normal);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<3, "color_from_normal">(normal);
+    // The size of each coordinate, of a normal of any length.
+    const Vec3 other = contract::exchanged(change->length * normal, *change);
+    return contract::exchanged_back(contract::ask<3, "color_from_normal">(other), *change);
 }
 
 Real torch(Vec3 point, Vec3 normal, Vec3 eye) {
-    return contract::ask<3, "torch">(point, normal, eye);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<3, "torch">(point, normal, eye);
+    return contract::ask<3, "torch">(moved(point, change->any),
+                                     change->length * turned(normal, change->any),
+                                     moved(eye, change->any));
 }
 
 }  // namespace rt

@@ -3,15 +3,17 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
-    return contract::ask<5, "intersect">(ray, triangle, interval);
+    return contract::ask_hit<5>(ray, triangle, interval);
 }
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
-    return contract::ask<5, "barycentric">(triangle, point);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<5, "barycentric">(triangle, point);
+    return contract::ask<5, "barycentric">(moved(triangle, change->any), moved(point, change->any));
 }
 
 Vec3 normal(const Triangle& triangle, Vec3 point) {
-    return contract::ask<5, "normal">(triangle, point);
+    return contract::ask_normal<5>(triangle, point);
 }
 
 }  // namespace rt

@@ -3,15 +3,17 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
-    return contract::ask<6, "intersect">(ray, square, interval);
+    return contract::ask_hit<6>(ray, square, interval);
 }
 
 Vec2 square_uv(const Square& square, Vec3 point) {
-    return contract::ask<6, "square_uv">(square, point);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<6, "square_uv">(square, point);
+    return contract::ask<6, "square_uv">(moved(square, change->any), moved(point, change->any));
 }
 
 Vec3 normal(const Square& square, Vec3 point) {
-    return contract::ask<6, "normal">(square, point);
+    return contract::ask_normal<6>(square, point);
 }
 
 }  // namespace rt

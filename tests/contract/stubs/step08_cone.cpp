@@ -3,11 +3,11 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    return contract::ask<8, "intersect">(ray, cone, interval);
+    return contract::ask_hit<8>(ray, cone, interval);
 }
 
 Vec3 normal(const Cone& cone, Vec3 point) {
-    return contract::ask<8, "normal">(cone, point);
+    return contract::ask_normal<8>(cone, point);
 }
 
 }  // namespace rt

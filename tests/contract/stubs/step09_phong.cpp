@@ -3,19 +3,42 @@
 namespace rt {
 
 Vec3 reflected(Vec3 to_light, Vec3 normal) {
-    return contract::ask<9, "reflected">(to_light, normal);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<9, "reflected">(to_light, normal);
+    const Motion& motion = change->any;
+    return contract::turned_back(
+        contract::ask<9, "reflected">(turned(to_light, motion), turned(normal, motion)), motion);
 }
 
 Color ambient_term(const Surface& surface, const Ambient& ambient) {
-    return contract::ask<9, "ambient_term">(surface, ambient);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<9, "ambient_term">(surface, ambient);
+    const Ambient other{.ratio = change->light * ambient.ratio,
+                        .color = contract::exchanged(ambient.color, *change)};
+    return contract::exchanged_back(contract::ask<9, "ambient_term">(
+                                        contract::changed(surface, *change, change->any), other),
+                                    *change) /
+           change->light;
 }
 
 Color diffuse_term(const Surface& surface, const Light& light) {
-    return contract::ask<9, "diffuse_term">(surface, light);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<9, "diffuse_term">(surface, light);
+    return contract::exchanged_back(
+               contract::ask<9, "diffuse_term">(contract::changed(surface, *change, change->any),
+                                                contract::changed(light, *change, change->any)),
+               *change) /
+           change->light;
 }
 
 Color specular_term(const Surface& surface, const Light& light) {
-    return contract::ask<9, "specular_term">(surface, light);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<9, "specular_term">(surface, light);
+    return contract::exchanged_back(
+               contract::ask<9, "specular_term">(contract::changed(surface, *change, change->any),
+                                                 contract::changed(light, *change, change->any)),
+               *change) /
+           change->light;
 }
 
 }  // namespace rt

@@ -2,16 +2,33 @@
 
 namespace rt {
 
+// By an exact motion only: it starts off the surface by a few roundings.
 Ray mirrored(const Ray& ray, const Surface& surface) {
-    return contract::ask<12, "mirrored">(ray, surface);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<12, "mirrored">(ray, surface);
+    const Motion& motion = change->exact;
+    return contract::moved_back(
+        contract::ask<12, "mirrored">(contract::moved(ray, motion),
+                                      contract::changed(surface, *change, motion)),
+        motion);
 }
 
 Color mixed(Color own, Color reflection, Real mirror) {
-    return contract::ask<12, "mixed">(own, reflection, mirror);
+    const contract::Change* const change = contract::change();
+    if (change == nullptr) return contract::ask<12, "mixed">(own, reflection, mirror);
+    return contract::exchanged_back(
+               contract::ask<12, "mixed">(contract::exchanged(change->light * own, *change),
+                                          contract::exchanged(change->light * reflection, *change),
+                                          mirror),
+               *change) /
+           change->light;
 }
 
+// As many bounces are left.
 bool worth_reflecting(int bounces, int depth, Real weight) {
-    return contract::ask<12, "worth_reflecting">(bounces, depth, weight);
+    const contract::Change* const change = contract::change();
+    const int more = change == nullptr ? 0 : change->finer;
+    return contract::ask<12, "worth_reflecting">(bounces + more, depth + more, weight);
 }
 
 }  // namespace rt

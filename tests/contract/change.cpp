@@ -1,0 +1,172 @@
+#include "tests/contract/change.hpp"
+
+#include "tests/kit/for_all.hpp"
+#include "tests/kit/seed.hpp"
+
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+namespace rt::contract {
+
+namespace {
+
+std::optional<Change>& of_case() {
+    static std::optional<Change> change;
+    return change;
+}
+
+/// One of the 24 turns that take axes to axes.
+Basis draw_axes(Random& random) {
+    std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+    std::swap(axes[0], axes[std::size_t(random.below(3))]);
+    std::swap(axes[1], axes[std::size_t(1 + random.below(2))]);
+    const Vec3 x = random.coin() ? axes[0] : -axes[0];
+    const Vec3 y = random.coin() ? axes[1] : -axes[1];
+    return {.x = x, .y = y, .z = cross(x, y)};
+}
+
+/// 1/8 to 8, but 1: whatever has a size is another.
+Real draw_power(Random& random) {
+    const Real power = std::ldexp(Real(1), 1 + random.below(3));
+    return random.coin() ? power : 1 / power;
+}
+
+Basis draw_upright(Random& random, bool exact) {
+    const int quarters = random.below(4);
+    constexpr std::array<int, 4> cosines{1, 0, -1, 0};
+    const Real angle = random.between(-pi, pi);
+    const Real c = exact ? Real(cosines[std::size_t(quarters)]) : std::cos(angle);
+    const Real s = exact ? Real(cosines[std::size_t((quarters + 3) % 4)]) : std::sin(angle);
+    return {.x = {c, 0, -s}, .y = {0, 1, 0}, .z = {s, 0, c}};
+}
+
+Change draw(Random& random, bool exact) {
+    Change change;
+    change.exact = {.rotation = draw_axes(random), .scale = draw_power(random)};
+    change.any.rotation = random.basis();
+    change.any.scale = random.between(Real(0.4), Real(2.5));
+    change.any.translation = change.any.scale * random.point(2);
+    change.length = exact ? draw_power(random) : random.between(Real(0.4), Real(2.5));
+    change.light = exact ? 1 / (1 + std::abs(draw_power(random))) : random.between(Real(0.3), 1);
+    if (exact) change.light = power_of_two_below(change.light);
+    if (exact) change.any = change.exact;
+    change.boxes = change.any;
+    change.boxes.rotation = change.exact.rotation;
+    change.upright = {.rotation = draw_upright(random, exact), .scale = change.any.scale};
+    std::swap(change.channels[0], change.channels[std::size_t(random.below(3))]);
+    std::swap(change.channels[1], change.channels[std::size_t(1 + random.below(2))]);
+    change.finer = 3 + 2 * random.below(8);
+    change.zoom = random.between(Real(0.5), 2);
+    return change;
+}
+
+}  // namespace
+
+const Change* change() {
+    return of_case() && !is_drawn() ? &*of_case() : nullptr;
+}
+
+void draw_change(const std::string& name, bool exact) {
+    of_case().reset();
+    if (!seed().secret || std::getenv("RAYSTEPS_AS_WRITTEN") != nullptr) return;
+    Random random(draw_number(seed().number, "the change of " + name, 0));
+    of_case() = draw(random, exact);
+}
+
+Vec3 turned_direction(Vec3 v, const Motion& motion) {
+    const auto& [x, y, z] = motion.rotation;
+    const std::array<Vec3, 3> axes{x, y, z};
+    Vec3 result;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        Real sum = -Real(0);
+        for (glm::length_t i = 0; i < 3; ++i)
+            if (axes[std::size_t(i)][k] != 0) sum += v[i] * axes[std::size_t(i)][k];
+        result[k] = sum;
+    }
+    return result;
+}
+
+Vec3 turned_back(Vec3 v, const Motion& motion) {
+    const auto& [x, y, z] = motion.rotation;
+    return {dot(v, x), dot(v, y), dot(v, z)};
+}
+
+Vec3 moved_back(Vec3 point, const Motion& motion) {
+    return turned_back(point - motion.translation, motion) / motion.scale;
+}
+
+Ray moved(const Ray& ray, const Motion& motion, Real length) {
+    return {.origin = rt::moved(ray.origin, motion),
+            .direction = length * motion.scale * turned_direction(ray.direction, motion)};
+}
+
+Ray moved_back(const Ray& ray, const Motion& motion, Real length) {
+    return {.origin = moved_back(ray.origin, motion),
+            .direction = turned_back(ray.direction, motion) / (length * motion.scale)};
+}
+
+Interval divided(Interval interval, Real length) {
+    return {.min = interval.min / length, .max = interval.max / length};
+}
+
+Basis turned(const Basis& basis, const Motion& motion) {
+    return {.x = rt::turned(basis.x, motion),
+            .y = rt::turned(basis.y, motion),
+            .z = rt::turned(basis.z, motion)};
+}
+
+Box moved(const Box& box, const Motion& motion) {
+    const Vec3 a = rt::moved(box.min, motion);
+    const Vec3 b = rt::moved(box.max, motion);
+    return {.min = min(a, b), .max = max(a, b)};
+}
+
+Mesh moved(Mesh mesh, const Motion& motion) {
+    for (Vec3& vertex : mesh.vertices) vertex = rt::moved(vertex, motion);
+    for (Vec3& normal : mesh.normals) normal = rt::turned(normal, motion);
+    return mesh;
+}
+
+Motion moved(const Motion& placement, const Motion& motion) {
+    return {.rotation = turned(placement.rotation, motion),
+            .scale = motion.scale * placement.scale,
+            .translation = rt::moved(placement.translation, motion)};
+}
+
+Mat4 matrix_of(const Motion& motion) {
+    const auto& [x, y, z] = motion.rotation;
+    return {Vec4(motion.scale * x, 0), Vec4(motion.scale * y, 0), Vec4(motion.scale * z, 0),
+            Vec4(motion.translation, 1)};
+}
+
+Color exchanged(Color color, const Change& change) {
+    Color result;
+    for (int i = 0; i < 3; ++i) result[change.channels[std::size_t(i)]] = color[i];
+    return result;
+}
+
+Color exchanged_back(Color color, const Change& change) {
+    Color result;
+    for (int i = 0; i < 3; ++i) result[i] = color[change.channels[std::size_t(i)]];
+    return result;
+}
+
+Surface changed(Surface surface, const Change& change, const Motion& motion) {
+    surface.point = rt::moved(surface.point, motion);
+    for (Vec3* const direction : {&surface.normal, &surface.side, &surface.to_eye})
+        *direction = turned_direction(*direction, motion);
+    surface.error *= motion.scale;
+    surface.material.color = exchanged(surface.material.color, change);
+    return surface;
+}
+
+Light changed(Light light, const Change& change, const Motion& motion) {
+    light.position = rt::moved(light.position, motion);
+    light.radius *= motion.scale;
+    light.brightness *= change.light;
+    light.color = exchanged(light.color, change);
+    return light;
+}
+
+}  // namespace rt::contract
