@@ -4,6 +4,7 @@
 #include "common/course/compiler_errors.hpp"
 #include "common/course/diagnosis.hpp"
 #include "common/course/files.hpp"
+#include "common/course/may_include.hpp"
 #include "common/course/paint.hpp"
 #include "common/course/pictures.hpp"
 #include "common/course/process.hpp"
@@ -142,6 +143,17 @@ void show_cases(const std::vector<Outcome>& all) {
                                 : painted("  ✗ " + outcome.in_double.name, Paint::bad).c_str());
 }
 
+/// What passes here, and is refused when it is graded.
+void show_refused_includes(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    for (const std::filesystem::path& file : workbook.files())
+        for (const Include& each : refused_includes(project_folder, stage, file))
+            std::printf(
+                "%s:%d: warning: a graded file may not include %s: docs/%s.md says what it may\n",
+                step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
+                each.header.c_str(), std::string(stage_name(stage)).c_str());
+}
+
 void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
     Record record = workbook.record();
     record.checked = now();
@@ -183,6 +195,7 @@ int check(int stage) {
     show_output(judgement.in_double);
     show_cases(judgement.outcomes);
     std::fputs(first_warning(built.output).c_str(), stdout);
+    show_refused_includes(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
     if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);

@@ -37,7 +37,6 @@ function(raysteps_seat stage)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
-    list(TRANSFORM may_include PREPEND "include ")
     set(lines
         "compiler ${CMAKE_CXX_COMPILER}"
         "compile -std=c++20" "compile -O2"
@@ -46,7 +45,6 @@ function(raysteps_seat stage)
         "compile -w"  # they are told to who writes the file, not to who grades it
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
-        ${may_include}
         "link -static"
         "link ${fast_linker}"
         "library -lpng" "library -lz")

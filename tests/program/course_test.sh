@@ -54,12 +54,32 @@ course 0 check 3
 says "the same picture as the reference's"
 says "Next: ./course start 4"
 says_not "✗"
+says_not "warning: "
 course 0
 says "✓  3  step03_sphere"
 grep -q '^passed: ' $stage/student/progress.txt || fail "what is remembered can be read"
 echo >> $mine
 course 0
 says "changed since it passed"
+
+# What a graded file may not include: it passes here, with a warning. What it may: its own header's
+# headers. A comment includes nothing.
+echo "// of mine" > $stage/student/helpers.hpp
+{
+    printf '#include "%s"\n' common/./ray.hpp common/scene.hpp helpers.hpp ../sphere.hpp
+    printf '# include <steps/step04_plane/plane.hpp>\n'
+    printf '/* not so:\n#include "common/png.hpp"\n*/ // #include "common/render.hpp"\n'
+    cat $stage/reference/sphere.cpp
+} > $mine
+course 0 check 3
+says "$mine:2: warning: a graded file may not include common/scene.hpp: docs/step03_sphere.md says what it may"
+says "$mine:3: warning: a graded file may not include helpers.hpp: "
+says "$mine:4: warning: a graded file may not include ../sphere.hpp: "
+says "$mine:5: warning: a graded file may not include steps/step04_plane/plane.hpp: "
+[ "$(grep -c 'warning: ' out)" = 4 ] || fail "four warnings"
+rm $stage/student/helpers.hpp
+cp $stage/reference/sphere.cpp $mine
+echo >> $mine
 
 # A syntax error: the compiler's words at the student's own line, and nothing else.
 printf 'int broken(\n' >> $mine

@@ -5,6 +5,7 @@
 #include "common/course/grade/repeatable.hpp"
 #include "common/course/grade/seal.hpp"
 #include "common/course/grade/symbols.hpp"
+#include "common/course/may_include.hpp"
 
 #include "common/stages.hpp"
 
@@ -57,14 +58,8 @@ fs::path headers_of(const Workshop& workshop, int stage) {
     return workshop.folder / "headers" / name_of(stage);
 }
 
-/// "steps/step05_triangle/triangle.hpp"
-fs::path own_header(int stage) {
-    const std::string name = name_of(stage);
-    return fs::path("steps") / name / (name.substr(7) + ".hpp");
-}
-
 fs::path header_of(const Workshop& workshop, int stage) {
-    return headers_of(workshop, stage) / own_header(stage);
+    return headers_of(workshop, stage) / stage_header(stage);
 }
 
 StageFunctions functions_of(const Workshop& workshop, int stage) {
@@ -155,29 +150,11 @@ std::string told_of_compile(const Ending& ending, const Workshop& workshop, int 
            ".md says what it may.\n" + words;
 }
 
-/// What a header includes of the project.
-std::vector<fs::path> included(const fs::path& header) {
-    std::vector<fs::path> all;
-    for (const std::string& line : lines_of(read_text(header))) {
-        const std::size_t start = line.find('"');
-        if (line.starts_with("#include \""))
-            all.emplace_back(line.substr(start + 1, line.find('"', start + 1) - start - 1));
-    }
-    return all;
-}
-
-/// The headers that a file of the stage may include, and what these do.
 void copy_headers(const fs::path& project, const Workshop& workshop, int stage) {
-    std::vector<fs::path> wanted{own_header(stage)};
-    const Options options = read_options(workshop, stage);
-    const auto [first, last] = options.equal_range("include");
-    for (auto each = first; each != last; ++each) wanted.emplace_back(each->second);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const fs::path copy = headers_of(workshop, stage) / wanted[i];
-        if (fs::exists(copy)) continue;
+    for (const fs::path& header : allowed_headers(project, stage)) {
+        const fs::path copy = headers_of(workshop, stage) / header;
         fs::create_directories(copy.parent_path());
-        fs::copy_file(project / wanted[i], copy);
-        for (fs::path& each : included(copy)) wanted.push_back(std::move(each));
+        fs::copy_file(project / header, copy, fs::copy_options::skip_existing);
     }
 }
 
