@@ -85,7 +85,7 @@ MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
     // time until there is none, have nothing left to misread.
     const bool is_ply = mesh.reader == std::string_view("ply");
     if (is_ply) stream.exceptions(std::ios::failbit | std::ios::badbit);
-    MeshImporter importer(is_ply && !mesh.is_binary ? &stream : nullptr);
+    MeshImporter importer(is_ply && !mesh.is_binary ? &stream : nullptr, mesh.faces_without_area);
     OpenMesh::IO::Options options = OpenMesh::IO::Options::VertexNormal;
     if (mesh.is_binary) options += OpenMesh::IO::Options::Binary;
     try {

@@ -227,6 +227,7 @@ TEST_CASE("what is no PNG is refused by name") {
     CHECK_THROWS_AS(read_png(file), InputError);
     write(file, "R 640 480\n");
     CHECK_THROWS_AS(read_png(file), InputError);
+    fs::remove(file);
     write_png(file, noise({50, 50}), {});
     fs::resize_file(file, 1000);  // cut in the middle
     CHECK_THROWS_WITH(read_png(file), Catch::Matchers::StartsWith(file + ": error: "));

@@ -17,6 +17,8 @@ struct CheckedMesh {
     /// Where in the content the file's own text goes on after a header of ours, and on which line.
     std::size_t body = 0;
     int body_line = 1;
+    /// Faces of fewer than three different vertices that OpenMesh leaves out in silence.
+    std::size_t faces_without_area = 0;
 };
 
 // Each throws InputError with the line of what is wrong.

@@ -33,7 +33,9 @@ public:
     /// With `list`, each vertex and each face ends a line of that stream. If one does not, the
     /// stream fails: "1-2" is one word to us, but two numbers to OpenMesh, and then all that
     /// follows is off.
-    explicit MeshImporter(std::istream* list = nullptr) : list_(list) {}
+    /// `faces_without_area` have been left out before.
+    explicit MeshImporter(std::istream* list = nullptr, std::size_t faces_without_area = 0)
+        : list_(list), faces_without_area_(faces_without_area) {}
 
     /// The mesh, once all is read, with warnings of what was left out: without normals, unless each
     /// vertex of a triangle has one.
@@ -102,7 +104,7 @@ private:
     MeshFile mesh_;
     std::vector<bool> has_normal_;
     std::size_t faces_ = 0;
-    std::size_t faces_without_area_ = 0;  ///< of fewer than three vertices
+    std::size_t faces_without_area_;      ///< of fewer than three vertices
     std::vector<std::uint32_t> corners_;  ///< of one face; kept for its memory
 
     /// A vertex with several normals: its copies, and which of them the next face uses.

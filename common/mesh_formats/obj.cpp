@@ -2,6 +2,8 @@
 #include "common/mesh_formats/formats.hpp"
 #include "common/mesh_formats/text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -16,8 +18,9 @@ struct Numbered {
     std::int64_t largest = 0;
     int line_of_largest = 0;
 
-    /// A face's word for one: from 1, or from the last backwards with a minus sign.
-    void check(std::string_view word, const MeshLines& lines) {
+    /// A face's word for one: from 1, or from the last backwards with a minus sign. Returns it
+    /// from 1.
+    std::int64_t check(std::string_view word, const MeshLines& lines) {
         const auto number = whole_number(word);
         if (!number || *number == 0 || *number > std::numeric_limits<int>::max()) {
             lines.refuse(std::string("a corner's ") + what +
@@ -27,9 +30,11 @@ struct Numbered {
             lines.refuse(std::string("a corner's ") + what + " must be one of the " +
                          std::to_string(count) + " before it, not " + quoted_word(word));
         }
-        if (*number <= largest) return;
-        largest = *number;
-        line_of_largest = lines.number();
+        if (*number > largest) {
+            largest = *number;
+            line_of_largest = lines.number();
+        }
+        return *number < 0 ? count + 1 + *number : *number;
     }
 
     void check_largest(const std::string& file) const {
@@ -40,12 +45,12 @@ struct Numbered {
     }
 };
 
-/// "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal".
-void check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
-                  const MeshLines& lines) {
+/// "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal". Returns the vertex.
+std::int64_t check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
+                          const MeshLines& lines) {
     const std::size_t first = word.find('/');
-    vertices.check(word.substr(0, first), lines);
-    if (first == std::string_view::npos) return;
+    const std::int64_t vertex = vertices.check(word.substr(0, first), lines);
+    if (first == std::string_view::npos) return vertex;
     const std::string_view rest = word.substr(first + 1);
     const std::size_t second = rest.find('/');
     const std::string_view texture = rest.substr(0, second);
@@ -56,16 +61,23 @@ void check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
                      quoted_word(word));
     }
     if (!normal.empty()) normals.check(normal, lines);
+    return vertex;
 }
 
-void check_face(std::string_view line, Numbered& vertices, Numbered& normals,
+/// Returns whether the face has three different vertices.
+bool check_face(std::string_view line, Numbered& vertices, Numbered& normals,
                 const MeshLines& lines) {
     int corners = 0;
+    std::array<std::int64_t, 3> different{};
+    std::size_t found = 0;
     for (auto word = take_word(line); !word.empty(); word = take_word(line)) {
-        check_corner(word, vertices, normals, lines);
+        const std::int64_t vertex = check_corner(word, vertices, normals, lines);
+        const auto end = different.begin() + std::ptrdiff_t(found);
+        if (found < different.size() && std::find(different.begin(), end, vertex) == end)
+            different[found++] = vertex;
         ++corners;
     }
-    if (corners >= 3 && corners <= most_corners) return;
+    if (corners >= 3 && corners <= most_corners) return found == different.size();
     lines.refuse("a face of " + std::to_string(corners) + " corners: expected 3 to " +
                  std::to_string(most_corners));
 }
@@ -77,6 +89,7 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
     MeshLines lines(content, file);
     Numbered vertices = {.what = "vertex"};
     Numbered normals = {.what = "normal"};
+    std::size_t faces_without_area = 0;
     while (const auto line = lines.next()) {
         std::string_view rest = *line;
         const std::string_view keyword = take_word(rest);
@@ -87,7 +100,7 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
             require_three_numbers(rest, "a normal", lines);
             ++normals.count;
         } else if (keyword == "f") {
-            check_face(rest, vertices, normals, lines);
+            if (!check_face(rest, vertices, normals, lines)) ++faces_without_area;
         } else {
             // A comment from now on: OpenMesh would open the file that a mtllib names.
             content[static_cast<std::size_t>(line->data() - content.data())] = '#';
@@ -95,7 +108,8 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
     }
     vertices.check_largest(file);
     normals.check_largest(file);
-    return {.content = std::move(content), .reader = "obj"};
+    return {
+        .content = std::move(content), .reader = "obj", .faces_without_area = faces_without_area};
 }
 
 }  // namespace rt

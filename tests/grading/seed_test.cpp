@@ -110,5 +110,5 @@ TEST_CASE("a graded suite says of no question what it was drawn from") {
     CHECK(reported("RAYSTEPS_SEED=857578").find("random:   RAYSTEPS_SEED=857578, case ") !=
           std::string::npos);
     // Without its seed nothing is asked.
-    CHECK(reported("RAYSTEPS_SEED_FILE=/none").find("no seed") != std::string::npos);
+    CHECK(reported("RAYSTEPS_SEED_FILE=/none").empty());
 }
