@@ -24,10 +24,10 @@ Color mixed(Color own, Color reflection, Real mirror) {
            change->light;
 }
 
-// As many bounces are left.
+// As many bounces are left, of depths that no suite has: tables have the small ones.
 bool worth_reflecting(int bounces, int depth, Real weight) {
     const contract::Change* const change = contract::change();
-    const int more = change == nullptr ? 0 : change->finer;
+    const int more = change == nullptr ? 0 : 50 * change->finer;
     return contract::ask<12, "worth_reflecting">(bounces + more, depth + more, weight);
 }
 
