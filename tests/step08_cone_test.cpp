@@ -55,11 +55,15 @@ Verdict hits_behind(Real passed, Random& random) {
 
 }  // namespace
 
-TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)", "[3 points]") {
+TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)", "[3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upward, Real(3.5)));
     CHECK(hits(Ray{.origin = {-6, 1, 0}, .direction = {1, 0, 0}}, upward, Real(5.5)));
     CHECK(misses(Ray{.origin = {Real(1.5), 2, 5}, .direction = {0, 0, -1}}, upward));
+    CHECK(for_all([](Random& random) {
+        const Real up = random.between(1, Real(3.875));
+        return hits(Ray{.origin = {0, up, 5}, .direction = {0, 0, -1}}, upward, 5 - up / 2);
+    }));
 }
 
 TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "[exact]") {
