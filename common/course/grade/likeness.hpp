@@ -32,9 +32,9 @@ struct Likeness {
 /// and there keeps more.
 inline constexpr int near_percent = 60;
 
-/// Compares the files in results/students/<student>/submitted/, stage by stage. What stands in the project's
-/// starter does not count, and what many students have counts little. Nothing is said of a file
-/// that is too short to tell.
+/// Compares the files in results/students/<student>/submitted/, stage by stage. What stands in the
+/// project's starter does not count, and what many students have counts little. Nothing is said of
+/// a file that is too short to tell.
 [[nodiscard]] Likeness likeness(const std::filesystem::path& results,
                                 const std::filesystem::path& project,
                                 const std::vector<Mark>& marks);

@@ -38,8 +38,8 @@ inline constexpr int program_descriptor = 9;
 /// Where `become` leaves what standard error was, until it has become.
 inline constexpr int complaints = 10;
 
-/// The group that all builders are in that were started by root: it may enter the grader's temporary
-/// folder, which nobody else may. Of a range that no system gives away.
+/// The group that all builders are in that were started by root: it may enter the grader's
+/// temporary folder, which nobody else may. Of a range that no system gives away.
 inline constexpr unsigned builders_group = 61183;
 
 /// The launcher's exit status if the program did not start: as timeout and env have it.
