@@ -30,7 +30,7 @@ struct File {
 };
 
 const std::vector<File> files = {
-    {"shapes", "shape_costs", {"costs_float", "costs_double"}, 5, 3},
+    {"shapes", "shape_costs", {"costs_float", "costs_double"}, 11, 2},
     {"shapes", "shape_errors", {"errors_float", "errors_double"}, 1, 100},
     {"contact", "contact", {"contact_float", "contact_double"}, 1, 2},
     {"penumbra", "penumbra", {"penumbra"}, 3, 9},
@@ -38,6 +38,7 @@ const std::vector<File> files = {
     {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
     {"meshes", "decimation", {"decimation"}, 1, 4, true},
     {"pictures", "pictures", {"pictures"}, 1, 18, true},
+    {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"choices", "choices", {"choices"}, 1, 120, true},
 };
 

@@ -48,7 +48,8 @@ bool keep(const fs::path& file, const std::string& text, bool check) {
 bool make(const fs::path& folder, bool check) {
     bool whole = true;
     std::string page = read(folder / "accuracy.md");
-    for (const auto& study : {shapes, contact, penumbra, mirrors, meshes, pictures, choices}) {
+    for (const auto& study :
+         {shapes, contact, penumbra, mirrors, meshes, pictures, input_rounding, choices}) {
         const Study made = study(folder / "accuracy");
         for (const Plot& plot : made.plots)
             whole &= keep(folder / "accuracy" / (plot.name + ".svg"), plot.source, check);

@@ -28,6 +28,9 @@ struct Study {
 /// "2·10⁻¹⁶", and "exact" of 0.
 [[nodiscard]] std::string power(double value);
 
+/// "10⁻¹⁶".
+[[nodiscard]] std::string power_of_ten(int exponent);
+
 /// Two digits, as print sets them: "0.015", "1.5", "150".
 [[nodiscard]] std::string two_digits(double value);
 
@@ -40,6 +43,7 @@ struct Study {
 [[nodiscard]] Study mirrors(const std::filesystem::path& folder);
 [[nodiscard]] Study meshes(const std::filesystem::path& folder);
 [[nodiscard]] Study pictures(const std::filesystem::path& folder);
+[[nodiscard]] Study input_rounding(const std::filesystem::path& folder);
 [[nodiscard]] Study choices(const std::filesystem::path& folder);
 
 }  // namespace rt::accuracy

@@ -9,17 +9,19 @@
 
 namespace rt::accuracy {
 
+std::string power_of_ten(int exponent) {
+    constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string words = "10";
+    for (const char digit : std::to_string(exponent))
+        words += digit == '-' ? "⁻" : digits[digit - '0'];
+    return words;
+}
+
 std::string power(double value) {
     if (value == 0) return "0";
     char text[16];
     std::snprintf(text, sizeof text, "%.0e", value);
-    const int exponent = std::stoi(std::string(text).substr(2));
-    constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string words{text[0]};
-    words += "·10";
-    for (const char digit : std::to_string(exponent))
-        words += digit == '-' ? "⁻" : digits[digit - '0'];
-    return words;
+    return std::string{text[0]} + "·" + power_of_ten(std::stoi(std::string(text).substr(2)));
 }
 
 std::string two_digits(double value) {
