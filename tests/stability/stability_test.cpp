@@ -136,6 +136,24 @@ TEST_CASE("spheres at the extremes") {
                  {.off = 8, .band = 4});
 }
 
+TEST_CASE("a sphere's roots from its surface, along it, are no quotients of rounding errors") {
+    // One found in double and one in float: the root came out some three diameters away, of a ray
+    // that leaves the sphere at once.
+    for (const Case<Sphere>& asked :
+         {Case<Sphere>{.ray = {{-0x1.e3835af034669p-1, 0x1.8e13a0e03dcd2p+0, 0x1.5c158074e38fep+0},
+                               {0x1.ba6e0559201b6p-2, 0x1.74f86a2303436p-3, -0x1.c7e8d51139bc8p-2}},
+         .shape = {{-0x1.0f313511e4f45p+0, -0x1.2b40ee71562a6p-2, 0x1.f859d402c391p-2},
+                   Real(0x1.059df421f262bp+1)}},
+          Case<Sphere>{.ray = {{-0x1.9dd5p+0, 0x1.21caf4p-3, -0x1.2852cap+0},
+                               {0x1.62a892p-4, -0x1.5c125cp-1, 0x1.635abap-1}},
+          .shape = {{-0x1.051318p+0, 0x1.3733cap-2, -0x1.12a802p+0}, Real(0x1.3f9494p-1)}}}) {
+        Row row;
+        measure(row, asked, true, intersect(asked.ray, asked.shape, asked.interval), "");
+        CHECK(within(row.off, 8, "off the surface, in u L:"));
+        CHECK(within(row.end, 8, "the ray must be moved, in u L:"));
+    }
+}
+
 TEST_CASE("planes at the extremes") {
     hold<Plane>("plane",
                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
