@@ -16,7 +16,7 @@ struct SceneReading {
     /// A cylinder's position is its base, not its centre; used unless the file says `# rt: cyl=…`.
     bool cylinder_from_base = false;
     /// Used unless the file says `# rt: hand=…` or `# rt: up=…`.
-    Axes axes;
+    Axes axes{};
     /// Told each warning, "file:line:column: warning: …", once a kind. Nobody, if empty.
     Warn warn = nullptr;
 };

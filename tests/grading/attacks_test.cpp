@@ -127,7 +127,7 @@ public:
         std::set<std::string> here;
         for (const auto& each : fs::directory_iterator(folder_))
             here.insert(each.path().filename());
-        const std::set<std::string> expected{"headers",      "seats",  "results.jsonl",
+        const std::set<std::string> expected{"headers",      "seats",  "unpack",    "results.jsonl",
                                              "submission.o", "worker", "report.txt"};
         return content(results()) == treasure &&
                std::includes(expected.begin(), expected.end(), here.begin(), here.end());
