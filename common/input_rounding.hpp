@@ -20,13 +20,11 @@ struct InputRounding {
 
     /// An upper bound of the distance from a surface to the points of it that are computed with
     /// this unit roundoff, input rounding included (docs/stability.md).
-    [[nodiscard]] double displacement(double unit_roundoff) const {
-        return 8 * unit_roundoff * largest;
-    }
+    [[nodiscard]] double displacement(double roundoff) const { return 8 * roundoff * largest; }
 
     /// Whether that shows at the smallest shape.
-    [[nodiscard]] bool loses_sizes(double unit_roundoff) const {
-        return smallest > 0 && displacement(unit_roundoff) > smallest / 1000;
+    [[nodiscard]] bool loses_sizes(double roundoff) const {
+        return smallest > 0 && displacement(roundoff) > smallest / 1000;
     }
 
     /// Gaps up to so many displacements may close: both surfaces move, and a point leaves one of
@@ -34,8 +32,8 @@ struct InputRounding {
     static constexpr double widest_lost_gap = 4;
 
     /// Whether of two surfaces that do not coincide either may come out in front.
-    [[nodiscard]] bool loses_gaps(double unit_roundoff) const {
-        return gap > 0 && gap < widest_lost_gap * displacement(unit_roundoff);
+    [[nodiscard]] bool loses_gaps(double roundoff) const {
+        return gap > 0 && gap < widest_lost_gap * displacement(roundoff);
     }
 };
 
