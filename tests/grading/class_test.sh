@@ -168,6 +168,7 @@ echo "$(wc -l < "$folder/files") files are the same again"
 
 # Told to stop, it does so within 2 s, and leaves nothing in the temporary folder.
 mkdir "$folder/tmp"
+chmod 711 "$folder"  # who compiles is nobody, and has to get there
 for signal in INT TERM; do
     : > "$folder/log"
     # With its own handler: what a shell starts in the background ignores SIGINT otherwise.
