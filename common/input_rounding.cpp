@@ -38,7 +38,8 @@ Real largest_coordinate(const Shape& shape) {
 }
 
 void take_in(InputRounding& scene, const auto& items) {
-    for (const auto& [shape, material] : items) {
+    for (const auto& item : items) {
+        const auto& shape = item.shape;  // clang++ 14 tests no structured binding by requires
         scene.largest = std::max(scene.largest, double(largest_coordinate(shape)));
         if constexpr (requires { size(shape); })
             if (const double feature = size(shape); feature > 0)
