@@ -172,10 +172,10 @@ chmod 711 "$folder"  # who compiles is nobody, and has to get there
 for signal in INT TERM; do
     : > "$folder/log"
     # With its own handler: what a shell starts in the background ignores SIGINT otherwise.
-    TMPDIR=$folder/tmp "$build/grade" "$class" --out "$folder/stopped" --seed-file "$seed" --stages "$listed" \
+    TMPDIR=$folder/tmp "$build/grade" "$class" --out "$folder/stopped_$signal" --seed-file "$seed" --stages "$listed" \
         > "$folder/log" 2>&1 &
     grader=$!
-    sleep 4
+    sleep 2
     start=$(date +%s%N)
     kill -$signal $grader
     wait $grader
