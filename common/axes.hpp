@@ -1,4 +1,4 @@
-// How a scene's coordinates lie, and how they become ours: x to the right, y up, z to the viewer.
+// The axes of a scene's coordinates, and their change to ours: x right, y up, z to the viewer.
 #pragma once
 
 #include "common/real.hpp"

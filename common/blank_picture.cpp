@@ -15,12 +15,12 @@ namespace rt {
 
 namespace {
 
-/// Of a picture of fewer pixels, one color says nothing.
+/// A smaller picture may well have one color.
 constexpr std::size_t least_pixels = 16;
 constexpr Resolution trial_size{.width = 24, .height = 18};
 constexpr std::size_t most_cameras_tried = 16;
 
-/// How many rays of a small picture meet a shape.
+/// The number of rays of a small picture that meet a shape.
 int hits(const Scene& scene, const Camera& camera, Look look) {
     look.shading = Shading::normal;  // in which only what is missed is black
     const PixelRays pixel_ray = pixel_rays(camera, trial_size);

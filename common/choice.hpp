@@ -19,7 +19,7 @@ struct Given {
     bool depth = false;
 };
 
-/// What the settings are for, and what is settled.
+/// The goal of the settings, and those that are fixed.
 struct Aim {
     Look look;
     std::optional<double> tolerance;  ///< an error of a pixel, in 8-bit steps

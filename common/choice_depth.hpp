@@ -1,4 +1,4 @@
-// How many mirrors upon mirrors are followed.
+// The choice of the depth of mirror reflections.
 #pragma once
 
 #include "common/trial_runner.hpp"
