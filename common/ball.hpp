@@ -1,4 +1,4 @@
-// A ball around a shape.
+// A bounding sphere of a shape.
 #pragma once
 
 #include "common/real.hpp"

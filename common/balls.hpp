@@ -1,5 +1,6 @@
-// Balls around a few shapes, four of which are asked at a time whether a ray comes near: where a
-// hierarchy does not pay yet, most shapes are left out by them.
+// Bounding spheres for short lists of shapes. A ray is tested against four spheres at once (in SIMD
+// lanes), and only the shapes whose sphere it may hit are intersected. For fewer than about 32
+// shapes this is faster than a bounding volume hierarchy.
 #pragma once
 
 #include "common/ball.hpp"
@@ -16,19 +17,21 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// Four balls, a lane each.
+/// Four bounding spheres, one in each SIMD lane.
 struct BallPacket {
     std::array<Lanes, 3> center;  ///< x, y and z
     Lanes radius_squared;
 };
 
-/// A ray, ready to be asked from which balls its line stays away. It stays away from no ball that
-/// has a shape which it meets, or would meet by the shape's own rounded test.
+/// A ray prepared for tests against bounding spheres. The test is conservative: it never rejects
+/// the sphere of a shape that the line of the ray hits, nor of one that the shape's own rounded
+/// test would report as hit.
 ///
-/// With f from the centre to the origin, the line is further off than the radius r if
-/// ⟨f, f⟩⟨d, d⟩ > ⟨f, d⟩² + r²⟨d, d⟩. Of the first product all roundings here are less than 32 u;
-/// and if a shape's test is wrong by 16 u |f| beyond what the ball is padded for, that is 32 u of
-/// it, as |f| > r. Where a number leaves the range in which this holds, all balls are near.
+/// With f from the center to the origin, the line is farther from the center than the radius r if
+/// ⟨f, f⟩⟨d, d⟩ > ⟨f, d⟩² + r²⟨d, d⟩. All rounding errors here are together less than 32 u of the
+/// first product. A shape's own test may be wrong by 16 u |f| more than its sphere is padded for,
+/// which is another 32 u of that product, as |f| > r. If a number leaves the range in which these
+/// bounds are valid, no sphere is rejected.
 class BallTest {
 public:
     explicit BallTest(const Ray& ray) {
@@ -36,12 +39,12 @@ public:
         origin_ = {all_lanes(o.x), all_lanes(o.y), all_lanes(o.z)};
         direction_ = {all_lanes(d.x), all_lanes(d.y), all_lanes(d.z)};
         Real square = glm::dot(d, d);
-        if (!keeps_its_digits(square)) square = 0;  // then nothing is greater
+        if (!keeps_its_digits(square)) square = 0;  // then no comparison is true
         square_ = all_lanes(square);
         padded_square_ = all_lanes(square * (1 - 96 * unit_roundoff));
     }
 
-    /// One bit a ball.
+    /// Returns one bit for each sphere, set if the line of the ray misses it.
     [[nodiscard, gnu::always_inline]] unsigned stays_away(const BallPacket& packet) const {
         const Lanes x = origin_[0] - packet.center[0];
         const Lanes y = origin_[1] - packet.center[1];
@@ -53,16 +56,16 @@ public:
     }
 
 private:
-    /// What underflows is far less than u of this.
+    /// The total of all underflow is far less than u times this number.
     static constexpr Real smallest = std::numeric_limits<Real>::min() / unit_roundoff;
 
     std::array<Lanes, 3> origin_;
     std::array<Lanes, 3> direction_;
-    Lanes square_;  ///< of the direction's length
+    Lanes square_;  ///< squared length of the direction
     Lanes padded_square_;
 };
 
-/// Up to 64 balls, by their place in a list.
+/// Up to 64 bounding spheres, numbered as the shapes in their list.
 class Balls {
 public:
     static constexpr std::size_t most = 64;
@@ -80,7 +83,7 @@ public:
             .radius = std::sqrt(values(radius_squared)[lane])};
     }
 
-    /// A bit for each ball that the ray may meet.
+    /// Returns one bit for each sphere, set if the ray may hit it.
     [[nodiscard]] std::uint64_t near(const Ray& ray) const {
         const BallTest test(ray);
         std::uint64_t away = 0;

@@ -1,4 +1,4 @@
-// Three axes at right angles.
+// An orthonormal basis: three unit axes at right angles.
 #pragma once
 
 #include "common/real.hpp"
@@ -14,7 +14,7 @@ struct Basis {
     bool operator==(const Basis&) const = default;
 };
 
-/// A basis whose z points along `z`: stage 2's basis_around.
+/// The type of stage 2's basis_around: returns a basis whose z axis points along `z`.
 using BasisAround = Basis(Vec3 z);
 
 }  // namespace rt::inline RT_PRECISION

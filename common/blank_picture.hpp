@@ -1,4 +1,4 @@
-// Why a picture shows nothing, and what to try.
+// An explanation for a picture of a single color, with a remedy.
 #pragma once
 
 #include "common/image.hpp"
@@ -9,8 +9,9 @@
 
 namespace rt {
 
-/// One sentence, if all pixels of the picture that the stage made have one color; else nothing.
-/// What it says to try has been tried with a few rays. The scene's first camera is the picture's.
+/// Returns one sentence if all pixels of the stage's picture have one color, else an empty string.
+/// The remedy that it suggests has been tried with a few rays. The picture is that of the scene's
+/// first camera.
 [[nodiscard]] std::string why_blank(const Scene& scene, const Look& look, int stage,
                                     const Image& image);
 

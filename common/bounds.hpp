@@ -1,5 +1,5 @@
-// Boxes around shapes for a hierarchy, and balls for a list: no rounded test of the stages finds a
-// hit outside.
+// Bounding boxes for the hierarchy and bounding spheres for short lists. Both are padded: no
+// rounded intersection test of the stages finds a hit outside them.
 #pragma once
 
 #include "common/ball.hpp"
@@ -16,7 +16,8 @@ namespace rt {
 [[nodiscard]] Box bounds(const Cone& cone);
 [[nodiscard]] Box bounds(const OrientedBox& box);
 
-/// Around the vertices that triangles use, and no wider; empty if there are none.
+/// The bounding box of the vertices that triangles use, without padding; empty if there are no
+/// triangles.
 [[nodiscard]] Box bounds(const Mesh& mesh);
 
 [[nodiscard]] Ball ball_around(const Sphere& sphere);
@@ -26,7 +27,7 @@ namespace rt {
 [[nodiscard]] Ball ball_around(const Cone& cone);
 [[nodiscard]] Ball ball_around(const OrientedBox& box);
 
-/// Around a box that is padded already.
+/// The bounding sphere of a box that is already padded.
 [[nodiscard]] Ball ball_around(const Box& box);
 
 }  // namespace rt

@@ -1,11 +1,12 @@
-// Axis-aligned boxes (M1, "boite alignée sur les axes").
+// Axis-aligned bounding boxes (M1, "boite alignée sur les axes").
 #pragma once
 
 #include "common/vector.hpp"
 
 namespace rt::inline RT_PRECISION {
 
-/// All points from one corner to the other; none, if min is beyond max.
+/// All points from corner `min` to corner `max`; empty if a component of min is greater than that
+/// of max.
 struct Box {
     Vec3 min{infinity};
     Vec3 max{-infinity};
@@ -15,17 +16,17 @@ struct Box {
 
 namespace rt {
 
-/// Of all its points.
+/// The largest absolute value of a coordinate in the box.
 [[nodiscard]] inline Real largest_component(const Box& box) {
     return glm::max(largest_component(box.min), largest_component(box.max));
 }
 
-/// The smallest box around both.
+/// The smallest box that contains both boxes.
 [[nodiscard]] inline Box united(const Box& a, const Box& b) {
     return {.min = glm::min(a.min, b.min), .max = glm::max(a.max, b.max)};
 }
 
-/// The smallest box around the box and the point.
+/// The smallest box that contains the box and the point.
 [[nodiscard]] inline Box united(const Box& box, Vec3 point) {
     return {.min = glm::min(box.min, point), .max = glm::max(box.max, point)};
 }

@@ -1,4 +1,5 @@
-// Many boxes in a row, and where to cut the row in two: what a hierarchy is built from.
+// Splitting of a sequence of bounding boxes by the surface area heuristic: the builder of a
+// bounding volume hierarchy uses it.
 #pragma once
 
 #include "common/wide.hpp"
@@ -12,7 +13,7 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// A box with a coordinate a lane: x, y, z, and one that stays 0.
+/// A bounding box with one coordinate in each SIMD lane: x, y, z, and a lane that stays 0.
 struct WideBox {
     static constexpr float end = std::numeric_limits<float>::infinity();
 
@@ -20,35 +21,37 @@ struct WideBox {
     Floats max = all_floats(-end);
 };
 
-/// Boxes that stand one after the other, from begin to before end.
+/// The consecutive boxes from index begin up to, but not including, end.
 struct BoxRange {
     std::size_t begin = 0;
     std::size_t end = 0;
-    WideBox bounds;   ///< of the boxes
-    WideBox middles;  ///< of their centres, times two
+    WideBox bounds;   ///< bounding box of all boxes in the range
+    WideBox middles;  ///< bounding box of their centers, times two
 
     [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// Half the surface of a box.
+/// Half the surface area of the box.
 [[nodiscard]] float half_area(const WideBox& box);
 
-/// The row. Cutting a range changes the order inside it only.
+/// The sequence of boxes. A split changes the order only inside its range.
 class BoxRanges {
 public:
-    /// The boxes, between -1 and 1 along every axis, and how many of them a leaf holds at most.
+    /// The boxes must lie between -1 and 1 along every axis. `leaf_size` is the largest number of
+    /// boxes in a leaf.
     BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size);
 
     [[nodiscard]] const BoxRange& all() const { return all_; }
 
-    /// The boxes' indices in the row's order.
+    /// The indices of the boxes, in the current order of the sequence.
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
 
-    /// Cut where the surface area heuristic over binned centres says (Wald 2007, "On fast
-    /// Construction of SAH-based Bounding Volume Hierarchies"), neither part empty.
+    /// Splits the range at the plane of least cost by the surface area heuristic over binned
+    /// centers (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies").
+    /// Neither part is empty.
     [[nodiscard]] std::array<BoxRange, 2> cut(const BoxRange& range);
 
-    /// Cut in the middle, as the range stands.
+    /// Splits the range at its middle index; the order does not change.
     [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
 
 private:

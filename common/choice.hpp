@@ -1,4 +1,4 @@
-// Settings for somebody who asks for a tolerance, or for a time: `--tolerance`, `--time`.
+// Automatic render settings for a given tolerance or time: `--tolerance`, `--time`.
 #pragma once
 
 #include "common/ladder.hpp"
@@ -13,37 +13,38 @@
 
 namespace rt {
 
-/// Which settings are not to be chosen, because somebody has.
+/// The settings that the command line fixes, and that are therefore not chosen.
 struct Given {
-    bool shadow_samples = false;  ///< or when to stop sampling
+    bool shadow_samples = false;  ///< also set if the criterion to stop sampling is fixed
     bool depth = false;
 };
 
-/// The goal of the settings, and those that are fixed.
+/// The goal of the tuning, and the settings that are fixed.
 struct Aim {
     Look look;
-    std::optional<double> tolerance;  ///< an error of a pixel, in 8-bit steps
-    std::optional<double> time;       ///< so many seconds
+    std::optional<double> tolerance;  ///< largest error of a pixel, in 8-bit levels
+    std::optional<double> time;       ///< time for the picture, in seconds
     Given given;
-    std::optional<std::size_t> hierarchy_from;  ///< shapes of a kind, instead of where it pays
+    std::optional<std::size_t>
+        hierarchy_from;  ///< fixed smallest number of shapes of a kind for a hierarchy
     int threads = 1;
 };
 
 struct Choice {
-    bool in_float = false;                      ///< as well as in double, and sooner
-    std::optional<std::size_t> hierarchy_from;  ///< as the aim's; nothing if it is as usual
+    bool in_float = false;  ///< render in float: accurate enough, and faster than double
+    std::optional<std::size_t> hierarchy_from;  ///< as in Aim; nothing for the default
     Trial expected;
-    std::unique_ptr<Pace> pace;        ///< if the picture is to take a time
-    std::vector<std::string> reasons;  ///< lines that say what was chosen, and why
+    std::unique_ptr<Pace> pace;        ///< set only if the picture has a time budget
+    std::vector<std::string> reasons;  ///< report lines: each setting chosen, and the reason
 };
 
-/// Opens the same scene in float.
+/// Opens the same scene in float precision.
 using OpenFloat = std::function<Trials&()>;
 
-/// Tries the scene on a few pixels, and chooses hierarchy, depth, shadow samples and precision:
-/// what the aim leaves open, and the scene requires. The trials that were chosen have their
-/// hierarchies built. Without `open_float` the precision is as it is. A time is counted from
-/// `start`. Nothing if it was stopped.
+/// Renders a few pixels of the scene with different settings, and chooses hierarchy, reflection
+/// depth, shadow samples and precision, as far as the aim does not fix them and the scene has a use
+/// for them. The hierarchies of the chosen trials are built on return. Without `open_float` the
+/// precision does not change. A time budget counts from `start`. Returns nothing if `stop` was set.
 [[nodiscard]] std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float,
                                            const Aim& aim, Clock::time_point start,
                                            const std::atomic<bool>& stop);

@@ -5,11 +5,12 @@
 
 namespace rt {
 
-/// The least depth at which what is left out cannot be seen: what a mirror reflects, m of it,
-/// counts m^n after n of them.
+/// The smallest depth beyond which reflections change a pixel by too little to see: n reflections
+/// off mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
 [[nodiscard]] int sufficient_depth(double strongest_mirror, double tolerance);
 
-/// Halved until the picture, with one shadow ray, takes no longer than the time.
+/// Returns the depth of `look`, halved until the picture with one shadow ray per light fits in the
+/// time budget.
 [[nodiscard]] int depth_within_time(TrialRunner& runner, const Trials& trials, Look look);
 
 }  // namespace rt

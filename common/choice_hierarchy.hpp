@@ -1,4 +1,5 @@
-// Whether shapes of a kind are in a hierarchy, or are asked with balls around them.
+// The choice between a bounding volume hierarchy and a list with bounding spheres for each kind of
+// shape.
 #pragma once
 
 #include "common/trial_runner.hpp"
@@ -9,12 +10,12 @@
 namespace rt {
 
 struct HierarchyChoice {
-    std::optional<std::size_t> from;  ///< as --hierarchy-from; nothing if it is as usual
+    std::optional<std::size_t> from;  ///< value for --hierarchy-from; nothing for the default
     std::string why;
 };
 
-/// Tries both where the number of shapes does not tell which is quicker, and arranges the scene.
-/// The picture is the same, but where surfaces coincide.
+/// Measures both where the number of shapes alone does not decide which is faster, and builds the
+/// faster one for the scene. The picture is the same, except where surfaces coincide.
 [[nodiscard]] HierarchyChoice choose_hierarchy(TrialRunner& runner, Trials& trials,
                                                const Demands& demands, const Look& look);
 

@@ -1,4 +1,4 @@
-// Whether float will do.
+// The choice between float and double precision.
 #pragma once
 
 #include "common/choice.hpp"
@@ -11,10 +11,10 @@ struct PrecisionChoice {
     std::string why;
 };
 
-/// Float, if the scene's sizes and gaps allow it, its trials cost little beside the picture, and it
-/// draws what double draws: in pixels spread over the whole picture, the same ones with the same
-/// shadow rays. Decided by counts alone, so that it is the same in every run. Without `open_float`
-/// the precision is given.
+/// Chooses float if the scene's sizes and gaps allow it, if the trials are cheap compared to the
+/// picture, and if float renders the same colors as double in pixels spread over the whole picture,
+/// with the same shadow rays. The decision uses counts only, so that it is the same in every run.
+/// Without `open_float` the precision is fixed.
 [[nodiscard]] PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
                                                const Demands& demands, const OpenFloat& open_float,
                                                const Choice& choice);

@@ -1,4 +1,4 @@
-// How many rays go to lights with a size.
+// The choice of the number of shadow rays to area lights.
 #pragma once
 
 #include "common/ladder.hpp"
@@ -8,21 +8,24 @@
 
 namespace rt {
 
-/// No more of the pixels may be further off than the tolerance.
+/// The largest fraction of the pixels whose error may exceed the tolerance.
 inline constexpr double few_pixels = 0.01;
-/// Nor of those in a penumbra: those that one ray to a light would leave further off.
+/// The same for the pixels in a penumbra, that is, those whose error with one ray per light would
+/// exceed the tolerance.
 inline constexpr double few_in_penumbrae = 0.1;
-/// Nor of any tile.
+/// The same for the pixels of a single tile.
 inline constexpr double few_in_a_tile = 0.1;
 
-/// The look that keeps the tolerance with the fewest rays; or the best that was found. The same in
-/// every run: rays are counted, not seconds.
+/// Returns the settings that meet the tolerance with the fewest rays, or the most accurate ones
+/// found. The result is the same in every run, because rays are counted instead of seconds.
 [[nodiscard]] Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const Look& look);
 
-/// Looks for a time: the cheap ones first, until one takes too long, or there is no time for more.
+/// Measures settings for a time budget, cheapest first, until one exceeds the budget or no time is
+/// left for trials.
 [[nodiscard]] Ladder climb(TrialRunner& runner, const Trials& trials, const Look& look);
 
-/// "until a light is estimated to be off by less than 0.7 steps, or 16 rays agree".
+/// Describes the sampling, for example "until a light is estimated to be off by less than 0.7
+/// steps, or 16 rays agree".
 [[nodiscard]] std::string samples_in_words(const Look& look);
 
 }  // namespace rt

@@ -1,20 +1,21 @@
-// The words in which a choice is told.
+// The wording of the report on automatic settings.
 #pragma once
 
 #include <string>
 
 namespace rt {
 
-/// Two digits, or all in front of the point.
+/// The number with two significant digits, or with all digits before the decimal point.
 [[nodiscard]] std::string number(double value);
 
-/// "1 step", "0.5 steps": of an 8-bit picture.
+/// "1 step", "0.5 steps": an error in levels of an 8-bit picture.
 [[nodiscard]] std::string steps(double value);
 
-/// A number that is told whole, and no larger than the value, which is positive.
+/// The largest number of two significant digits, which is printed without rounding, not above
+/// `value`. The value must be positive.
 [[nodiscard]] double two_digits(double value);
 
-/// A line of the report: what was chosen, and why.
+/// One line of the report: the setting chosen, and the reason.
 [[nodiscard]] std::string line(const std::string& what, const std::string& why);
 
 }  // namespace rt

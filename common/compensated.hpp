@@ -1,5 +1,5 @@
-// Sums of products to about the last bit, by keeping what rounding drops.
-// Sound only as compiled: -ffp-contract=off, never -ffast-math.
+// Sums of products that are accurate to about the last bit, because the rounding error of each
+// operation is kept. Valid only as compiled here: -ffp-contract=off, never -ffast-math.
 #pragma once
 
 #include "common/real.hpp"
@@ -10,7 +10,7 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A rounded result and what the rounding dropped: their exact sum is the exact result.
+/// A rounded result and its rounding error: their exact sum is the exact result.
 struct Rounded {
     Real value;
     Real dropped;
@@ -34,15 +34,15 @@ namespace rt {
     return {.value = product, .dropped = std::fma(a, b, -product)};
 }
 
-/// origin + t · direction, each coordinate rounded once: exactly on the line, but for that.
+/// origin + t · direction with one rounding for each coordinate.
 [[nodiscard]] inline Vec3 fused_at(Vec3 origin, Real t, Vec3 direction) {
     return {std::fma(t, direction.x, origin.x), std::fma(t, direction.y, origin.y),
             std::fma(t, direction.z, origin.z)};
 }
 
-/// a · b − c · d within 1.5 ulp, where the plain form can lose every digit (Jeannerod, Louvet,
-/// Muller 2013, Kahan's algorithm). Its sign is therefore exact, and exchanging the two products
-/// changes it, though not always to the same digits.
+/// a · b − c · d within 1.5 ulp, where the plain formula can lose every digit (Jeannerod, Louvet,
+/// Muller 2013, Kahan's algorithm). The sign is therefore exact. Exchanging the two products
+/// changes the sign, though the digits may differ.
 [[nodiscard]] inline Real difference_of_products(Real a, Real b, Real c, Real d) {
     const Real cd = c * d;
     const Real difference = std::fma(a, b, -cd);
@@ -71,8 +71,9 @@ template <std::size_t count>
     return sum;
 }
 
-/// Whether a sum computed with twice the digits, of terms that are together so large, has lost no
-/// more than half of them to cancellation: then it is right to the last one.
+/// Returns whether a sum, computed in twice the precision from terms whose absolute values add up
+/// to `size`, has lost at most half of its digits to cancellation. Such a sum is accurate to the
+/// last digit.
 [[nodiscard]] inline bool enough_left(Real sum, Real size) {
     return std::abs(sum) >= 8 * unit_roundoff * size;
 }
@@ -86,8 +87,8 @@ template <std::size_t count>
     return xyz.value + (xyz.dropped + xy.dropped + x.dropped + y.dropped + z.dropped);
 }
 
-/// ⟨a, b⟩ as if computed with twice the digits, then rounded; with three times as many where the
-/// products cancel most of that.
+/// ⟨a, b⟩ as if computed in twice the working precision and then rounded; in three times the
+/// precision where the products cancel most of that.
 [[nodiscard]] inline Real compensated_dot(Vec3 a, Vec3 b) {
     const std::array products = {exact_product(a.x, b.x), exact_product(a.y, b.y),
                                  exact_product(a.z, b.z)};
@@ -98,7 +99,7 @@ template <std::size_t count>
     return compensated_sum(std::array{x.dropped, y.dropped, z.dropped, x.value, y.value, z.value});
 }
 
-/// ⟨n, a − b⟩ with the difference taken exactly, else as compensated_dot.
+/// ⟨n, a − b⟩ with the difference taken exactly, otherwise like the compensated_dot of two vectors.
 [[nodiscard]] inline Real compensated_dot(Vec3 n, Vec3 a, Vec3 b) {
     const std::array differences = {exact_sum(a.x, -b.x), exact_sum(a.y, -b.y),
                                     exact_sum(a.z, -b.z)};

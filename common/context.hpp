@@ -1,4 +1,4 @@
-// What goes along with the rays of one pixel.
+// State that accompanies the rays of one pixel.
 #pragma once
 
 #include "common/look.hpp"
@@ -13,11 +13,11 @@ class Story;
 struct Context {
     Look look;
     Pixel pixel;
-    int bounces = 0;                    ///< off mirrors, since the eye
-    double weight = 1;                  ///< of the ray's colour in the pixel's
-    Story* story = nullptr;             ///< told everything, if there is one: `--pixel`
-    std::int64_t rays = 0;              ///< how many were sent
-    std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size
+    int bounces = 0;                    ///< reflections off mirrors since the camera
+    double weight = 1;                  ///< weight of the ray's color in the pixel's color
+    Story* story = nullptr;             ///< the log of `--pixel`, or null
+    std::int64_t rays = 0;              ///< number of rays traced
+    std::int64_t sized_light_rays = 0;  ///< of these, rays to area lights
 };
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Copies in a list of shapes, which no hierarchy of boxes can tell apart.
+// Removal of duplicate shapes from a list, because no hierarchy of boxes can separate them.
 #pragma once
 
 #include "common/box.hpp"
@@ -13,7 +13,7 @@
 
 namespace rt {
 
-/// Of points: the same for the same points, and seldom for others.
+/// A hash of points: equal for equal points, and seldom equal for different ones.
 [[nodiscard]] inline std::size_t hash(std::initializer_list<Vec3> points) {
     std::uint64_t hash = 0;
     for (const Vec3& point : points)
@@ -24,8 +24,8 @@ namespace rt {
     return std::size_t(hash);
 }
 
-/// Whether some of a sample are copies of each other, by their hashes alone: copies that cost time
-/// are many.
+/// Returns whether two elements of a sample have the same hash. A sample suffices, because only a
+/// large number of copies costs time.
 template <class T, class HashOf>
 [[nodiscard]] bool may_have_copies(const std::vector<T>& all, HashOf hash_of) {
     constexpr std::size_t most_sampled = 4096;
@@ -36,8 +36,8 @@ template <class T, class HashOf>
     return std::adjacent_find(hashes.begin(), hashes.end()) != hashes.end();
 }
 
-/// Removes what is the same as something before it. What is the same has the same hash; of others
-/// with that hash, a few are compared.
+/// Removes each element that equals an earlier one. Equal elements must have equal hashes; an
+/// element is compared with at most a few others of the same hash.
 template <class T, class HashOf, class Same>
 void leave_out_copies(std::vector<T>& all, HashOf hash_of, Same same) {
     constexpr std::size_t most_compared = 8;
@@ -47,7 +47,7 @@ void leave_out_copies(std::vector<T>& all, HashOf hash_of, Same same) {
     for (std::size_t i = 0; i < all.size(); ++i) order.emplace_back(hash_of(all[i]), i);
     std::sort(order.begin(), order.end());
     std::vector<bool> is_copy(all.size());
-    std::vector<std::size_t> others;  // with the same hash
+    std::vector<std::size_t> others;  // elements with the same hash
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto [hash, index] = order[i];
         if (i == 0 || hash != order[i - 1].first) others.clear();

@@ -1,4 +1,4 @@
-// What the trials of `--tolerance` and `--time` need to know of a scene, and how they ask it.
+// Scene traits and pixel samples for `--tolerance` and `--time`.
 #pragma once
 
 #include "common/scene.hpp"
@@ -6,10 +6,10 @@
 
 namespace rt {
 
-/// Of the picture that a stage makes of the scene.
+/// The traits of the scene that matter for the given stage's picture.
 [[nodiscard]] Demands demands_of(const Scene& scene, int stage, const Look& look);
 
-/// As Trials::shot.
+/// Renders sample pixels of the scene, as Trials::shot describes.
 [[nodiscard]] Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings);
 
 }  // namespace rt

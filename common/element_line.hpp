@@ -1,4 +1,4 @@
-// One element's line, taken word by word.
+// One element's line of a scene file, consumed word by word.
 #pragma once
 
 #include "common/scene_report.hpp"
@@ -11,64 +11,72 @@
 
 namespace rt {
 
-/// How messages speak of an element.
+/// The words for an element in messages.
 struct ElementForm {
     std::string_view keyword;  ///< "sp"
     std::string_view noun;     ///< "a sphere"
     std::string_view layout;   ///< "sp position diameter colour"
 };
 
-/// The fields, then the options. Whatever is not taken in the end is too much.
+/// A line consists of fields, then options. Words left over at the end are an error.
 class ElementLine {
 public:
-    /// The line's first word is the keyword. The report must outlive this.
+    /// The first word of `line` is the keyword. The report must outlive this object.
     ElementLine(Line line, const ElementForm& form, SceneReport& report);
 
-    /// The value of the option `key:value`, if the line has it. Only after all fields.
+    /// The value of the option `key:value`; nothing if the line does not have it. Call it only
+    /// after all fields.
     [[nodiscard]] std::optional<Token> option(std::string_view key);
 
-    /// Which of the values the option has, the first if it is absent. Only after all fields.
+    /// The index of the option's value in `values`; 0 if the option is absent. Throws InputError
+    /// for any other value. Call it only after all fields.
     [[nodiscard]] int choice(std::string_view key, std::initializer_list<std::string_view> values);
 
-    /// Whether nothing but words `key:value` follows: lenient reading then takes no field.
+    /// Returns whether only words `key:value` follow, so that lenient reading does not consume a
+    /// field.
     [[nodiscard]] bool only_options_follow();
 
-    /// Whether the next field is a triple; blanks around its commas are fine in lenient reading.
+    /// Returns whether the next field is a triple. Lenient reading accepts blanks around its
+    /// commas.
     [[nodiscard]] bool triple_follows() const;
 
-    /// Where the keyword stands.
+    /// The location of the keyword.
     [[nodiscard]] Place place() const;
 
-    /// Throws InputError with the place of the keyword.
+    /// Throws InputError at the location of the keyword.
     [[noreturn]] void refuse_line(const std::string& message) const;
 
-    /// Fails (warns, in lenient reading) if anything is left.
+    /// Throws InputError if words are left over; lenient reading warns instead.
     void finish();
 
 protected:
-    /// "a sphere's diameter"
+    /// The name of the field in messages: "a sphere's diameter".
     [[nodiscard]] std::string what(std::string_view field) const;
 
-    /// Throws InputError with the place and the text of a token: "message, not "text"".
+    /// Throws InputError at the location of a token, with its text: "message, not "text"".
     [[noreturn]] void refuse(Token token, const std::string& message) const;
     void doubt(Token token, const std::string& kind, const std::string& message,
                const std::string& remedy);
     void warn(Token token, const std::string& kind, const std::string& message);
     [[nodiscard]] bool strict() const { return report_.strict(); }
 
-    /// The next field, of one word. Throws InputError if there is none.
+    /// Consumes the next field, a single word. Throws InputError if there is none.
     [[nodiscard]] Token take_word(std::string_view field);
 
-    /// The parts of the next field, a triple. Throws InputError if there is none.
+    /// Consumes the next field, a triple, and returns its three parts. Throws InputError if there
+    /// is none.
     [[nodiscard]] std::array<Token, 3> take_triple(std::string_view field);
 
-    /// The parts of the option `key:x,y,z`, if the line has it. Only after all fields.
+    /// The three parts of the option `key:x,y,z`; nothing if the line does not have it. Call it
+    /// only after all fields.
     [[nodiscard]] std::optional<std::array<Token, 3>> option_triple(std::string_view key);
 
-    /// Whether what follows has no comma, and a word that is neither a number nor `key:value`.
+    /// Returns whether the rest of the line has no comma, and has a word that is neither a number
+    /// nor `key:value`.
     [[nodiscard]] bool words_without_triple() const;
 
-    /// Leaves out words before a colour that cannot be one, if a triple comes later on the line.
+    /// Skips words before a color that cannot be part of one, if a triple follows later on the
+    /// line.
     void skip_to_triple(std::string_view field);
 
     [[nodiscard]] bool at_end() const { return next_ == line_.tokens.size(); }

@@ -1,5 +1,5 @@
-// A bounding volume hierarchy: which of many boxes a ray meets, the near ones first, without asking
-// about most of them. It knows boxes and their indices, not what is in them.
+// A bounding volume hierarchy: the boxes that a ray hits, roughly near to far, found without a test
+// of most of them. It stores boxes and their indices, and nothing about the contents of a box.
 #pragma once
 
 #include "common/box.hpp"
@@ -12,33 +12,34 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Fewer shapes of a kind than this stay a list with balls around them (measured:
-/// docs/accuracy.md).
+/// The number of shapes of a kind from which a hierarchy is built. Shorter lists use bounding
+/// spheres (measured: docs/accuracy.md).
 template <class Shape>
 inline constexpr std::size_t hierarchy_pays_from = 32;
 
 inline namespace RT_LANES {
 
-/// Up to four boxes that are asked about together.
+/// The indices of up to four boxes that are tested together.
 struct Leaf {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
     std::array<std::uint32_t, lane_count> indices = {none, none, none, none};
 };
 
-/// The boxes 0, 1, …, worked out when they are asked for.
+/// Returns the box of an index 0, 1, …; called on demand, so that the boxes need no memory.
 using BoxOf = std::function<Box(std::size_t)>;
 
 class Hierarchy {
 public:
-    /// Whether asking about the boxes of a leaf takes a step each or, as they are packed, one for
-    /// all four.
+    /// The cost of a leaf: one step for each box or, if its contents are packed, one step for all
+    /// four.
     enum class Leaves { one_by_one, packed };
 
     Hierarchy() = default;
-    /// Over so many boxes, each of which is asked for twice, as all of them would fill the memory.
-    /// The same for any number of threads that it is built with. Its frame is the one around the
-    /// scene, if that has room for the boxes and is not so large that their digits would be lost.
+    /// Builds the hierarchy over `count` boxes. `box(i)` is called twice for each index instead of
+    /// storing the boxes, which would fill the memory. The result does not depend on the number of
+    /// threads that build it. The frame is the one around `scene`, if all boxes fit in it and it is
+    /// not so large that their digits would be lost; else it is the frame around the boxes.
     Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
               const Box& scene = {});
 
@@ -46,17 +47,19 @@ public:
     [[nodiscard]] Box bounds() const { return bounds_; }
     [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
 
-    /// Calls visit(index) for the boxes that the ray may meet inside the interval, near ones first.
-    /// A visit that finds a hit lowers interval.max to it, and what is beyond is left out.
+    /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
+    /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.
     template <class Visit>
     void nearest(SlabTests& ray, Interval& interval, Visit visit) const;
 
-    /// Whether visit(index) is true for any of the boxes that the ray may meet inside the interval.
+    /// Returns whether visit(index) is true for any box that the ray may hit inside the interval;
+    /// stops at the first such box.
     template <class Visit>
     [[nodiscard]] bool any(SlabTests& ray, Interval interval, Visit visit) const;
 
-    /// Calls visit(place in leaves()) for the leaves that the ray may meet inside the interval,
-    /// near ones first, until it is true, and says whether it was. It may lower interval.max.
+    /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
+    /// inside the interval, roughly near to far, until a call returns true. Returns whether one
+    /// did. A visit may lower interval.max.
     template <class Visit>
     bool visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const;
 
@@ -85,7 +88,7 @@ bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit vis
         std::uint32_t child;
         float near;
     };
-    std::array<Later, (Node::width - 1) * max_depth> later;  // left uninitialised: it is large
+    std::array<Later, (Node::width - 1) * max_depth> later;  // left uninitialized: it is large
     std::size_t waiting = 0;
     float limit = slabs.limit(interval.max);
     std::uint32_t child = root_;
@@ -104,7 +107,7 @@ bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit vis
                 while (hits != 0) {
                     std::size_t other = take_lowest(hits);
                     if (near[other] < near[nearest]) std::swap(nearest, other);
-                    // The farthest first: an insertion sort, most often of one or two.
+                    // Sorted from far to near by insertion: most often there are one or two.
                     std::size_t place = waiting++;
                     for (; place > first && later[place - 1].near < near[other]; --place)
                         later[place] = later[place - 1];

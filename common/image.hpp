@@ -1,4 +1,4 @@
-// A picture in memory, the same type in every precision.
+// An image in memory, the same type in every precision.
 #pragma once
 
 #include "common/pixel.hpp"
@@ -13,10 +13,11 @@ namespace rt {
 /// Red, green and blue, 0 to 255.
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// What a colour that is no number is shown as: no surface of ours is magenta.
+/// The display color of a pixel whose color is not a number: magenta, which no scene of the course
+/// uses.
 inline constexpr Rgb not_a_color = {255, 0, 255};
 
-/// Rows from the top, each from the left.
+/// Pixels in rows from the top, each row from the left.
 struct Image {
     Resolution resolution{0, 0};
     std::vector<Rgb> pixels;

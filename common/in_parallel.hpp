@@ -1,4 +1,4 @@
-// Many like pieces of work, shared among threads.
+// A parallel for loop over independent pieces of work.
 #pragma once
 
 #include <atomic>
@@ -7,9 +7,9 @@
 
 namespace rt {
 
-/// Does the work for each number below count. Threads, so many at most, take the numbers in turn,
-/// so that a costly stretch is shared. None is begun once `stop`, if there is one, is set. What a
-/// piece throws is thrown here, after those that had begun have ended.
+/// Calls work(i) for every i below count, on at most `threads` threads, which take the numbers in
+/// turn so that an expensive stretch is shared. Stops starting new work when `*stop` becomes true;
+/// `stop` may be null. Rethrows the first exception after all threads have finished.
 void in_parallel(int threads, std::size_t count, const std::atomic<bool>* stop,
                  const std::function<void(std::size_t)>& work);
 

@@ -1,4 +1,4 @@
-// The one exception of the project: something that came from outside is wrong.
+// The one exception of the project: bad input from outside.
 #pragma once
 
 #include <functional>
@@ -7,31 +7,32 @@
 
 namespace rt {
 
-/// A place in a file that somebody can open. Line and column count from 1; 0 leaves them out.
+/// A location in a file that the user can open. Line and column count from 1; 0 omits them.
 struct Place {
     std::string file;
     int line = 0;
     int column = 0;
 };
 
-/// Bad input: a scene, a mesh, an option, a file that cannot be read or written. Caught once, in
-/// main, which prints what() and ends with status 2.
+/// Bad input: a scene, a mesh, an option, a file that cannot be read or written. It is caught once,
+/// in main, which prints what() and exits with status 2.
 class InputError : public std::runtime_error {
 public:
-    /// what() is "file:line:column: error: message", one line; an empty file leaves the place out.
+    /// what() is "file:line:column: error: message", one line; an empty file name omits the
+    /// location.
     InputError(const Place& place, const std::string& message);
 
-    /// The same error with "remark" in brackets at its end.
+    /// Returns the same error with `remark` appended in brackets.
     [[nodiscard]] InputError with(const std::string& remark) const;
 
 private:
     explicit InputError(const std::string& text);
 };
 
-/// Takes each warning, "file:line:column: warning: …". May be empty: then nobody does.
+/// Receives each warning, "file:line:column: warning: …". An empty function discards them.
 using Warn = std::function<void(const std::string&)>;
 
-/// "file:line:column: ", or as much of it as is known, with "?" for control characters.
+/// "file:line:column: " or the known part of it, with control characters replaced by "?".
 [[nodiscard]] std::string to_string(const Place& place);
 
 }  // namespace rt

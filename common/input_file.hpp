@@ -1,4 +1,4 @@
-// A file from outside, read whole.
+// Reading of a whole input file.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,9 @@
 
 namespace rt {
 
-/// The content of the file, at most `limit` bytes and one more, by which the caller sees that it
-/// is too large. Throws InputError for a directory, and for what is absent or cannot be read.
+/// Returns the content of the file, at most `limit` + 1 bytes: the caller detects a file that is
+/// too large by the extra byte. Throws InputError for a directory, and for a file that is absent or
+/// cannot be read.
 [[nodiscard]] std::string read_input_file(const std::string& file, std::size_t limit);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// The shapes of one kind in a scene.
+// A list of the primitives of one kind of shape in a scene, with its acceleration structure.
 #pragma once
 
 #include "common/balls.hpp"
@@ -15,30 +15,32 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A shape and what it is made of.
+/// A primitive: a shape and its material.
 template <class Shape>
 struct Item {
     Shape shape;
     Material material;
 };
 
-/// Whether a kind of shape fits into a box and a ball: all but the plane.
+/// A kind of shape that has a bounding box and a bounding sphere: every kind except the plane.
 template <class Shape>
 concept Bounded = requires(const Shape& shape) {
     { bounds(shape) } -> std::same_as<Box>;
     { ball_around(shape) } -> std::same_as<Ball>;
 };
 
-/// What rays are spared by.
+/// The choice of acceleration structures.
 struct Arrangement {
     static constexpr std::size_t never = ~std::size_t(0);
 
-    std::optional<std::size_t> hierarchy_from;  ///< items of a kind; else from where it pays
-    bool balls = true;  ///< around fewer, even around one (measured: docs/accuracy.md)
+    std::optional<std::size_t>
+        hierarchy_from;  ///< smallest list for a hierarchy; nothing for the measured default
+    bool balls = true;   ///< bounding spheres around shorter lists, even a single shape (measured:
+                         ///< docs/accuracy.md)
 };
 
-/// A list of items; around a few of them balls, or above many a hierarchy, so that a ray asks those
-/// alone that it may meet.
+/// A list of primitives. A short list has bounding spheres and a long one a bounding volume
+/// hierarchy, so that a ray is tested only against the primitives that it may hit.
 template <class Shape>
 class Items {
 public:
@@ -60,15 +62,15 @@ public:
     [[nodiscard]] auto begin() const { return items_.begin(); }
     [[nodiscard]] auto end() const { return items_.end(); }
 
-    /// Whether they fit into boxes, and are so many that a hierarchy of these is wanted.
+    /// Returns whether the shapes have bounding boxes, and are numerous enough for a hierarchy.
     [[nodiscard]] bool many(const Arrangement& how = {}) const {
         return Bounded<Shape> &&
                items_.size() >= how.hierarchy_from.value_or(hierarchy_pays_from<Shape>);
     }
 
-    /// A hierarchy is in the frame of the scene, if there are others. Of shapes that are the same,
-    /// the first stays: whatever they are made of, no ray meets another before it, and each would
-    /// be tested for every ray that comes near.
+    /// Builds the acceleration structure. A hierarchy uses the frame around `scene`, if there are
+    /// other hierarchies. Of equal shapes only the first stays: no ray hits another one before it,
+    /// whatever its material, and each copy would cost a test for every ray nearby.
     void arrange(const Arrangement& how = {}, const Box& scene = {}) {
         disarrange();
         if constexpr (Bounded<Shape>) {
@@ -89,16 +91,18 @@ public:
         }
     }
 
-    /// Whether there is a hierarchy.
+    /// Returns whether the list has a hierarchy.
     [[nodiscard]] bool arranged() const { return Bounded<Shape> && !hierarchy_.empty(); }
 
-    /// Whether 64 bits have one for each, and no hierarchy is quicker.
+    /// Returns whether a 64-bit mask has a bit for every primitive, and the list has no hierarchy.
     [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= Balls::most; }
 
-    /// One for each, if there is no hierarchy; none, if they are not arranged.
+    /// The bounding spheres, one for each primitive; empty if there is a hierarchy, or no
+    /// acceleration structure was built.
     [[nodiscard]] const Balls& balls() const { return balls_; }
 
-    /// Around all of them, if they fit into boxes; at once, if they are arranged.
+    /// The bounding box of all primitives, if the shapes have bounding boxes. Takes constant time
+    /// if there is a hierarchy.
     [[nodiscard]] Box box() const {
         Box all = hierarchy_.bounds();
         if constexpr (Bounded<Shape>)
@@ -107,8 +111,8 @@ public:
         return all;
     }
 
-    /// Calls visit(item) for every item that the ray may meet inside the interval; a visit may
-    /// shorten the interval, and spares the items beyond.
+    /// Calls visit(item) for every primitive that the ray may hit inside the interval. A visit may
+    /// shorten the interval, and primitives beyond it may be skipped.
     template <class Visit>
     void along(SlabTests& ray, Interval& interval, Visit visit) const {
         if (arranged()) {
@@ -121,7 +125,8 @@ public:
         }
     }
 
-    /// Whether visit(item) is true for any item that the ray may meet inside the interval.
+    /// Returns whether visit(item) is true for any primitive that the ray may hit inside the
+    /// interval.
     template <class Visit>
     [[nodiscard]] bool any_along(SlabTests& ray, Interval interval, Visit visit) const {
         if (arranged())

@@ -1,4 +1,4 @@
-// SipHash-2-4: 64 bits that follow from a key and a text, and that tell nobody the key.
+// SipHash-2-4: a 64-bit hash of a key and a text that does not reveal the key.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Looks from cheap to good.
+// Render settings sorted from cheap to accurate.
 #pragma once
 
 #include "common/look.hpp"
@@ -7,39 +7,40 @@
 
 namespace rt {
 
-/// A look that has been tried.
+/// Render settings that have been measured.
 struct Trial {
     Look look;
-    double seconds = 0;  ///< of the whole picture on all threads
-    double rays = 0;     ///< of a pixel, in the mean: unlike the seconds the same in every run
-    double error = 0;    ///< 8-bit steps: of 99 in 100 pixels, at most
+    double seconds = 0;  ///< for the whole picture on all threads
+    double rays = 0;     ///< mean for each pixel: unlike the seconds, the same in every run
+    double error = 0;    ///< in 8-bit levels: 99 of 100 pixels have an error of at most this
 };
 
-/// The cheapest look first. A clock is never that exact: a trial that seems quicker than a cheaper
-/// one is taken to last as long, so that no time is negative and none falls. Beyond the last, or
-/// before the first, is that one; between two that stop sampling at an error, or once rays agree,
-/// one that stops between these.
+/// Settings sorted by cost. Clocks are noisy: a trial that seems faster than a cheaper one counts
+/// as taking the same time, so that no time is negative and none decreases. A query beyond either
+/// end returns that end. Between two settings that stop sampling at an error, or once rays agree,
+/// it interpolates their thresholds.
 class Ladder {
 public:
     void add(Trial trial);
 
-    /// Looks that were not tried, each about 1/√2 of the error of the one before, up to those that
-    /// take longer than the time. Their errors are told as that of the last trial, which is more.
+    /// Adds settings that were not measured, each with about 1/√2 of the error of the one before,
+    /// up to those that exceed the time in seconds. Their error is given as that of the last trial,
+    /// an upper bound.
     void extend(const std::vector<Look>& looks, double seconds);
 
-    /// The trial becomes the top: in place of all that are as dear.
+    /// Makes the trial the most accurate entry, in place of all that cost as much.
     void end_with(const Trial& trial);
 
     [[nodiscard]] const Trial& top() const { return trials_.back(); }
 
-    /// The best that takes no longer.
+    /// The most accurate settings that take at most this time in seconds.
     [[nodiscard]] Trial within_time(double seconds) const;
 
-    /// The cheapest that is off by no more.
+    /// The cheapest settings with at most this error in 8-bit levels.
     [[nodiscard]] Trial within_error(double error) const;
 
 private:
-    std::vector<Trial> trials_;  ///< seconds do not fall
+    std::vector<Trial> trials_;  ///< their seconds do not decrease
 };
 
 }  // namespace rt

@@ -1,15 +1,15 @@
-// What the command line says about how a picture looks and what it may cost.
+// Render settings of the command line: the appearance of the picture, and its cost.
 #pragma once
 
 namespace rt {
 
-/// How a hit becomes a colour.
+/// The conversion of a hit to a color.
 enum class Shading {
-    color,   ///< as the stage does: by a torch at the eye (M1), from stage 9 on by the lights
+    color,   ///< as the stage defines it: by a torch at the eye (M1), from stage 9 on by the lights
     normal,  ///< abs(normal)
 };
 
-/// Which of Phong's terms are shown.
+/// The terms of Phong's model to show.
 enum class Term { all, ambient, diffuse, specular };
 
 constexpr int most_shadow_samples = 1 << 20;
@@ -18,10 +18,12 @@ constexpr int most_depth = 1000;
 struct Look {
     Shading shading = Shading::color;
     Term term = Term::all;
-    int shadow_samples = 16;  ///< rays to a light with a size, at most
-    double shadow_error = 0;  ///< fewer, once the colour is estimated to be off by less, of 255
-    int shadow_agree = 0;     ///< or once so many all reached the light, or none; 0 for never
-    int depth = 8;            ///< mirror upon mirror, at most
+    int shadow_samples = 16;  ///< largest number of rays to an area light
+    double shadow_error =
+        0;  ///< stop sampling when the color's estimated error is below this, of 255; 0 for never
+    int shadow_agree = 0;  ///< or when the first rays, this many, agree: all reached the light, or
+                           ///< none; 0 for never
+    int depth = 8;         ///< largest number of successive mirror reflections
 };
 
 }  // namespace rt

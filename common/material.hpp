@@ -1,4 +1,4 @@
-// What a shape is made of.
+// The surface properties of a shape.
 #pragma once
 
 #include "common/real.hpp"
@@ -7,9 +7,9 @@ namespace rt::inline RT_PRECISION {
 
 struct Material {
     Color color{1};
-    Real specular = 0;    ///< 0 to 1: how strong its highlight is, which has the light's colour
-    Real shininess = 32;  ///< the highlight's exponent: the larger, the smaller and sharper
-    Real mirror = 0;      ///< 0 to 1: the share of the light that it reflects as a mirror
+    Real specular = 0;    ///< 0 to 1: strength of the highlight, which has the light's color
+    Real shininess = 32;  ///< exponent of the highlight: a larger one makes it smaller and sharper
+    Real mirror = 0;      ///< 0 to 1: fraction of the light that is reflected as by a mirror
 };
 
 }  // namespace rt::inline RT_PRECISION

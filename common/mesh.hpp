@@ -1,4 +1,4 @@
-// Triangles that share their vertices, as plain values.
+// A triangle mesh with shared vertices, as plain values.
 #pragma once
 
 #include "common/real.hpp"
@@ -11,17 +11,17 @@ namespace rt::inline RT_PRECISION {
 
 struct Mesh {
     std::vector<Vec3> vertices;
-    /// One a vertex, of unit length, to be interpolated; none, if the faces are flat.
+    /// One unit normal for each vertex, to be interpolated; empty if the faces are flat.
     std::vector<Vec3> normals;
-    /// Three vertices each, anticlockwise for whoever looks from outside.
+    /// Three vertex indices for each triangle, counterclockwise seen from outside.
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Where a ray meets a mesh.
+/// The hit of a ray on a mesh.
 struct MeshHit {
     Real t = 0;
     std::uint32_t triangle = 0;
-    Vec3 weights;  ///< barycentric, of the triangle's three vertices in their order
+    Vec3 weights;  ///< barycentric coordinates, in the order of the triangle's three vertices
 };
 
 }  // namespace rt::inline RT_PRECISION

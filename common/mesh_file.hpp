@@ -1,4 +1,4 @@
-// A mesh as its file has it: what OpenMesh reads, with no OpenMesh in it and no Real.
+// The content of a mesh file as OpenMesh reads it, without types of OpenMesh and without Real.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -11,23 +11,27 @@
 
 namespace rt {
 
-/// A file larger than this is refused.
+/// The largest file that is accepted, in bytes.
 inline constexpr std::size_t largest_mesh_file = std::size_t(512) << 20;
-/// A face of more corners is refused: cutting it up takes a time that grows with their square.
+/// The largest number of corners of a face that is accepted: the time to triangulate it grows with
+/// the square of this number.
 inline constexpr int most_corners = 4096;
 
-/// Floats whatever the precision is: OpenMesh reads no more. So both precisions draw the same mesh.
+/// Coordinates are float in either precision, because OpenMesh reads no more digits. Both
+/// precisions therefore render the same mesh.
 struct MeshFile {
     std::vector<glm::vec3> vertices;  ///< all finite
-    std::vector<glm::vec3> normals;   ///< one a vertex, of any length, NaN too; or none at all
+    std::vector<glm::vec3> normals;  ///< one for each vertex, of any length, possibly NaN; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< at least one
-    std::vector<std::string> warnings;                    ///< what is read, and is hardly meant so
+    std::vector<std::string> warnings;  ///< content that is accepted but hardly intended
 };
 
-/// The mesh in the file. Throws InputError if there is none, or a part of it is wrong.
+/// Reads the mesh in the file. Throws InputError if the file cannot be read, or a part of it is
+/// wrong.
 [[nodiscard]] MeshFile read_mesh_file(const std::string& file);
 
-/// The mesh in the content of a file of that name, which says how it is to be read.
+/// Parses the content of a file; the end of its name selects the format. Throws InputError as
+/// read_mesh_file does.
 [[nodiscard]] MeshFile parse_mesh_file(std::string content, const std::string& file);
 
 }  // namespace rt

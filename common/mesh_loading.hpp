@@ -1,14 +1,14 @@
-// The meshes that a scene names.
+// Loading of the meshes that a scene names.
 #pragma once
 
 #include "common/scene.hpp"
 
 namespace rt {
 
-/// Loads the scene's named meshes, each file once, and places them. Throws InputError for a file
-/// that is wrong; that and each warning say which line of the scene names it. Only a program of a
-/// stage with meshes has it: without_meshes.cpp takes its place in the others, which need no
-/// OpenMesh then.
+/// Loads the scene's named meshes, each file once, and adds an instance for each. Throws InputError
+/// for a file that is wrong; the error and each warning include the line of the scene that names
+/// the file. Only the program of a stage with meshes has this function: in the others
+/// without_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Normals for meshes whose file has none.
+// Vertex normals for meshes whose file has none.
 #pragma once
 
 #include "common/mesh.hpp"
@@ -7,9 +7,10 @@
 
 namespace rt {
 
-/// One unit normal a vertex: the mean of the normals of its triangles, each weighted by its angle
-/// there, so that it does not matter how a face was cut (Thürmer, Wüthrich 1998). (0, 0, 1) where
-/// there is none: at a vertex of no triangle, or of triangles without an area.
+/// Returns one unit normal for each vertex: the mean of the normals of its triangles, each weighted
+/// by the triangle's angle at the vertex, so that the triangulation of a face does not matter
+/// (Thürmer, Wüthrich 1998). Returns (0, 0, 1) for a vertex of no triangle, or only of triangles
+/// without area.
 [[nodiscard]] std::vector<Vec3> smooth_normals(const Mesh& mesh);
 
 }  // namespace rt

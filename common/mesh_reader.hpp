@@ -1,4 +1,4 @@
-// Reads a mesh. docs/meshes.md says what from.
+// Loading of a mesh file. docs/meshes.md describes the formats.
 #pragma once
 
 #include "common/input_error.hpp"
@@ -8,11 +8,11 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// The mesh in the file, OFF, OBJ, PLY or STL as its name ends, with every polygon cut into
-/// triangles. Its normals are the file's if that has one for every vertex, else there are none
-/// (common/mesh_normals.hpp makes them). Throws InputError for all else. One thread at a time:
-/// OpenMesh's readers share what they know of a file.
-/// With `warn`, it is told what is hardly meant so.
+/// Loads an OFF, OBJ, PLY or STL file, as the end of its name indicates, with every polygon cut
+/// into triangles. The normals are the file's if it has one for every vertex, else empty
+/// (common/mesh_normals.hpp computes them). Throws InputError if the file is wrong. Call it from
+/// one thread at a time: OpenMesh's readers share state. `warn`, if given, receives a warning for
+/// content that is hardly intended.
 [[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
 
 }  // namespace rt::inline RT_PRECISION

@@ -1,5 +1,5 @@
-// Moving shapes, as values: the shape itself moves, and nothing that was worked out from it before
-// could stay behind (HAI).
+// Rigid transforms with a uniform scale, applied to shapes as values: the shape itself is
+// transformed, so that no cached quantity can be out of date (HAI).
 #pragma once
 
 #include "common/ray.hpp"
@@ -7,8 +7,8 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// p ↦ scale · (p turned) + translation. It turns (1, 0, 0), (0, 1, 0), (0, 0, 1) to the rotation's
-/// x, y, z. Every shape keeps its kind, and every angle its size.
+/// The transform p ↦ scale · (p rotated) + translation. The rotation maps (1, 0, 0), (0, 1, 0), (0,
+/// 0, 1) to its x, y, z. Every shape keeps its kind, and every angle its size.
 struct Motion {
     Basis rotation;
     Real scale = 1;  ///< positive
@@ -21,18 +21,18 @@ struct Motion {
 
 namespace rt {
 
-/// A direction after the motion: turned, its length kept.
+/// The direction rotated; its length does not change.
 [[nodiscard]] inline Vec3 turned(Vec3 v, const Motion& motion) {
     const auto& [x, y, z] = motion.rotation;
     return v.x * x + v.y * y + v.z * z;
 }
 
-/// A point after the motion.
+/// The point transformed.
 [[nodiscard]] inline Vec3 moved(Vec3 point, const Motion& motion) {
     return motion.scale * turned(point, motion) + motion.translation;
 }
 
-/// The ray's points keep their t: its direction is scaled too.
+/// The ray transformed. Each of its points keeps its t, because the direction is scaled too.
 [[nodiscard]] inline Ray moved(const Ray& ray, const Motion& motion) {
     return {.origin = moved(ray.origin, motion),
             .direction = motion.scale * turned(ray.direction, motion)};

@@ -1,5 +1,5 @@
-// What a ray meets of all the shapes: the nearest (M1, "plusieurs objets"; CR §2.1), or anything at
-// all (CR §3.2).
+// The closest hit of a ray among all shapes (M1, "plusieurs objets"; CR §2.1), and the any-hit
+// query (CR §3.2).
 #pragma once
 
 #include "common/context.hpp"
@@ -21,13 +21,13 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Where a ray met the nearest shape.
+/// The closest hit of a ray.
 struct Hit {
     Real t;
-    Vec3 point;   ///< brought back onto the surface
-    Real error;   ///< no larger is the distance from the point to the surface
-    Vec3 normal;  ///< outward, unit length; interpolated, if a mesh has normals
-    Vec3 side;    ///< as normal, but never interpolated
+    Vec3 point;   ///< projected onto the surface
+    Real error;   ///< upper bound on the distance from the point to the surface
+    Vec3 normal;  ///< outward, unit length; interpolated if the mesh has normals
+    Vec3 side;    ///< geometric normal: as normal, but never interpolated
     const Material* material;
 
     Hit(Real t_of_hit, const SurfacePoint& place, Vec3 its_normal, Vec3 its_side,
@@ -40,7 +40,8 @@ struct Hit {
           material(&its_material) {}
 };
 
-/// What an eye at the ray's origin sees there.
+/// The shading point at the hit, seen from the ray's origin: both normals are on the side of the
+/// eye.
 inline Surface surface_at(const Hit& hit, const Ray& ray) {
     const bool outside = dot(hit.side, ray.direction) <= 0;
     return {.point = hit.point,
@@ -51,7 +52,7 @@ inline Surface surface_at(const Hit& hit, const Ray& ray) {
             .material = *hit.material};
 }
 
-/// The t of what `intersect` answers: itself, or with where in the mesh.
+/// The t of a result of `intersect`, which is a t or a MeshHit.
 inline std::optional<Real> t_of(std::optional<Real> answer) {
     return answer;
 }
@@ -60,10 +61,10 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
     return answer->t;
 }
 
-/// Looks through lists of shapes for the smallest t. Every hit shortens the interval, so that the
-/// shapes after it only answer if they are nearer; the point and the normal are worked out once,
-/// for the winner. A kind of shape is looked for with `intersect` and `normal` of its own stage.
-/// The ray must outlive it.
+/// The closest-hit query of a ray: finds the smallest t in lists of shapes. Every hit shortens the
+/// interval, so that `intersect` accepts later shapes only if they are closer. The point and the
+/// normal are computed once, for the closest hit. Each kind of shape uses `intersect` and `normal`
+/// of its own stage. The ray must outlive the query.
 class Nearest {
 public:
     Nearest(const Ray& ray, Context& context) : ray_(ray), slabs_(ray), story_(context.story) {
@@ -72,8 +73,9 @@ public:
 
     template <class Shape>
     void among(const Items<Shape>& items) {
-        // The rest is not inlined here: a kind that is not there costs a look. What that calls is
-        // inlined there: `intersect` too, where it is compiled with this (steps/stage.cmake).
+        // The rest is not inlined here, so that an empty list costs one branch. Inside that
+        // function everything is inlined, `intersect` included, in a unity build
+        // (steps/stage.cmake).
         if (items.empty()) return;
         if (story_ == nullptr)
             among_some(items);
@@ -81,7 +83,7 @@ public:
             tell_among(items);
     }
 
-    /// The nearest of everything looked through so far, or nothing.
+    /// The closest hit in the lists tested so far, or nothing.
     [[nodiscard]] std::optional<Hit> hit() const {
         if (winner_ == nullptr) return std::nullopt;
         const std::optional<Hit> hit = describe_(*this);
@@ -97,7 +99,7 @@ private:
         });
     }
 
-    /// Of the misses too, which a hierarchy would leave out.
+    /// Logs the misses too, which a hierarchy would skip.
     template <class Shape>
     [[gnu::noinline]] void tell_among(const Items<Shape>& items) {
         for (const Item<Shape>& item : items) {
@@ -135,7 +137,7 @@ private:
     [[gnu::flatten]] static std::optional<Hit> describe(const Nearest& nearest) {
         const auto& [shape, material] = *static_cast<const Item<Shape>*>(nearest.winner_);
         const Real t = nearest.t();
-        // Made in its place, so that nothing is copied.
+        // Constructed in place, so that nothing is copied.
         if constexpr (std::is_same_v<Shape, PlacedMesh>) {
             const MeshHit& hit = *nearest.in_mesh_;
             return std::optional<Hit>(std::in_place, t, projected(shape, hit), normal(shape, hit),
@@ -151,20 +153,20 @@ private:
     SlabTests slabs_;
     Story* story_;
     Interval interval_;
-    std::optional<MeshHit> in_mesh_;  ///< if a mesh is the winner
+    std::optional<MeshHit> in_mesh_;  ///< set if the closest hit is on a mesh
     const void* winner_ = nullptr;
     std::optional<Hit> (*describe_)(const Nearest&) = nullptr;
 };
 
-/// Whether the ray meets the shape at all strictly inside the interval. Meshes are quicker at this
-/// than at the nearest of their triangles.
+/// Returns whether the ray hits the shape anywhere strictly inside the interval. For a mesh this is
+/// faster than the closest hit.
 template <class Shape>
 bool blocks(const Ray& ray, const Shape& shape, Interval interval) {
     return intersect(ray, shape, interval).has_value();
 }
 
-/// Looks through lists of shapes for any that the ray meets inside the interval, and asks no more
-/// once there is one. The ray must outlive it.
+/// The any-hit query of a ray: tests lists of shapes for any hit inside the interval, and stops at
+/// the first one found. The ray must outlive the query.
 class Blocker {
 public:
     Blocker(const Ray& ray, Interval interval, Context& context)
@@ -177,7 +179,7 @@ public:
         if (!items.empty() && !found_) found_ = among_some(items);
     }
 
-    /// Of a short list, the items alone whose bit is set.
+    /// Tests only the primitives of a short list whose bit in `chosen` is set.
     template <class Shape>
     void among(const Items<Shape>& items, std::uint64_t chosen) {
         if (!items.is_short_list()) return among(items);

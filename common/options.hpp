@@ -1,4 +1,4 @@
-// The command line of a stage's program.
+// Command line options of a stage's program.
 #pragma once
 
 #include "common/choice.hpp"
@@ -10,33 +10,33 @@
 
 namespace rt {
 
-/// The program that somebody runs.
+/// The stage's program that is running.
 struct Program {
     int stage = 1;
-    std::string root;    ///< the folder of the project: own scenes and pictures are in there
-    bool exact = false;  ///< of certified kernels
+    std::string root;    ///< folder of the project, which contains its scenes and pictures
+    bool exact = false;  ///< built from certified kernels
 };
 
 enum class Precision { f32, f64, exact };
 
 struct Options : Aim {
-    std::string scene;   ///< a file
-    std::string output;  ///< a file
+    std::string scene;   ///< path of the scene file
+    std::string output;  ///< path of the picture
     SceneReading reading;
-    std::optional<Resolution> size;  ///< instead of the scene's
-    int camera = 1;                  ///< which of the scene's
-    std::optional<Pixel> pixel;      ///< tell its story, and make no picture
+    std::optional<Resolution> size;  ///< overrides the scene's resolution
+    int camera = 1;                  ///< number of the scene's camera, from 1
+    std::optional<Pixel> pixel;      ///< print the log of this pixel, and make no picture
     Precision precision = Precision::f64;
     bool precision_given = false;
-    bool explain = false;  ///< say what the scene requires, and make no picture
+    bool explain = false;  ///< print the scene's requirements, and make no picture
     bool preview = false;
     bool quiet = false;
 
     [[nodiscard]] bool makes_picture() const { return !explain && !pixel; }
 };
 
-/// What the command line asks for; nothing if all it asked for, help, has been printed. Throws
-/// InputError for an option that is unknown, or a value that is none.
+/// Parses the command line. Returns nothing if it only requested help, which has then been printed.
+/// Throws InputError for an unknown option or an invalid value.
 [[nodiscard]] std::optional<Options> parse_options(const Program& program, int argc,
                                                    const char* const* argv);
 

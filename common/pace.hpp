@@ -1,4 +1,5 @@
-// A picture that is to take a given time: each row is drawn as well as the time left allows.
+// The time budget of a picture: each row is rendered with the best settings that the remaining time
+// allows.
 #pragma once
 
 #include "common/ladder.hpp"
@@ -12,14 +13,14 @@ using Clock = std::chrono::steady_clock;
 
 class Pace {
 public:
-    /// For so many rows that take about the same, until `end`. The ladder's times are those of all
-    /// rows together, and may be wrong by a factor.
+    /// A budget for `rows` rows of about equal cost, until `end`. The times in the ladder are for
+    /// all rows together, and may be wrong by a factor.
     Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point start = Clock::now());
 
-    /// The look of the next row. Any thread may ask.
+    /// Returns the settings for the next row. Thread-safe.
     [[nodiscard]] Look next(Clock::time_point now = Clock::now());
 
-    /// What the rows given so far are expected to be off by, in their mean: as Trial::error.
+    /// The mean expected error of the rows started so far, in the units of Trial::error.
     [[nodiscard]] double error() const { return given_ == 0 ? 0 : errors_ / given_; }
 
 private:
@@ -27,7 +28,7 @@ private:
     Ladder ladder_;
     int rows_;
     int given_ = 0;
-    double expected_ = 0;  ///< seconds, for the rows given
+    double expected_ = 0;  ///< expected seconds of the rows started
     double errors_ = 0;
     Clock::time_point start_;
     Clock::time_point end_;

@@ -1,4 +1,5 @@
-// A mesh made ready for rays: four triangles at a time, under a hierarchy, and watertight.
+// Acceleration structure of a mesh: packets of four triangles in the leaves of a bounding volume
+// hierarchy, with a watertight intersection test.
 #pragma once
 
 #include "common/hierarchy.hpp"
@@ -11,20 +12,20 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// The triangles of a mesh. The mesh itself is not needed any more once they are packed.
+/// The triangles of a mesh, copied: the mesh itself is not used after construction.
 class PackedMesh {
 public:
     PackedMesh() = default;
     explicit PackedMesh(const Mesh& mesh);
 
-    /// Where the ray first meets the mesh strictly inside the interval, or nothing. No ray passes
-    /// between triangles that share an edge or a vertex, however small they are beside the mesh.
+    /// The closest hit strictly inside the interval, or nothing. No ray passes between triangles
+    /// that share an edge or a vertex, however small they are compared to the mesh.
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
-    /// Whether the ray meets the mesh at all strictly inside the interval.
+    /// Returns whether the ray hits the mesh anywhere strictly inside the interval.
     [[nodiscard]] bool blocks(const Ray& ray, Interval interval) const;
 
-    /// Around all triangles; empty if there are none.
+    /// The bounding box of all triangles; empty if there are none.
     [[nodiscard]] Box bounds() const { return bounds_; }
 
 private:
@@ -36,23 +37,23 @@ private:
         return {.min = scale_ * interval.min, .max = scale_ * interval.max};
     }
 
-    /// What the test finds in a leaf.
+    /// The hits on the triangles of a leaf.
     [[nodiscard]] Crossings crossings(const TriangleTest& test, const Ray& seen, std::size_t leaf,
                                       const Interval& interval) const {
         if (finer_.empty()) return test(packets_[leaf], interval);
         return finely(test, seen, leaf, interval);
     }
 
-    /// As crossings, with each triangle that is too small for the test in a scale of its own.
+    /// As crossings, with each triangle that is too small for the test scaled separately.
     [[nodiscard]] Crossings finely(const TriangleTest& test, const Ray& seen, std::size_t leaf,
                                    const Interval& interval) const;
 
     Box bounds_;
-    Real scale_ = 1;  ///< of packets and hierarchy: a power of two, so that it rounds nothing
+    Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
     Hierarchy hierarchy_;
-    std::vector<TrianglePacket> packets_;  ///< one a leaf
-    /// One a leaf: how much larger its triangles must be for the test, powers of two. None, if all
-    /// are large enough.
+    std::vector<TrianglePacket> packets_;  ///< one packet for each leaf
+    /// For each leaf, the factors by which its triangles must be enlarged for the test: powers of
+    /// two. Empty if all triangles are large enough.
     std::vector<std::array<Real, lane_count>> finer_;
 };
 

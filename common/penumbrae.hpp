@@ -1,4 +1,5 @@
-// Where the picture's colors depend on which rays are sent to a light with a size.
+// Detection of penumbras: the parts of the picture whose colors depend on the choice of shadow rays
+// to area lights.
 #pragma once
 
 #include "common/trial_runner.hpp"
@@ -8,16 +9,16 @@
 namespace rt {
 
 struct Penumbrae {
-    std::vector<Pixel> doubtful;  ///< trial pixels in a penumbra or next to one, tile by tile
-    std::vector<Pixel> clear;     ///< the others, one in each of their cells
-    std::vector<Pixel> asked;     ///< of the clear ones those that send rays to a light with a size
-    double share = 0;             ///< of the picture that the doubtful ones stand for
-    int draws = 1;                ///< of doubtful pixels in their cells
+    std::vector<Pixel> doubtful;  ///< trial pixels in a penumbra or next to one, sorted by tile
+    std::vector<Pixel> clear;     ///< the other trial pixels, one for each cell
+    std::vector<Pixel> asked;     ///< the clear pixels that send rays to an area light
+    double share = 0;             ///< fraction of the picture that the doubtful pixels represent
+    int draws = 1;                ///< number of doubtful pixels drawn from each cell
 };
 
-/// Looks for pixels in which a few rays disagree, one in each cell, and at the borders of shadows
-/// for more if only few were found. What rays can be off by less than an eighth of the tolerance
-/// is none.
+/// Finds the pixels in which a few shadow rays disagree: one trial pixel in each cell, and more at
+/// the borders of shadows if only few were found. A pixel whose possible error is below an eighth
+/// of the tolerance is not counted as a penumbra.
 [[nodiscard]] Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials, const Look& look);
 
 }  // namespace rt

@@ -1,9 +1,9 @@
-// Which pixel, of how many.
+// Position of a pixel, and size of a picture.
 #pragma once
 
 namespace rt {
 
-/// Row from the top, column from the left, both from 0: the i and j of MRT §1.
+/// Row from the top and column from the left, both from 0: i and j of MRT §1.
 struct Pixel {
     int row = 0;
     int column = 0;

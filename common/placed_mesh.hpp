@@ -1,4 +1,4 @@
-// A mesh somewhere in a scene.
+// An instance of a mesh in a scene.
 #pragma once
 
 #include "common/balls.hpp"
@@ -13,22 +13,24 @@
 namespace rt::inline RT_PRECISION {
 
 #ifdef RT_EXACT
-/// Packed ones alone know which of two is nearer where their t do not tell.
+/// Only packed meshes can order two hits exactly whose rounded t are too close to compare.
 inline constexpr std::size_t packing_pays_from = 1;
 #else
-/// As many triangles as packing pays from; fewer, a cube's twelve, are asked one by one.
+/// The number of triangles from which packing is faster. Smaller meshes, such as a cube of twelve
+/// triangles, are tested triangle by triangle.
 inline constexpr std::size_t packing_pays_from = 16;
 #endif
 
-/// A mesh as its file has it, and the same triangles packed for rays if there are many.
+/// A mesh as its file defines it and, if it has many triangles, a packed copy of them.
 struct Model {
     Mesh mesh;
     Box bounds;
     std::optional<PackedMesh> packed;
 };
 
-/// The model's triangles, each point p at moved(p, placement). The mesh itself stays as it is, and
-/// several may share it: rays are carried into its frame instead (M1, "changement de repère").
+/// An instance of a mesh: each point p of the model is at moved(p, placement). Instances may share
+/// one model, which does not change: rays are transformed to object space instead (M1, "changement
+/// de repère").
 struct PlacedMesh {
     std::shared_ptr<const Model> model;
     Motion placement;
@@ -36,7 +38,7 @@ struct PlacedMesh {
     bool operator==(const PlacedMesh&) const = default;
 };
 
-/// A mesh is slow to ask, and its balls are wide.
+/// Intersecting a mesh is slow, and its bounding sphere is a loose fit.
 template <>
 inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
 
@@ -44,7 +46,7 @@ inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
 
 namespace rt {
 
-/// Around the model's bounds, turned and moved.
+/// The bounding box of the model's transformed bounds.
 [[nodiscard]] Box bounds(const PlacedMesh& placed);
 
 [[nodiscard]] Ball ball_around(const PlacedMesh& placed);

@@ -1,4 +1,4 @@
-// Polygons of any number of corners, cut into triangles.
+// Triangulation of polygons with any number of corners.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,9 +10,10 @@
 
 namespace rt {
 
-/// The triangles, as places in `corners`, that together cover the polygon and turn as it does: n −
-/// 2 of them, none for fewer than three corners. A polygon that is not flat, crosses itself or has
-/// no area is cut somehow, into as many. Takes a time that grows with n², in the worst case.
+/// Returns n − 2 triangles, as indices in `corners`, that cover the polygon and have its
+/// orientation; empty for fewer than three corners. A polygon that is not planar, intersects itself
+/// or has no area gets n − 2 triangles too, without further guarantees. The worst-case time is
+/// proportional to n².
 [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangulate(
     std::span<const glm::dvec3> corners);
 

@@ -1,4 +1,4 @@
-// A picture on a terminal.
+// A picture in a terminal.
 #pragma once
 
 #include "common/image.hpp"
@@ -7,7 +7,8 @@
 
 namespace rt {
 
-/// The picture in 24-bit colour, two pixels a character, at most `columns` characters wide.
+/// Returns the picture as text with 24-bit color codes: two pixels for each character, at most
+/// `columns` characters wide.
 [[nodiscard]] std::string preview(const Image& image, int columns);
 
 }  // namespace rt

@@ -1,8 +1,9 @@
-// Points brought back onto the surface that they were computed to be on.
+// Projection of computed hit points onto the surface of their shape.
 //
-// A hit's point o + t d is off by what t and o are off, which grows with the distance of the eye.
-// Moved to the nearest point of the shape it is off by a few roundings of the shape's own
-// coordinates, and then a ray may leave it from a distance that is known to be enough (stage 10).
+// A hit's point o + t d inherits the errors of t and o, which grow with the distance of the eye.
+// The nearest point of the shape has an error of only a few roundings of the shape's own
+// coordinates, so that a ray can leave it from a distance that is known to be sufficient (stage
+// 10).
 #pragma once
 
 #include "common/compensated.hpp"
@@ -13,7 +14,7 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A point, and a bound on its distance from the shape.
+/// A point, and an upper bound on its distance from the shape.
 struct SurfacePoint {
     Vec3 point;
     Real error;
@@ -23,28 +24,29 @@ struct SurfacePoint {
 
 namespace rt {
 
-/// The bound that holds for a point that was projected, if no coordinate that went into it is
-/// larger than `largest`.
+/// The error bound of a projected point, if no coordinate in its computation is larger than
+/// `largest`.
 [[nodiscard]] inline Real projection_error(Real largest) {
-    // In units of u times the largest coordinate. Measured over 10⁶ rays of every kind of shape: a
-    // point is off by 4.5 at most, and to be beyond the reach of its own shape's formula it must be
-    // moved by 6, of a triangle in a placed mesh by 8. This is twice that.
+    // In units of u times the largest coordinate. Measured over 10⁶ rays for every kind of shape:
+    // the error of a point is at most 4.5, and a displacement of 6 puts it out of reach of its own
+    // shape's formula, of 8 for a triangle in a mesh instance. The bound is twice that.
     constexpr Real roundings = 16;
     return roundings * unit_roundoff * largest;
 }
 
-/// A projected point of a shape none of whose own coordinates is larger than `size`.
+/// The projected point with its error bound, for a shape whose own coordinates are at most `size`.
 [[nodiscard]] inline SurfacePoint bounded(Vec3 point, Real size) {
     return {.point = point, .error = projection_error(glm::max(largest_component(point), size))};
 }
 
-/// The nearest point of the plane through `in_plane`, whose unit normal is given.
+/// The nearest point of the plane through `in_plane` with the unit normal `normal`.
 [[nodiscard]] inline Vec3 onto_plane(Vec3 point, Vec3 in_plane, Vec3 normal) {
     return point - dot(point - in_plane, normal) * normal;
 }
 
-// Each returns the point of the shape's surface, its edges apart, that is nearest to the given one,
-// which must be near already. Where there is no nearest one, on an axis, it stays.
+// Each function returns the point of the shape's surface, without regard to its edges, that is
+// nearest to the given point, which must already be near. Where no nearest point is defined, on an
+// axis, it returns the given point.
 
 [[nodiscard]] inline SurfacePoint projected(const Sphere& sphere, Vec3 point) {
     const auto& [center, radius] = sphere;
@@ -60,7 +62,7 @@ namespace rt {
 
 [[nodiscard]] inline SurfacePoint projected(const Triangle& triangle, Vec3 point) {
     const auto& [a, b, c] = triangle;
-    // Of a sliver, the plain cross product leaves too few digits to stay in its plane.
+    // For a sliver, the plain cross product has too few accurate digits to stay in the plane.
     const Vec3 normal = compensated_cross(b - a, c - a);
     const Real size =
         glm::max(largest_component(a), glm::max(largest_component(b), largest_component(c)));
@@ -88,7 +90,8 @@ namespace rt {
     const Real z = dot(point - apex, axis);
     const Vec3 across = point - apex - z * axis;
     if (across == Vec3(0)) return bounded(point, size);
-    // Along the side, from the apex: in the half-plane through the axis and the point.
+    // Projection onto the generator line from the apex, in the half-plane through the axis and the
+    // point.
     const Vec3 outward = unit(across);
     const Vec3 side = unit(height * axis + radius * outward);
     return bounded(apex + dot(point - apex, side) * side, size);
@@ -98,7 +101,7 @@ namespace rt {
     const auto& [center, basis, half_size] = box;
     const Vec3 p(dot(point - center, basis.x), dot(point - center, basis.y),
                  dot(point - center, basis.z));
-    const Vec3 share = abs(p) / half_size;  // 1 on the face, less on the others
+    const Vec3 share = abs(p) / half_size;  // 1 on the face of the point, less on the others
     const Vec3 axes[] = {basis.x, basis.y, basis.z};
     const glm::length_t i =
         share.x > share.y ? (share.x > share.z ? 0 : 2) : (share.y > share.z ? 1 : 2);

@@ -1,24 +1,24 @@
-// A ray and the part of it that is asked about.
+// A ray, and the interval of it in which hits count.
 #pragma once
 
 #include "common/real.hpp"
 
 namespace rt::inline RT_PRECISION {
 
-/// The half-line origin + t · direction, t > 0.
-/// The direction is any non-zero finite vector, and t counts in its length: the worked situations
-/// of PHY use directions that are not of unit length.
+/// The half-line origin + t · direction, t > 0. The direction is any non-zero finite vector, and t
+/// counts in units of its length: the worked situations of PHY use directions that are not of unit
+/// length.
 struct Ray {
     Vec3 origin;
     Vec3 direction;
 };
 
-/// The open interval of t in which a hit counts. "Strictly" is what keeps t = 0 from being one.
+/// The open interval of t in which a hit counts. Because it is open, t = 0 is not a hit.
 struct Interval {
     Real min = 0;
     Real max = infinity;
 
-    /// Whether t lies strictly inside; never for NaN or an infinite t.
+    /// Returns whether t is strictly inside; false for NaN and for infinite t.
     [[nodiscard]] constexpr bool contains(Real t) const { return min < t && t < max; }
 };
 

@@ -1,9 +1,9 @@
-// The number every length, direction and colour is made of, and what is built from it.
+// The floating-point type of all lengths, directions and colors, and the types built from it.
 //
-// Every file that computes is compiled twice, once with RT_FLOAT defined. A type that holds a
-// Real lives in `namespace rt::inline RT_PRECISION`, so that both compilations link into one
-// program and `--precision` chooses between them when it runs. Code that only uses these types
-// stands in plain `namespace rt`: its parameters tell the two compilations apart.
+// Every file that computes is compiled twice, once with RT_FLOAT defined. A type that contains a
+// Real is in `namespace rt::inline RT_PRECISION`, so that both compilations link into one program
+// and `--precision` selects one at run time. Functions that only use these types are in plain
+// `namespace rt`: their parameter types distinguish the two compilations.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -35,7 +35,7 @@ using Vec3 = glm::vec<3, Real>;
 using Vec4 = glm::vec<4, Real>;
 using Mat4 = glm::mat<4, 4, Real>;
 
-/// Red, green and blue, 0 to 1 where a picture can show them.
+/// Red, green and blue; displayable from 0 to 1.
 using Color = Vec3;
 
 inline constexpr Real infinity = std::numeric_limits<Real>::infinity();

@@ -1,4 +1,4 @@
-// The whole picture, pixel by pixel, on several threads.
+// Rendering of a whole picture, pixel by pixel, on several threads.
 #pragma once
 
 #include "common/image.hpp"
@@ -17,27 +17,27 @@ namespace rt {
 struct RenderSettings {
     int threads = 1;
     Look look;
-    /// The look of each row in turn, if there is one: the picture is to take a time. Any thread
-    /// calls.
+    /// If set, returns the settings of the next row; used with a time budget. Any thread calls it.
     std::function<Look()> next_look = nullptr;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
-    const std::atomic<bool>* stop = nullptr;   ///< set to give up
+    const std::atomic<bool>* stop =
+        nullptr;  ///< rendering stops when this becomes true; may be null
 };
 
 struct Rendering {
     Image image;
     std::int64_t rays = 0;
-    std::int64_t sized_light_rays = 0;  ///< of these, to lights with a size
-    std::int64_t not_a_number = 0;      ///< pixels without a colour
-    Pixel first_not_a_number;           ///< the topmost of them
+    std::int64_t sized_light_rays = 0;  ///< of these, rays to area lights
+    std::int64_t not_a_number = 0;      ///< pixels whose color is not a number
+    Pixel first_not_a_number;           ///< the first of them, from the top
 };
 
 [[nodiscard]] inline bool is_number(const Color& color) {
     return !std::isnan(color.r) && !std::isnan(color.g) && !std::isnan(color.b);
 }
 
-/// The red, green and blue that show a colour: 0 to 1 becomes 0 to 255, and what is beyond is cut
-/// off. A component that is NaN makes the whole not_a_color.
+/// Converts a color to 8-bit red, green and blue: 0 to 1 maps to 0 to 255, and values outside are
+/// clamped. A color with a NaN component becomes not_a_color.
 [[nodiscard]] inline Rgb to_rgb(const Color& color) {
     if (!is_number(color)) return not_a_color;
     const auto byte = [](Real value) {
@@ -46,8 +46,9 @@ struct Rendering {
     return {byte(color.r), byte(color.g), byte(color.b)};
 }
 
-/// The scene through its first camera: nothing if it was stopped. The same bits for any number of
-/// threads, because no pixel depends on another, unless looks differ from row to row.
+/// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the
+/// same bits for any number of threads, because no pixel depends on another, unless settings differ
+/// from row to row.
 [[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// What a scene requires, and which stage brings it.
+// The features that a scene requires, and the stages that introduce them.
 #pragma once
 
 #include "common/scene.hpp"
@@ -9,17 +9,18 @@
 
 namespace rt {
 
-/// Something a scene asks for: "3 spheres", brought by stage 3.
+/// A feature that a scene requires: "3 spheres", introduced by stage 3.
 struct Requirement {
     std::string what;
     int stage = 0;
 };
 
-/// What must be there for the scene to be drawn, in the order of the stages. Before stage 9, which
-/// brings light, a torch at the eye takes the place of whatever has to do with it.
+/// Returns the features that a scene requires, sorted by stage. Before stage 9, which introduces
+/// light, a torch at the eye replaces everything that concerns light.
 [[nodiscard]] std::vector<Requirement> requirements(const Scene& scene, int stage = mesh_stage);
 
-/// What the scene requires, and what is therefore left out: the lines of `--explain`.
+/// Returns the lines that `--explain` prints: the scene's requirements, and the parts that this
+/// program therefore omits.
 [[nodiscard]] std::string explanation(const Scene& scene);
 
 }  // namespace rt

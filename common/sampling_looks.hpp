@@ -1,4 +1,4 @@
-// What there is to try for lights with a size.
+// The candidate settings for sampling area lights.
 #pragma once
 
 #include "common/look.hpp"
@@ -7,19 +7,22 @@
 
 namespace rt {
 
-/// From one ray to a thirty-second of a step. Each look's error is about 1/√2 of the one's before.
+/// From one ray per light to an error of 1/32 of an 8-bit level. The error of each candidate is
+/// about 1/√2 of the one before.
 [[nodiscard]] std::vector<Look> sampling_looks(Look look);
 
-/// So many rays to each light, whatever they meet.
+/// Exactly `rays` rays to each light.
 [[nodiscard]] Look with_rays(Look look, int rays);
 
-/// As many rays as it takes to an error, or until so many agree.
+/// As many rays as needed for the error, or until the first `agree` rays agree.
 [[nodiscard]] Look to_error(Look look, double error, int agree);
 
-/// What others are compared with, to find out whether they keep the tolerance.
+/// A more expensive setting whose error is a known fraction of the tolerance: the reference for
+/// measuring other settings.
 [[nodiscard]] Look reference_look(Look look, double tolerance);
 
-/// Two shots differ by more than the first is off, since the finer one is off as well: by so much.
+/// The factor by which a measured difference overestimates the error of `look`, because the
+/// reference `finer` has an error of its own.
 [[nodiscard]] double excess(const Look& look, const Look& finer);
 
 }  // namespace rt

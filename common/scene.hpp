@@ -1,4 +1,4 @@
-// What a .rt file describes.
+// The content of a .rt file.
 #pragma once
 
 #include "common/axes.hpp"
@@ -14,8 +14,8 @@
 
 namespace rt {
 
-/// Which side of the picture the field of view spans. The format does not say; MRT §1 has the
-/// vertical, and miniRT's subject the horizontal.
+/// The side of the picture that the field of view spans. The format does not define it; MRT §1 uses
+/// the vertical side, and miniRT's subject the horizontal one.
 enum class FovAxis { vertical, horizontal };
 
 }  // namespace rt
@@ -29,7 +29,7 @@ struct Camera {
     FovAxis fov_axis = FovAxis::vertical;
 };
 
-/// Light that is everywhere.
+/// Ambient light.
 struct Ambient {
     Real ratio = 0;  ///< 0 to 1
     Color color{1};
@@ -39,22 +39,23 @@ struct Light {
     Vec3 position;
     Real brightness = 1;  ///< 0 to 1
     Color color{1};
-    Real radius = 0;  ///< of the sphere that shines; 0 for a point
+    Real radius = 0;  ///< radius of the luminous sphere; 0 for a point light
 };
 
-/// A mesh that a scene names. It is loaded once the stage is known to have meshes.
+/// A mesh that a scene names. It is loaded later, once the stage is known to support meshes.
 struct NamedMesh {
-    Place place;         ///< of its element
-    std::string file;    ///< from the scene's folder
-    bool smooth = true;  ///< normals interpolated; else faces flat
+    Place place;         ///< location of its element in the scene file
+    std::string file;    ///< path relative to the scene's folder
+    bool smooth = true;  ///< interpolate normals; otherwise faces are flat
     Motion placement;
     Material material;
 };
 
-/// One list a kind of shape: an empty kind costs nothing, and no shape needs a base class.
+/// A scene. Each kind of shape has its own list, so that an absent kind costs nothing and shapes
+/// need no base class.
 struct Scene {
     Resolution resolution;
-    std::vector<Camera> cameras;  ///< at least one; pictures use the first
+    std::vector<Camera> cameras;  ///< at least one; a picture uses the first
     std::optional<Ambient> ambient;
     std::vector<Light> lights;
 
@@ -66,20 +67,20 @@ struct Scene {
     Items<Cone> cones;
     Items<OrientedBox> boxes;
     std::vector<NamedMesh> named_meshes;
-    Items<PlacedMesh> meshes;  ///< the named ones, once they are loaded
+    Items<PlacedMesh> meshes;  ///< the instances, once the named meshes are loaded
 
-    Axes axes;  ///< the file's; all of the above is in ours
+    Axes axes;  ///< axes of the file; all members above use the program's axes
 };
 
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
 
-/// The angle between the top and the bottom edge of the picture, in radians, whichever axis the
-/// camera's field of view is given along.
+/// The angle between the top and the bottom edge of the picture, in radians, for a field of view
+/// given along either axis.
 [[nodiscard]] Real vertical_fov(const Camera& camera, Resolution resolution);
 
-/// Calls visit(items) for each kind of shape, meshes apart.
+/// Calls visit(list) for the list of each kind of shape, except meshes.
 template <class SomeScene, class Visit>
 void for_each_kind(SomeScene& scene, Visit visit) {
     visit(scene.spheres);
@@ -91,10 +92,12 @@ void for_each_kind(SomeScene& scene, Visit visit) {
     visit(scene.boxes);
 }
 
-/// The mesh's file, as the scene's folder sees it, wherever the program runs.
+/// The path of the mesh's file, resolved from the scene's folder, independent of the working
+/// directory.
 [[nodiscard]] std::string path_of(const NamedMesh& mesh);
 
-/// Arranges each kind of shape, once the scene is whole. Pictures are the same without, but later.
+/// Builds the acceleration structure of each kind of shape, once the scene is complete. Without it,
+/// pictures are the same but slower.
 void arrange(Scene& scene, const Arrangement& how = {});
 
 }  // namespace rt

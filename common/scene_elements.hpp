@@ -1,4 +1,4 @@
-// The elements of a scene: keyword, fields, and what becomes of them.
+// The elements of a scene file: keyword, fields, and effect on the scene.
 #pragma once
 
 #include "common/basis.hpp"
@@ -10,25 +10,25 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// How elements are read.
+/// The options for reading elements.
 struct ElementReading : SceneReading {
     BasisAround* basis_around = nullptr;
 };
 
 struct Element {
     ElementForm form;
-    /// Takes the fields and options from the line and adds what they say to the scene.
+    /// Reads the fields and options of the line, and adds the element to the scene.
     void (*read)(Fields& fields, const ElementReading& reading, Scene& scene);
-    /// What lenient reading does about a second one; null if the format allows it. "Elements
-    /// defined by a capital letter can only be declared once" (miniRT's subject); several L are
-    /// its bonus.
+    /// The effect of lenient reading on a second element of this kind, for the warning; null if the
+    /// format allows several. "Elements defined by a capital letter can only be declared once"
+    /// (miniRT's subject); several L are its bonus.
     const char* if_repeated = nullptr;
 };
 
-/// All of them, in the order of docs/scenes.md.
+/// All elements, in the order of docs/scenes.md.
 [[nodiscard]] std::span<const Element> elements();
 
-/// The element with this keyword; null if there is none.
+/// Returns the element with this keyword; null if there is none.
 [[nodiscard]] const Element* find_element(std::string_view keyword);
 
 }  // namespace rt::inline RT_PRECISION

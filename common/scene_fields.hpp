@@ -1,4 +1,4 @@
-// The fields of an element as values: checked, and in the units of common/scene.hpp.
+// The fields of an element as checked values, in the units of common/scene.hpp.
 #pragma once
 
 #include "common/decimal.hpp"
@@ -10,54 +10,56 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Each function takes the next field, whose name it is given. They throw InputError, with the
-/// place of the token, if it is missing or not what it must be.
+/// Reads typed fields. Each function consumes the next field, whose name for messages is the
+/// argument. Throws InputError with the location of the token if the field is missing or invalid.
 class Fields : public ElementLine {
 public:
     Fields(Line line, const ElementForm& form, SceneReport& report, Axes axes)
         : ElementLine(std::move(line), form, report), axes_(axes) {}
 
-    /// In our axes.
+    /// A point, converted to the program's axes.
     [[nodiscard]] Vec3 point(std::string_view field);
 
-    /// In our axes, made unit length. If it is zero, lenient reading leaves out the shape.
+    /// A unit direction in the program's axes. If the vector is zero, lenient reading omits the
+    /// shape.
     [[nodiscard]] Vec3 direction(std::string_view field);
 
-    /// Whether the shape has a direction that is zero: no ray could meet it.
+    /// Returns whether the shape is omitted because a direction of it is zero: no ray could hit it.
     [[nodiscard]] bool is_left_out() const { return left_out_; }
 
-    /// In our axes, made unit length, or zero.
+    /// A unit direction in the program's axes, or zero.
     [[nodiscard]] Vec3 camera_direction(std::string_view field);
 
-    /// A positive number, whose half is positive too.
+    /// A positive length whose half is positive too.
     [[nodiscard]] Real length(std::string_view field);
 
-    /// Three positive numbers.
+    /// Three positive lengths.
     [[nodiscard]] Vec3 lengths(std::string_view field);
 
-    /// 0 to 1.
+    /// A number from 0 to 1.
     [[nodiscard]] Real ratio(std::string_view field);
 
-    /// A word as it stands: a file's name.
+    /// A word without interpretation: the name of a file.
     [[nodiscard]] std::string word(std::string_view field);
 
-    // Options, and what they are if the line has none.
+    // Options; `otherwise` is the value if the line does not have the option.
     [[nodiscard]] Real ratio_option(std::string_view key, Real otherwise);
     [[nodiscard]] Real length_option(std::string_view key, Real otherwise);
-    [[nodiscard]] Vec3 direction_option(std::string_view key, Vec3 otherwise);  ///< in its axes
+    [[nodiscard]] Vec3 direction_option(std::string_view key,
+                                        Vec3 otherwise);  ///< in the axes of the file
 
-    /// 0 to 180 degrees as radians, less than π. 60 degrees, with a warning, if lenient reading
-    /// finds nothing.
+    /// An angle of 0 to 180 degrees, returned in radians, less than π. If the field is missing,
+    /// lenient reading warns and returns 60 degrees.
     [[nodiscard]] Real angle(std::string_view field);
 
-    /// 0 to 255 as 0 to 1. Lenient reading skips what stands before it, and keeps fractions; a word
-    /// in its place, of a texture say, is white.
+    /// A color of components 0 to 255, returned as 0 to 1. Lenient reading skips words before it,
+    /// and accepts fractions. A word in its place, such as the name of a texture, becomes white.
     [[nodiscard]] Color color();
 
-    /// color(), or white, with a warning, if lenient reading finds nothing at all.
+    /// As color(), but if the field is missing, lenient reading warns and returns white.
     [[nodiscard]] Color color_or_white();
 
-    /// A number of pixels, positive, clipped at largest_side with a warning.
+    /// A positive number of pixels; a value above largest_side is clamped, with a warning.
     [[nodiscard]] int pixels(std::string_view field);
 
 private:
@@ -81,8 +83,8 @@ private:
     bool left_out_ = false;
 };
 
-/// Of a picture, in pixels. A larger one is more likely a slip than a wish: 8192 × 8192 pixels are
-/// already 1.6 GB of double colours.
+/// The largest side of a picture, in pixels. A larger one is probably a mistake: 8192 × 8192 pixels
+/// already take 1.6 GB of double colors.
 inline constexpr int largest_side = 8192;
 
 }  // namespace rt::inline RT_PRECISION

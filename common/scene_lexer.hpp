@@ -1,4 +1,4 @@
-// A scene's text cut into lines and words, each with its place.
+// Lexer of scene files: lines and words with their locations.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// Characters without a blank among them. The column, in bytes, counts from 1.
+/// A word without blanks. The column, in bytes, counts from 1.
 struct Token {
     std::string_view text;
     int column = 0;
@@ -18,30 +18,31 @@ struct Token {
 struct Line {
     int number = 0;  ///< from 1
     std::vector<Token> tokens;
-    /// The words of a comment "# rt: word word …", which says how the file is meant.
+    /// The words of a comment "# rt: word word …", which sets how the file is read.
     std::vector<Token> directives;
 };
 
-/// The lines of a text, one after the other. The text must outlive what comes from it.
+/// The lines of a text, in order. The text must outlive this object and its tokens.
 class Lines {
 public:
     explicit Lines(std::string_view text);
 
-    /// The next line; nothing after the last. A comment begins at any '#' and at a word that begins
-    /// with "//". CR, tab, vertical tab and form feed are blanks, and a byte order mark is skipped.
+    /// Returns the next line; nothing after the last. A comment starts at any '#', and at a word
+    /// that starts with "//". CR, tab, vertical tab and form feed are blanks; a byte order mark is
+    /// skipped.
     [[nodiscard]] std::optional<Line> next();
 
 private:
     std::string_view rest_;
     int number_ = 0;
-    int skipped_ = 0;  ///< bytes of the first line before rest_: a byte order mark
+    int skipped_ = 0;  ///< length in bytes of a byte order mark before rest_, in the first line
 };
 
-/// From the beginning of the first to the end of the second token of the same line.
+/// One token from the start of `first` to the end of `last`, in the same line.
 [[nodiscard]] Token joined(Token first, Token last);
 
-/// The text in double quotes for a message: cut when it is long, and what is not printable ASCII
-/// written as \xNN, so that no file can play with somebody's terminal.
+/// The text in double quotes for a message. Long text is cut, and every byte that is not printable
+/// ASCII is written as \xNN, so that a file cannot send control sequences to the terminal.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 }  // namespace rt

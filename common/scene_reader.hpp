@@ -1,5 +1,5 @@
-// Reads `.rt`, the format that miniRT students write, old and new dialect together.
-// docs/scenes.md describes it.
+// Reader of `.rt`, the format of miniRT scenes, in its old and its new dialect. docs/scenes.md
+// describes it.
 #pragma once
 
 #include "common/basis.hpp"
@@ -11,13 +11,12 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// The scene that the text describes; `file` is the name that messages use. The sides of squares
-/// and boxes, and meshes, follow the basis around their direction (MRT §6). Throws InputError at
-/// the first thing that is wrong.
+/// Parses the text of a scene; `file` is the file name in messages. The sides of squares, boxes and
+/// meshes follow the basis around their direction (MRT §6). Throws InputError at the first error.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::string& file, BasisAround* basis,
                                 const SceneReading& reading = {});
 
-/// parse_scene of a file's content. Throws InputError if it cannot be read.
+/// Reads a file and calls parse_scene. Throws InputError if the file cannot be read.
 [[nodiscard]] Scene load_scene(const std::string& file, BasisAround* basis,
                                const SceneReading& reading = {});
 

@@ -1,4 +1,4 @@
-// How a scene is read where the format leaves a choice.
+// Options for reading a scene where the format is ambiguous.
 #pragma once
 
 #include "common/axes.hpp"
@@ -7,17 +7,18 @@
 
 namespace rt {
 
-/// How a scene is read where the format leaves a choice.
+/// Options for reading a scene where the format is ambiguous.
 struct SceneReading {
-    /// Refuse what lenient reading only warns about: unknown keywords, trailing tokens, …
+    /// Report an error where lenient reading only warns: unknown keywords, trailing tokens, …
     bool strict = false;
-    /// Used unless the file says `# rt: fov=…`.
+    /// Default for a file without `# rt: fov=…`.
     FovAxis fov_axis = FovAxis::vertical;
-    /// A cylinder's position is its base, not its centre; used unless the file says `# rt: cyl=…`.
+    /// A cylinder's position is its base, not its center; default for a file without `# rt: cyl=…`.
     bool cylinder_from_base = false;
-    /// Used unless the file says `# rt: hand=…` or `# rt: up=…`.
+    /// Default for a file without `# rt: hand=…` or `# rt: up=…`.
     Axes axes{};
-    /// Told each warning, "file:line:column: warning: …", once a kind. Nobody, if empty.
+    /// Receives each warning, "file:line:column: warning: …", the first of its kind only. An empty
+    /// function discards them.
     Warn warn = nullptr;
 };
 

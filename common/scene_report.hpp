@@ -1,4 +1,4 @@
-// What a reader of scenes says: warnings once a kind, errors at once.
+// Diagnostics of the scene reader: the first warning of each kind, and errors.
 #pragma once
 
 #include "common/input_error.hpp"
@@ -16,14 +16,14 @@ public:
 
     [[nodiscard]] Place place(int line, int column) const { return {file_, line, column}; }
 
-    /// Throws InputError with its place.
+    /// Throws InputError with this location.
     [[noreturn]] void fail(int line, int column, const std::string& message) const;
 
-    /// Warns, if nothing of this kind was warned of before.
+    /// Reports a warning, unless one of the same kind was reported before.
     void warn(int line, int column, const std::string& kind, const std::string& message);
 
-    /// What the format does not have, but a reader can live with: fails in strict reading, else
-    /// warns, saying also what is done about it.
+    /// Handles content outside the format that can be ignored: throws InputError in strict reading,
+    /// otherwise warns and appends the remedy.
     void doubt(int line, int column, const std::string& kind, const std::string& message,
                const std::string& remedy);
 

@@ -1,5 +1,5 @@
-// What may stand between a point and a light with a size: of most shapes one look tells for all of
-// the light's rays that it does not.
+// Shaft culling for area lights: one test for each shape excludes it for every shadow ray from a
+// point to the light.
 #pragma once
 
 #include "common/nearest.hpp"
@@ -10,13 +10,14 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// The convex hull of a point and a ball, which no ray from the one to the other leaves (Haines and
-/// Wallace 1991, "Shaft Culling for Efficient Ray-Traced Radiosity").
+/// The convex hull of a point and a sphere. It contains every ray from the point to the sphere
+/// (Haines and Wallace 1991, "Shaft Culling for Efficient Ray-Traced Radiosity").
 class Shaft {
 public:
     Shaft(Vec3 point, const Light& light);
 
-    /// False only if it stays out by more than its rounded test can be wrong.
+    /// Returns false only if the shape is outside the shaft by more than the error of its rounded
+    /// intersection test.
     template <class Shape>
     [[nodiscard]] bool may_hold(const Shape& shape) const {
         return may_hold(bounds(shape));
@@ -29,23 +30,25 @@ public:
     [[nodiscard]] bool may_hold(const Square& square) const;
 
 private:
-    /// Whether it lies on one side of a plane. The normal, of any length, may be off by its error.
+    /// Returns whether the whole shaft lies on one side of a plane. The normal, of any length, has
+    /// an error of at most `normal_error`.
     [[nodiscard]] bool beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const;
     [[nodiscard]] bool beside_ball(Vec3 center, Real radius) const;
-    /// In units of u times the largest coordinate.
+    /// A padding of `units` roundings: units · u · the largest coordinate.
     [[nodiscard]] Real roundings(Real units, Real largest) const;
 
     Vec3 point_;
     Vec3 center_;
     Real radius_;
     Box bounds_;
-    Real size_;        ///< its largest coordinate
-    Vec3 axis_{0};     ///< unit length, to the ball
-    Real sine_ = 0;    ///< of the angle between the axis and the side
-    Real cosine_ = 0;  ///< 0 if the point is in the ball: then there is no side
+    Real size_;      ///< largest coordinate of the shaft
+    Vec3 axis_{0};   ///< unit length, toward the center of the light
+    Real sine_ = 0;  ///< sine of the angle between the axis and the side
+    Real cosine_ =
+        0;  ///< its cosine; 0 if the point is in the light's sphere, where the shaft has no side
 };
 
-/// The shapes of a scene that a shaft may hold.
+/// The potential occluders: the shapes of a scene that may intersect a shaft.
 class Suspects {
 public:
     explicit Suspects(const Shaft& shaft) : shaft_(shaft) {}
@@ -57,7 +60,8 @@ public:
 
     [[nodiscard]] bool none() const { return count_ == 0; }
 
-    /// Whether the ray, which stays in the shaft, meets one of them inside the interval.
+    /// Returns whether the ray, which must stay in the shaft, hits one of the shapes inside the
+    /// interval.
     [[nodiscard]] bool block(const Ray& ray, Interval interval, Context& context) const {
         Blocker blocker(ray, interval, context);
         for (std::size_t i = 0; i < count_ && !blocker.found(); ++i)
@@ -66,7 +70,8 @@ public:
     }
 
 private:
-    /// Those of a kind: of a short list, the items whose bit is set; else all.
+    /// The potential occluders of one kind: in a short list, the primitives whose bit is set;
+    /// otherwise the whole list.
     struct Kind {
         const void* items;
         std::uint64_t chosen;
@@ -82,7 +87,7 @@ private:
     [[gnu::noinline]] void look_through(const Items<Shape>& items) {
         std::uint64_t chosen = 0;
         if (items.is_short_list()) {
-            // A look at the ball is quicker, and most often enough.
+            // The test of the bounding sphere is faster, and usually decides.
             const Balls& balls = items.balls();
             for (std::size_t i = 0; i < items.size(); ++i) {
                 const bool held =

@@ -1,4 +1,4 @@
-// The shapes of a scene, as plain values: what the file says, and nothing cached.
+// The shapes of a scene, as plain values: the parameters of the file, without cached quantities.
 #pragma once
 
 #include "common/basis.hpp"
@@ -12,14 +12,14 @@ struct Sphere {
     bool operator==(const Sphere&) const = default;
 };
 
-/// All points p with ⟨p − point, normal⟩ = 0.
+/// The points p with ⟨p − point, normal⟩ = 0.
 struct Plane {
     Vec3 point;
     Vec3 normal{0, 1, 0};  ///< any non-zero length
 };
 
-/// Its edges and vertices belong to it. The normal (b − a) × (c − a) points to whoever sees
-/// a, b, c turn anticlockwise.
+/// A triangle including its edges and vertices. The normal (b − a) × (c − a) points to the side
+/// from which a, b, c are counterclockwise.
 struct Triangle {
     Vec3 a;
     Vec3 b;
@@ -28,19 +28,20 @@ struct Triangle {
     bool operator==(const Triangle&) const = default;
 };
 
-/// |x| ≤ side / 2 and |y| ≤ side / 2 in its own frame (MRT §6). It turns as its basis turns.
+/// |x| ≤ side / 2 and |y| ≤ side / 2 in object space (MRT §6). It rotates with its basis.
 struct Square {
     Vec3 center;
-    Basis basis;  ///< x and y along its sides, z its normal
+    Basis basis;  ///< x and y along the sides, z is the normal
     Real side = 1;
-    bool one_sided = false;  ///< seen only from the side its normal points to (HAI)
+    bool one_sided = false;  ///< visible only from the side of its normal (HAI)
 
     bool operator==(const Square&) const = default;
 };
 
-/// The side of a tube, without caps: distance radius from the axis, |z| ≤ height / 2 (MRT §7).
+/// The lateral surface of a cylinder without caps: distance `radius` from the axis,
+/// |z| ≤ height / 2 (MRT §7).
 struct Cylinder {
-    Vec3 center;         ///< half-way along the axis
+    Vec3 center;         ///< midpoint of the axis
     Vec3 axis{0, 1, 0};  ///< unit length
     Real radius = 1;
     Real height = 1;
@@ -48,22 +49,22 @@ struct Cylinder {
     bool operator==(const Cylinder&) const = default;
 };
 
-/// The side of one nappe, without base: x² + y² = (radius / height)² z², 0 ≤ z ≤ height
-/// (MRT §8, its coefficient put right). It opens along the axis.
+/// The lateral surface of one nappe of a cone without base: x² + y² = (radius / height)² z²,
+/// 0 ≤ z ≤ height (MRT §8, with its coefficient corrected). The cone opens along the axis.
 struct Cone {
     Vec3 apex;
     Vec3 axis{0, 1, 0};  ///< unit length, from the apex into the cone
-    Real radius = 1;     ///< at height
+    Real radius = 1;     ///< radius at distance `height` from the apex
     Real height = 1;
 
     bool operator==(const Cone&) const = default;
 };
 
-/// |x|, |y| and |z| ≤ half_size's in its own frame (M1, "boite orientée").
+/// |x|, |y| and |z| ≤ the components of half_size in object space (M1, "boite orientée").
 struct OrientedBox {
     Vec3 center;
     Basis basis;
-    Vec3 half_size{Real(0.5)};  ///< along the basis's x, y and z
+    Vec3 half_size{Real(0.5)};  ///< along x, y and z of the basis
 
     bool operator==(const OrientedBox&) const = default;
 };
