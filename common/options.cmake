@@ -1,14 +1,14 @@
-# How everything is compiled, and what it is compiled with.
+# Compiler options and required packages for all targets.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_CXX_FLAGS_RELEASE -O2)  # asserts stay
+set(CMAKE_CXX_FLAGS_RELEASE -O2)  # without NDEBUG: asserts stay active
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # raysteps_find(<package> <Debian package>)
 #
-# find_package that says which Debian package brings what is missing.
+# find_package whose error message names the Debian package to install.
 macro(raysteps_find package debian)
     find_package(${package} QUIET ${ARGN})
     if(NOT ${package}_FOUND)
@@ -25,13 +25,14 @@ find_package(Threads REQUIRED)
 add_library(raysteps_options INTERFACE)
 target_include_directories(raysteps_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_link_libraries(raysteps_options INTERFACE glm::glm)
-# A glm::vec of our own making is zero, where GLM's default leaves it as the memory was.
+# Default-constructed glm vectors are zero; GLM's own default leaves them uninitialized.
 target_compile_definitions(raysteps_options INTERFACE GLM_FORCE_CTOR_INIT)
 
-# Where the processor here has them: std::fma as an instruction, and not a call that takes ten times
-# as long, and vectors of 32 bytes (wide.hpp). The same bits, sooner. What is built here for other
-# machines, a target or with the option all, has the property RAYSTEPS_ANY_PROCESSOR. Objects of both
-# kinds link: what both define does the same.
+# Use instructions of the processor at hand: std::fma as an instruction instead of a call that takes
+# ten times as long, and vectors of 32 bytes (wide.hpp). The results have the same bits. A target
+# for other machines has the property RAYSTEPS_ANY_PROCESSOR; the option of that name sets it for
+# all targets. Objects of both kinds can be linked together, because functions that both define have
+# the same effect.
 option(RAYSTEPS_ANY_PROCESSOR "Build what runs on other machines of this kind too" OFF)
 if(NOT RAYSTEPS_ANY_PROCESSOR)
     include(CheckCXXSourceRuns)
@@ -50,18 +51,18 @@ endif()
 if(MSVC)
     target_compile_options(raysteps_options INTERFACE /W4 /utf-8 /fp:precise)
 else()
-    # compensated.hpp and the watertight triangle are sound only with each operation rounded once.
-    # And nobody asks errno what a root thought of its number, for which it would be a call.
+    # compensated.hpp and the watertight triangle are correct only if each operation is rounded
+    # once. `errno` is never read after math functions, so `sqrt` can be one instruction.
     target_compile_options(raysteps_options INTERFACE -ffp-contract=off -fno-math-errno)
-    # Two numbers stored one by one and loaded as a pair wait for each other: g++ 12 does that to
-    # every Vec3 at -O2. The same bits without, up to a fifth sooner.
+    # Two numbers that are stored separately and loaded as a pair cause a stall: g++ 12 generates
+    # that for every Vec3 at -O2. Without it the results have the same bits, up to a fifth faster.
     target_compile_options(raysteps_options INTERFACE
         $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
     target_compile_options(raysteps_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
-        # A helper outside an anonymous namespace, which the two precisions would both define:
+        # Reports a helper outside an anonymous namespace, which both precisions would define:
         $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
-        # Where a GLM or Catch2 macro or an aggregate left short on purpose is at fault:
+        # Caused by macros of GLM or Catch2, or by an aggregate left short on purpose:
         -Wno-missing-field-initializers)
 endif()
 if(RAYSTEPS_WERROR)
@@ -71,12 +72,13 @@ if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
         -O1  # the suites compile in a third of the time
-        # With sanitizers g++ 12 sees it where it is not, in the standard library's own headers.
+        # With sanitizers g++ 12 reports this warning without reason in the standard library's
+        # headers.
         $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     target_link_options(raysteps_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# A linker that does not keep a student waiting, if there is one.
+# The fast linker mold, if it is installed.
 find_program(RAYSTEPS_MOLD mold)
 if(RAYSTEPS_MOLD AND NOT RAYSTEPS_SANITIZE)
     target_link_options(raysteps_options INTERFACE -fuse-ld=mold)
@@ -84,7 +86,7 @@ endif()
 
 # raysteps_compile_twice(<name> <source>...)
 #
-# Two object libraries of the same sources: <name>_f32, with Real = float, and <name>_f64.
+# Defines two object libraries of the same sources: <name>_f32, with Real = float, and <name>_f64.
 function(raysteps_compile_twice name)
     foreach(precision IN ITEMS f32 f64)
         add_library(${name}_${precision} OBJECT ${ARGN})
@@ -95,8 +97,9 @@ endfunction()
 
 # raysteps_start_from_common(<name>)
 #
-# <name>_f32 and <name>_f64 compile in half the time, from headers that raysteps_common has read.
-# Not for a student's file or a reference, which must say what they include.
+# Compiles <name>_f32 and <name>_f64 in half the time with the precompiled headers of
+# raysteps_common. Not for a student's file or a reference, which must include the headers that they
+# use.
 function(raysteps_start_from_common name)
     foreach(precision IN ITEMS f32 f64)
         target_precompile_headers(${name}_${precision} REUSE_FROM raysteps_common_${precision})

@@ -1,9 +1,9 @@
-# The scene reader's sources, for the library and for the fuzzer, which builds them with options of
-# its own. They call stage 2's basis_around.
+# The sources of the scene reader, for the library and for the fuzzer, which compiles them with its
+# own options. They call stage 2's basis_around.
 
 set(raysteps_root ${CMAKE_CURRENT_LIST_DIR}/..)
 
-# Without a Real in them.
+# Sources without Real.
 set(RAYSTEPS_SCENE_TEXT_SOURCES
     ${raysteps_root}/common/element_line.cpp
     ${raysteps_root}/common/input_error.cpp
@@ -11,7 +11,7 @@ set(RAYSTEPS_SCENE_TEXT_SOURCES
     ${raysteps_root}/common/scene_lexer.cpp
     ${raysteps_root}/common/scene_report.cpp)
 
-# Compiled once a precision.
+# Sources compiled once for each precision.
 set(RAYSTEPS_SCENE_REAL_SOURCES
     ${raysteps_root}/common/bounds.cpp
     ${raysteps_root}/common/decimal.cpp

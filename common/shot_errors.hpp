@@ -1,25 +1,25 @@
-// How far off a look is, told from a few pixels.
+// Error statistics of render settings, estimated from a few pixels.
 #pragma once
 
 #include "common/trials.hpp"
 
 namespace rt {
 
-/// By how much two colors differ: in the strongest channel, in 8-bit steps.
+/// The difference of two colors: that of the channel with the largest one, in 8-bit levels.
 [[nodiscard]] double distance(const Shade& a, const Shade& b);
 
-/// By how much the pixels of two shots differ, likewise.
+/// The differences between the pixels of two samples, in 8-bit levels.
 [[nodiscard]] std::vector<double> distances(const Shot& a, const Shot& b);
 
-/// How many of those tried may be further off than the tolerance, so that with 95 % confidence no
-/// more than this share is, of all.
+/// The number of trial pixels that may exceed the tolerance, such that with 95 % confidence at most
+/// the fraction `share` of all pixels does.
 [[nodiscard]] std::size_t exceptions(std::size_t tried, double share);
 
-/// All but so many of the distances are no larger; 0 if that leaves none.
+/// The largest distance after the `exceptions` largest ones are removed; 0 if none remains.
 [[nodiscard]] double error_but_for(std::size_t exceptions, std::vector<double> distances);
 
-/// No more than the share is further off than this, with 95 % confidence. Where so few are tried
-/// that not even all of them would show it, it is more than all of them.
+/// An upper bound, with 95 % confidence, on the (1 − share) quantile of the distances. With too few
+/// pixels to establish it, the bound is larger than all distances.
 [[nodiscard]] double error_but_for_share(double share, const std::vector<double>& distances);
 
 }  // namespace rt

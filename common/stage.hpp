@@ -1,5 +1,5 @@
-// What the main.cpp of each stage defines, and the rest of its program is built on. Where all of it
-// is compiled as one (steps/stage.cmake), what is gnu::flatten calls nothing, but has it inlined.
+// The functions that the main.cpp of each stage defines and the rest of its program calls. In a
+// unity build (steps/stage.cmake), functions marked gnu::flatten have all their calls inlined.
 #pragma once
 
 #include "common/basis.hpp"
@@ -9,14 +9,14 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// What rays through pixels are made of, worked out once a picture.
+/// The constants of rays through pixels, computed once for each picture.
 struct PixelRays {
     Resolution resolution;
     Real vertical_fov = 0;
-    Basis basis;  ///< of the camera, as its position; from stage 2 on
+    Basis basis;  ///< basis of the camera, like `position` from stage 2 on
     Vec3 position;
 
-    /// The ray through the pixel's centre.
+    /// Returns the ray through the pixel's center.
     [[nodiscard, gnu::flatten]] Ray operator()(Pixel pixel) const;
 };
 
@@ -24,10 +24,10 @@ struct PixelRays {
 
 namespace rt {
 
-/// For the whole picture.
+/// The constants of the rays of one picture.
 [[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);
 
-/// The colour that is seen along the ray.
+/// The color seen along the ray.
 [[nodiscard, gnu::flatten]] Color trace(const Scene& scene, const Ray& ray, Context& context);
 
 }  // namespace rt

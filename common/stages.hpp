@@ -1,4 +1,4 @@
-// The thirteen stages by number and name.
+// Numbers and names of the thirteen stages.
 #pragma once
 
 #include <array>
@@ -14,20 +14,20 @@ inline constexpr std::array<std::string_view, 13> stage_names = {
     "step13_meshes",
 };
 
-// What the programs ask the number of: the stages that bring shapes, light, and so on.
+// The stages that introduce shapes, light, and so on.
 inline constexpr int shapes_stage = 3;
 inline constexpr int light_stage = 9;
 inline constexpr int soft_shadow_stage = 11;
 inline constexpr int mirror_stage = 12;
 inline constexpr int mesh_stage = 13;
 
-/// The name of a stage, 1 to 13.
+/// The name of a stage from 1 to 13.
 [[nodiscard]] constexpr std::string_view stage_name(int stage) {
     return stage_names.at(static_cast<std::size_t>(stage - 1));
 }
 
-/// The stage that somebody means by "5", "05", "step05", "triangle" or "step05_triangle"; nothing
-/// if it is none of these.
+/// The number of the stage that "5", "05", "step05", "triangle" or "step05_triangle" names; nothing
+/// for other text.
 [[nodiscard]] std::optional<int> find_stage(std::string_view text);
 
 }  // namespace rt

@@ -1,4 +1,5 @@
-// `--pixel`: the whole story of one pixel's ray, in the symbols of the course.
+// The pixel log of `--pixel`: all quantities on the way of one pixel's ray, in the symbols of the
+// course.
 #pragma once
 
 #include "common/ray.hpp"
@@ -12,7 +13,7 @@
 
 namespace rt {
 
-/// Writes the story down, one quantity a line.
+/// Writes the pixel log, one quantity on each line.
 class Story {
 public:
     explicit Story(std::ostream& out) : out_(out) {}
@@ -22,9 +23,9 @@ public:
     void line(const std::string& name, const std::string& value);
     void remark(const std::string& text);
 
-    /// Whether there is room for one more shape that was missed: a scene may have thousands.
+    /// Returns whether the log has room for one more missed shape: a scene may have thousands.
     [[nodiscard]] bool room_for_miss();
-    /// How many misses were left out, at the end.
+    /// The number of misses that were omitted.
     [[nodiscard]] int misses_left_out() const;
 
 private:
@@ -32,9 +33,9 @@ private:
     int misses_ = 0;
 };
 
-// The quantities by which a document decides whether the ray meets a shape, told by the shape's
-// stage (its story.cpp) from the documents' formulas, whatever the stage's `intersect` does. Each
-// returns why the ray misses; nothing if it meets the shape.
+// Each function logs the quantities by which a document decides whether the ray hits a shape. The
+// shape's stage defines it (in its story.cpp) from the documents' formulas, independent of the
+// stage's `intersect`. Each returns the reason for a miss; an empty string for a hit.
 std::string tell(Story& story, const Ray& ray, const Sphere& sphere);
 std::string tell(Story& story, const Ray& ray, const Plane& plane);
 std::string tell(Story& story, const Ray& ray, const Triangle& triangle);
@@ -44,20 +45,20 @@ std::string tell(Story& story, const Ray& ray, const Cone& cone);
 std::string tell(Story& story, const Ray& ray, const OrientedBox& box);
 std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed);
 
-/// "a mesh of 12 triangles, …": no C++ that makes it again.
+/// A description, "a mesh of 12 triangles, …": no C++ code that constructs the mesh.
 std::string code(const PlacedMesh& placed);
 
-/// The solutions of A t² + B t + C = 0 (PHY), as numbers of the story; none if they are not real.
+/// Logs and returns the real solutions of A t² + B t + C = 0 (PHY); empty if there are none.
 std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c);
 
-/// How stage 1 makes the ray, and how stage 2 turns it.
+/// Log the ray through the pixel (stage 1), and its rotation by the camera (stage 2).
 void tell_screen(Story& story, Pixel pixel, Resolution resolution, Real vertical_fov);
 void tell_basis(Story& story, const Camera& camera);
 
-/// The nearest hit: its point, and what the stage's `normal` answers there.
+/// Logs the closest hit: its point, and the result of the stage's `normal` there.
 void tell_hit(Story& story, Vec3 point, Vec3 normal);
 
-/// What `intersect` answered for one shape, after the quantities that explain it.
+/// Logs the result of `intersect` for one shape, after the quantities that explain it.
 template <class Shape>
 void tell_candidate(Story& story, const Ray& ray, const Shape& shape, Interval interval,
                     std::optional<Real> t) {

@@ -1,4 +1,4 @@
-// Where an eye looks at a surface: what shading needs to know.
+// The shading point: the geometry and the material that shading a hit requires.
 #pragma once
 
 #include "common/context.hpp"
@@ -9,13 +9,13 @@ namespace rt::inline RT_PRECISION {
 struct Surface {
     Vec3 point;
     Vec3 normal;     ///< unit length, on the side of the eye
-    Vec3 side;       ///< as normal, unless that is interpolated: then of the flat face itself
+    Vec3 side;       ///< geometric normal: as normal, but never interpolated
     Vec3 to_eye;     ///< unit length
-    Real error = 0;  ///< no larger is the distance from the point to the shape
+    Real error = 0;  ///< upper bound on the distance from the point to the shape
     Material material;
 };
 
-/// The terms of Phong's model, apart.
+/// The separate terms of Phong's model.
 struct Terms {
     Color ambient{0};
     Color diffuse{0};
@@ -26,13 +26,13 @@ struct Terms {
 
 namespace rt {
 
-/// The vectors and cosines by which Phong's model shades the surface (CR §3.1), in the story.
+/// Logs the vectors and cosines of Phong's model at the shading point (CR §3.1).
 void tell(Story& story, const Surface& surface, const Light& light);
 
-/// Each term, in the story.
+/// Logs each term.
 void tell(Story& story, const Terms& terms);
 
-/// The sum of the terms, or the one that --term asks for; told to the story.
+/// Returns the sum of the terms, or the single one that --term selects, and logs them.
 [[nodiscard]] inline Color shown(const Terms& terms, const Context& context) {
     const auto& [ambient, diffuse, specular] = terms;
     if (context.story != nullptr) tell(*context.story, terms);

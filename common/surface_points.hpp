@@ -1,5 +1,5 @@
-// Points of a shape's surface, the distance of a point from it, and the shape's size: for looking
-// at a scene before it is drawn.
+// Points on a shape's surface, distances to it, and the shape's size: for checks of a scene before
+// it is rendered.
 #pragma once
 
 #include "common/placed_mesh.hpp"
@@ -7,16 +7,18 @@
 
 namespace rt {
 
-/// The least width of a shape: what a displacement is small or large beside.
+/// The smallest width of a shape, the measure for a displacement.
 [[nodiscard]] Real size(const Sphere& sphere);
 [[nodiscard]] Real size(const Triangle& triangle);  ///< 0 if it has no area
 [[nodiscard]] Real size(const Square& square);
 [[nodiscard]] Real size(const Cylinder& cylinder);
 [[nodiscard]] Real size(const Cone& cone);
 [[nodiscard]] Real size(const OrientedBox& box);
-[[nodiscard]] Real size(const PlacedMesh& placed);  ///< of its triangles, if they were alike
+[[nodiscard]] Real size(
+    const PlacedMesh& placed);  ///< width of its triangles if all had the same size
 
-/// A point of the surface: equal areas of the unit square are equal areas of it.
+/// A point of the surface. The parametrization preserves ratios of areas: equal areas of the unit
+/// square map to equal areas of the surface.
 [[nodiscard]] Vec3 point_of(const Sphere& sphere, Vec2 place);
 [[nodiscard]] Vec3 point_of(const Triangle& triangle, Vec2 place);
 [[nodiscard]] Vec3 point_of(const Square& square, Vec2 place);

@@ -1,4 +1,4 @@
-// What is known of the terminal.
+// Output to the terminal, and its properties.
 #pragma once
 
 #include <chrono>
@@ -6,21 +6,21 @@
 
 namespace rt {
 
-/// Throws InputError unless all that was printed has been taken: a disk may be full, or nobody be
-/// there.
+/// Flushes the standard output. Throws InputError if not all of it could be written: the disk may
+/// be full, or a pipe closed.
 void finish_output();
 
-/// Whether somebody reads the standard error stream on a terminal.
+/// Returns whether the standard error stream is a terminal.
 [[nodiscard]] bool errors_on_terminal();
 
-/// How many characters wide the terminal is said to be.
+/// The width of the terminal in characters, as the terminal reports it.
 [[nodiscard]] int terminal_columns();
 
-/// "  45 %, 3 s left" on the standard error stream, rewritten in place, gone at the end. Any
-/// thread may report.
+/// A progress line "  45 %, 3 s left" on the standard error stream, rewritten in place and erased
+/// at the end. Any thread may report progress.
 class Progress {
 public:
-    /// Silent unless `shown`.
+    /// Prints nothing unless `shown`.
     Progress(bool shown, int total);
     ~Progress();
     Progress(const Progress&) = delete;

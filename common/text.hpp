@@ -1,4 +1,4 @@
-// Values as text, each with enough digits to be read back as the same number.
+// Values as text, with enough digits to be parsed as the same number.
 #pragma once
 
 #include "common/box.hpp"
@@ -11,12 +11,12 @@
 
 namespace rt {
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that is parsed as the same number.
 [[nodiscard]] std::string text(Real value);
 [[nodiscard]] std::string text(Vec2 v);  ///< "(x, y)"
 [[nodiscard]] std::string text(Vec3 v);  ///< "(x, y, z)"
 
-/// C++ that makes the value again, to be pasted into a test: "Sphere{.center = {0, 0, -5}, …}".
+/// C++ code that constructs the value, for use in a test: "Sphere{.center = {0, 0, -5}, …}".
 [[nodiscard]] std::string code(Real value);
 [[nodiscard]] std::string code(Vec3 v);
 [[nodiscard]] std::string code(const Ray& ray);

@@ -1,21 +1,21 @@
-// What is not written yet says so.
+// The message of a function that the student has not written yet.
 #pragma once
 
 #include <mutex>
 
 namespace rt {
 
-/// "steps/…/sphere.cpp:12: intersect is not written yet", on the standard error stream.
+/// Prints "steps/…/sphere.cpp:12: intersect is not written yet" on the standard error stream.
 void say_todo(const char* file, int line, const char* function);
 
-/// Takes what nothing else uses.
+/// Uses its arguments, so that the compiler does not warn that they are unused.
 template <class... Values>
 void ignore(const Values&... /*values*/) {}
 
 }  // namespace rt
 
-/// A hole in a starter, in place of a function's body: says once that it is not written yet. Takes
-/// the function's parameters, which nothing else uses as long as that is so.
+/// A hole in a starter, in place of a function's body: prints once that the function is not written
+/// yet. Its arguments are the function's parameters, which are unused until then.
 #define RT_TODO(...)                                             \
     do {                                                         \
         static std::once_flag said;                              \

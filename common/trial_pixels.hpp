@@ -1,4 +1,4 @@
-// Pixels that stand for a picture in trials: one somewhere in each cell of a grid.
+// Sample pixels that represent a picture in trials: one in each cell of a grid.
 #pragma once
 
 #include "common/pixel.hpp"
@@ -9,25 +9,27 @@
 
 namespace rt {
 
-/// A picture is judged in tiles of so many pixels by as many.
+/// The side in pixels of the tiles in which a picture is judged.
 inline constexpr int tile_side = 32;
 
-/// The number of the tile that has the pixel.
+/// The index of the tile that contains the pixel.
 [[nodiscard]] int tile_of(Pixel pixel, Resolution size);
 
 class SpreadPixels {
 public:
-    /// Cells of 4 x 4 pixels, in large pictures 8 x 8, so that every tile has 64 or 16 of them.
+    /// Uses cells of 4 x 4 pixels, or 8 x 8 in large pictures, so that each tile has 64 or 16
+    /// cells.
     explicit SpreadPixels(Resolution size);
 
-    /// One in each cell, row by row. Another draw has others of the cells' pixels, up to the number
-    /// of pixels in a cell.
+    /// One pixel in each cell, row by row. Another `draw` returns other pixels of the cells, up to
+    /// the number of pixels in a cell.
     [[nodiscard]] std::vector<Pixel> pixels(int draw = 0) const;
 
-    /// Of marked cells: those, and the ones that touch a marked one.
+    /// Returns the marked cells and the cells that touch one.
     [[nodiscard]] std::vector<bool> with_neighbors(const std::vector<bool>& marked) const;
 
-    /// The cells of which one that touches them differs, by their numbers.
+    /// Returns the cells that differ from a cell that touches them; differ(a, b) compares two cells
+    /// by index.
     template <class Differ>
     [[nodiscard]] std::vector<bool> differing_neighbors(Differ differ) const {
         std::vector<bool> all(std::size_t(rows_) * std::size_t(columns_));
@@ -51,8 +53,8 @@ private:
     int columns_;
 };
 
-/// About so many of the pixels, evenly: every k-th, or all. Different parts, 0 or 1, share none if
-/// there are enough for both.
+/// Returns about `count` of the pixels, spread evenly: every k-th, or all. Parts 0 and 1 have no
+/// pixel in common if there are enough for both.
 [[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count,
                                          int part = 0);
 

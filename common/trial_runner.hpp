@@ -1,4 +1,4 @@
-// Pixels of a scene, drawn to find out what a setting costs and gives.
+// Renders sample pixels of a scene to measure the cost and the error of settings.
 #pragma once
 
 #include "common/choice.hpp"
@@ -9,12 +9,12 @@
 
 namespace rt {
 
-/// Thrown between trials, once the program is to stop.
+/// Thrown between trials when the program is to stop.
 struct Stopped {};
 
 class TrialRunner {
 public:
-    /// The aim and the flag must outlive it.
+    /// The aim and the flag must outlive this object.
     TrialRunner(Resolution size, const Aim& aim, const std::atomic<bool>& stop)
         : aim_(aim), stop_(stop), size_(size), spread_(size) {}
 
@@ -22,23 +22,25 @@ public:
     [[nodiscard]] Resolution size() const { return size_; }
     [[nodiscard]] const SpreadPixels& spread() const { return spread_; }
 
-    /// What an error may be before it counts.
+    /// The largest error that is not significant.
     [[nodiscard]] double limit() const;
 
     [[nodiscard]] Shot shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
                             int round);
 
-    /// Of the whole picture, on all threads, if a pixel takes so long.
+    /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
+    /// `of_a_pixel` seconds of CPU time.
     [[nodiscard]] double picture_seconds(double of_a_pixel) const;
 
-    /// Which of two, each made ready, takes how long for a pixel: the least of a few tries in turn.
+    /// The seconds that two configurations take for a pixel: the minimum over a few alternating
+    /// runs.
     template <class First, class Second>
     [[nodiscard]] std::pair<double, double> in_turn(const Look& look, std::span<const Pixel> pixels,
                                                     First first, Second second);
 
     [[nodiscard]] double seconds_since_start() const;
 
-    /// Trials may take a tenth of the time, if there is one.
+    /// Returns whether the trials have used up a tenth of the time budget, if there is one.
     [[nodiscard]] bool no_time_left() const;
 
     [[nodiscard]] std::size_t pixels_drawn() const { return drawn_; }
@@ -65,7 +67,8 @@ std::pair<double, double> TrialRunner::in_turn(const Look& look, std::span<const
     return least;
 }
 
-/// What a precision, a depth or a hierarchy is tried with: one shadow ray, if more are not given.
+/// The settings for trials of precision, depth and hierarchy: one shadow ray, unless the number is
+/// fixed.
 [[nodiscard]] Look with_one_shadow_ray(Look look, const Aim& aim);
 
 }  // namespace rt

@@ -1,4 +1,5 @@
-// What choosing settings needs of a scene: what it requires, and trials of a few of its pixels.
+// The interface between the automatic settings and a scene: the traits of the scene, and samples of
+// its pixels.
 #pragma once
 
 #include "common/look.hpp"
@@ -13,37 +14,39 @@
 
 namespace rt {
 
-/// What a scene requires that settings can spare or spoil.
+/// The traits of a scene that affect the choice of settings.
 struct Demands {
     bool sized_lights = false;
-    double shininess = 1;                                  ///< the largest exponent of a highlight
+    double shininess = 1;                                  ///< largest exponent of a highlight
     double extent = 0;                                     ///< as InputRounding::largest
     double feature = 0;                                    ///< as InputRounding::smallest
     double gap = std::numeric_limits<double>::infinity();  ///< as InputRounding::gap
-    double strongest_mirror = 0;     ///< the largest share of what a shape faces that it shows
-    std::size_t shapes = 0;          ///< triangles of meshes too
-    std::size_t most_alike = 0;      ///< shapes in the longest list that a hierarchy could replace
-    std::size_t hierarchy_from = 0;  ///< what arrange takes if nobody has tried
-    double unit_roundoff = 0;        ///< of the precision
+    double strongest_mirror = 0;                           ///< largest mirror strength of a shape
+    std::size_t shapes = 0;          ///< number of shapes, with the triangles of meshes
+    std::size_t most_alike = 0;      ///< length of the longest list that a hierarchy could replace
+    std::size_t hierarchy_from = 0;  ///< default threshold of arrange for a hierarchy
+    double unit_roundoff = 0;        ///< unit roundoff of the precision
 };
 
-/// A color as a picture shows it, not yet rounded: 0 to 255 each.
+/// A color as displayed but not rounded: 0 to 255 for each component.
 using Shade = std::array<double, 3>;
 
-/// Which of the picture's pixels to draw, and how.
+/// The pixels of a sample, and the way to render them.
 struct ShotSettings {
     std::span<const Pixel> pixels;
-    int round = 0;  ///< each draws its own samples
+    int round = 0;  ///< each round uses its own random samples
     int threads = 1;
-    const std::atomic<bool>* stop = nullptr;  ///< set to give up
+    const std::atomic<bool>* stop =
+        nullptr;  ///< rendering stops when this becomes true; may be null
 };
 
-/// What was drawn, and what it took: the rays are the same in every run, the seconds are not.
+/// The colors and the cost of sample pixels. The rays are the same in every run, the seconds are
+/// not.
 struct Shot {
     std::vector<Shade> shades;    ///< in the order of the pixels
-    std::vector<int> light_rays;  ///< of each pixel, to lights with a size
-    double rays = 0;              ///< of all kinds, for each pixel in the mean
-    double seconds = 0;           ///< of CPU time, for each pixel
+    std::vector<int> light_rays;  ///< for each pixel: rays to area lights
+    double rays = 0;              ///< mean number of rays of all kinds for each pixel
+    double seconds = 0;           ///< mean CPU seconds for each pixel
 };
 
 class Trials {
@@ -56,10 +59,11 @@ public:
     [[nodiscard]] virtual Resolution resolution() const = 0;
     [[nodiscard]] virtual Demands demands() const = 0;
 
-    /// Builds hierarchies over the kinds of shape of which there are so many.
+    /// Builds a hierarchy for each kind of shape with at least this many shapes.
     virtual void arrange(std::size_t hierarchy_from) = 0;
 
-    /// The same for any number of threads. Of no worth if it was stopped.
+    /// Renders the pixels. The result does not depend on the number of threads. If stopped early,
+    /// it is meaningless.
     [[nodiscard]] virtual Shot shot(const Look& look, const ShotSettings& settings) const = 0;
 };
 

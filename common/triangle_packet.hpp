@@ -1,4 +1,4 @@
-// Four triangles at a time, watertight.
+// Watertight intersection test of four triangles at once, in SIMD lanes.
 #pragma once
 
 #include "common/ray.hpp"
@@ -10,25 +10,25 @@ namespace rt::inline RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// Four triangles, a lane each. NaN in the lanes not used makes them miss.
+/// Four triangles, one in each lane. NaN in the unused lanes makes them miss.
 struct TrianglePacket {
-    std::array<std::array<Lanes, 3>, 3> vertices;  ///< of each, x, y and z
+    std::array<std::array<Lanes, 3>, 3> vertices;  ///< x, y and z of each vertex
 };
 
-/// Where a ray crosses the planes of four triangles.
+/// The intersections of a ray with the planes of four triangles.
 struct Crossings {
-    std::array<Lanes, 3> areas;  ///< opposite to each vertex, as the ray sees the triangle
+    std::array<Lanes, 3> areas;  ///< area opposite to each vertex, in the projection along the ray
     Lanes t;
-    unsigned hits;  ///< one bit a triangle
+    unsigned hits;  ///< one bit for each triangle that is hit
 };
 
 /// Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", for four triangles.
 ///
-/// The frame is changed so that the ray is the z axis, and a vertex gets the same bits in whichever
-/// triangle it stands. An area's sign is then never wrong, since rounding keeps the order of the
-/// two products whose difference it is: at worst it is 0, which counts as inside. So a ray through
-/// a shared edge or vertex meets at least one of the triangles. This needs no fma, which on some
-/// processors is a call, but -ffp-contract=off.
+/// The coordinate system is changed so that the ray is the z axis, and a shared vertex gets the
+/// same bits in each triangle. Then the sign of an area is never wrong, because rounding preserves
+/// the order of the two products whose difference it is: at worst the area is 0, which counts as
+/// inside. So a ray through a shared edge or vertex hits at least one of the triangles. This does
+/// not require fma, which is a function call on some processors, but it requires -ffp-contract=off.
 class TriangleTest {
 public:
     [[gnu::always_inline]] explicit TriangleTest(const Ray& ray) {
@@ -49,7 +49,8 @@ public:
         inverse_z_ = all_lanes(1 / d[z]);
     }
 
-    /// The triangles that the ray meets strictly inside the interval, edges and vertices included.
+    /// Returns the triangles that the ray hits strictly inside the interval, edges and vertices
+    /// included.
     [[nodiscard, gnu::always_inline]] Crossings operator()(const TrianglePacket& packet,
                                                            const Interval& interval) const {
         const Sheared a = sheared(packet.vertices[0]);
@@ -63,7 +64,7 @@ public:
         const auto right = max(max(alpha, beta), gamma) <= zero;
         const Lanes t =
             (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
-        // NaN must miss: t is, where an area is or all three are 0.
+        // NaN must miss: t is NaN if an area is NaN, or if all three are 0.
         const auto inside = (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
         return {.areas = {alpha, beta, gamma}, .t = t, .hits = bits((left | right) & inside)};
     }

@@ -1,4 +1,4 @@
-// The options that make a picture what it is, as they are given on a command line.
+// The command line options that reproduce a picture.
 #pragma once
 
 #include "common/options.hpp"
@@ -7,14 +7,15 @@
 
 namespace rt {
 
-/// All but the precision, and none that changes nothing: of the output, or the threads.
+/// All options that affect the picture, except the precision; output file and threads do not affect
+/// it.
 [[nodiscard]] std::string used_options(const Program& program, const Options& options);
 
-/// "--precision double --shade phong --shadow-samples 16 --depth 8": with the scene and its size
-/// they make the same file again, byte for byte.
+/// For example "--precision double --shade phong --shadow-samples 16 --depth 8": together with the
+/// scene and its size they reproduce the file, byte for byte.
 [[nodiscard]] std::string equivalent_options(const Program& program, const Options& options);
 
-/// "double".
+/// The option's value for a precision: "double".
 [[nodiscard]] const char* name(Precision precision);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// A file that is written whole or not at all.
+// A file that is written completely or not at all.
 #pragma once
 
 #include <cstdio>
@@ -8,13 +8,13 @@
 
 namespace rt {
 
-/// A new file beside the one that is meant, whose place it takes once it is whole. Its name is one
-/// that no other file has, so that several programs at once each write a whole file; it is gone
-/// with its scope, whatever happens.
+/// A temporary file in the same folder as the target, renamed to it when it is complete. Its name
+/// is unique, so that several programs at once each write a complete file. The destructor removes
+/// it, whatever happens.
 class WholeFile {
 public:
-    /// Makes the folder if there is none. A symbolic link stays: what it leads to is meant. Throws
-    /// InputError.
+    /// Creates the folder if there is none. A symbolic link stays, and its target is written.
+    /// Throws InputError.
     explicit WholeFile(const std::filesystem::path& file);
     ~WholeFile();
     WholeFile(const WholeFile&) = delete;
@@ -25,24 +25,25 @@ public:
     /// Throws InputError.
     void write(std::string_view text);
 
-    /// Renames it, once: an older file is replaced, and its permissions kept. Throws InputError.
+    /// Renames the temporary file to its target; call it once. An older file is replaced, and its
+    /// permissions are kept. Throws InputError.
     void take_its_place();
 
 private:
-    std::filesystem::path file_;    ///< as it was named
-    std::filesystem::path target_;  ///< where that leads to
+    std::filesystem::path file_;    ///< path as given
+    std::filesystem::path target_;  ///< path with symbolic links resolved
     std::filesystem::path part_;
     std::FILE* stream_ = nullptr;
 };
 
-/// The file that the name leads to, through symbolic links; it need not be there. Throws InputError
-/// if the links have no end.
+/// Resolves symbolic links; the file need not exist. Throws InputError if the links form a cycle.
 [[nodiscard]] std::filesystem::path behind_links(const std::filesystem::path& file);
 
-/// Throws InputError if no WholeFile could be made there. Leaves nothing.
+/// Throws InputError if no WholeFile could be created for this file. Creates no file.
 void check_folder_of(const std::filesystem::path& file);
 
-/// Whether a file of that name is a WholeFile, one that was left over if no program writes now.
+/// Returns whether the name is that of the temporary file of a WholeFile. If no program is writing,
+/// it is a leftover.
 [[nodiscard]] bool is_part_file(const std::filesystem::path& file);
 
 }  // namespace rt

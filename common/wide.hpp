@@ -1,5 +1,5 @@
-// Four or eight numbers at a time, as one instruction takes them (GCC's and Clang's vector
-// extensions), or one after the other where the compiler has none: the same bits either way.
+// SIMD: four or eight numbers in one instruction (GCC's and Clang's vector extensions), or one
+// after the other on a compiler without them. The results have the same bits either way.
 #pragma once
 
 #include "common/real.hpp"
@@ -15,9 +15,9 @@
 #include <immintrin.h>
 #endif
 
-// Which way. What holds lanes lives in this inline namespace, so that objects that were compiled in
-// different ways link into one program: a suite compares them, and a hand-out's archives are for
-// any processor.
+// Selects the SIMD backend. Every type that contains lanes is in an inline namespace named after
+// it, so that objects compiled for different processors link into one program: a suite compares the
+// backends, and the archives of a hand-out are for any processor.
 #ifndef RT_LANES
 #if !defined(__GNUC__)
 #define RT_LANES scalar_lanes
@@ -30,7 +30,8 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// What lanes are made of: one number, the 16 bytes that every machine's vectors hold, or 32.
+/// The unit of the lanes in each backend: a single number, a vector of the 16 bytes that every
+/// machine supports, or one of 32.
 namespace lane_parts {
 template <class Number, std::size_t count>
 struct scalar_lanes {
@@ -63,7 +64,8 @@ template <class Number, std::size_t count>
 inline constexpr std::size_t lane_part_count = count * sizeof(Number) /
                                                sizeof(LanePart<Number, count>);
 
-/// op(0), op(1), … for every part. Written out: a loop over two parts would keep them in memory.
+/// Returns op(0), op(1), … for all parts. Unrolled by hand: a loop over two parts would keep them
+/// in memory.
 template <class Number, std::size_t count, template <class, std::size_t> class Result, class Op>
 [[nodiscard]] inline Result<Number, count> each_part(Op op) {
     constexpr std::size_t parts = lane_part_count<Number, count>;
@@ -72,20 +74,20 @@ template <class Number, std::size_t count, template <class, std::size_t> class R
     if constexpr (parts == 4) return {{op(0), op(1), op(2), op(3)}};
 }
 
-/// What a comparison says of each lane.
+/// The result of a comparison in each lane.
 template <class Number, std::size_t count>
 struct MaskOf {
     std::array<LaneMask<Number, count>, lane_part_count<Number, count>> parts;
 };
 
-/// Numbers that every operation treats alike.
+/// A vector of numbers; every operation applies to each lane.
 template <class Number, std::size_t count>
 struct alignas(count * sizeof(Number)) LanesOf {
     std::array<LanePart<Number, count>, lane_part_count<Number, count>> parts;
 };
 
 inline constexpr std::size_t lane_count = 4;
-/// How many floats are one instruction's: eight, if it holds as many.
+/// The number of floats in one instruction: eight if it has room for them, else four.
 inline constexpr std::size_t float_count =
     std::max(lane_count, sizeof(LanePart<float, 8>) / sizeof(float));
 
@@ -188,7 +190,7 @@ template <class Number, std::size_t count>
         [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] | b.parts[i]); });
 }
 
-/// One bit a lane, the first lane's lowest.
+/// One bit for each lane; the first lane's is the lowest.
 template <std::size_t count>
 [[nodiscard]] inline unsigned bits(const std::array<int, count>& lanes) {
     unsigned result = 0;
@@ -235,7 +237,7 @@ template <class Number, std::size_t count>
     }
 }
 
-/// Takes the lowest bit that is set, and says which it was.
+/// Clears the lowest set bit, and returns its index.
 template <std::unsigned_integral Bits>
 [[nodiscard]] inline std::size_t take_lowest(Bits& bits) {
     const auto lowest = std::size_t(std::countr_zero(bits));

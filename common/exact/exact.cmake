@@ -1,12 +1,12 @@
-# `--precision exact`: certified kernels, steps/stepNN/exact/, in place of the references of stages 3
-# to 8, and what looks for the nearest asks them again where their t are too close to tell
-# (docs/stability.md). Theirs are the same functions of the same numbers as the double references',
-# so they are a program of their own: stepNN_name_exact, which shares all other objects with
-# stepNN_name, and is built when it is first asked for.
+# `--precision exact`: the certified kernels in steps/stepNN/exact/ replace the references of stages
+# 3 to 8, and the closest-hit query calls their exact arithmetic where rounded t are too close to
+# compare (docs/stability.md). The kernels have the same function names and types as the double
+# references. Therefore they are in a separate program, stepNN_name_exact, which shares all other
+# objects with stepNN_name and is built only on demand.
 
 # raysteps_exact(<name> <source>...)
 #
-# The object library <name>_f64 of certified kernels, or of what calls them.
+# Defines the object library <name>_f64 of certified kernels, or of code that calls them.
 function(raysteps_exact name)
     add_library(${name}_f64 OBJECT EXCLUDE_FROM_ALL ${ARGN})
     target_link_libraries(${name}_f64 PUBLIC raysteps_options)
@@ -15,7 +15,7 @@ endfunction()
 
 # raysteps_common_f64 with packed meshes of certified triangles.
 set(RAYSTEPS_EXACT_PACKED_MESH ${PROJECT_SOURCE_DIR}/steps/step13_meshes/exact/packed_mesh.cpp)
-if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # which has no kernels
+if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kernels
     raysteps_exact(raysteps_exact_packed_mesh
         ${PROJECT_SOURCE_DIR}/common/packed_mesh.cpp ${RAYSTEPS_EXACT_PACKED_MESH})
     add_library(raysteps_exact_common_f64 INTERFACE)
@@ -26,7 +26,7 @@ endif()
 
 # raysteps_exact_stages(<variable> <stage>...)
 #
-# The stages' references, or certified kernels where there are some.
+# Sets the variable to the stages' references, or their certified kernels where they exist.
 function(raysteps_exact_stages variable)
     set(chosen ${ARGN})
     list(TRANSFORM chosen APPEND _reference)
@@ -40,7 +40,8 @@ endfunction()
 
 # raysteps_exact_program(<stage> <number> <stage of the program>...)
 #
-# And stepNN_name_exact_picture_f64: the picture, of a main.cpp that looks for the nearest exactly.
+# Defines the program stepNN_name_exact and the library stepNN_name_exact_picture_f64: the picture
+# part, from a main.cpp with the exact closest-hit query.
 function(raysteps_exact_program name number)
     raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
     set(picture ${name}_exact_picture_f64)

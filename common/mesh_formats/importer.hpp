@@ -1,5 +1,5 @@
-// Takes what OpenMesh reads, as it reads it. Only mesh_file.cpp includes this: OpenMesh's headers
-// and its half-edges stop here.
+// Receives a mesh from OpenMesh while it is read. Only mesh_file.cpp includes this file, so that
+// OpenMesh's headers and half-edges are used nowhere else.
 #pragma once
 
 #include "common/mesh_file.hpp"
@@ -16,13 +16,13 @@
 
 namespace rt {
 
-/// What is wrong with a vertex or a face. Whoever knows where it stands adds that.
+/// An error in a vertex or a face. The catching function adds the location.
 struct MeshRefusal {
     std::string message;
 };
 
-/// A receiver of vertices and faces that builds no half-edges: an edge of three faces, which they
-/// cannot hold, is nothing special here. Throws MeshRefusal.
+/// A receiver of vertices and faces that builds no half-edges. An edge of three faces, which
+/// half-edges cannot represent, is therefore accepted. Throws MeshRefusal.
 class MeshImporter final : public OpenMesh::IO::BaseImporter {
 public:
     using Vertex = OpenMesh::VertexHandle;
@@ -30,36 +30,36 @@ public:
     using Halfedge = OpenMesh::HalfedgeHandle;
     using Face = OpenMesh::FaceHandle;
 
-    /// With `list`, each vertex and each face ends a line of that stream. If one does not, the
-    /// stream fails: "1-2" is one word to us, but two numbers to OpenMesh, and then all that
-    /// follows is off.
-    /// `faces_without_area` have been left out before.
+    /// With `list`, each vertex and each face must end a line of that stream, else the stream
+    /// fails. The reason: "1-2" is one word here but two numbers to OpenMesh, after which all that
+    /// follows is misread. `faces_without_area` is the number of such faces that were removed
+    /// before.
     explicit MeshImporter(std::istream* list = nullptr, std::size_t faces_without_area = 0)
         : list_(list), faces_without_area_(faces_without_area) {}
 
-    /// The mesh, once all is read, with warnings of what was left out: without normals, unless each
-    /// vertex of a triangle has one.
+    /// Returns the mesh after all has been read, with warnings about omitted parts. It has normals
+    /// only if each vertex of a triangle has one.
     [[nodiscard]] MeshFile take();
 
     Vertex add_vertex(const OpenMesh::Vec3f& point) override;
     Vertex add_vertex() override { return add_vertex(OpenMesh::Vec3f(0.0f)); }
     void set_point(Vertex vertex, const OpenMesh::Vec3f& point) override;
-    /// For the vertex in the faces to come: a second normal of the same vertex splits it, as at the
-    /// edges of a cube whose faces have a normal each.
+    /// Sets the normal of the vertex for the faces that follow. A second normal of the same vertex
+    /// splits the vertex, as at the edges of a cube whose faces have a normal each.
     void set_normal(Vertex vertex, const OpenMesh::Vec3f& normal) override;
     void set_normal(Vertex vertex, const OpenMesh::Vec3d& normal) override {
         set_normal(vertex, OpenMesh::Vec3f(normal));
     }
     Face add_face(const VHandles& corners) override;
 
-    /// The numbers have been checked: the file is large enough for them.
+    /// The counts have been checked: the file is large enough for them.
     void reserve(unsigned int vertices, unsigned int edges, unsigned int faces) override;
 
     [[nodiscard]] std::size_t n_vertices() const override { return mesh_.vertices.size(); }
     [[nodiscard]] std::size_t n_faces() const override { return faces_; }
     [[nodiscard]] std::size_t n_edges() const override { return 0; }
 
-    // What a mesh of ours has not.
+    // Properties that MeshFile does not have.
     Halfedge add_edge(Vertex, Vertex) override { return Halfedge(); }
     Face add_face(Halfedge) override { return Face(); }
     void add_face_texcoords(Face, Vertex, const std::vector<OpenMesh::Vec2f>&) override {}
@@ -94,7 +94,7 @@ public:
     void add_texture_information(int, std::string) override {}
 
 private:
-    /// The place in mesh_ of the vertex, which must be there.
+    /// The index in mesh_ of the vertex. Throws MeshRefusal if there is no such vertex.
     [[nodiscard]] std::uint32_t checked(Vertex vertex) const;
     void require_end_of_line();
     [[nodiscard]] std::uint32_t copy_with(std::uint32_t vertex, glm::vec3 normal);
@@ -104,10 +104,11 @@ private:
     MeshFile mesh_;
     std::vector<bool> has_normal_;
     std::size_t faces_ = 0;
-    std::size_t faces_without_area_;      ///< of fewer than three vertices
-    std::vector<std::uint32_t> corners_;  ///< of one face; kept for its memory
+    std::size_t faces_without_area_;  ///< faces of fewer than three vertices
+    std::vector<std::uint32_t>
+        corners_;  ///< corners of one face; a member so that its memory is reused
 
-    /// A vertex with several normals: its copies, and which of them the next face uses.
+    /// For a vertex with several normals: its copies, and the copy that the next face uses.
     std::map<std::pair<std::uint32_t, std::array<float, 3>>, std::uint32_t> copies_;
     std::map<std::uint32_t, std::uint32_t> used_;
 };

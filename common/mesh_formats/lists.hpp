@@ -1,4 +1,4 @@
-// What OFF and PLY have in common: a list of vertices, then one of faces.
+// The common part of OFF and PLY: a list of vertices, then a list of faces.
 #pragma once
 
 #include "common/mesh_formats/text.hpp"
@@ -9,22 +9,23 @@
 
 namespace rt {
 
-/// How many there are, and how many words stand for each.
+/// The number of vertices and faces, and the words for each.
 struct MeshLists {
     std::uint64_t vertices = 0;
-    std::size_t words_a_vertex = 3;  ///< 0: as many as the first has
+    std::size_t words_a_vertex = 3;  ///< 0: as many as the first vertex has
     std::uint64_t faces = 0;
-    bool has_normals = false;  ///< after the three coordinates
+    bool has_normals = false;  ///< normals follow the three coordinates
 };
 
-/// Goes through the lists of the content, from where the lines are. Refuses a line with too few or
-/// too many words, and a list that ends too early. Overwrites with blanks what follows the corners
-/// of a face.
+/// Checks the lists of the content, from the current line on. Reports a line with too few or too
+/// many words, and a list that ends too early. Overwrites the words after the corners of a face
+/// with blanks.
 void check_lists(std::string& content, MeshLines& lines, MeshLists& lists);
 
-/// The lists as a binary PLY has them, in this machine's order of bytes: three floats a vertex, or
-/// six if there are normals after all; an int for the number of corners and one for each. Refuses
-/// what check_lists does, a number that a float does not hold, and a vertex that is not there.
+/// Returns the lists in the form of a binary PLY, in this machine's byte order: three floats for
+/// each vertex, or six with normals; for each face an int for the number of corners and one for
+/// each corner. Throws InputError as check_lists does, and for a number that a float cannot
+/// represent and a vertex that does not exist.
 [[nodiscard]] std::string binary_lists(MeshLines& lines, MeshLists& lists);
 
 }  // namespace rt

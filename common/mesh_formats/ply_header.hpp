@@ -1,4 +1,4 @@
-// What a PLY file says of itself before its numbers.
+// The header of a PLY file.
 #pragma once
 
 #include "common/mesh_formats/text.hpp"
@@ -22,7 +22,7 @@ struct PlyType {
 struct PlyProperty {
     PlyType type;
     std::string name;
-    /// Of a list: what its length is written in.
+    /// For a list: the type of its length.
     std::optional<PlyType> length;
 };
 
@@ -38,7 +38,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-/// The header, to the line end_header and with it. Refuses a line that is none of a header.
+/// Parses the header, up to and including the line end_header. Throws InputError at a line that
+/// does not belong in a header.
 [[nodiscard]] PlyHeader take_ply_header(MeshLines& lines);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// A mesh file's text, word by word: what is checked before OpenMesh reads it.
+// The text of a mesh file, split into lines and words for the checks before OpenMesh reads it.
 #pragma once
 
 #include "common/input_error.hpp"
@@ -12,26 +12,26 @@
 
 namespace rt {
 
-/// Some editors begin a text with one.
+/// Replaces a byte order mark, which some editors write at the start of a text, with blanks.
 void blank_byte_order_mark(std::string& content);
 
-/// Blanks a byte order mark. Makes the last line end, since OpenMesh's streams must not meet the
-/// end of the file in a number, and vertical tab and form feed blanks, since its readers disagree
-/// on them.
+/// Replaces a byte order mark with blanks. Adds the end of the last line if it is missing, because
+/// OpenMesh's streams must not reach the end of the file inside a number. Replaces vertical tab and
+/// form feed with blanks, because OpenMesh's readers treat them differently.
 void plain_text(std::string& content);
 
-/// The lines of a text, one after the other. The text may be written to between them.
+/// The lines of a text, in order. The text may be modified between calls.
 class MeshLines {
 public:
     MeshLines(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
 
-    /// The next line that has a word, without its end; nothing after the last.
+    /// Returns the next line that contains a word, without its end; nothing after the last.
     [[nodiscard]] std::optional<std::string_view> next();
-    /// Where the line after that begins in the text.
+    /// The offset in the text of the following line.
     [[nodiscard]] std::size_t position() const { return position_; }
-    /// How much of the text is left from there.
+    /// The number of bytes from there to the end of the text.
     [[nodiscard]] std::size_t left() const { return text_.size() - position_; }
-    /// Of the line that was last, from 1.
+    /// The number of the last returned line, from 1.
     [[nodiscard]] int number() const { return number_; }
     [[noreturn]] void refuse(const std::string& message) const;
 
@@ -42,22 +42,23 @@ private:
     int number_ = 0;
 };
 
-/// Takes the next word off the line; an empty one if there is none.
+/// Removes the next word from the line and returns it; empty if there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& line);
 
 [[nodiscard]] std::size_t count_words(std::string_view line);
 
-/// The whole number that all of the word spells, if 64 bits hold it.
+/// Parses the whole word as an integer; nothing if it is not one of 64 bits.
 [[nodiscard]] std::optional<std::int64_t> whole_number(std::string_view word);
 
-/// The float that all of the word spells; nothing if a float does not hold it.
+/// Parses the whole word as a float; nothing if it is not one, or out of range.
 [[nodiscard]] std::optional<float> float_number(std::string_view word);
 
-/// Takes three words off the line. Refuses it unless each is a number that a float can hold: `what`
-/// says of what.
+/// Removes three words from the line. Throws InputError unless each is a number that a float can
+/// represent; `what` names their owner in the message.
 void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines);
 
-/// The word in quotes, cut if it is long, with '?' for what is not printable.
+/// The word in quotes for a message: cut if it is long, with '?' for each character that is not
+/// printable.
 [[nodiscard]] std::string quoted_word(std::string_view word);
 
 }  // namespace rt
