@@ -3,7 +3,7 @@
 namespace rt {
 
 void arrange(Scene& scene, const Arrangement& how) {
-    // In one frame, so that a ray is made ready for all kinds at once.
+    // All hierarchies use one frame, so that a ray is prepared once for all kinds.
     Box all;
     const auto take_in = [&](const auto& items) {
         if (items.many(how)) all = united(all, items.box());

@@ -5,7 +5,7 @@ namespace rt::inline RT_PRECISION {
 inline namespace RT_LANES {
 
 Balls::Balls(std::span<const Ball> balls) {
-    // A smaller square would be rounded by more than the test reckons with.
+    // A smaller square could have a rounding error larger than the test allows for.
     constexpr Real smallest_square =
         std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
     for (std::size_t first = 0; first < balls.size(); first += lane_count) {

@@ -22,7 +22,7 @@ constexpr std::size_t most_cameras_tried = 16;
 
 /// The number of rays of a small picture that meet a shape.
 int hits(const Scene& scene, const Camera& camera, Look look) {
-    look.shading = Shading::normal;  // in which only what is missed is black
+    look.shading = Shading::normal;  // in this shading only missed pixels are black
     const PixelRays pixel_ray = pixel_rays(camera, trial_size);
     Context context{.look = look};
     int count = 0;
@@ -35,7 +35,7 @@ int hits(const Scene& scene, const Camera& camera, Look look) {
     return count;
 }
 
-/// The middle of all shapes but planes; empty if there are none.
+/// The bounding box of all shapes except planes; empty if there are none.
 Box around(const Scene& scene) {
     Box all;
     for_each_kind(scene, [&all](const auto& items) { all = united(all, items.box()); });
@@ -48,7 +48,8 @@ std::size_t count_shapes(const Scene& scene) {
     return count;
 }
 
-/// Directions that may see more than the camera's: to the middle of the shapes, and along the axes.
+/// Candidate directions that may see more than the camera's: to the center of the shapes, and along
+/// the axes.
 std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
     std::vector<Vec3> directions;
     const Box box = around(scene);
@@ -62,7 +63,7 @@ std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
     return directions;
 }
 
-/// Two decimals are enough to look that way, and short enough to be typed.
+/// Two decimals: accurate enough to face that way, and short enough to type.
 std::string short_text(Vec3 v) {
     const auto digits = [](Real value) { return text(std::round(value * 100) / 100 + Real(0)); };
     return digits(v.x) + "," + digits(v.y) + "," + digits(v.z);

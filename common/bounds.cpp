@@ -8,9 +8,9 @@ namespace rt {
 
 namespace {
 
-/// By how much bounds are wider than the shape, 16 u of the largest coordinate: a stage's own test
-/// places a hit within 8 u of it, the corners come out within 4 u, and for a ray that starts
-/// further away whoever asks the bounds must widen them.
+/// The padding of bounds, 16 u of the largest coordinate: a stage's own test finds hits within 8 u
+/// of the shape, and the corners are computed within 4 u. For a ray that starts farther away, the
+/// caller must widen the bounds.
 Real padding(Real largest) {
     return 16 * unit_roundoff * largest;
 }
@@ -29,8 +29,8 @@ Box around(Vec3 center, Vec3 reach) {
     return {.min = center - reach, .max = center + reach};
 }
 
-/// How far a circle reaches along each axis: radius · the part of that axis in its plane,
-/// √(y² + z²) along x. √(1 − x²) would lose half the digits near x = 1.
+/// The extent of a circle along each axis: radius · the length of that axis projected into the
+/// circle's plane, √(y² + z²) along x. √(1 − x²) would lose half the digits near x = 1.
 Vec3 reach_of_circle(Vec3 axis, Real radius) {
     return radius *
            Vec3(std::hypot(axis.y, axis.z), std::hypot(axis.z, axis.x), std::hypot(axis.x, axis.y));
@@ -99,7 +99,8 @@ Ball ball_around(const Cylinder& cylinder) {
 
 Ball ball_around(const Cone& cone) {
     const auto& [apex, axis, radius, height] = cone;
-    // Through the apex and the rim; or, of a blunt cone, around the rim, where the apex is inside.
+    // The sphere through the apex and the rim; for a blunt cone the sphere around the rim, which
+    // contains the apex.
     const Real slant = std::hypot(radius, height);
     const Real from_apex = radius < height ? slant / 2 * (slant / height) : height;
     return padded(Ball{.center = apex + from_apex * axis, .radius = glm::max(radius, from_apex)});

@@ -19,19 +19,19 @@ void grow(WideBox& box, Floats point) {
     box.max = max(point, box.max);
 }
 
-/// The centre, times two.
+/// The center, times two.
 Floats middle(const WideBox& box) {
     return box.min + box.max;
 }
 
-/// The axes from first to before last.
+/// The axes from `first` up to, but not including, `last`.
 struct Axes {
     std::size_t first;
     std::size_t last;
 };
 
-/// Of many boxes, the axis along which their centres reach furthest: the cut is as good, and found
-/// in half the time.
+/// For many boxes, only the axis along which their centers extend farthest: the split is as good,
+/// and found in half the time.
 Axes axes_to_try(const BoxRange& range) {
     constexpr std::size_t many = 512;
     if (range.size() < many) return {.first = 0, .last = 3};
@@ -42,27 +42,28 @@ Axes axes_to_try(const BoxRange& range) {
 
 }  // namespace
 
-/// The boxes whose centres lie in one slice of a range, along one axis.
+/// The boxes whose centers are in one slice of a range, along one axis.
 struct BoxRanges::Bin {
     WideBox bounds;
     std::size_t count = 0;
 };
 
-/// Along which axis to cut, and which slice is the first of the upper part.
+/// The axis of a split, and the first slice of its upper part.
 struct BoxRanges::Cut {
     std::size_t axis = 0;
     std::size_t slice = 0;
-    float cost = WideBox::end;  ///< infinite: nowhere
+    float cost = WideBox::end;  ///< infinite if no split was found
 };
 
-/// Numbers the slices of a range.
+/// Computes slice indices in a range.
 template <std::size_t slices>
 class BoxRanges::Slicer {
 public:
     explicit Slicer(const WideBox& middles)
         : origin_(middles.min), scale_(all_floats(slices) / (middles.max - middles.min)) {}
 
-    /// Along each axis. Where all centres are the same, 0 · ∞ is NaN, and the slice 0.
+    /// The slice index along each axis. Where all centers are equal, 0 · ∞ is NaN, and the slice is
+    /// 0.
     [[nodiscard]] std::array<float, lane_count> operator()(Floats middle) const {
         const Floats slice = (middle - origin_) * scale_;
         return values(min(max(slice, all_floats(0)), all_floats(slices - 1)));
@@ -93,7 +94,7 @@ BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
     return range;
 }
 
-/// What a ray that meets the part has to expect: a step for each leaf that its boxes fill.
+/// The expected cost of a part for a ray that hits it: one step for each leaf that its boxes fill.
 float BoxRanges::cost(const Bin& part) const {
     return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
 }
@@ -132,7 +133,7 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
         for (std::size_t i = 1; i < slices; ++i) {
             add(lower, bins[axis][i - 1]);
             const float both = cost(lower) + upper_cost[i];
-            // An empty part costs ∞ · 0, and that is no cut.
+            // An empty part costs ∞ · 0 = NaN, and is never a split.
             if (both < best.cost) best = {.axis = axis, .slice = i, .cost = both};
         }
     }
@@ -140,7 +141,8 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
 }
 
 std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
-    // Most ranges hold a few boxes, and bins would be what they wait for.
+    // Most ranges contain few boxes, for which filling and scanning the bins would dominate the
+    // time.
     constexpr std::size_t few = 64;
     return range.size() < few ? cut_between<8>(range) : cut_between<16>(range);
 }
@@ -149,7 +151,7 @@ template <std::size_t slices>
 std::array<BoxRange, 2> BoxRanges::cut_between(const BoxRange& range) {
     const Bins<slices> bins = binned<slices>(range);
     const Cut best = cheapest<slices>(bins);
-    if (best.cost == WideBox::end) return halves(range);  // all centres are in one slice
+    if (best.cost == WideBox::end) return halves(range);  // all centers are in one slice
 
     BoxRange lower;
     BoxRange upper;

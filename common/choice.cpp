@@ -104,7 +104,7 @@ private:
                           number(runner_.seconds_since_start()) + " s");
     }
 
-    /// What the trials tell, and how surely: no less than what they were made for.
+    /// The expected error and its confidence, never below the tolerance of the trials.
     [[nodiscard]] std::string expected_error() const {
         const bool sampled = demands_.sized_lights && !aim_.given.shadow_samples;
         if (demands_.sized_lights && !sampled) return "";

@@ -6,7 +6,7 @@
 namespace rt {
 
 int sufficient_depth(double strongest_mirror, double tolerance) {
-    // An eighth of the tolerance is left out at most, so that the samples have the rest.
+    // The omitted reflections use at most an eighth of the tolerance; the samples use the rest.
     const double visible = tolerance / 8 / 255;
     if (strongest_mirror <= 0 || visible >= 1) return 0;
     if (strongest_mirror >= 1) return most_depth;

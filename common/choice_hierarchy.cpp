@@ -6,11 +6,11 @@ namespace rt {
 
 namespace {
 
-/// Of fewer or more shapes it is known what is quicker (docs/accuracy.md).
+/// For fewer or more shapes the faster structure is known (docs/accuracy.md).
 constexpr std::size_t shortest_list = 16;
 constexpr std::size_t longest_list = 64;
 
-/// A gain that is more than the clock's noise.
+/// A gain larger than the noise of the clock.
 constexpr double gain = 0.9;
 
 }  // namespace

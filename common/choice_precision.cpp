@@ -11,32 +11,32 @@ namespace rt {
 
 namespace {
 
-/// u of float.
+/// The unit roundoff of float.
 constexpr double float_roundoff = std::numeric_limits<float>::epsilon() / 2;
 
-/// A picture must send so many times the rays of the trials, and so many for each shape that is
-/// read again, for float to save more than it costs to try: it is a twentieth quicker.
+/// The number of rays of the picture for each ray of the trials, and for each shape that is read
+/// again, from which float, a twentieth faster, saves more than its trials cost.
 constexpr double worth_trials = 1000;
 constexpr double worth_reading = 400;
 
-/// In float a few pixels on an edge are others. More than one in a thousand is no edge.
+/// A few pixels on edges differ in float. More than one in a thousand have another cause.
 constexpr std::size_t edge_pixels = 1000;
 
-/// What a rounding of the precision may do to a color, in 8-bit steps. A point on a shape is off by
-/// up to 8 u of its coordinates (docs/stability.md), the normal there by that over the shape's
-/// size, and a highlight by so many times that as its exponent says.
+/// An upper bound on the effect of rounding errors on a color, in 8-bit levels. A point on a shape
+/// has an error of up to 8 u of its coordinates (docs/stability.md); the normal there has that
+/// error divided by the shape's size, and a highlight that of the normal times its exponent.
 double rounding_error(const Demands& demands, double unit_roundoff) {
     if (demands.feature == 0) return 0;
     return 255 * 8 * unit_roundoff * demands.extent / demands.feature * demands.shininess;
 }
 
-/// Whether of two surfaces, each off by up to 8 u of its coordinates, either may be in front: as
-/// InputRounding::loses_gaps.
+/// Returns whether rounding errors, up to 8 u of the coordinates of each surface, may exchange the
+/// order of two surfaces: as InputRounding::loses_gaps.
 bool loses_gaps(const Demands& demands, double unit_roundoff) {
     return demands.gap > 0 && demands.gap < 4 * 8 * unit_roundoff * demands.extent;
 }
 
-/// Which pixels float draws otherwise, by more than half of the tolerance.
+/// The pixels whose color differs in float by more than half of the tolerance.
 std::vector<Pixel> other_pixels(TrialRunner& runner, const Trials& trials, const Trials& in_float,
                                 const Look& look, const std::vector<Pixel>& pixels) {
     const std::vector<double> apart =
@@ -47,7 +47,7 @@ std::vector<Pixel> other_pixels(TrialRunner& runner, const Trials& trials, const
     return others;
 }
 
-/// Whether they are as few, and as far from each other, as those on edges are.
+/// Returns whether the pixels are as few, and as far apart, as pixels on edges.
 bool are_on_edges(const std::vector<Pixel>& others, std::size_t tried, Resolution size) {
     if (others.size() * edge_pixels > tried) return false;
     std::map<int, int> in_tile;

@@ -15,10 +15,10 @@ namespace rt {
 
 namespace {
 
-/// A look that was tried on the doubtful pixels.
+/// Settings measured on the doubtful pixels.
 struct Judged {
     Trial trial;
-    std::vector<double> off;  ///< of each shot of the pixels, one after the other
+    std::vector<double> off;  ///< error of each pixel, for each sample in turn
 };
 
 class Sampling {
@@ -44,10 +44,10 @@ public:
         for (const int rays : {1, 2, 4}) {
             const Judged few = judged(with_rays(look_, rays));
             if (keeps(few)) return confirmed(few);
-            if (few.trial.error > 4 * allowed_) break;  // as much as four times the rays mend
+            if (few.trial.error > 4 * allowed_) break;  // more than four times the rays can reduce
         }
         Judged best = found();
-        // Fewer rays that agree, or more, may do with fewer in all.
+        // A smaller or larger number of agreeing rays may need fewer rays in total.
         const auto better_with = [&](int agree) {
             if (agree < 2 || has_tried_enough(best.trial)) return false;
             Judged other = tuned(best.trial.look.shadow_error, agree);
@@ -79,7 +79,7 @@ private:
         return shot;
     }
 
-    /// Better settings would spare less than more trials cost.
+    /// Returns whether better settings would save less than more trials cost.
     [[nodiscard]] bool has_tried_enough(const Trial& best) const {
         return rays_spent_ > 0.06 * best.rays * all_pixels();
     }
@@ -96,8 +96,9 @@ private:
         return keeps(a) ? a.trial.rays < b.trial.rays : a.trial.error < b.trial.error;
     }
 
-    /// At which sampling may stop, if errors are as share_error says (stage 11): less, where more
-    /// of the picture is in a penumbra, of which fewer may then be off.
+    /// The error at which sampling can stop, if share_error (stage 11) estimates it correctly. It
+    /// is smaller if more of the picture is in a penumbra, because then a smaller fraction of those
+    /// pixels may exceed the tolerance.
     [[nodiscard]] double likely_error() const {
         return allowed_ * std::clamp(0.85 - penumbrae_.share / 2, 0.45, 0.7);
     }
@@ -109,7 +110,7 @@ private:
         return result;
     }
 
-    /// By one more shot, together with those before: what the look takes, and what it is off by.
+    /// Adds one more sample to the measured cost and error of the settings.
     void judge_again(Judged& judged, int round) {
         const Look& look = judged.trial.look;
         const Shot next = shot(look, pixels_, round);
@@ -125,7 +126,7 @@ private:
         tell_costs(judged.trial, next);
     }
 
-    /// What the look takes in doubtful pixels, and in others.
+    /// Computes the cost of the settings from the doubtful pixels and the others.
     void tell_costs(Trial& trial, const Shot& doubtful) {
         const Shot asked = shot(trial.look, asked_, first_round);
         const double clear = double(penumbrae_.clear.size());
@@ -133,14 +134,14 @@ private:
             clear > 0 ? mean(asked.light_rays) * double(penumbrae_.asked.size()) / clear : 0;
         const double share = penumbrae_.share;
         trial.rays = share * doubtful.rays + (1 - share) * (light_rays + without_light_rays_);
-        // Elsewhere, rays to a light take about as long as in a penumbra.
+        // Outside penumbras, rays to a light take about as long as inside.
         const double of_a_ray =
             doubtful.rays > 0 ? doubtful.seconds / doubtful.rays : seconds_of_a_ray_;
         const double elsewhere = light_rays * of_a_ray + without_light_rays_ * seconds_of_a_ray_;
         trial.seconds = runner_.picture_seconds(share * doubtful.seconds + (1 - share) * elsewhere);
     }
 
-    /// To about the error at which the tolerance is just kept.
+    /// Settings with about the largest error that still meets the tolerance.
     Judged tuned(double error, int agree) {
         Judged first = judged(to_error(look_, error, agree));
         const double room = first.trial.error > 0 ? allowed_ / first.trial.error : 10;
@@ -151,7 +152,7 @@ private:
         return is_better(second, first) ? second : first;
     }
 
-    /// A look that keeps the tolerance.
+    /// Searches for settings that meet the tolerance.
     Judged found() {
         constexpr int tries = 12;
         const auto usual = unsigned(std::clamp(32 / std::sqrt(allowed_), 4., 1024.));
@@ -160,7 +161,8 @@ private:
         return best;
     }
 
-    /// To a smaller error, or until more rays agree: what mends more for its price.
+    /// A smaller error or a larger number of agreeing rays, whichever reduces the error more for
+    /// its cost.
     Judged finer(const Judged& before) {
         const Look look = before.trial.look;
         if (look.shadow_error == 0)
@@ -177,8 +179,8 @@ private:
         return worth(to_less) > worth(of_more) ? to_less : of_more;
     }
 
-    /// The look, or a finer one, that keeps the tolerance for other rays too, and in the tile that
-    /// is worst.
+    /// The settings, or finer ones, that meet the tolerance with other random rays too, and in the
+    /// worst tile.
     Trial confirmed(Judged judged) {
         constexpr int tries = 6;
         for (int i = 0;; ++i) {
@@ -188,8 +190,8 @@ private:
         }
     }
 
-    /// Whether the tile that had most pixels beyond the tolerance keeps it, as all of its trial
-    /// pixels tell.
+    /// Returns whether the tile with most pixels above the tolerance meets it, judged by all of its
+    /// trial pixels.
     bool worst_tile_keeps(const Judged& judged) {
         std::map<int, int> beyond;
         for (std::size_t i = 0; i < judged.off.size(); ++i)
@@ -212,7 +214,7 @@ private:
         return seen <= few_in_a_tile * (double(pixels.size()) + clear * penumbrae_.draws);
     }
 
-    /// Looks are compared by the same rays.
+    /// All settings are compared with the same rays.
     static constexpr int first_round = 100;
 
     TrialRunner& runner_;
@@ -223,12 +225,12 @@ private:
     double rays_spent_ = 0;
     Look reference_;
     Penumbrae penumbrae_;
-    std::vector<Pixel> pixels_;  ///< doubtful ones, that looks are tried on
-    std::vector<Pixel> asked_;   ///< others, that tell what rays are spent there
-    Shot right_;                 ///< the pixels by the reference
+    std::vector<Pixel> pixels_;  ///< doubtful pixels, for trials of settings
+    std::vector<Pixel> asked_;   ///< other pixels, for the cost of rays there
+    Shot right_;                 ///< the pixels rendered with the reference settings
     std::vector<bool> in_penumbra_;
-    double without_light_rays_ = 0;  ///< rays of a pixel
-    double seconds_of_a_ray_ = 0;    ///< of these
+    double without_light_rays_ = 0;  ///< number of other rays of a pixel
+    double seconds_of_a_ray_ = 0;    ///< CPU seconds of one of them
 };
 
 }  // namespace

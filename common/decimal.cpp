@@ -10,7 +10,7 @@ namespace rt::inline RT_PRECISION {
 
 namespace {
 
-/// Far beyond any Real, and far from overflowing when the length of a text is added to it.
+/// Far outside the range of Real, and no overflow when the length of a text is added.
 constexpr std::int64_t largest_exponent = 1'000'000'000;
 
 std::string_view take_digits(std::string_view& text) {
@@ -27,7 +27,7 @@ bool take(std::string_view& text, char c) {
     return true;
 }
 
-/// The exponent after its 'e', cut at largest_exponent; nothing if it has no digit.
+/// Parses the exponent after 'e', clamped to largest_exponent; nothing if it has no digit.
 std::optional<std::int64_t> take_exponent(std::string_view& text) {
     const bool negative = take(text, '-');
     if (!negative) take(text, '+');
@@ -51,7 +51,8 @@ void strip_zeros(Decimal& number) {
     number.point -= static_cast<std::int64_t>(first);
 }
 
-/// The Real nearest to an unsigned text of the right form. Too near zero gives 0 or a subnormal.
+/// The Real nearest to an unsigned text of valid form. A value too close to zero becomes 0 or a
+/// subnormal number.
 Real nearest_real(std::string_view text, const Decimal& number) {
 #ifdef __cpp_lib_to_chars
     Real value = 0;
@@ -59,8 +60,8 @@ Real nearest_real(std::string_view text, const Decimal& number) {
     if (result.ec != std::errc::result_out_of_range) return value;
     return number.point > 0 ? infinity : 0;
 #else
-    // libc++ before 20, that of macOS, cannot read a floating-point number with from_chars. strtod
-    // reads the same in the "C" locale, which a program has until it asks for another.
+    // libc++ before version 20, used on macOS, has no from_chars for floating-point numbers. strtod
+    // is equivalent in the "C" locale, which a program uses unless it selects another.
     static_cast<void>(number);
     const std::string copy(text);
     if constexpr (std::is_same_v<Real, float>) return std::strtof(copy.c_str(), nullptr);
@@ -102,8 +103,9 @@ bool exceeds(const Decimal& number, int bound) {
     std::string limit = std::to_string(bound);
     const auto length = static_cast<std::int64_t>(limit.size());
     if (number.point != length) return number.point > length;
-    // Both have as many digits before the point, so the order of the texts is that of the numbers,
-    // once the zeros that end the bound are gone as they are from the number.
+    // Both have the same number of digits before the point, so the lexicographic order of the
+    // digits is the numeric order, once trailing zeros of the bound are removed, as they are in the
+    // number.
     limit.erase(limit.find_last_not_of('0') + 1);
     return number.digits > limit;
 }

@@ -37,7 +37,8 @@ void take_in(Demands& demands, const Items<Shape>& items) {
     }
 }
 
-/// Off the picture from the second round on, where seeds are other ones.
+/// The pixel that seeds the random samples; outside the picture from the second round on, so that
+/// the seeds differ.
 Pixel seed_pixel(Pixel pixel, Resolution size, int round) {
     return {.row = pixel.row + round * size.height, .column = pixel.column};
 }
@@ -72,7 +73,7 @@ Demands demands_of(const Scene& scene, int stage, const Look& look) {
 }
 
 Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings) {
-    constexpr std::size_t together = 16;  // pixels that a thread takes at once
+    constexpr std::size_t together = 16;  // pixels in one unit of a thread's work
     const Resolution size = scene.resolution;
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
     const std::size_t count = settings.pixels.size();

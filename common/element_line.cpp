@@ -24,13 +24,13 @@ Token trimmed(Token token) {
     return token;
 }
 
-/// Whether it looks like `key:value`, with a key that begins as a word does.
+/// Returns whether the text has the form `key:value`, with a key that starts with a letter.
 bool is_option(std::string_view text) {
     return is_letter(text.front()) && text.find(':') != std::string_view::npos;
 }
 
-/// What stands between the two commas and around them; nothing if there are not two, or if one
-/// part is empty.
+/// The three parts around two commas; nothing if there are not exactly two commas, or if a part is
+/// empty.
 std::optional<std::array<Token, 3>> three_parts(Token token) {
     if (commas(token.text) != 2) return std::nullopt;
     std::array<Token, 3> parts;
@@ -163,7 +163,7 @@ std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
     refuse(token, what(field) + " must be three numbers as in 1,2,3");
 }
 
-/// Says so, if blanks are what is wrong with the triple that was just taken.
+/// Throws InputError if the triple just taken is wrong because of its blanks.
 void ElementLine::refuse_blanks() {
     --next_;
     const Token whole =
@@ -197,8 +197,8 @@ Token ElementLine::end_of_line() const {
     return {{}, last.column + static_cast<int>(last.text.size())};
 }
 
-/// How many words belong to the next field: more than one if blanks stand around the commas of a
-/// triple. A word that would bring a third comma is a field of its own.
+/// The number of words in the next field: more than one if a triple has blanks around its commas. A
+/// word that would add a third comma is a separate field.
 std::size_t ElementLine::words_around_commas() const {
     std::size_t end = next_ + 1;
     auto count = commas(line_.tokens[next_].text);

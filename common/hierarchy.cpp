@@ -10,14 +10,15 @@ inline namespace RT_LANES {
 
 namespace {
 
-/// How many boxes a leaf holds at most if they are asked about one by one.
+/// The largest number of boxes in a leaf whose boxes are tested one by one.
 constexpr std::size_t single_leaf_size = 1;
 
-/// From this depth on, ranges are halved as they stand. Each node then holds less than half of the
-/// one above, so that no boxes, however they lie, make a tree deeper than Hierarchy::max_depth.
+/// From this depth on, ranges are split at their middle index. Each node then contains at most half
+/// of the boxes of its parent, so that no arrangement of boxes makes the tree deeper than
+/// Hierarchy::max_depth.
 constexpr std::size_t halving_depth = 32;
 
-/// From this size on, a part of the tree may be grown by a thread of its own.
+/// From this size on, a part of the tree may be built by a separate thread.
 constexpr std::size_t thread_size = 65536;
 
 Node empty_node() {
@@ -26,7 +27,7 @@ Node empty_node() {
         node.planes[2 * axis].fill(all_of<float, float_count>(WideBox::end));
         node.planes[2 * axis + 1].fill(all_of<float, float_count>(-WideBox::end));
     }
-    node.children.fill(Node::leaf_bit);  // NaN may lead there
+    node.children.fill(Node::leaf_bit);  // reached only through NaN
     return node;
 }
 
@@ -42,8 +43,8 @@ Box around(std::size_t count, const BoxOf& box) {
     return all;
 }
 
-/// By how much boxes are widened for the shapes' tests: where all is far from 0 and small, the
-/// slack of SlabTest is less than these may be off by.
+/// The extra padding of the boxes for the shapes' tests: where all coordinates are small and near
+/// 0, the slack of SlabTest is less than the error of those tests.
 Real padding_for(const Box& bounds) {
     return 4 * unit_roundoff * largest_component(bounds);
 }
@@ -51,13 +52,14 @@ Real padding_for(const Box& bounds) {
 Frame frame_around(const Box& bounds) {
     const Vec3 half_size = bounds.max / Real(2) - bounds.min / Real(2) + padding_for(bounds);
     const Real largest = largest_component(half_size);
-    // Among boxes without end, NaN makes every SlabTest uncertain.
+    // With unbounded boxes, NaN makes every SlabTest unreliable.
     return {.center = bounds.min / Real(2) + bounds.max / Real(2),
             .scale = largest < infinity ? Real(0.5) / power_of_two_below(largest)
                                         : std::numeric_limits<Real>::quiet_NaN()};
 }
 
-/// The scene's, if these are not so small in it that boxes rounded to its floats are far too wide.
+/// The scene's frame, unless these boxes are so small in it that rounding to its floats would make
+/// them far too wide.
 Frame frame_for(const Box& bounds, const Box& scene) {
     constexpr Real smallest = Real(1) / 16;
     const Frame own = frame_around(bounds);
@@ -65,7 +67,8 @@ Frame frame_for(const Box& bounds, const Box& scene) {
     return shared.scale >= smallest * own.scale ? shared : own;
 }
 
-/// Not rounded outwards: SlabTest reckons with what a rounded box lacks.
+/// The boxes in the frame's coordinates. They are not rounded outward: SlabTest allows for their
+/// rounding errors.
 std::vector<WideBox> in_frame(std::size_t count, const BoxOf& box, const Frame& frame,
                               Real padding) {
     std::vector<WideBox> result;
@@ -82,7 +85,7 @@ std::vector<WideBox> in_frame(std::size_t count, const BoxOf& box, const Frame& 
 
 }  // namespace
 
-/// Builds from the top.
+/// Builds the tree from the root down.
 class TreeGrower {
 public:
     TreeGrower(std::size_t count, const BoxOf& box, Hierarchy::Leaves leaves, const Box& scene)
@@ -117,7 +120,8 @@ Hierarchy TreeGrower::tree() {
     return tree;
 }
 
-/// Empty. Most leaves are full, and most nodes have more than four children.
+/// An empty tree with reserved memory. Most leaves are full, and most nodes have more than four
+/// children.
 Hierarchy TreeGrower::with_room_for(const BoxRange& range) const {
     Hierarchy tree;
     const std::size_t leaves = range.size() / leaf_size_ + 1;
@@ -126,15 +130,16 @@ Hierarchy TreeGrower::with_room_for(const BoxRange& range) const {
     return tree;
 }
 
-/// Appends the range's tree, and says by what its root is named.
+/// Appends the subtree of the range, and returns the reference to its root.
 std::uint32_t TreeGrower::grow(Hierarchy& tree, const BoxRange& range, std::size_t depth) {
     if (range.size() <= leaf_size_) return add_leaf(tree, range);
     const std::vector<BoxRange> children = parts(range, depth);
     const std::size_t place = tree.nodes_.size();
     tree.nodes_.push_back(empty_node());
 
-    // Large parts are trees of their own, put together in order: the same for any number of
-    // threads. A system that has no thread left grows them when they are asked for.
+    // Large parts are built as separate trees and appended in order, so that the result does not
+    // depend on the number of threads. If the system has no thread left, they are built here when
+    // their result is needed.
     std::array<std::future<Hierarchy>, Node::width> large;
     for (std::size_t i = 0; i < children.size(); ++i)
         if (children[i].size() >= thread_size)
@@ -151,7 +156,7 @@ std::uint32_t TreeGrower::grow(Hierarchy& tree, const BoxRange& range, std::size
     return std::uint32_t(place);
 }
 
-/// Up to eight parts of a range: whichever has the largest surface is cut next.
+/// Splits a range into up to eight parts: the part with the largest surface is split next.
 std::vector<BoxRange> TreeGrower::parts(const BoxRange& range, std::size_t depth) {
     std::vector<BoxRange> parts = {range};
     parts.reserve(Node::width);
@@ -159,7 +164,7 @@ std::vector<BoxRange> TreeGrower::parts(const BoxRange& range, std::size_t depth
         BoxRange* widest = nullptr;
         for (BoxRange& part : parts) {
             if (part.size() <= leaf_size_) continue;
-            // The area of a box without end is NaN, and the largest.
+            // The area of an unbounded box is NaN, and counts as the largest.
             if (widest == nullptr || !(half_area(part.bounds) <= half_area(widest->bounds)))
                 widest = &part;
         }
@@ -179,7 +184,7 @@ std::uint32_t TreeGrower::add_leaf(Hierarchy& tree, const BoxRange& range) const
     return std::uint32_t(tree.leaves_.size() - 1) | Node::leaf_bit;
 }
 
-/// Appends the part, and says by what its root is named now.
+/// Appends a separate tree, and returns the new reference to its root.
 std::uint32_t TreeGrower::add(Hierarchy& tree, const Hierarchy& part) {
     const auto nodes = std::uint32_t(tree.nodes_.size());
     const auto leaves = std::uint32_t(tree.leaves_.size());

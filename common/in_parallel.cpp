@@ -29,7 +29,7 @@ void in_parallel(int threads, std::size_t count, const std::atomic<bool>* stop,
     try {
         for (int i = 1; i < threads && std::size_t(i) < count; ++i) others.emplace_back(run);
     } catch (const std::system_error&) {
-        // The system has no more of them: the same work, later.
+        // The system has no more threads: the existing ones do all the work.
     }
     run();
     for (std::thread& thread : others) thread.join();

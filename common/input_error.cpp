@@ -6,7 +6,8 @@ namespace rt {
 
 namespace {
 
-/// A name may have a line break in it, or what turns a terminal red; a message is one plain line.
+/// A file name may contain a line break or a terminal's control sequence; a message is one plain
+/// line.
 std::string one_line(std::string text) {
     const auto is_control = [](char c) { return ('\0' <= c && c < ' ') || c == '\x7f'; };
     std::replace_if(text.begin(), text.end(), is_control, '?');

@@ -18,7 +18,7 @@ std::string read_input_file(const std::string& file, std::size_t limit) {
     }
     std::ifstream stream(file, std::ios::binary);
 
-    // In pieces, and not by its size: a pipe has none, and some files never end.
+    // In pieces, and not by its size: a pipe has no size, and some files never end.
     constexpr std::size_t piece = 1 << 16;
     std::string content;
     const std::uintmax_t size = std::filesystem::file_size(file, trouble);

@@ -12,22 +12,23 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t samples = 64;  ///< of a surface
+constexpr std::size_t samples = 64;  ///< sample points on a surface
 constexpr std::size_t twentieth = samples / 20;
 
-/// Of pairs of shapes, so that no scene takes long: a second of looking at boxes, or at surfaces.
+/// Limits on the number of tested pairs of shapes, so that no scene takes long: a second for
+/// testing boxes, or for testing surfaces.
 constexpr std::size_t most_looks = 100'000'000;
 constexpr std::size_t looks_for_a_pair = 10'000;
 
 /// A shape of any kind.
 struct Surface {
     Box box;
-    std::function<Vec3(Vec2)> point;  ///< of the surface, for a point of the unit square
+    std::function<Vec3(Vec2)> point;  ///< maps a point of the unit square to the surface
     std::function<Real(Vec3)> distance;
 };
 
-/// A plane is as far away as its part in front of the origin is: the coordinates along it do not
-/// move it.
+/// The size of a plane's coordinates: the distance of the plane from the origin, taken
+/// componentwise. Coordinates along the plane do not matter.
 Real largest_coordinate(const Plane& plane) {
     return dot(abs(plane.normal), abs(plane.point)) / length(plane.normal);
 }
@@ -47,7 +48,7 @@ void take_in(InputRounding& scene, const auto& items) {
     }
 }
 
-/// The largest distance of the twentieth of `surface` that is nearest to another.
+/// The largest distance from `surface`'s nearest twentieth to the other surface.
 Real gap(const Surface& surface, const std::function<Real(Vec3)>& distance) {
     std::array<Real, samples> distances;
     for (std::size_t i = 0; i < samples; ++i)
@@ -79,7 +80,7 @@ std::vector<Surface> bounded_surfaces(const Scene& scene) {
     return surfaces;
 }
 
-/// The smallest gap, if it is below `widest`.
+/// The smallest gap between two shapes of the scene, if it is below `widest`; else infinity.
 Real smallest_gap(const Scene& scene, Real widest) {
     Real least = infinity;
     const auto consider = [&](Real gap) {

@@ -23,7 +23,7 @@ Trial between(const Trial& cheap, const Trial& good, double share) {
     return trial;
 }
 
-/// Where x lies between a and b, 0 to 1, if all three are counted by their digits.
+/// The position of x between a and b on a logarithmic scale, 0 to 1.
 double place_between(double a, double b, double x) {
     constexpr double tiny = 1e-9;
     const double all = std::log(std::max(b, tiny) / std::max(a, tiny));
@@ -37,14 +37,14 @@ bool stop_at_errors(const Trial& a, const Trial& b) {
 }  // namespace
 
 void Ladder::add(Trial trial) {
-    constexpr double least = 1e-9;  // a clock may show nothing at all
+    constexpr double least = 1e-9;  // a clock's resolution may be too low to measure
     trial.seconds = std::max(trial.seconds, trials_.empty() ? least : top().seconds);
     trials_.push_back(trial);
 }
 
 void Ladder::extend(const std::vector<Look>& looks, double seconds) {
-    // What takes longer next to each other is the rays: as the error to the power of -4/3. At least
-    // half of the time is theirs, where they are many.
+    // Only the rays of the next candidate take longer: their time grows as the error to the power
+    // of -4/3. If there are many of them, they take at least half of the time.
     const double without_rays = std::min(trials_.front().seconds, top().seconds / 2);
     for (const Look& look : looks) {
         const Trial last = top();

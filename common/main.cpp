@@ -1,4 +1,4 @@
-// The program of every stage: CMake says which.
+// The main function of every stage's program. CMake defines the stage.
 #include "common/choice.hpp"
 #include "common/choice_words.hpp"
 #include "common/input_error.hpp"
@@ -22,13 +22,14 @@
 namespace {
 
 constexpr int bad_input = 2;
-constexpr int interrupted = 130;  // as shells count it: 128 + SIGINT
+constexpr int interrupted = 130;  // the convention of shells: 128 + SIGINT
 
 std::atomic<bool> stop = false;
 std::atomic<bool> reading = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-/// Who only reads has nothing to put in order, and may be in the middle of ten million triangles.
+/// While the scene is read, the program exits at once: it has nothing to clean up, and may be in
+/// the middle of ten million triangles.
 void on_interrupt(int /*signal*/) {
     if (reading) std::_Exit(interrupted);
     stop = true;
@@ -36,13 +37,13 @@ void on_interrupt(int /*signal*/) {
 
 #ifdef RT_EXACT
 constexpr bool exact = true;
-constexpr auto open_float = rt::f64::open_session;  // never: the precision is given
+constexpr auto open_float = rt::f64::open_session;  // never called: the precision is fixed
 #else
 constexpr bool exact = false;
 constexpr auto open_float = rt::f32::open_session;
 #endif
 
-/// Before the work, so that nobody waits for a picture that has no place.
+/// Checks the output file before rendering, so that no finished picture is lost.
 void check_output(const rt::Options& options) {
     std::error_code not_there;
     if (std::filesystem::equivalent(options.scene, options.output, not_there))
@@ -60,7 +61,7 @@ std::unique_ptr<rt::Session> open(const rt::Program& program, const rt::Options&
     return session;
 }
 
-/// With settings of its own choice, for a tolerance or a time.
+/// Renders with automatic settings, for a tolerance or a time.
 bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
                     std::unique_ptr<rt::Session> session) {
     std::unique_ptr<rt::Session> in_float;
@@ -129,7 +130,7 @@ int run_program(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::signal(SIGINT, on_interrupt);
 #ifdef SIGXFSZ
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that we report
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that the program reports
 #endif
     try {
         const int status = run_program(argc, argv);
@@ -139,7 +140,7 @@ int main(int argc, char** argv) {
         std::cerr << error.what() << '\n';
     } catch (const std::bad_alloc&) {
         std::cerr << "error: not enough memory for this\n";
-    } catch (const std::exception& error) {  // of the system, which has no more to give
+    } catch (const std::exception& error) {  // system resources are exhausted
         std::cerr << "error: " << error.what() << '\n';
     }
     return bad_input;

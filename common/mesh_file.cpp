@@ -22,7 +22,7 @@ namespace {
 
 using Check = CheckedMesh (*)(std::string content, const std::string& file);
 
-/// How a file of that name is read.
+/// The check for the format that the file name indicates.
 Check check_for(const std::string& file) {
     std::string kind = std::filesystem::path(file).extension().string();
     for (char& c : kind) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
@@ -39,10 +39,10 @@ void require_size(std::uintmax_t size, const std::string& file) {
                                  " MiB: expected a smaller mesh");
 }
 
-/// Where OpenMesh's stream has got to.
+/// The position at which OpenMesh's stream stopped.
 struct Stop {
     Place place;
-    std::string word;  ///< around it, or before it
+    std::string word;  ///< word at or before the position
 };
 
 Stop stop_of(std::istringstream& stream, const CheckedMesh& mesh, const std::string& file) {
@@ -51,7 +51,7 @@ Stop stop_of(std::istringstream& stream, const CheckedMesh& mesh, const std::str
     stream.clear();
     const std::string text = stream.str();
     const auto told = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
-    // The last byte read: of a number, or the end of a line.
+    // The offset of the last byte read: part of a number, or the end of a line.
     const std::size_t last = std::max(std::min(told, text.size()), mesh.body + 1) - 1;
     const auto lines = std::count(text.begin() + static_cast<std::ptrdiff_t>(mesh.body),
                                   text.begin() + static_cast<std::ptrdiff_t>(last), '\n');
@@ -62,7 +62,7 @@ Stop stop_of(std::istringstream& stream, const CheckedMesh& mesh, const std::str
             .word = quoted_word(std::string_view(text).substr(begin, end - begin))};
 }
 
-/// OpenMesh says on the terminal what it is displeased with; we say it in one error.
+/// Disables OpenMesh's messages on the terminal; the program reports a single error instead.
 void silence_open_mesh() {
     omerr().disable();
     omlog().disable();
@@ -81,8 +81,8 @@ bool has_area(const MeshFile& mesh) {
 MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
     silence_open_mesh();
     std::istringstream stream(std::move(mesh.content), std::ios::in | std::ios::binary);
-    // The PLY reader does not look whether it has read a number. The others, which read a line at a
-    // time until there is none, have nothing left to misread.
+    // The PLY reader does not check whether it has read a number. The others read line by line
+    // until the end, and misread nothing after the checks.
     const bool is_ply = mesh.reader == std::string_view("ply");
     if (is_ply) stream.exceptions(std::ios::failbit | std::ios::badbit);
     MeshImporter importer(is_ply && !mesh.is_binary ? &stream : nullptr, mesh.faces_without_area);
@@ -118,7 +118,7 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
 }
 
 MeshFile read_mesh_file(const std::string& file) {
-    // What can be told before much is read. A device may have no end, and a pipe no beginning.
+    // Checks that need not read much. A device may be endless, and a pipe cannot be read twice.
     static_cast<void>(check_for(file));
     std::error_code has_none;
     const auto status = std::filesystem::status(file, has_none);

@@ -12,7 +12,7 @@ namespace rt {
 
 namespace {
 
-/// After the normals, in which each copy counts.
+/// Removes duplicate triangles. Call it after the normals are computed, in which each copy counts.
 void leave_out_copied_triangles(Mesh& mesh) {
     using Corners = std::array<std::uint32_t, 3>;
     const auto& points = mesh.vertices;

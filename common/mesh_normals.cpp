@@ -9,7 +9,7 @@ namespace rt {
 
 namespace {
 
-/// In double whatever Real is: squares of a float's range stay within a double's.
+/// Double in either precision: squares of a float stay in the range of double.
 using Wide = glm::dvec3;
 
 /// The angle between two directions. acos(a · b) would lose half the digits of a small one.

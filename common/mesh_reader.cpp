@@ -14,12 +14,12 @@ std::vector<Vec3> as_real(const std::vector<glm::vec3>& values) {
     return {values.begin(), values.end()};
 }
 
-/// Makes every normal unit length; where the file's is zero, or no number, it is a smooth one.
+/// Scales every normal to unit length; replaces a zero or NaN normal by a smooth normal.
 void repair_normals(Mesh& mesh) {
     std::vector<Vec3> smooth;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const double length = glm::length(glm::dvec3(mesh.normals[i]));
-        if (length > 0 && length < std::numeric_limits<double>::infinity()) {  // false for NaN
+        if (length > 0 && length < std::numeric_limits<double>::infinity()) {  // also false for NaN
             mesh.normals[i] = Vec3(glm::dvec3(mesh.normals[i]) / length);
             continue;
         }

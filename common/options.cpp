@@ -20,17 +20,17 @@ namespace rt {
 
 namespace {
 
-constexpr int max_side = 8192;  // as in scenes
+constexpr int max_side = 8192;  // the same limit as in scene files
 constexpr int max_threads = 1024;
 constexpr int most_shapes = 1'000'000'000;
 constexpr int max_cameras = 1'000'000;
 
-constexpr double brightest = 255;  ///< in 8-bit steps
+constexpr double brightest = 255;  ///< in 8-bit levels
 constexpr double least_error = 1e-3;
 constexpr double least_time = 1e-3;  ///< seconds
 constexpr double most_time = 1e6;
 
-/// Two whole numbers with `separator` between them and nothing around them.
+/// Parses two integers with `separator` between them and nothing around them.
 std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
     std::array<int, 2> numbers{};
     const char* const end = text.data() + text.size();
@@ -57,7 +57,7 @@ Pixel parse_pixel(const std::string& text) {
     return {.row = (*pixel)[0], .column = (*pixel)[1]};
 }
 
-/// An option whose value is a number from least to most, which NaN is not.
+/// Adds an option whose value is a number from least to most; NaN is rejected.
 template <class Use>
 void add_number(CLI::App& app, const std::string& name, double least, double most,
                 const std::string& help, const std::string& type, Use use) {
@@ -75,7 +75,7 @@ void add_number(CLI::App& app, const std::string& name, double least, double mos
         ->type_name(type);
 }
 
-/// An option whose value is one of two words, the first if it is not given.
+/// Adds an option whose value is one of two words; the default is the first.
 void add_choice(CLI::App& app, const std::string& name, bool& second,
                 const std::array<std::string, 2>& words, const std::string& help) {
     app.add_option_function<std::string>(
@@ -96,7 +96,8 @@ void add_precision(CLI::App& app, const Program& program, Precision& precision) 
         ->type_name("double|float|exact");
 }
 
-/// Throws, and says which other program it is, if this one has not that precision.
+/// Throws InputError with the name of the right program, if this program does not have the
+/// precision.
 void check_precision(const Program& program, Precision precision) {
     if ((precision == Precision::exact) == program.exact) return;
     const std::string name(stage_name(program.stage));
@@ -107,7 +108,7 @@ void check_precision(const Program& program, Precision precision) {
                              " --precision exact builds and runs it");
 }
 
-/// The options that leave the others to the program.
+/// Adds the options for automatic settings.
 void add_goals(CLI::App& app, Options& options) {
     add_number(app, "--tolerance", least_error, brightest,
                "choose what is cheapest, if a pixel may be off by this much of 255", "E",
@@ -117,7 +118,7 @@ void add_goals(CLI::App& app, Options& options) {
                [&options](double seconds) { options.time = seconds; });
 }
 
-/// The options of the stages that have light.
+/// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, Look& look) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
                             const std::string& type, auto check) {
@@ -149,10 +150,11 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
             CLI::Range(0, most_depth));
 }
 
-/// A file in the project's folder, as short as it can be said from here.
+/// The path of a file in the project's folder, relative to the working directory.
 std::string in_project(const Program& program, const std::string& folder, const std::string& name) {
     const auto file = std::filesystem::path(program.root) / folder / name;
-    std::error_code no_such_folder;  // any more: then the path stays as it is
+    std::error_code
+        no_such_folder;  // the working directory no longer exists: then the path stays as it is
     return file.lexically_proximate(std::filesystem::current_path(no_such_folder)).string();
 }
 

@@ -18,7 +18,8 @@ Pace::Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point sta
 
 Look Pace::next(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    // How much slower it goes than expected, which the first rows alone do not tell.
+    // The measured slowdown compared to the expected times, damped because the first rows alone are
+    // not representative.
     const double doubt = 0.02 * seconds(end_ - start_);
     const double slower = (seconds(now - start_) + doubt) / (expected_ + doubt);
     const int left = std::max(rows_ - given_, 1);

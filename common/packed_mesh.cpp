@@ -11,8 +11,8 @@ inline namespace RT_LANES {
 
 namespace {
 
-/// The power of two that brings the largest coordinate between 1 and 2, so that no area over- or
-/// underflows; or as near to it as its inverse stays finite.
+/// The power of two that scales the largest coordinate to between 1 and 2, so that no area over- or
+/// underflows; limited so that its inverse is finite.
 Real scale_for(const Box& bounds) {
     const Real largest = largest_component(bounds);
     if (!(largest > 0 && largest < infinity)) return 1;
@@ -35,7 +35,7 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
     return std::bit_cast<TrianglePacket>(lanes);
 }
 
-/// One for each leaf, by two threads, half of them each; the second is one if the system has it.
+/// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one.
 std::vector<TrianglePacket> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
     std::vector<TrianglePacket> packets(leaves.size());
     const auto fill = [&](std::size_t begin, std::size_t end) {
@@ -47,8 +47,8 @@ std::vector<TrianglePacket> packed(const Mesh& mesh, std::span<const Leaf> leave
     return packets;
 }
 
-/// How much larger a triangle of that size must be, or areas times lengths might underflow: in a
-/// mesh of size 1, below 2^-30 in float, 2^-200 in double.
+/// The factor by which a triangle of that size must be enlarged so that areas times lengths do not
+/// underflow: needed in a mesh of size 1 below 2^-30 in float, 2^-200 in double.
 Real finer(Real size) {
     constexpr int least = sizeof(Real) == 4 ? -30 : -200;
     if (!(size > 0 && size < std::ldexp(Real(1), least))) return 1;
@@ -101,8 +101,8 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
 
 Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::size_t leaf,
                              const Interval& interval) const {
-    // Scaled by a power of two with the ray, a triangle is met at the same t, and areas keep their
-    // signs: neighbours in different scales leave no crack.
+    // If triangle and ray are scaled by a power of two, t does not change and areas keep their
+    // signs: neighbors with different scales leave no crack.
     Crossings all = test(packets_[leaf], interval);
     auto t = values(all.t);
     std::array areas = {values(all.areas[0]), values(all.areas[1]), values(all.areas[2])};
@@ -122,7 +122,7 @@ Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::siz
     return all;
 }
 
-#ifndef RT_EXACT  // which asks in steps/step13_meshes/exact/packed_mesh.cpp
+#ifndef RT_EXACT  // RT_EXACT uses steps/step13_meshes/exact/packed_mesh.cpp
 std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const TriangleTest test(seen);

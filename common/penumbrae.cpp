@@ -9,10 +9,10 @@ namespace rt {
 
 namespace {
 
-/// Fewer are too few to tell how far off they are.
+/// The smallest number of doubtful pixels from which the error is estimated.
 constexpr std::size_t fewest = 96;
 
-/// In each of a few draws the cells may be looked at once more.
+/// The largest number of draws, in each of which the cells are sampled once more.
 constexpr int most_draws = 16;
 
 class Scan {
@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    /// Marks, of some cells, those in which one ray and four do not agree.
+    /// Marks the given cells in which one ray and four rays give different colors.
     void mark(std::vector<bool>& in_penumbra, const std::vector<bool>& cells, int draw) {
         const std::vector<Pixel> pixels = runner_.spread().pixels(draw);
         std::vector<Pixel> some;
@@ -51,8 +51,8 @@ private:
             if (apart[i] > visible) in_penumbra[places[i]] = true;
     }
 
-    /// The cells next to one of another color, where something may be in a light's way: there is
-    /// where a thin penumbra can be.
+    /// The cells that touch one of a different color where a shape may occlude a light: only there
+    /// can a thin penumbra be.
     [[nodiscard]] std::vector<bool> shadow_borders(const Shot& shot) const {
         return runner_.spread().differing_neighbors([&](std::size_t a, std::size_t b) {
             return (asked_[a] || asked_[b]) &&
@@ -86,7 +86,7 @@ private:
     const Trials& trials_;
     Look look_;
     std::vector<Pixel> pixels_;
-    std::vector<bool> asked_;  ///< cells whose pixel sends rays to a light with a size
+    std::vector<bool> asked_;  ///< cells whose pixel sends rays to an area light
 };
 
 }  // namespace

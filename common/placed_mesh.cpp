@@ -14,7 +14,8 @@ Box bounds(const PlacedMesh& placed) {
                          (corner & 4U) != 0 ? model.max.z : model.min.z);
         box = united(box, moved(point, placed.placement));
     }
-    // The corners are rounded, a dozen times at most, and so is the ray carried into the frame.
+    // The margin covers at most a dozen roundings of the corners, and those of the ray's transform
+    // to object space.
     const Real largest = largest_component(box);
     const Real margin = 32 * unit_roundoff * largest;
     return {.min = box.min - margin, .max = box.max + margin};

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t signature_size = 8;
 
-/// Whether it is empty, or begins as a PNG does.
+/// Returns whether the file is empty or starts with the signature of a PNG.
 bool may_be_replaced(std::FILE* file) {
     std::array<png_byte, signature_size> bytes{};
     const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file);
@@ -32,8 +32,8 @@ bool may_be_replaced(std::FILE* file) {
                       : count == bytes.size() && png_sig_cmp(bytes.data(), 0, count) == 0;
 }
 
-/// Refuses a place where something stands that is not a picture's: renaming would replace a device,
-/// too, and a file that nobody may write to.
+/// Throws InputError if the target is not a replaceable picture: renaming would also replace a
+/// device, and a file without write permission.
 void check_place(const std::string& file) {
     const fs::path target = behind_links(file);
     std::error_code not_there;
@@ -54,7 +54,8 @@ void check_place(const std::string& file) {
                          "expected another name");
 }
 
-/// libpng's error function must not return, and may throw: no C frame between holds memory.
+/// The error function of libpng must not return, and may throw: no C stack frame in between owns
+/// memory.
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
     const auto& file = *static_cast<const std::string*>(png_get_error_ptr(png));
     fail_to_write(file, errno == 0 ? message : std::strerror(errno));
@@ -62,7 +63,7 @@ void check_place(const std::string& file) {
 
 void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
 
-/// libpng's two structures for one picture that is written.
+/// The two structures of libpng for writing one picture.
 class Writer {
 public:
     explicit Writer(const std::string& file)
@@ -96,7 +97,7 @@ private:
         for (const PngText& text : texts) {
             png_text chunk{};
             chunk.compression = PNG_ITXT_COMPRESSION_NONE;  // UTF-8
-            std::string key = text.key;                     // libpng takes no const, and copies
+            std::string key = text.key;  // libpng's members are not const; it copies the text
             std::string value = text.value;
             chunk.key = key.data();
             chunk.text = value.data();
@@ -120,7 +121,7 @@ void write_png(const std::string& file, const Image& image, const std::vector<Pn
     check_place(file);
     WholeFile whole(file);
     Writer(file).write(whole.stream(), image, texts);
-    check_place(file);  // somebody may have used the time
+    check_place(file);  // the target may have changed meanwhile
     whole.take_its_place();
 }
 

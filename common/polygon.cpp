@@ -15,8 +15,8 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Twice the polygon's area along its normal: Newell's sum, which a polygon that is not quite flat
-/// or has corners in line does not disturb (Sutherland, Sproull, Schumacker 1974).
+/// Newell's sum: the normal of the polygon with twice its area as length, also for a polygon that
+/// is not quite planar or has collinear corners (Sutherland, Sproull, Schumacker 1974).
 glm::dvec3 area_vector(std::span<const glm::dvec3> corners) {
     glm::dvec3 sum(0);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -27,8 +27,8 @@ glm::dvec3 area_vector(std::span<const glm::dvec3> corners) {
     return sum;
 }
 
-/// The corners without the coordinate along which the polygon is widest seen, and mirrored where
-/// need be: what was anticlockwise around `area` is anticlockwise in the plane.
+/// The corners projected along the axis of the largest projected area, and mirrored if needed:
+/// counterclockwise around `area` becomes counterclockwise in the plane.
 std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> corners, glm::dvec3 area) {
     const glm::dvec3 size = glm::abs(area);
     int axis = size.x > size.y ? 0 : 1;
@@ -42,13 +42,14 @@ std::vector<glm::dvec2> flattened(std::span<const glm::dvec3> corners, glm::dvec
     return points;
 }
 
-/// Twice the area of the triangle, positive if it is anticlockwise.
+/// Twice the signed area of the triangle, positive if it is counterclockwise.
 double turn(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Cuts off ears: corners whose triangle lies within the polygon (Meisters 1975). The corners that
-/// are left form a ring; each knows whether it is reflex, and only those can lie in an ear.
+/// Ear clipping: removes corners whose triangle is inside the polygon (Meisters 1975). The
+/// remaining corners form a ring. Each corner is marked as reflex or not, and only reflex ones can
+/// be inside an ear.
 class Ears {
 public:
     explicit Ears(std::vector<glm::dvec2> points) : points_(std::move(points)) {
@@ -63,7 +64,8 @@ public:
         }
     }
 
-    /// Whether every corner turns left; as the area is positive, it may go round only once.
+    /// Returns whether every corner turns left; because the area is positive, the polygon then has
+    /// a winding number of one.
     [[nodiscard]] bool is_convex() const { return reflex_.empty(); }
 
     [[nodiscard]] std::vector<std::array<Index, 3>> cut() {
@@ -72,7 +74,7 @@ public:
         std::vector<bool> gone(next_.size());
         Index somewhere = 0;
         while (triangles.size() + 2 < next_.size()) {
-            // With no ear left, the polygon was not simple, or is flat: any corner will do then.
+            // Without an ear, the polygon was not simple, or is degenerate: any corner is removed.
             Index ear = somewhere;
             while (!candidates_.empty()) {
                 const Index i = candidates_.back();
@@ -104,7 +106,8 @@ private:
         return std::none_of(reflex_.begin(), reflex_.end(), [&](Index r) {
             const glm::dvec2 p = points_[r];
             if (p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y) return false;
-            // A corner in the same place is a bridge to a hole, or a touch: it is not in the way.
+            // A corner at the same position belongs to a bridge to a hole, or touches the triangle:
+            // it does not block the ear.
             if (p == a || p == b || p == c) return false;
             return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
         });
@@ -116,7 +119,8 @@ private:
         next_[before] = after;
         previous_[after] = before;
         if (is_reflex_[ear]) std::erase(reflex_, ear);
-        // Nobody else can have become an ear (Eberly, "Triangulation by ear clipping", 2002).
+        // Only these two corners can have become ears (Eberly, "Triangulation by ear clipping",
+        // 2002).
         for (const Index i : {before, after}) {
             if (is_reflex_[i] && turn_at(i) > 0) {
                 is_reflex_[i] = false;
@@ -145,7 +149,8 @@ std::vector<std::array<Index, 3>> fan(Index count) {
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const glm::dvec3> corners) {
     const auto count = static_cast<Index>(corners.size());
     const glm::dvec3 area = count > 3 ? area_vector(corners) : glm::dvec3(0);
-    if (area == glm::dvec3(0)) return fan(count);  // a triangle, or no plane to look at it in
+    if (area == glm::dvec3(0))
+        return fan(count);  // a triangle, or a polygon without a plane of projection
     Ears ears(flattened(corners, area));
     return ears.is_convex() ? fan(count) : ears.cut();
 }

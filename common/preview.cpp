@@ -6,7 +6,7 @@ namespace rt {
 
 namespace {
 
-/// The mean colour of a block of the picture, which has one pixel at least.
+/// The mean color of a block of the picture, of at least one pixel.
 Rgb mean(const Image& image, Pixel from, Pixel to) {
     to = {.row = std::max(to.row, from.row + 1), .column = std::max(to.column, from.column + 1)};
     std::array<std::int64_t, 3> sum{};
@@ -19,7 +19,8 @@ Rgb mean(const Image& image, Pixel from, Pixel to) {
     return color;
 }
 
-/// At most `width` wide and of an even height, of the same shape.
+/// The image scaled down to at most `width` columns and an even number of rows, with its aspect
+/// ratio kept.
 Image shrunk(const Image& image, int width) {
     const int full_width = image.resolution.width;
     const int full_height = image.resolution.height;
@@ -52,8 +53,8 @@ std::string preview(const Image& image, int columns) {
     std::string text;
     for (int row = 0; row + 1 < small.resolution.height; row += 2) {
         for (int column = 0; column < small.resolution.width; ++column) {
-            text += color_code("38;2", small[{row, column}]);      // the block's colour
-            text += color_code("48;2", small[{row + 1, column}]);  // what is behind it
+            text += color_code("38;2", small[{row, column}]);  // foreground: the upper half block
+            text += color_code("48;2", small[{row + 1, column}]);  // background: the lower half
             text += "▀";
         }
         text += "\033[0m\n";

@@ -13,11 +13,11 @@ struct Row {
     std::int64_t rays = 0;
     std::int64_t sized_light_rays = 0;
     int not_a_number = 0;
-    int first_not_a_number = 0;  ///< a column
+    int first_not_a_number = 0;  ///< column index
 };
 
-/// It has a copy of the pixel rays, which nobody else can change: what is the same for a whole row
-/// is worked out once, where all is compiled as one (steps/stage.cmake).
+/// Renders one row. It has its own copy of the pixel rays, which no other code can change: in a
+/// unity build (steps/stage.cmake), quantities that are constant in a row are computed once.
 [[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
                                 const RenderSettings& settings, int row, Image& image) {
     Context context{.look = settings.next_look ? settings.next_look() : settings.look};
@@ -34,8 +34,9 @@ struct Row {
     return result;
 }
 
-/// Every row once. For a time neighbours are far apart, so that any part of them takes its share of
-/// it; else they follow each other, and find in the cache what the one before has asked for.
+/// The order of the rows. With a time budget, successive rows are far apart, so that every part of
+/// the picture gets its share of the time. Otherwise rows are in sequence, and use data that the
+/// previous row has brought into the cache.
 std::vector<int> order_of(int rows, bool for_a_time) {
     constexpr double golden_ratio = 0.6180339887498949;
     int step = for_a_time ? int(golden_ratio * rows) : 1;

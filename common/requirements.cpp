@@ -10,7 +10,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// How many materials of the scene `is` holds of.
+/// The number of materials in the scene that satisfy the predicate.
 template <class Predicate>
 std::size_t materials(const Scene& scene, Predicate is) {
     std::size_t count = 0;

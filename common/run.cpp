@@ -33,18 +33,18 @@ std::string size_text(Resolution size) {
 void refuse_later_stages(const Scene& scene, const Program& program, const Options& options) {
     const std::vector<Requirement> needs = requirements(scene, program.stage);
     if (needs.empty() || needs.back().stage <= program.stage) return;
-    const auto& [what, stage] = needs.back();  // whoever has this stage has the others
+    const auto& [what, stage] = needs.back();  // a program of this stage has the earlier ones too
     throw InputError({options.scene}, what + " in the scene, which " +
                                           std::string(stage_name(stage)) +
                                           " brings: run that, or a later stage");
 }
 
-/// Where the shapes are the lesson there are no balls, so that a wrong formula shows.
+/// In the stages about shapes there are no bounding spheres, so that a wrong formula is visible.
 Arrangement arrangement(const Program& program, const Options& options) {
     return {.hierarchy_from = options.hierarchy_from, .balls = program.stage >= light_stage};
 }
 
-/// Makes it the first.
+/// Moves the selected camera to the front.
 void choose_camera(Scene& scene, const Options& options) {
     const auto index = std::size_t(options.camera - 1);
     if (index < scene.cameras.size()) return std::swap(scene.cameras[0], scene.cameras[index]);
@@ -54,7 +54,8 @@ void choose_camera(Scene& scene, const Options& options) {
                                           ", and no --camera " + std::to_string(options.camera));
 }
 
-/// A mesh could begin as a PNG does, which the picture may replace.
+/// Throws InputError if the output is a mesh of the scene: a mesh file that starts as a PNG does
+/// could be overwritten.
 void refuse_mesh_as_output(const Scene& scene, const Options& options) {
     for (const NamedMesh& mesh : scene.named_meshes) {
         std::error_code not_there;
@@ -79,7 +80,8 @@ Scene load(const Program& program, const Options& options) {
     return scene;
 }
 
-/// What the picture says of itself: whatever made it what it is. The number of threads did not.
+/// The metadata of the picture: everything that determined it. The number of threads does not
+/// affect it.
 std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
     const bool is_float = options.precision == Precision::f32;
     const std::string used =
@@ -110,7 +112,7 @@ void report(const Rendering& rendering, const Options& options, const Pace* pace
                 first.row, first.column);
 }
 
-/// Whoever sees nothing is told why.
+/// Warns if the picture has a single color, with the reason.
 void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
                    const Image& image) {
     if (program.stage < shapes_stage) return;

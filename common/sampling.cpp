@@ -12,7 +12,8 @@ std::uint32_t reversed(std::uint32_t bits) {
     return ((bits & 0x55555555U) << 1) | ((bits & 0xaaaaaaaaU) >> 1);
 }
 
-/// Every bit of the result depends on every bit of the value (Appleby's finaliser of MurmurHash3).
+/// A hash in which every bit of the result depends on every bit of the value (Appleby's finalizer
+/// of MurmurHash3).
 std::uint32_t mixed(std::uint32_t value) {
     value ^= value >> 16;
     value *= 0x85ebca6bU;
@@ -21,8 +22,8 @@ std::uint32_t mixed(std::uint32_t value) {
     return value ^ (value >> 16);
 }
 
-/// Each bit flipped or not, as the seed and the bits below it say (Burley 2020, after Laine and
-/// Karras 2011): Owen's scrambling of the number with its bits in reverse.
+/// Flips each bit or not, depending on the seed and the bits below it (Burley 2020, after Laine and
+/// Karras 2011): Owen's scrambling of the bit-reversed number.
 std::uint32_t flipped(std::uint32_t bits, std::uint32_t seed) {
     bits += seed;
     bits ^= bits * 0x6c50b47cU;
@@ -32,8 +33,8 @@ std::uint32_t flipped(std::uint32_t bits, std::uint32_t seed) {
     return bits;
 }
 
-/// The second dimension of Sobol's sequence, its bits in reverse. The bits of the index are the
-/// coefficients of a polynomial modulo 2, whose x becomes x + 1: Sobol's matrix is Pascal's
+/// The second dimension of Sobol's sequence, bit-reversed. The bits of the index are the
+/// coefficients of a polynomial modulo 2, in which x becomes x + 1: Sobol's matrix is Pascal's
 /// triangle. As (x + 1)^k = x^k + 1 for k = 1, 2, 4, …, the upper halves are added to the lower.
 std::uint32_t sobol_second(std::uint32_t bits) {
     bits ^= (bits & 0xaaaaaaaaU) >> 1;
@@ -43,7 +44,7 @@ std::uint32_t sobol_second(std::uint32_t bits) {
     return bits ^ (bits >> 16);
 }
 
-/// 24 bits, which a float holds too, so that both precisions sample the same points.
+/// 24 bits, which float represents exactly, so that both precisions use the same points.
 Real to_unit_interval(std::uint32_t bits) {
     return Real(bits >> 8) / Real(1U << 24);
 }
@@ -51,7 +52,8 @@ Real to_unit_interval(std::uint32_t bits) {
 }  // namespace
 
 Vec2 RT_PRECISION::spread_sample(std::uint32_t index, std::uint32_t seed) {
-    const std::uint32_t first = reversed(flipped(index, seed));  // the first dimension is reversed
+    const std::uint32_t first =
+        reversed(flipped(index, seed));  // the first dimension is the bit-reversed index
     const std::uint32_t second = reversed(flipped(sobol_second(index), mixed(seed)));
     return {to_unit_interval(first), to_unit_interval(second)};
 }

@@ -29,8 +29,8 @@ Look to_error(Look look, double error, int agree) {
 }
 
 Look reference_look(Look look, double tolerance) {
-    // Rays that agree have overlooked about half of one in so many of the light: less than the
-    // tolerance.
+    // If this many rays agree, the part of the light that they may have missed is about half of 1 /
+    // agree: less than the tolerance.
     const auto agree = unsigned(std::clamp(200 / tolerance, 32., double(most_shadow_samples)));
     return to_error(look, tolerance / 2, int(std::bit_floor(agree)));
 }

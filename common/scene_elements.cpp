@@ -28,7 +28,8 @@ void read_camera(Fields& fields, const ElementReading& reading, Scene& scene) {
                              .fov_axis = reading.fov_axis});
 }
 
-/// Left-handed if the scene's axes are: what is placed by it is mirrored.
+/// The basis in the program's axes. It is left-handed if the scene's axes are: shapes placed with
+/// it are mirrored.
 Basis to_our_axes(const Basis& basis, Axes axes) {
     return {.x = to_our_axes(basis.x, axes),
             .y = to_our_axes(basis.y, axes),
@@ -49,7 +50,7 @@ bool is_finite(Vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The colour, the last field of a shape, and the options that every shape has.
+/// Reads the color, which is the last field of a shape, and the options that every shape has.
 Material read_material(Fields& fields) {
     const Material plain;
     const Color color = fields.color();
@@ -97,7 +98,7 @@ void read_square(Fields& fields, const ElementReading& reading, Scene& scene) {
 void read_cylinder(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 position = fields.point("position");
     const Vec3 axis = fields.direction("direction");
-    // An early revision of the format has the colour here.
+    // An early revision of the format has the color at this position.
     const bool early = fields.triple_follows();
     const Material early_material = early ? read_material(fields) : Material{};
     const Real radius = fields.length("diameter") / 2;

@@ -9,7 +9,7 @@ namespace rt::inline RT_PRECISION {
 
 namespace {
 
-/// Whether 0 ≤ number ≤ bound holds for what is written; −0 is 0.
+/// Returns whether 0 ≤ number ≤ bound for the number as written; −0 is 0.
 bool within(const Decimal& number, int bound) {
     const bool below = number.negative && exceeds(number, 0);
     return !below && !exceeds(number, bound);
@@ -82,7 +82,7 @@ Real Fields::angle(std::string_view field) {
         doubt(end_of_line(), "no angle", missing(field), "it is 60");
         return pi / 3;
     }
-    // float's π is more than π, and the tangent of its half negative.
+    // π rounded to float is greater than π, and the tangent of its half is negative.
     const Real largest = std::nextafter(pi, Real(0));
     return std::min(up_to(180, take_word(field), field) * pi / 180, largest);
 }
@@ -101,7 +101,8 @@ Color Fields::color() {
     return read.value / Real(255);
 }
 
-/// Takes words up to the first that is no number, if lenient reading finds one and no triple.
+/// Consumes words up to the first that is not a number, if lenient reading finds such a word and no
+/// triple.
 bool Fields::word_for_color() {
     if (strict() || !words_without_triple()) return false;
     for (std::optional<Decimal> number = Decimal(); number;) {
@@ -176,7 +177,8 @@ Real Fields::length_of(Token token, const std::string& name) {
     return number.value;
 }
 
-/// Nothing if it is zero. Any length is fine, but the format has components from −1 to 1.
+/// A unit direction, or nothing if it is zero. Strict reading requires components from −1 to 1, as
+/// the format does; lenient reading accepts any length.
 std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view field) {
     for (std::size_t i = 0; strict() && i < read.parts.size(); ++i) {
         if (!exceeds(read.numbers[i], 1)) continue;
@@ -186,7 +188,7 @@ std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view 
     return unit(read.value);
 }
 
-/// A number from 0 to the bound.
+/// A number from 0 to the bound, inclusive.
 Real Fields::up_to(int bound, Token token, std::string_view field) {
     const Decimal number = decimal(token, what(field));
     if (within(number, bound)) return number.value;

@@ -10,7 +10,7 @@ constexpr std::string_view blanks = " \t\r\v\f";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t longest_quote = 40;
 
-/// Where the comment of the line begins; its size if it has none.
+/// The offset of the line's comment; the line's size if it has none.
 std::size_t comment_start(std::string_view line) {
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (line[i] == '#') return i;
@@ -20,7 +20,7 @@ std::size_t comment_start(std::string_view line) {
     return line.size();
 }
 
-/// The words between two offsets of the line, whose first byte stands in `column`.
+/// The words between two offsets of the line, whose first byte is at `column`.
 std::vector<Token> words(std::string_view line, std::size_t begin, std::size_t end, int column) {
     std::vector<Token> found;
     while (true) {
@@ -32,7 +32,7 @@ std::vector<Token> words(std::string_view line, std::size_t begin, std::size_t e
     }
 }
 
-/// Where the words of a "# rt: …" comment begin; the line's size for any other comment.
+/// The offset of the words of a "# rt: …" comment; the line's size for any other comment.
 std::size_t directive_start(std::string_view line, std::size_t comment) {
     if (comment == line.size() || line[comment] != '#') return line.size();
     const std::size_t word = std::min(line.find_first_not_of(blanks, comment + 1), line.size());

@@ -13,12 +13,12 @@ namespace rt::inline RT_PRECISION {
 
 namespace {
 
-/// The largest scene known has 11,302 elements, less than 1 MB; this is room for 250,000 of 64
-/// bytes. A larger file is something else, and reading on would only fill the memory.
+/// The largest known scene has 11,302 elements in less than 1 MB; this limit has room for 250,000
+/// elements of 64 bytes. A larger file is not a scene, and would only fill the memory.
 constexpr std::size_t largest_file = std::size_t(16) << 20;
 
-/// No element needs more than a few hundred characters, and a word costs more memory than it has
-/// in the file: this bounds what one line can take.
+/// No element needs more than a few hundred characters, and a word takes more memory than its text:
+/// this limits the memory for one line.
 constexpr std::size_t longest_line = 10'000;
 
 void check_is_text(std::string_view text, const SceneReport& report) {
@@ -45,7 +45,7 @@ std::string all_keywords() {
     return list;
 }
 
-/// Sets what one word of "# rt: …" says.
+/// Applies one word of "# rt: …" to the reading options.
 void apply_directive(Token word, int line, SceneReport& report, SceneReading& reading) {
     const std::string_view text = word.text;
     if (text == "fov=vertical" || text == "fov=horizontal") {
@@ -65,7 +65,8 @@ void apply_directive(Token word, int line, SceneReport& report, SceneReading& re
     }
 }
 
-/// The reading, with what the file says about itself: on any line, for the whole file.
+/// The reading options with the file's directives, which may be on any line and apply to the whole
+/// file.
 SceneReading with_directives(std::string_view text, SceneReading reading, SceneReport& report) {
     Lines lines(text);
     while (const auto line = lines.next()) {
@@ -76,14 +77,14 @@ SceneReading with_directives(std::string_view text, SceneReading reading, SceneR
     return reading;
 }
 
-/// "-1,0,0", for a scene to have it.
+/// The axis in the form of a scene file: "-1,0,0".
 std::string text_of(Vec3 axis) {
     const auto digits = [](Real component) { return std::to_string(int(component)); };
     return digits(axis.x) + "," + digits(axis.y) + "," + digits(axis.z);
 }
 
-/// Of the six directions along the axes, the one nearest to which most shapes lie, as their centres
-/// are seen from there. (0, 0, −1) if there are none, as in MRT §2.
+/// The direction along a coordinate axis that is closest to the direction of most shapes, measured
+/// to their centers from `from`. (0, 0, −1) if there are none, as in MRT §2.
 Vec3 axis_to_most_shapes(const Scene& scene, Vec3 from) {
     std::array<int, 6> near{};
     const auto count = [&](Vec3 center) {
@@ -108,7 +109,7 @@ Vec3 axis_to_most_shapes(const Scene& scene, Vec3 from) {
     return axis;
 }
 
-/// What a wrong file is told in the end, if most of it seems to be something else.
+/// A remark for the error of a file that seems to have another format.
 std::string foreign_remark(std::string_view text) {
     int lines = 0;
     int known = 0;
@@ -124,7 +125,7 @@ std::string foreign_remark(std::string_view text) {
            " lines begin with a word that no scene has: is this another format?";
 }
 
-/// Reads one file's elements, remembering where each keyword stood first.
+/// Reads the elements of one file, and records the first location of each keyword.
 class ElementReader {
 public:
     ElementReader(ElementReading reading, SceneReport& report)
@@ -158,7 +159,7 @@ public:
                 {.camera = cameras, .line = number, .column = place.column});
     }
 
-    /// The scene, after the last line.
+    /// Returns the scene; call it after the last line.
     Scene take() {
         if (scene_.cameras.empty()) {
             report_.fail(0, 0, "no camera: expected a line \"C position direction fov\"");

@@ -4,7 +4,8 @@ namespace rt {
 
 namespace {
 
-/// Nobody reads more, and a file that is no scene at all could fill a terminal.
+/// A limit on the number of warnings, so that a file that is not a scene does not fill the
+/// terminal.
 constexpr std::size_t most_warnings = 20;
 
 }  // namespace

@@ -8,13 +8,13 @@ namespace rt {
 
 namespace {
 
-/// In units of u times the largest coordinate. No shape's rounded test is wrong by more: twice what
-/// a hierarchy's boxes allow for (slab_test.hpp).
+/// A bound on the error of every shape's rounded test, in units of u times the largest coordinate:
+/// twice the value that the boxes of a hierarchy allow for (slab_test.hpp).
 constexpr Real test_roundings = 32;
 
-/// A distance from a plane is rounded by less. The rays start 16 off the surface, less the 8 by
-/// which their point may be off it (projection.hpp), so that of a flat shape that they start from
-/// it mostly tells that they leave it.
+/// A bound on the rounding error of a distance from a plane. Shadow rays start 16 off the surface,
+/// minus the 8 by which their origin may be off it (projection.hpp), so that for a flat shape at
+/// their origin the test usually detects that they leave it.
 constexpr Real distance_roundings = 6;
 
 }  // namespace
@@ -39,7 +39,7 @@ Real Shaft::roundings(Real units, Real largest) const {
 
 bool Shaft::beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const {
     const Real square = dot(normal, normal);
-    if (!keeps_its_digits(square)) return false;  // who knows how long it is
+    if (!keeps_its_digits(square)) return false;  // its length is unknown
     const Real size = std::sqrt(square);
     const Real largest = largest_component(in_plane);
     const Vec3 to_point = point_ - in_plane;
@@ -84,7 +84,8 @@ bool Shaft::may_hold(const Sphere& sphere) const {
         if (center[i] + (radius + slack) < bounds_.min[i] ||
             center[i] - (radius + slack) > bounds_.max[i])
             return false;
-    // From a point near the sphere, the plane between them is what keeps the ball away.
+    // For a point near the sphere, the tangent plane between them separates the sphere from the
+    // shaft.
     const Vec3 outward = point_ - center;
     const Real distance = length(outward);
     return !(distance > radius + roundings(distance_roundings, largest) &&
@@ -99,7 +100,8 @@ bool Shaft::may_hold(const Triangle& triangle) const {
     const auto& [a, b, c] = triangle;
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
-    const Real error = 4 * unit_roundoff * length(ab) * length(ac);  // of a sliver's normal: all
+    const Real error =
+        4 * unit_roundoff * length(ab) * length(ac);  // for a sliver, as large as the normal
     return may_hold(bounds(triangle)) && !beside_plane(a, cross(ab, ac), error);
 }
 

@@ -22,7 +22,7 @@ std::vector<double> distances(const Shot& a, const Shot& b) {
 }
 
 std::size_t exceptions(std::size_t tried, double share) {
-    constexpr double certain = 1.64;  // standard errors: 95 %
+    constexpr double certain = 1.64;  // number of standard errors for 95 %
     if (share >= 1) return tried;
     const double expected = share * double(tried);
     return std::size_t(std::max(expected - certain * std::sqrt(expected * (1 - share)), 0.));
@@ -37,8 +37,8 @@ double error_but_for(std::size_t exceptions, std::vector<double> distances) {
 
 double error_but_for_share(double share, const std::vector<double>& distances) {
     if (distances.empty() || share >= 1) return 0;
-    // So many, all of them within the tolerance, show with 95 % that no more than the share is not:
-    // (1 - share)^n = 0.05.
+    // With this many pixels, all within the tolerance, it follows with 95 % confidence that at most
+    // the fraction `share` is not: (1 - share)^n = 0.05.
     const double enough = std::log(0.05) / std::log(1 - share);
     const double too_few = std::sqrt(std::max(enough / double(distances.size()), 1.));
     return too_few * error_but_for(exceptions(distances.size(), share), distances);

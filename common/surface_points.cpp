@@ -10,14 +10,15 @@ namespace rt {
 
 namespace {
 
-/// A unit vector at right angles to the axis, turned around it by this part of a whole turn.
+/// A unit vector perpendicular to the axis, rotated around it by `turn` of a full turn.
 Vec3 around(Vec3 axis, Real turn) {
     const Vec3 aside = std::abs(axis.x) < Real(0.6) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 x = unit(cross(axis, aside));
     return std::cos(2 * pi * turn) * x + std::sin(2 * pi * turn) * cross(axis, x);
 }
 
-/// A point in the half-plane of a surface of revolution: from the axis, and along it.
+/// A point in the half-plane of a surface of revolution: its coordinates from the axis and along
+/// it.
 struct Meridian {
     Real across;
     Real along;
@@ -41,7 +42,7 @@ Real size(const Sphere& sphere) {
 }
 
 Real size(const Triangle& triangle) {
-    // Twice the area by the longest side: the least height.
+    // Twice the area divided by the longest side: the smallest height.
     const Vec3 ab = triangle.b - triangle.a;
     const Vec3 ac = triangle.c - triangle.a;
     const Real longest = std::max({length(ab), length(ac), length(ac - ab)});
@@ -102,7 +103,7 @@ Vec3 point_of(const Cone& cone, Vec2 place) {
 
 Vec3 point_of(const OrientedBox& box, Vec2 place) {
     const auto& [x, y, z] = box.basis;
-    // Which of the six faces, and where in it.
+    // The index of the face, and the position in it.
     const auto face = std::min(int(6 * place.x), 5);
     const Real part = 6 * place.x - Real(face);
     const Real side = face % 2 == 0 ? -1 : 1;

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-// The one question that standard C++ cannot ask.
+// Standard C++ has no function for this.
 #ifdef _WIN32
 #include <io.h>
 #else

@@ -15,7 +15,7 @@ std::string field(const char* name, const std::string& value) {
 }  // namespace
 
 std::string text(Real value) {
-    if (std::isnan(value)) return "nan";  // whose sign tells nothing
+    if (std::isnan(value)) return "nan";  // the sign of NaN has no meaning
     std::array<char, 64> buffer{};
     const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), end};
@@ -34,7 +34,7 @@ std::string code(Real value) {
     if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
     const std::string digits = text(value);
     const bool whole = digits.find_first_of(".e") == std::string::npos;
-    // Whole numbers in C++ have no −0, and end somewhere: 2^31 is safe.
+    // An integer literal in C++ has no −0, and is limited: 2^31 is safe.
     const bool plain = whole && digits != "-0" && std::abs(value) <= Real(1U << 31);
     return plain ? digits : "Real(" + digits + (whole ? ".0)" : ")");
 }

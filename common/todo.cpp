@@ -6,7 +6,7 @@
 namespace rt {
 
 void say_todo(const char* file, int line, const char* function) {
-    // From the project's folder on, wherever that is.
+    // Prints the path from the project's folder, wherever that is.
     const std::string_view path(file);
     const std::size_t start = path.rfind("steps/step");
     std::fprintf(stderr, "%s:%d: %s is not written yet\n",

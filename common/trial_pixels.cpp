@@ -7,10 +7,11 @@ namespace rt {
 
 namespace {
 
-/// In pictures of more pixels than this, cells are larger.
+/// The number of pixels above which cells are larger.
 constexpr std::size_t large_picture = 160'000;
 
-/// Every bit of the result depends on every bit of the value (Appleby's finalizer of MurmurHash3).
+/// A hash in which every bit of the result depends on every bit of the value (Appleby's finalizer
+/// of MurmurHash3).
 std::uint32_t mixed(std::uint32_t value) {
     value ^= value >> 16;
     value *= 0x85ebca6bU;
@@ -42,7 +43,7 @@ std::vector<Pixel> SpreadPixels::pixels(int draw) const {
             const int height = std::min(side_, size_.height - row * side_);
             const int width = std::min(side_, size_.width - column * side_);
             const auto cell = std::uint32_t(row * columns_ + column);
-            // An odd step walks through a power of two of places without coming back early.
+            // An odd step visits all residues modulo a power of two before it repeats one.
             const std::uint32_t place =
                 (mixed(cell) + std::uint32_t(draw) * 11) % std::uint32_t(height * width);
             all.push_back({.row = row * side_ + int(place) / width,

@@ -3,7 +3,7 @@
 namespace rt {
 
 double TrialRunner::limit() const {
-    constexpr double unseen = 0.5;  // half a step is what rounding to the picture's colors takes
+    constexpr double unseen = 0.5;  // rounding to the picture's colors has an error of half a level
     return aim_.tolerance.value_or(unseen);
 }
 

@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// As few digits as tell it from all other numbers.
+/// The shortest text that identifies the number.
 std::string shortest(double value) {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, value).ptr};

@@ -20,7 +20,7 @@ constexpr std::string_view part_end = ".part";
 constexpr std::size_t part_digits = 16;
 constexpr std::string_view hexadecimal = "0123456789abcdef";
 
-/// As short for a long name as for a short one, which leaves no room for more.
+/// The name does not depend on the target's name, which may already have the maximum length.
 std::string part_name() {
     std::random_device random;
     std::string name(part_start);
@@ -32,12 +32,12 @@ std::string part_name() {
     throw InputError({file.string()}, "cannot be written: " + why);
 }
 
-/// Opens a file in the folder that was not there before, and stores its name.
+/// Creates a new file in the folder, and stores its name in `part`.
 std::FILE* open_part(const fs::path& folder, const fs::path& meant, fs::path& part) {
     constexpr int tries = 100;
     for (int i = 0; i < tries; ++i) {
         part = folder / part_name();
-        // "x": fails if anything has that name, a symbolic link too.
+        // "x": fails if the name exists, also as a symbolic link.
         if (std::FILE* stream = std::fopen(part.string().c_str(), "wbx")) return stream;
         if (errno != EEXIST) break;
     }
@@ -94,7 +94,7 @@ void WholeFile::take_its_place() {
 void check_folder_of(const fs::path& file) {
     fs::path folder = behind_links(file).parent_path();
     std::error_code none;
-    // What is missing would be made.
+    // Missing folders would be created.
     while (!folder.empty() && !fs::exists(fs::symlink_status(folder, none)))
         folder = folder.parent_path();
     if (!folder.empty() && !fs::is_directory(folder, none))

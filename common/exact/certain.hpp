@@ -1,4 +1,4 @@
-// What a certified kernel is made of where one word is enough.
+// Basic bounds of the certified kernels, for computations in working precision.
 #pragma once
 
 #include "common/ray.hpp"
@@ -7,27 +7,28 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// What is added to a bound of a sum of products: more than what underflows on the way drops.
+/// A term for bounds of sums of products: larger than the total error of intermediate underflows.
 inline constexpr Real underflow = Real(0x1p-900);
 
-/// Whether products of six such lengths stay numbers, and what underflows beside them is far less
-/// than u of them. Kernels take other lengths to more digits, in units of their own.
+/// Returns whether products of six lengths in this range neither over- nor underflow by more than u
+/// of their size. For other lengths, kernels use more digits, in scaled units.
 [[nodiscard]] inline bool moderate(Real least, Real largest) {
     return Real(0x1p-150) < least && largest < Real(0x1p150);
 }
 
-// A kernel starts from a point p of the ray that is near the shape, relative to it: fused_at of a
-// difference and a t, and what that difference drops. Two sums round, by u |p| each; so does what
-// is dropped, by u w: w = u |t| |d| counts where the ray comes from so far that all digits of p are
-// among those. So p is within u (2 |p| + w) of the line, wherever on it that t may be.
+// A kernel starts from a point p of the ray near the shape, relative to the shape: fused_at of a
+// difference and a t, plus the rounding error of that difference. Two sums round, by u |p| each;
+// the rounding error is itself rounded by u w, where w = u |t| |d| matters if the ray's origin is
+// so far away that all digits of p are in that error. So p is within u (2 |p| + w) of the line, for
+// any t.
 
-/// A root that is known but for so much.
+/// An approximate root with a bound on its error.
 struct Estimate {
     Real t;
     Real error;
 
-    /// Whether it is outside the interval, or inside, wherever the root is.
-    /// Never if the error is infinite.
+    /// Returns whether the root is certainly before the interval; `after` and `inside` are
+    /// analogous. False for an infinite error.
     [[nodiscard]] bool before(Interval interval) const { return t < interval.min - error; }
     [[nodiscard]] bool after(Interval interval) const { return t > interval.max + error; }
 
@@ -35,7 +36,7 @@ struct Estimate {
         return interval.min + error < t && t < interval.max - error;
     }
 
-    /// Whether it is inside, wherever the root is, and no further from it than `most` u t.
+    /// Returns whether the root is certainly inside, and its error is at most `most` u t.
     [[nodiscard]] bool answers(Interval interval, Real most) const {
         return error <= most * unit_roundoff * std::abs(t) && inside(interval);
     }

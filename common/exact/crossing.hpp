@@ -1,5 +1,5 @@
-// What a shape is along a ray: where it is a polynomial's root, on the part of it where others are
-// not negative. In what numbers is left open.
+// A shape restricted to a ray: the roots in t of one quadratic at which some other polynomials are
+// not negative. A template over the number type.
 #pragma once
 
 #include "common/ray.hpp"
@@ -17,13 +17,14 @@ struct Polynomial {
     T c2 = Real(0);
 };
 
-/// What a shape is along a ray.
+/// The intersection of a shape with a ray's line.
 template <class T, std::size_t count>
 struct Crossing {
-    T a = Real(0);  ///< a t² + 2 b t + c = 0 where the ray meets the whole of the surface
+    T a = Real(0);  ///< a t² + 2 b t + c = 0 at the intersections with the shape's whole surface
     T b = Real(0);
     T c = Real(0);
-    std::array<Polynomial<T>, count> conditions;  ///< none of them negative on the shape's part
+    std::array<Polynomial<T>, count>
+        conditions;  ///< none is negative on the part that belongs to the shape
 };
 
 template <class T>
@@ -37,8 +38,8 @@ struct Triple {
     }
 };
 
-/// How a shape says what it is along a ray: in units of this length, and of the ray's speed,
-/// crossing_in(T(), ray) is a Crossing<T, …>.
+/// A shape and a ray for evaluation in several number types: in units of `length_unit` and of the
+/// ray's speed, crossing_in(T(), ray) returns a Crossing<T, …>.
 template <class CrossingIn>
 struct Along {
     Real length_unit;

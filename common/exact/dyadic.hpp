@@ -1,4 +1,5 @@
-// Numbers of as many digits as it takes: what decides where twice the digits leave it open.
+// Arbitrary-precision dyadic numbers. They decide the cases that are undecided in twice the working
+// precision.
 #pragma once
 
 #include "common/exact/two_words.hpp"
@@ -9,21 +10,22 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A whole number times a power of two, as every Real is. Sums, differences and products of such
-/// are such, and nothing is rounded, nor is anything too large or too small.
+/// An integer times a power of two, which represents every Real. Sums, differences and products are
+/// exact, without overflow and underflow.
 class Dyadic {
 public:
     Dyadic() = default;
-    Dyadic(Real exactly);  // NOLINT: a number is exactly this; infinity and NaN are none
+    Dyadic(Real exactly);  // NOLINT: implicit, because the conversion is exact; infinity and NaN
+                           // make an invalid number
 
-    /// -1, 0 or 1; nothing if what it was made from was infinite or NaN.
+    /// -1, 0 or 1; nothing if the number resulted from an infinity or NaN.
     [[nodiscard]] std::optional<int> sign() const {
         if (!number_) return std::nullopt;
         if (digits_.empty()) return 0;
         return negative_ ? -1 : 1;
     }
 
-    /// Rounded to two words.
+    /// The number rounded to two words.
     [[nodiscard]] TwoWords rounded() const;
 
     friend Dyadic operator-(Dyadic a) {
@@ -35,25 +37,26 @@ public:
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
 
 private:
-    using Digit = std::uint32_t;  // in base 2^32, the last first; the outermost are not 0
+    using Digit =
+        std::uint32_t;  // in base 2^32, the least significant first; the outermost digits are not 0
     static constexpr int base = 32;
 
     [[nodiscard]] int end() const { return lowest_ + int(digits_.size()); }
     [[nodiscard]] std::uint64_t at(int place) const {
         return lowest_ <= place && place < end() ? digits_[std::size_t(place - lowest_)] : 0;
     }
-    [[nodiscard]] static bool less(const Dyadic& a, const Dyadic& b);  // of their sizes
+    [[nodiscard]] static bool less(const Dyadic& a, const Dyadic& b);  // compares magnitudes
     void trim();
 
     std::vector<Digit> digits_;
-    int lowest_ = 0;  ///< the place of the first: it counts 2^(32 lowest_)
+    int lowest_ = 0;  ///< the place of the first digit: its weight is 2^(32 lowest_)
     bool negative_ = false;
     bool number_ = true;
 };
 
 inline Dyadic::Dyadic(Real exactly) : negative_(exactly < 0), number_(std::isfinite(exactly)) {
     if (!number_ || exactly == 0) return;
-    // The largest digit's worth of it, then that of the rest, which is exact as well.
+    // Extracts the most significant digit, then that of the remainder, which is exact as well.
     lowest_ = int(std::floor(Real(std::ilogb(exactly)) / base)) - 2;
     digits_.resize(3);
     Real rest = std::ldexp(std::abs(exactly), -base * lowest_ - 2 * base);
@@ -90,7 +93,7 @@ inline Dyadic operator+(const Dyadic& a, const Dyadic& b) {
     sum.lowest_ = std::min(a.lowest_, b.lowest_);
     const int end = std::max(a.end(), b.end()) + 1;
     sum.digits_.reserve(std::size_t(end - sum.lowest_));
-    std::uint64_t carried = 0;  // of a difference, what was borrowed
+    std::uint64_t carried = 0;  // the borrow in a difference
     for (int place = sum.lowest_; place < end; ++place) {
         const std::uint64_t digit =
             subtracts ? a.at(place) - b.at(place) - carried : a.at(place) + b.at(place) + carried;
@@ -125,10 +128,10 @@ inline Dyadic operator*(const Dyadic& a, const Dyadic& b) {
 inline TwoWords Dyadic::rounded() const {
     if (!number_) return std::numeric_limits<Real>::quiet_NaN();
     TwoWords sum;
-    const int last = std::max(lowest_, end() - 6);  // what is below is less than u² of it
+    const int last = std::max(lowest_, end() - 6);  // lower places are less than u² of the number
     for (int place = last; place < end(); ++place)
         sum = sum + TwoWords(std::ldexp(Real(at(place)), base * place));
-    // Far from 1, digits or words may have left the range of numbers.
+    // Far from 1, places or words may be outside the range of Real.
     constexpr Real smallest = std::numeric_limits<Real>::min() * Real(0x1p200);
     sum.error += 16 * unit_roundoff * unit_roundoff * sum.high + smallest;
     if (digits_.empty()) sum.error = 0;

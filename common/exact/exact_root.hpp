@@ -1,5 +1,5 @@
-// Where exactly a ray meets a shape: what the nearest of several is decided by where their t are
-// too close to tell.
+// The exact intersection of a ray with a shape. It decides which of several hits is the closest
+// where their rounded t are too close to compare.
 #pragma once
 
 #include "common/exact/first_root.hpp"
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// The first root of a shape strictly inside the interval, in which there is one.
+/// The first root of a shape strictly inside the interval, which must contain one.
 template <class CrossingIn>
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Along<CrossingIn>& shape,
                                                   Interval interval) {
@@ -20,9 +20,9 @@ template <class CrossingIn>
     return root;
 }
 
-/// The sign of a − b; nothing if a number is none.
+/// The sign of a − b; nothing if one of them is not a number.
 [[nodiscard]] inline std::optional<int> order_of(const ExactRoot& a, const ExactRoot& b) {
-    // p + q √d + r √e, times both denominators.
+    // The sign of p + q √d + r √e, multiplied by both denominators.
     const Dyadic p = a.rational * b.denominator - b.rational * a.denominator;
     const Dyadic q = Dyadic(Real(a.surd)) * b.denominator;
     const Dyadic r = Dyadic(Real(-b.surd)) * a.denominator;
@@ -38,7 +38,7 @@ template <class CrossingIn>
     return *whole * sign_of_sum(p * p - qqd - rre, -(qr + qr), a.radicand * b.radicand).value();
 }
 
-// Of each kind.
+// The exact root for each kind of shape; its stage defines it (steps/*/exact).
 
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Sphere& sphere,
                                                   Interval interval);

@@ -1,5 +1,5 @@
-// The first hit of a ray, decided with twice the digits, or with as many as it takes: the same
-// question asked of both.
+// The first hit of a ray, decided in twice the working precision, or else exactly: one template for
+// both number types.
 #pragma once
 
 #include "common/exact/crossing.hpp"
@@ -16,7 +16,8 @@ namespace rt {
     return number.rounded();
 }
 
-/// The sign of p + q √d, if d is not negative: where the two disagree, the larger square decides.
+/// The sign of p + q √d for d that is not negative: if the signs of the two terms differ, the term
+/// with the larger square decides.
 [[nodiscard]] inline std::optional<int> sign_of_sum(const Dyadic& p, const Dyadic& q,
                                                     const Dyadic& d) {
     const auto first = p.sign();
@@ -41,7 +42,7 @@ struct Root {
     T denominator;
     TwoWords value;
 
-    /// The sign of a polynomial there. Two words may leave it open.
+    /// The sign of a polynomial at this root; nothing if two words cannot decide it.
     [[nodiscard]] std::optional<int> sign_of(const Polynomial<T>& p) const {
         const TwoWords there =
             (two_words(p.c2) * value + two_words(p.c1)) * value + two_words(p.c0);
@@ -57,10 +58,10 @@ struct Root {
     }
 };
 
-/// A root of which everything is known.
+/// An exactly known root.
 using ExactRoot = Root<Dyadic>;
 
-/// Where a ray crosses a surface, in rising order.
+/// The intersections of a ray with a surface, in increasing order.
 template <class T>
 struct Roots {
     bool certain = true;
@@ -68,7 +69,7 @@ struct Roots {
     std::array<Root<T>, 2> roots;
 };
 
-/// The real roots of a t² + 2 b t + c; none if all three are 0.
+/// The real roots of a t² + 2 b t + c; empty if all three coefficients are 0.
 template <class T>
 [[nodiscard]] Roots<T> roots_of(T a, T b, T c) {
     const auto opens = a.sign();
@@ -100,7 +101,8 @@ template <class T>
         return {.count = 1,
                 .roots = {Root<T>{.rational = -b, .denominator = a, .value = value}, {}}};
     }
-    // The root further from 0 is a sum; of the other, their product c / a is known.
+    // The root of larger magnitude is a sum without cancellation; the other one follows from their
+    // product c / a.
     const TwoWords half_chord = square_root(two_words(radicand));
     const bool positive = middle.high > 0;
     const TwoWords sum = positive ? middle + half_chord : middle - half_chord;
@@ -119,14 +121,14 @@ template <class T>
                               .value = positive ? further : nearer}}};
 }
 
-/// The first of a shape's roots, or none, unless more digits must tell.
+/// The first root of a shape, or none; not certain if more digits are necessary.
 template <class T>
 struct FirstRoot {
     bool certain = true;
     std::optional<Root<T>> root = std::nullopt;
 };
 
-/// The first of the crossings on the shape strictly inside the interval.
+/// The first intersection on the shape strictly inside the interval.
 template <class T, std::size_t count>
 [[nodiscard]] FirstRoot<T> first_root(const Crossing<T, count>& crossing, Interval interval) {
     const Roots<T> found = roots_of(crossing.a, crossing.b, crossing.c);
@@ -152,14 +154,14 @@ template <class T, std::size_t count>
     return {};
 }
 
-/// An answer, unless it must be asked again with more digits.
+/// A decided result; not certain if more digits are necessary.
 struct Decision {
     bool certain = true;
     std::optional<Real> t = std::nullopt;
 };
 
-/// A question in units of about the shape's size and the ray's speed, or products might leave the
-/// range of numbers. They are powers of two, by which nothing rounds.
+/// The ray and the interval in units of about the shape's size and the ray's speed, so that
+/// products stay in the range of numbers. The units are powers of two, so scaling is exact.
 struct InUnits {
     Ray ray;
     Interval interval;
@@ -178,7 +180,8 @@ struct InUnits {
 
 namespace rt {
 
-/// The first hit of a shape. Nothing where a number is infinite or NaN.
+/// The t of the first hit of a shape, rounded. Nothing if there is none, or if a number is infinite
+/// or NaN.
 template <class CrossingIn>
 [[nodiscard]] std::optional<Real> decided(const Ray& ray, const Along<CrossingIn>& shape,
                                           Interval interval) {
@@ -192,12 +195,13 @@ template <class CrossingIn>
     Decision decision = decide(TwoWords());
     if (!decision.certain) decision = decide(Dyadic());
     if (!decision.certain || !decision.t) return std::nullopt;
-    // Inside the interval, but for what rounding to one word does to it; unless that is infinite.
+    // The root is inside the interval; rounding to one word may move it outside, which is corrected
+    // here unless t becomes infinite.
     Real t = *decision.t * asked.time_unit;
     if (t == infinity) return std::nullopt;
     if (t <= interval.min) t = std::nextafter(interval.min, infinity);
     if (t >= interval.max) t = std::nextafter(interval.max, -infinity);
-    if (!interval.contains(t)) return std::nullopt;  // which has no number inside
+    if (!interval.contains(t)) return std::nullopt;  // the interval contains no Real
     return t;
 }
 

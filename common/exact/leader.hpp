@@ -1,4 +1,4 @@
-// The nearest of what a ray has met so far, as exact arithmetic has it.
+// The closest hit so far along a ray, decided by exact arithmetic.
 #pragma once
 
 #include "common/exact/exact_root.hpp"
@@ -11,21 +11,21 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// Two rounded t that are further apart tell which is smaller: no certified kernel's is further
-/// than 128 u of itself from the exact one.
+/// Two rounded t with a larger relative difference are in their exact order: the error of every
+/// certified kernel is at most 128 u of t.
 inline constexpr Real undecided = 260 * unit_roundoff;
 
-/// `Met` is what was met, in the order in which the first wins if both are equally near.
+/// `Met` identifies the hit object. Its order decides between two hits at exactly the same t.
 template <class Met>
 class Leader {
 public:
-    /// Infinite before there is one.
+    /// The t of the closest hit; infinite if there is none yet.
     [[nodiscard]] Real t() const { return t_; }
     [[nodiscard]] const Met& met() const { return met_; }
 
-    /// Whether something else, met in the interval at about t, is nearer; then it leads, and the
-    /// interval ends where nothing beyond it can be. `root_of(met)` is the exact root, if one is
-    /// known.
+    /// Considers a hit on `met` at about t inside the interval. If it is closer, it becomes the
+    /// closest hit, the interval ends where no closer hit is possible beyond it, and the function
+    /// returns true. `root_of(met)` is the exact root, or nothing if it is not known.
     template <class RootOf>
     bool yields_to(Real t, const Met& met, const RootOf& root_of, Interval& interval) {
         const bool told = !(std::abs(t - t_) <= undecided * t);
@@ -55,7 +55,7 @@ private:
 
 namespace rt {
 
-/// Of the mesh's triangle of that index.
+/// The exact root of the hit on the mesh's triangle of that index.
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const PlacedMesh& placed,
                                                   std::uint32_t triangle, Interval interval);
 
@@ -63,19 +63,19 @@ namespace rt {
 
 namespace rt::inline RT_PRECISION {
 
-/// An item of a scene that was met. Nothing is known of how boxes are met exactly.
+/// A primitive of a scene that was hit. For boxes no exact root is available.
 struct MetItem {
     const void* item = nullptr;
-    std::uint32_t triangle = 0;  ///< of a mesh
+    std::uint32_t triangle = 0;  ///< index of a mesh's triangle
     std::optional<ExactRoot> (*root)(const Ray&, const MetItem&) = nullptr;
 
-    /// Of two kinds, the one that is looked through first keeps the lead.
+    /// Between two kinds, the one that is tested first stays the closest.
     friend bool operator<(const MetItem& a, const MetItem& b) {
         return a.root == b.root && std::less<>()(a.item, b.item);
     }
 };
 
-/// The nearest item of a scene.
+/// The closest primitive of a scene.
 class LeadingItem {
 public:
     [[nodiscard]] Real t() const { return leader_.t(); }

@@ -1,5 +1,5 @@
-// Numbers of twice the digits that know how wrong they may be: what certified kernels fall back on.
-// Sound only as compiled: -ffp-contract=off, never -ffast-math.
+// Double-double numbers with an error bound, on which certified kernels fall back. Valid only as
+// compiled here: -ffp-contract=off, never -ffast-math.
 #pragma once
 
 #include "common/compensated.hpp"
@@ -9,20 +9,22 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// high + low, and no further than `error` from what was asked for. Each operation bounds what it
-/// rounds, and what its operands' errors come to (Joldes, Muller, Popescu 2017, whose bounds of 3
-/// to 15 u² are all taken as 16 u²: the rest is what computing the bound itself rounds).
+/// The number high + low, whose distance from the exact result is at most `error`. Each operation
+/// bounds its own rounding, and the effect of its operands' errors (Joldes, Muller, Popescu 2017;
+/// all their bounds of 3 to 15 u² are taken as 16 u², which includes the rounding of the bound
+/// itself).
 struct TwoWords {
     Real high = 0;
     Real low = 0;
     Real error = 0;
 
     TwoWords() = default;
-    TwoWords(Real exactly) : high(exactly) {}  // NOLINT: a number is exactly this
+    TwoWords(Real exactly) : high(exactly) {}  // NOLINT: implicit, because the conversion is exact
     TwoWords(Real high_word, Real low_word, Real at_most)
         : high(high_word), low(low_word), error(at_most) {}
 
-    /// -1, 0 or 1; nothing if the error leaves it open, or if the number is none.
+    /// -1, 0 or 1; nothing if the error bound leaves the sign undecided, or if the number is
+    /// infinite or NaN.
     [[nodiscard]] std::optional<int> sign() const {
         if (std::abs(high) > Real(1.01) * error && std::abs(high) < infinity)
             return high > 0 ? 1 : -1;
@@ -46,7 +48,7 @@ struct TwoWords {
         const Real rest = std::fma(a.high, b.low, a.low * b.high);
         const Real doubt = std::abs(a.high) * b.error + (std::abs(b.high) + b.error) * a.error;
         TwoWords both = rounded(ordered_sum(product.value, product.dropped + rest), doubt);
-        // Below that, a word that is dropped is below the smallest numbers.
+        // Below this number, the rounding error of a word may underflow.
         constexpr Real smallest = std::numeric_limits<Real>::min() * Real(0x1p200);
         if (std::abs(both.high) < smallest && a.high != 0 && b.high != 0) both.error += smallest;
         return both;
@@ -58,11 +60,11 @@ struct TwoWords {
         const Real second = rest.high / b.high;
         const Real doubt =
             (rest.error + std::abs(second) * b.error) / (std::abs(b.high) - 2 * b.error);
-        // A divisor that may be 0 bounds nothing.
+        // If the divisor may be 0, there is no bound.
         return rounded(ordered_sum(first, second), doubt >= 0 ? doubt : infinity);
     }
 
-    /// Of a positive number.
+    /// The square root of a number that is not negative.
     [[nodiscard]] friend TwoWords square_root(const TwoWords& a) {
         if (a.high <= a.error) return {0, 0, 2 * std::sqrt(a.error)};
         const Real first = std::sqrt(a.high);
@@ -71,7 +73,7 @@ struct TwoWords {
     }
 
 private:
-    /// exact_sum where |a| ≥ |b| or a = 0 (Dekker 1971).
+    /// exact_sum for |a| ≥ |b| or a = 0 (Dekker 1971).
     static Rounded ordered_sum(Real a, Real b) {
         const Real sum = a + b;
         return {.value = sum, .dropped = b - (sum - a)};

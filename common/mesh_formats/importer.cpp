@@ -48,7 +48,7 @@ void MeshImporter::require_end_of_line() {
 }
 
 std::uint32_t MeshImporter::checked(Vertex vertex) const {
-    // As unsigned: −1, of which there is none, is too large as well.
+    // As an unsigned number, the invalid index −1 is too large as well.
     const auto place = static_cast<std::uint32_t>(vertex.idx());
     if (place < mesh_.vertices.size()) return place;
     throw MeshRefusal{"vertex " + std::to_string(vertex.idx()) + " is not there: expected 0 to " +
@@ -98,7 +98,7 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
             const auto copy = used_.find(place);
             if (copy != used_.end()) place = copy->second;
         }
-        // The same vertex twice running is a corner once.
+        // Successive equal vertices are one corner.
         if (corners_.empty() || corners_.back() != place) corners_.push_back(place);
     }
     while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();

@@ -11,7 +11,7 @@ namespace rt {
 
 namespace {
 
-/// The next line of a list.
+/// Returns the next line of a list. Throws InputError at the end of the file.
 std::string_view next_item(MeshLines& lines, const char* what, std::uint64_t index,
                            std::uint64_t count) {
     if (const auto line = lines.next()) return *line;
@@ -27,7 +27,7 @@ void check_vertex(std::string_view line, const MeshLines& lines, MeshLists& list
                  " numbers here, on a line of its own, not " + std::to_string(words));
 }
 
-/// Takes the number of corners off the line.
+/// Removes the number of corners from the line and returns it.
 int take_corner_count(std::string_view& line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     const auto corners = whole_number(word);
@@ -41,7 +41,7 @@ int take_corner_count(std::string_view& line, const MeshLines& lines) {
     return static_cast<int>(*corners);
 }
 
-/// Takes the i-th corner off the line.
+/// Removes the i-th corner from the line and returns it.
 std::string_view take_corner(std::string_view& line, int corners, int i, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     if (!word.empty()) return word;
@@ -49,7 +49,7 @@ std::string_view take_corner(std::string_view& line, int corners, int i, const M
                  std::to_string(i));
 }
 
-/// What follows the corners.
+/// Checks the line of a face, and returns the rest after its corners.
 std::string_view check_face(std::string_view line, const MeshLines& lines) {
     const int corners = take_corner_count(line, lines);
     for (int i = 0; i < corners; ++i) static_cast<void>(take_corner(line, corners, i, lines));
@@ -105,7 +105,7 @@ void check_lists(std::string& content, MeshLines& lines, MeshLists& lists) {
 
 std::string binary_lists(MeshLines& lines, MeshLists& lists) {
     std::string bytes;
-    bytes.reserve(2 * lines.left());  // a digit and a blank for four bytes, at worst
+    bytes.reserve(2 * lines.left());  // in the worst case a digit and a blank become four bytes
     for (std::uint64_t i = 0; i < lists.vertices; ++i) {
         const std::string_view line = next_item(lines, "vertices", i, lists.vertices);
         check_vertex(line, lines, lists);

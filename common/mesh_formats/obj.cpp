@@ -11,15 +11,15 @@ namespace rt {
 
 namespace {
 
-/// Vertices, or normals: how many there are so far, and the largest number a face gave to one.
+/// Vertices or normals: their count so far, and the largest index in a face.
 struct Numbered {
     const char* what;
     std::int64_t count = 0;
     std::int64_t largest = 0;
     int line_of_largest = 0;
 
-    /// A face's word for one: from 1, or from the last backwards with a minus sign. Returns it
-    /// from 1.
+    /// Checks an index in a face: from 1, or negative to count back from the last. Returns the
+    /// index from 1.
     std::int64_t check(std::string_view word, const MeshLines& lines) {
         const auto number = whole_number(word);
         if (!number || *number == 0 || *number > std::numeric_limits<int>::max()) {
@@ -45,7 +45,8 @@ struct Numbered {
     }
 };
 
-/// "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal". Returns the vertex.
+/// Checks a corner "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal". Returns
+/// the vertex.
 std::int64_t check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
                           const MeshLines& lines) {
     const std::size_t first = word.find('/');
@@ -64,7 +65,7 @@ std::int64_t check_corner(std::string_view word, Numbered& vertices, Numbered& n
     return vertex;
 }
 
-/// Returns whether the face has three different vertices.
+/// Checks a face. Returns whether it has three different vertices.
 bool check_face(std::string_view line, Numbered& vertices, Numbered& normals,
                 const MeshLines& lines) {
     int corners = 0;
@@ -102,7 +103,7 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
         } else if (keyword == "f") {
             if (!check_face(rest, vertices, normals, lines)) ++faces_without_area;
         } else {
-            // A comment from now on: OpenMesh would open the file that a mtllib names.
+            // Turned into a comment: OpenMesh would open the file that a mtllib names.
             content[static_cast<std::size_t>(line->data() - content.data())] = '#';
         }
     }

@@ -9,7 +9,7 @@ namespace rt {
 
 namespace {
 
-/// A '#' begins a comment, up to the end of the line.
+/// Replaces comments with blanks: from '#' to the end of the line.
 void blank_comments(std::string& content) {
     for (auto at = content.find('#'); at != std::string::npos; at = content.find('#', at)) {
         const auto end = std::min(content.find('\n', at), content.size());
@@ -24,7 +24,7 @@ bool take_prefix(std::string_view& word, std::string_view prefix) {
     return true;
 }
 
-/// Whether vertices have normals, by the file's first word.
+/// Checks the first word of the file. Returns whether vertices have normals.
 bool check_keyword(std::string_view word, std::string_view after, const MeshLines& lines) {
     const std::string_view whole = word;
     take_prefix(word, "ST");
@@ -55,7 +55,7 @@ CheckedMesh checked_off(std::string content, const std::string& file) {
     const std::string_view keyword = take_word(line);
     const bool has_normals = check_keyword(keyword, line, lines);
 
-    // The numbers of vertices, faces and (ignored) edges may stand beside the keyword.
+    // The numbers of vertices, faces and edges (ignored) may be on the line of the keyword.
     if (count_words(line) == 0) line = lines.next().value_or("");
     MeshLists lists;
     lists.vertices = take_count(line, "vertices", lines);

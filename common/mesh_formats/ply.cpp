@@ -53,7 +53,7 @@ void check_face(const PlyElement& face, const std::string& file) {
                      "a face has one list, vertex_indices of whole numbers, and it comes first");
 }
 
-/// Refuses what OpenMesh would misread.
+/// Throws InputError for a header that OpenMesh would misread.
 void check_header(const PlyHeader& header, const std::string& file) {
     if (header.format != "ascii" && header.format != "binary_little_endian" &&
         header.format != "binary_big_endian") {
@@ -70,7 +70,7 @@ void check_header(const PlyHeader& header, const std::string& file) {
     check_face(elements[1], file);
 }
 
-/// The header in the words that OpenMesh reads right; what it need not read is called "_".
+/// The header in a form that OpenMesh reads correctly; properties to skip are named "_".
 std::string plain_header(const PlyHeader& header) {
     const PlyElement& vertex = header.elements[0];
     const PlyElement& face = header.elements[1];
@@ -83,12 +83,12 @@ std::string plain_header(const PlyHeader& header) {
         text.append("property ").append(p.type.name).append(" ");
         text.append(is_read ? p.name : "_").append("\n");
     }
-    // Of the types of a length, OpenMesh knows no more than one a size.
+    // OpenMesh knows only one type of each size for a length.
     const std::size_t size = face.properties[0].length->size;
     text += "element face " + std::to_string(face.count) + "\nproperty list ";
     text += size == 1 ? "uint8 " : size == 2 ? "uint16 " : "int ";
     text.append(face.properties[0].type.name).append(" vertex_indices\n");
-    // In a text, check_lists has blanked what follows the corners.
+    // In a text file, check_lists has replaced the words after the corners with blanks.
     const std::size_t more = header.format == "ascii" ? 1 : face.properties.size();
     for (std::size_t i = 1; i < more; ++i) {
         text.append("property ").append(face.properties[i].type.name).append(" _\n");
@@ -96,7 +96,8 @@ std::string plain_header(const PlyHeader& header) {
     return text + "end_header\n";
 }
 
-/// Refuses a count that the bytes after the header cannot hold, before memory is taken for it.
+/// Throws InputError for a count that is too large for the bytes after the header, before memory is
+/// allocated for it.
 void check_size(const PlyHeader& header, std::uint64_t bytes, const std::string& file) {
     for (std::size_t i = 0; i < 2; ++i) {
         const PlyElement& element = header.elements[i];

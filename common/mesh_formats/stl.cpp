@@ -5,8 +5,8 @@ namespace rt {
 
 namespace {
 
-/// Of a binary file: 80 bytes of anything, the number of triangles, then 50 bytes for each, twelve
-/// floats and two bytes more.
+/// The layout of a binary file: 80 arbitrary bytes, the number of triangles, then 50 bytes for
+/// each: twelve floats and two bytes more.
 constexpr std::size_t header_size = 84;
 constexpr std::size_t triangle_size = 50;
 
@@ -19,8 +19,9 @@ std::uint64_t triangle_count(const std::string& content) {
            byte(content, 83) << 24;
 }
 
-/// Refuses NaN and infinity, which OpenMesh would look up in a sorted map: all ones in the exponent
-/// of a little-endian float. The first three floats are the face's normal, which nobody reads.
+/// Throws InputError for NaN and infinity, which OpenMesh would look up in a sorted map: all ones
+/// in the exponent of a little-endian float. The first three floats are the face's normal, which is
+/// not used.
 void check_numbers(const std::string& content, const std::string& file) {
     for (std::size_t at = header_size; at < content.size(); at += triangle_size) {
         for (std::size_t i = 3; i < 12; ++i) {
@@ -33,8 +34,8 @@ void check_numbers(const std::string& content, const std::string& file) {
     }
 }
 
-/// The lines that OpenMesh goes by and no others, as it looks for "outer" anywhere, in the name of
-/// the solid too, and takes the three lines after it for vertices.
+/// Checks a text file, and allows only the lines that OpenMesh recognizes: it searches for "outer"
+/// anywhere, even in the name of the solid, and parses the next three lines as vertices.
 CheckedMesh checked_text(std::string content, const std::string& file) {
     plain_text(content);
     MeshLines lines(content, file);
@@ -67,7 +68,7 @@ CheckedMesh checked_text(std::string content, const std::string& file) {
 }  // namespace
 
 CheckedMesh checked_stl(std::string content, const std::string& file) {
-    // As OpenMesh tells them apart: a binary file may begin with "solid", too.
+    // The same criterion as OpenMesh's: a binary file may start with "solid" too.
     const bool has_header = content.size() >= header_size;
     const std::uint64_t count = has_header ? triangle_count(content) : 0;
     if (has_header && content.size() == header_size + count * triangle_size) {

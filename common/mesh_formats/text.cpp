@@ -79,7 +79,7 @@ std::optional<float> float_number(std::string_view word) {
     const char* const last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, value);
     if (error == std::errc() && end == last && std::isfinite(value)) return value;
-    // Which knows no "+1", and nothing near 0 that a float holds as 0. (strtof reads "0x1p3", too.)
+    // from_chars rejects "+1", and numbers near 0 that round to 0. (strtof also accepts "0x1p3".)
     constexpr std::string_view allowed = "0123456789+-.eE";
     if (word.find_first_not_of(allowed) != std::string_view::npos) return std::nullopt;
     const std::string text(word);
