@@ -59,11 +59,12 @@ bool start_one_that_stays(const std::array<int, 2>& ends) {
 
 bool processes_are_limited() {
     constexpr int threads = 8;
+    constexpr int others = 256;  // of an ordinary user, which may end meanwhile and make room
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
     if (geteuid() == 0 && !take_user_of_its_own({})) return false;
     if (!limit({.threads = threads})) return false;
-    for (int i = 0; i <= threads; ++i)
+    for (int i = 0; i <= threads + others; ++i)
         if (!start_one_that_stays(ends)) return true;
     return false;
 }
