@@ -94,6 +94,14 @@ is "a pixel outside" 200 "${address}story?$drawing&row=8000&column=2"
 grep -q 'is outside the picture' out || fail "a pixel outside is told"
 curl -s "$address" -D headers -o out
 grep -qi '^access-control' headers && fail "other pages may not read it"
+grep -Eiq '<style|<script>|[[:space:]](style|on[a-z]+)=|javascript:' out &&
+    fail "the page has no style and no script but those of its two other files"
+grep -qi '^content-security-policy:.*default-src .none.' headers || fail "a policy for the page"
+grep -qi '^content-security-policy:.*unsafe' headers && fail "a policy without unsafe sources"
+is "the page's style" 200 "${address}page.css"
+is "the page's script" 200 "${address}page.js"
+is "the style without the token" 403 "$origin/page.css"
+is "another file of the viewer" 404 "${address}view.cpp"
 ss -ltn 2> /dev/null | grep ":$port " | grep -vq '127\.0\.0\.1' && fail "it listens to this machine"
 
 is "a long address" 431 "$address?$(printf '%020000d' 0)"
@@ -181,6 +189,15 @@ shows "where they differ" "/^[0-9]+ of 307200 pixels differ/.test($caption)"
 shows "thirteen stages, one of them started" "document.getElementsByName('stage').length === 13 &&
     document.querySelectorAll('.started').length === 1 && document.title === '5 · triangle'"
 shows "a picture that is not black" "images.mine.data.some((v, i) => v > 0 && i % 4 < 3)"
+
+shows "the style of page.css" \
+    "getComputedStyle(document.getElementById('pictures')).display === 'grid'"
+# Nothing that gets into the page as text becomes a script or a style of it.
+value "document.body.append(
+    Object.assign(document.createElement('script'), {textContent: 'window.inlineRan = 1'}),
+    Object.assign(document.createElement('style'), {textContent: 'h1 { opacity: 0 }'}))"
+shows "no inline script and no inline style" "window.inlineRan === undefined &&
+    getComputedStyle(document.querySelector('h1')).opacity === '1'"
 
 # A slider, by the keyboard: another picture, of the scene as the camera then sees it.
 sum="images.reference.data.reduce((a, v) => (a * 31 + v) % 1000003, 0)"

@@ -105,8 +105,8 @@ std::string to_bytes(const Response& response) {
         "\r\nX-Content-Type-Options: nosniff"
         "\r\nReferrer-Policy: no-referrer"
         "\r\nCross-Origin-Resource-Policy: same-origin"
-        "\r\nContent-Security-Policy: default-src 'none'; script-src 'unsafe-inline'; "
-        "style-src 'unsafe-inline'; connect-src 'self'; img-src data:; base-uri 'none'; "
+        "\r\nContent-Security-Policy: default-src 'none'; script-src 'self'; "
+        "style-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'; "
         "form-action 'none'; frame-ancestors 'none'"
         "\r\n\r\n";
     return bytes + response.body;

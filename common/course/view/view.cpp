@@ -85,7 +85,9 @@ public:
         if (request.path.rfind(start, 0) != 0)
             throw Refusal{403, "the address is not the one on the terminal"};
         const std::string route = request.path.substr(start.size());
-        if (route.empty()) return page();
+        if (route.empty()) return part("page.html", "text/html; charset=utf-8");
+        if (route == "page.css") return part(route, "text/css; charset=utf-8");
+        if (route == "page.js") return part(route, "text/javascript; charset=utf-8");
         if (route == "stages") return stages();
         if (route == "news") return news(request);
         if (route == "picture") return picture(request);
@@ -102,9 +104,9 @@ public:
     }
 
 private:
-    Response page() const {
-        return {.body = read_text(settings_.project / "common/course/view/page.html"),
-                .type = "text/html; charset=utf-8"};
+    /// One of the three files of the page.
+    [[nodiscard]] Response part(const std::string& name, const std::string& type) const {
+        return {.body = read_text(settings_.project / "common/course/view" / name), .type = type};
     }
 
     Response stages() const {

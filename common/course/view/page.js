@@ -1,0 +1,332 @@
+"use strict";
+const $ = (id) => document.getElementById(id);
+const both = ["mine", "reference"];
+const page = Math.floor(Math.random() * 1e9);
+const sliders = {  // name, reach to either side of 0 or of where the scene has it, step
+  x: ["x", 10, 0.05], y: ["y", 10, 0.05], z: ["z", 10, 0.05],
+  yaw: ["turn right", 180, 1], pitch: ["tilt up", 90, 1], fov: ["field of view", 0, 1]};
+
+let stage = 0;
+let size = {width: 640, height: 480};
+let camera = null;                          // as the sliders have it
+let moved = false;                          // away from where the scene has it
+let programs = "";                          // those that the pictures are of
+let broken = "";                            // what the compiler says is wrong
+let order = 0;                              // of drawings; what is not the last is not shown
+let drafting = false, draftAgain = false;   // while a slider is dragged
+let pixel = null;
+let images = {};                            // mine and reference: ImageData
+
+const figure = (of) => document.querySelector(`figure[data-of=${of}]`);
+const say = (text) => { $("status").textContent = text; };
+
+function parameters(more) {
+  const all = {page, stage, moved: +moved, shrink: 1, precision: $("precision").value,
+               shade: $("shade").value, term: $("term").value, ...(moved ? camera : {}), ...more};
+  return new URLSearchParams(all);
+}
+
+// ---- pictures
+
+/// What %XX stand for, be it text or not.
+function decode(text) {
+  const bytes = (text.match(/%..|./g) ?? []).map(
+    (byte) => byte.length > 1 ? parseInt(byte.slice(1), 16) : byte.charCodeAt(0));
+  return new TextDecoder().decode(Uint8Array.from(bytes));
+}
+
+async function fetchPicture(whose, shrink, mine) {
+  const query = parameters({shrink, whose: both.indexOf(whose)});
+  const answer = await fetch("picture?" + query).catch(() => null);
+  if (mine !== order || !answer || answer.status === 409) return;
+  if (!answer.ok) return showError(whose, await answer.text());
+  const report = decode(answer.headers.get("X-Report") ?? "");
+  const bitmap = await createImageBitmap(await answer.blob());
+  if (mine !== order) return;
+  const canvas = $(whose);
+  Object.assign(canvas, {width: bitmap.width, height: bitmap.height});
+  const context = canvas.getContext("2d", {willReadFrequently: true});
+  context.drawImage(bitmap, 0, 0);
+  images[whose] = context.getImageData(0, 0, bitmap.width, bitmap.height);
+  canvas.classList.toggle("draft", shrink > 1);
+  canvas.classList.remove("old");
+  figure(whose).querySelector("pre").hidden = true;
+  figure(whose).querySelector("figcaption").textContent = report.trim();
+  compare();
+}
+
+function showError(whose, text) {
+  const error = figure(whose).querySelector("pre");
+  error.hidden = false;
+  error.textContent = text;
+  figure(whose).querySelector("figcaption").textContent = "";
+  delete images[whose];
+  compare();
+}
+
+async function draw(shrink = 1) {
+  const mine = ++order;
+  if (shrink === 1) { say("drawing…"); if (pixel) tell(); }
+  await Promise.all(both.map((whose) => whose === "mine" && broken
+    ? showError(whose, broken) : fetchPicture(whose, shrink, mine)));
+  if (mine === order && shrink === 1) say(broken ? "it does not build" : "");
+}
+
+/// Small pictures, one after the other, as long as somebody drags.
+async function draft() {
+  draftAgain = true;
+  if (drafting) return;
+  drafting = true;
+  while (draftAgain) { draftAgain = false; await draw(3); }
+  drafting = false;
+}
+
+function compare() {
+  const {mine, reference} = images;
+  const caption = figure("difference").querySelector("figcaption");
+  const canvas = $("difference");
+  const comparable = mine && reference && mine.width === reference.width;
+  $("worst").disabled = true;
+  caption.textContent = "";
+  for (const of of ["difference", "over"]) $(of).hidden = !comparable;
+  if (!comparable) return;
+  Object.assign(canvas, {width: mine.width, height: mine.height});
+  const result = new ImageData(mine.width, mine.height);
+  const gain = +$("gain").value;
+  let count = 0, most = 0, where = 0;
+  for (let i = 0; i < result.data.length; i += 4) {
+    let largest = 0;
+    for (let k = i; k < i + 3; ++k) {
+      const difference = Math.abs(mine.data[k] - reference.data[k]);
+      result.data[k] = difference * gain;
+      largest = Math.max(largest, difference);
+    }
+    result.data[i + 3] = 255;
+    if (largest > 0) ++count;
+    if (largest > most) { most = largest; where = i / 4; }
+  }
+  canvas.getContext("2d").putImageData(result, 0, 0);
+  $("worst").disabled = count === 0;
+  const scale = size.width / mine.width;
+  $("worst").onclick = () => choose(Math.floor(Math.floor(where / mine.width) * scale),
+                                    Math.floor(where % mine.width * scale));
+  caption.textContent = count === 0 ? "The same in every pixel."
+    : `${count} of ${mine.width * mine.height} pixels differ, by ${most} of 255 at most.`;
+  swipe();
+}
+
+function swipe() {
+  const {mine, reference} = images;
+  if (!mine || !reference) return;
+  const canvas = $("over");
+  const column = Math.round(mine.width * $("split").value / 100);
+  Object.assign(canvas, {width: mine.width, height: mine.height});
+  const context = canvas.getContext("2d");
+  context.putImageData(reference, 0, 0);
+  if (column > 0) context.putImageData(mine, 0, 0, 0, 0, column, mine.height);
+  $("whose").textContent = column === 0 ? "Reference" : column === mine.width ? "Mine"
+    : "Mine | Reference";
+}
+
+function flip() {
+  $("split").value = +$("split").value > 50 ? 0 : 100;
+  swipe();
+}
+
+// ---- the camera
+
+function makeSliders() {
+  $("camera").replaceChildren();
+  if (!camera) { $("camera").textContent = "The scene has none."; return; }
+  for (const [name, [label, reach, step]] of Object.entries(sliders)) {
+    if (stage === 1 && name !== "fov") continue;  // whose camera does not turn yet
+    const row = document.createElement("label");
+    const slider = document.createElement("input");
+    const value = document.createElement("output");
+    const middle = "xyz".includes(name) ? camera[name] : 0;
+    const [min, max] = name === "fov" ? [5, 150] : [middle - reach, middle + reach];
+    row.className = "row";
+    Object.assign(slider, {type: "range", id: name, min, max, step, value: camera[name]});
+    value.textContent = camera[name].toFixed(step < 1 ? 2 : 0) + (step < 1 ? "" : "°");
+    slider.oninput = () => {
+      camera[name] = +slider.value;
+      value.textContent = camera[name].toFixed(step < 1 ? 2 : 0) + (step < 1 ? "" : "°");
+      moved = true;
+      $("reset").hidden = false;
+      draft();
+    };
+    slider.onchange = () => { draftAgain = false; draw(); };
+    row.append(label, slider, value);
+    $("camera").append(row);
+  }
+}
+
+// ---- a pixel's story
+
+function choose(row, column) {
+  pixel = {row: Math.min(Math.max(row, 0), size.height - 1),
+           column: Math.min(Math.max(column, 0), size.width - 1)};
+  $("row").value = pixel.row;
+  $("column").value = pixel.column;
+  for (const mark of document.querySelectorAll(".mark")) {
+    mark.hidden = false;
+    mark.style.left = (pixel.column + 0.5) / size.width * 100 + "%";
+    mark.style.top = (pixel.row + 0.5) / size.height * 100 + "%";
+  }
+  tell();
+}
+
+/// Pairs of lines, null where one has none: the longest common sequence, after the common start.
+function align(a, b) {
+  const pairs = [];
+  while (a.length && b.length && a[0] === b[0]) pairs.push([a.shift(), b.shift()]);
+  const length = Array.from({length: a.length + 1}, () => new Uint16Array(b.length + 1));
+  for (let i = a.length - 1; i >= 0; --i)
+    for (let j = b.length - 1; j >= 0; --j)
+      length[i][j] = a[i] === b[j] ? length[i + 1][j + 1] + 1
+                                   : Math.max(length[i + 1][j], length[i][j + 1]);
+  for (let i = 0, j = 0; i < a.length || j < b.length;) {
+    const keepsA = i < a.length && length[i + 1][j] === length[i][j];
+    const keepsB = j < b.length && length[i][j + 1] === length[i][j];
+    if (i < a.length && j < b.length && a[i] === b[j]) pairs.push([a[i++], b[j++]]);
+    else if (keepsA && keepsB && length[i + 1][j + 1] === length[i][j])
+      pairs.push([a[i++], b[j++]]);
+    else if (keepsA) pairs.push([a[i++], null]);
+    else pairs.push([null, b[j++]]);
+  }
+  return pairs;
+}
+
+async function tell() {
+  const asked = pixel;
+  const answer = await fetch("story?" + parameters(pixel)).catch(() => null);
+  if (asked !== pixel || !answer || answer.status === 409) return;
+  if (!answer.ok) { $("told").textContent = await answer.text(); return; }
+  const {mine, reference} = await answer.json();
+  const pairs = align(mine.trimEnd().split("\n"), reference.trimEnd().split("\n"));
+  const first = pairs.findIndex(([a, b]) => a !== b);
+  $("story").hidden = false;
+  $("story").replaceChildren(...pairs.map(([a, b], index) => {
+    const line = document.createElement("li");
+    line.className = a === b ? "same" : index === first ? "differs first" : "differs";
+    for (const [whose, text] of a === b ? [["", a]] : [["mine", a], ["reference", b]]) {
+      const cell = document.createElement("span");
+      cell.className = whose;
+      cell.textContent = text ?? "";
+      line.append(cell);
+    }
+    return line;
+  }));
+  $("told").className = first < 0 ? "" : "differ";
+  $("told").textContent = first < 0 ? "Both tell the same story."
+    : `The first line that differs is line ${first + 1} of the story.`;
+  if (broken) $("told").textContent += " Yours is of the last program that was built.";
+  let heading = Math.max(first, 0);  // of the part in which they differ
+  while (heading > 0 && (pairs[heading][0] ?? " ").startsWith(" ")) --heading;
+  const line = $("story").children[heading];
+  $("story").scrollTop = line.offsetTop - $("story").offsetTop;
+}
+
+// ---- the stage
+
+function showNews(news) {
+  const sameScene = size.scene === news.programs.split("_")[2];
+  size = {width: news.width, height: news.height, scene: news.programs.split("_")[2]};
+  $("pictures").style.setProperty("--shape", `${size.width} / ${size.height}`);
+  if (!sameScene) {
+    camera = news.camera;
+    moved = false;
+    $("reset").hidden = true;
+    $("reset").onclick = () => { size.scene = ""; showNews(news); draw(); };
+    makeSliders();
+  }
+  [...$("stages").children].forEach((chip, index) => {
+    chip.lastChild.className = news.started.includes(index + 1) ? "started" : "";
+  });
+  $("whose-mine").textContent = news.started.includes(stage) ? "Mine"
+    : `Mine (${stage} is not started)`;
+  if (news.building) return say("building…");
+  if (programs === news.programs && broken === news.error) return say("");
+  [programs, broken] = [news.programs, news.error];
+  draw();
+}
+
+async function follow(chosen) {
+  stage = chosen;
+  [programs, broken, pixel, images, size.scene] = ["", "", null, {}, ""];
+  ++order;
+  let seen = "";
+  document.title = $("title").textContent = `${stage} · ${$("stages").children[stage - 1].title}`;
+  for (const whose of both) $(whose).classList.add("old");
+  history.replaceState(null, "", "#" + stage);
+  for (const row of document.querySelectorAll("[data-from]")) {
+    row.hidden = stage < +row.dataset.from;
+    if (row.hidden) row.querySelector("select").value = 0;
+  }
+  for (const mark of document.querySelectorAll(".mark")) mark.hidden = true;
+  $("story").hidden = true;
+  while (stage === chosen) {
+    const news = await fetch(`news?page=${page}&stage=${chosen}&seen=${seen}`)
+      .then((answer) => answer.json()).catch(() => null);
+    if (stage !== chosen) return;
+    if (news) { seen = news.seen; showNews(news); continue; }
+    say("./course view has ended");
+    programs = "";
+    await new Promise((done) => setTimeout(done, 2000));
+  }
+}
+
+async function start() {
+  const {first, stages} = await (await fetch("stages")).json();
+  stages.forEach((name, index) => {
+    const chip = document.createElement("label");
+    const radio = document.createElement("input");
+    const number = document.createElement("span");
+    chip.title = name.slice(7).replaceAll("_", " ");
+    Object.assign(radio, {type: "radio", name: "stage", value: index + 1, ariaLabel: chip.title});
+    radio.onchange = () => follow(index + 1);
+    number.textContent = index + 1;
+    chip.append(radio, number);
+    $("stages").append(chip);
+  });
+  const wanted = +location.hash.slice(1);
+  const chosen = stages[wanted - 1] ? wanted : first;
+  $("stages").querySelector(`[value="${chosen}"]`).checked = true;
+  follow(chosen);
+}
+
+const moves = {ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1]};
+for (const canvas of document.querySelectorAll("canvas")) {
+  canvas.setAttribute("aria-label", canvas.id + ": arrow keys choose a pixel");
+  canvas.onclick = (event) => {
+    const box = canvas.getBoundingClientRect();
+    choose(Math.floor((event.clientY - box.top) / box.height * size.height),
+           Math.floor((event.clientX - box.left) / box.width * size.width));
+  };
+  canvas.onkeydown = (event) => {
+    const move = moves[event.key];
+    if (!move) return;
+    event.preventDefault();
+    const step = event.shiftKey ? 10 : 1;
+    const from = pixel ?? {row: size.height >> 1, column: size.width >> 1};
+    choose(from.row + step * move[0], from.column + step * move[1]);
+  };
+}
+for (const id of ["precision", "shade", "term"]) $(id).onchange = () => draw();
+$("gain").onchange = compare;
+$("split").oninput = swipe;
+$("flip").onclick = flip;
+addEventListener("keydown", (event) => {
+  if (event.key === "f" && !event.ctrlKey && !event.metaKey && !figure("over").hidden) flip();
+});
+for (const radio of document.getElementsByName("mode"))
+  radio.onchange = () => {
+    const over = radio.value === "over";
+    $("pictures").classList.toggle("over", over);
+    for (const of of [...both, "over"]) figure(of).hidden = over !== (of === "over");
+  };
+$("pixel").onsubmit = (event) => {
+  event.preventDefault();
+  choose(+$("row").value, +$("column").value);
+};
+start();
