@@ -48,25 +48,21 @@ if(NOT RAYSTEPS_ANY_PROCESSOR)
     endif()
 endif()
 
-if(MSVC)
-    target_compile_options(raysteps_options INTERFACE /W4 /utf-8 /fp:precise)
-else()
-    # compensated.hpp and the watertight triangle are correct only if each operation is rounded
-    # once. `errno` is never read after math functions, so `sqrt` can be one instruction.
-    target_compile_options(raysteps_options INTERFACE -ffp-contract=off -fno-math-errno)
-    # Two numbers that are stored separately and loaded as a pair cause a stall: g++ 12 generates
-    # that for every Vec3 at -O2. Without it the results have the same bits, up to a fifth faster.
-    target_compile_options(raysteps_options INTERFACE
-        $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-    target_compile_options(raysteps_options INTERFACE
-        -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
-        # Reports a helper outside an anonymous namespace, which both precisions would define:
-        $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
-        # Caused by macros of GLM or Catch2, or by an aggregate left short on purpose:
-        -Wno-missing-field-initializers)
-endif()
+# compensated.hpp and the watertight triangle are correct only if each operation is rounded
+# once. `errno` is never read after math functions, so `sqrt` can be one instruction.
+target_compile_options(raysteps_options INTERFACE -ffp-contract=off -fno-math-errno)
+# Two numbers that are stored separately and loaded as a pair cause a stall: g++ 12 generates
+# that for every Vec3 at -O2. Without it the results have the same bits, up to a fifth faster.
+target_compile_options(raysteps_options INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+target_compile_options(raysteps_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
+    # Reports a helper outside an anonymous namespace, which both precisions would define:
+    $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
+    # Caused by macros of GLM or Catch2, or by an aggregate left short on purpose:
+    -Wno-missing-field-initializers)
 if(RAYSTEPS_WERROR)
-    target_compile_options(raysteps_options INTERFACE $<IF:$<BOOL:${MSVC}>,/WX,-Werror>)
+    target_compile_options(raysteps_options INTERFACE -Werror)
 endif()
 if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE

@@ -2,19 +2,14 @@
 
 #include "common/input_error.hpp"
 
+#include <unistd.h>  // isatty, which standard C++ does not have
+
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <string>
-
-// Standard C++ has no function for this.
-#ifdef _WIN32
-#include <io.h>
-#else
-#include <unistd.h>
-#endif
 
 namespace rt {
 
@@ -28,11 +23,7 @@ void finish_output() {
 }
 
 bool errors_on_terminal() {
-#ifdef _WIN32
-    return _isatty(_fileno(stderr)) != 0;
-#else
     return isatty(STDERR_FILENO) == 1;
-#endif
 }
 
 int terminal_columns() {
