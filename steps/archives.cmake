@@ -1,9 +1,9 @@
-# In a hand-out, what shows a solution is an archive of its objects, without sources.
+# In a hand-out, sources that contain a solution are replaced by an archive of their objects.
 
 # raysteps_archive(<name> <folder> <source>...)
 #
-# f32.a and f64.a for this folder of a hand-out: the sources, compiled once more, for any processor.
-# The target `archives` makes them all, in the folder archives/ of the build.
+# Defines f32.a and f64.a for this folder of a hand-out: the sources compiled again, for any
+# processor. The target `archives` builds them all, in the folder archives/ of the build.
 function(raysteps_archive name folder)
     if(NOT TARGET archives)
         add_custom_target(archives)
@@ -27,7 +27,8 @@ endfunction()
 
 # raysteps_link_archive(<name> <folder> [WHOLE])
 #
-# Who links <name>_f32 or _f64 has what the folder's archives bring: what is missing, or the whole.
+# A target that links <name>_f32 or _f64 gets the contents of the folder's archives: the missing
+# symbols, or with WHOLE all objects.
 function(raysteps_link_archive name folder)
     raysteps_require_fit()
     foreach(precision IN ITEMS f32 f64)
@@ -48,7 +49,7 @@ endfunction()
 
 # raysteps_require_fit()
 #
-# Says so, once, if the archives are not of this compiler's kind, before a linker would.
+# Reports an error, once, if the archives do not fit this compiler, before a linker would.
 function(raysteps_require_fit)
     get_property(fits GLOBAL PROPERTY RAYSTEPS_FITS)
     if(fits)
@@ -58,7 +59,7 @@ function(raysteps_require_fit)
     if(NOT EXISTS ${needs})
         message(FATAL_ERROR "Sources are missing, and this is no hand-out either")
     endif()
-    unset(RAYSTEPS_FITS CACHE)  # an update may have brought others
+    unset(RAYSTEPS_FITS CACHE)  # an update may have replaced the archives
     try_compile(RAYSTEPS_FITS ${PROJECT_BINARY_DIR}/fits ${needs})
     if(NOT RAYSTEPS_FITS)
         file(STRINGS ${needs} kind LIMIT_COUNT 1)

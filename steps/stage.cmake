@@ -3,19 +3,20 @@ include(${PROJECT_SOURCE_DIR}/common/exact/exact.cmake)
 
 # raysteps_stage()
 #
-# The stage in whose folder it is called: its reference, the student's file once there is one, and
-# the executable of the stage's name, made of every stage up to this one.
+# Defines the targets of the stage in the current folder: its reference, the student's file if there
+# is one, and the executable with the stage's name, built from every stage up to this one.
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
-# stepNN_name_f64             whichever of the two is chosen, by name
-# stepNN_name                 the executable; _of_reference and _judged are the same program of the
-#                             references, and of this stage's chosen file on the others' references
-# stepNN_name_exact           the same program of certified kernels: common/exact/exact.cmake
-# stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and what this
-#                             stage and those before it hand on: the other files beside a main.cpp,
-#                             story.cpp apart
-# stepNN_name_whole_f64       the picture and the references, compiled as one
+# stepNN_name_f64             the selected one of these two, by option
+# stepNN_name                 the executable; _of_reference and _judged are the same program built
+#                             from the references, and from this stage's selected file with the
+#                             references of the other stages
+# stepNN_name_exact           the same program built from certified kernels: common/exact/exact.cmake
+# stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
+#                             that this stage and earlier ones share with later ones: the other
+#                             files beside a main.cpp, except story.cpp
+# stepNN_name_whole_f64       the picture and the references, compiled as a unity build
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
@@ -77,10 +78,10 @@ function(raysteps_stage)
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
     raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
 
-    # The program: of the chosen files; for `./course compare`, of the references alone, and of this
-    # stage's chosen file on the references of all others.
+    # The program built from the selected files and, for `./course compare`, from the references
+    # only, and from this stage's selected file with the references of the others.
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
-    list(APPEND stages step02_camera_basis)  # which the scene reader calls, before stage 2 too
+    list(APPEND stages step02_camera_basis)  # the scene reader calls it, before stage 2 too
     list(REMOVE_DUPLICATES stages)
     if((TARGET step08_cone_exact_f64 OR number LESS 8) AND reference)  # a hand-out has no kernels
         raysteps_exact_program(${name} ${number} ${stages})
@@ -118,10 +119,10 @@ endfunction()
 
 # raysteps_whole(<stage> <meshes> <part>...)
 #
-# <stage>_whole_f32 and _f64: the stage's picture, of its main.cpp and these parts compiled as one,
-# so that what they call of each other is inlined: up to a fifth of a picture's time
-# (docs/speed.md). Who has written a stage has programs of parts instead, of which a change compiles
-# one.
+# Defines <stage>_whole_f32 and _f64: the stage's picture, with its main.cpp and these parts
+# compiled as a unity build, so that calls between them are inlined: this saves up to a fifth of a
+# picture's time (docs/speed.md). With a student's file, programs are linked from separate parts
+# instead, so that a change compiles only one.
 function(raysteps_whole stage meshes)
     set(sources main.cpp)
     foreach(part IN LISTS ARGN)
@@ -136,7 +137,7 @@ endfunction()
 
 # raysteps_picture(<name> <part>...)
 #
-# <name>_f32 and _f64: the objects of the parts, for whoever links it, and with meshes what reads
+# Defines <name>_f32 and _f64: the objects of the parts, for linking, and with meshes the reader of
 # their files.
 function(raysteps_picture name)
     foreach(precision IN ITEMS f32 f64)

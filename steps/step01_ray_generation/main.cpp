@@ -1,4 +1,4 @@
-// A ray for every pixel; its direction is its colour.
+// A ray for every pixel; the color shows its direction.
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 
@@ -16,7 +16,7 @@ Ray PixelRays::operator()(Pixel pixel) const {
 
 Color trace(const Scene& /*scene*/, const Ray& ray, Context& context) {
     ++context.rays;
-    return (unit(ray.direction) + Real(1)) / Real(2);  // red to the right, green upwards
+    return (unit(ray.direction) + Real(1)) / Real(2);  // red to the right, green up
 }
 
 }  // namespace rt

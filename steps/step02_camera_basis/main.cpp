@@ -1,4 +1,4 @@
-// The camera looks anywhere; the sky has lines of latitude and longitude to tell where.
+// A camera with any direction; the sky has lines of latitude and longitude that show it.
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 
@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// Whether a line that stands every 15 degrees passes within a quarter of a degree.
+/// Returns whether the angle is within a quarter of a degree of a grid line, one every 15 degrees.
 bool on_line(Real angle) {
     constexpr Real degree = pi / 180;
     return std::abs(std::remainder(angle, 15 * degree)) < degree / 4;

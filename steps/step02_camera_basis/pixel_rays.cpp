@@ -1,4 +1,4 @@
-// From here on every picture is made of these rays.
+// The rays of every picture from this stage on.
 #include "common/stage.hpp"
 
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,4 +1,4 @@
-// Spheres, and the nearest of them.
+// Spheres, and the closest hit among them.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

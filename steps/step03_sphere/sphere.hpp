@@ -13,20 +13,21 @@
 
 namespace rt {
 
-/// The smallest t strictly inside the interval at which the ray meets the sphere, from outside
-/// or from inside; nothing if there is none, or if a coordinate is NaN. A ray that touches the
-/// sphere meets it.
+/// The smallest t strictly inside the interval at which the ray hits the sphere, from outside or
+/// from inside. Returns nothing if there is none, or if a coordinate is NaN. A tangent ray hits the
+/// sphere.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Sphere& sphere,
                                             Interval interval);
 
-/// The unit normal at a point of the sphere, outward.
+/// The outward unit normal at a point of the sphere.
 [[nodiscard]] Vec3 normal(const Sphere& sphere, Vec3 point);
 
-/// M1's colour of an orientation: |x|, |y|, |z| of the unit normal as red, green, blue.
+/// M1's color of an orientation: |x|, |y|, |z| of the unit normal as red, green, blue.
 [[nodiscard]] Color color_from_normal(Vec3 normal);
 
-/// M1's torch, held at the eye: cos θ between the normal and the direction from the point to the
-/// eye, both of any length; 0 where the surface faces away, or where the point is the eye.
+/// M1's torch at the eye: the cosine of the angle θ between the normal and the direction from the
+/// point to the eye, both of any length. Returns 0 where the surface faces away, or if the point is
+/// the eye.
 [[nodiscard]] Real torch(Vec3 point, Vec3 normal, Vec3 eye);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Planes join the spheres.
+// Planes in addition to the spheres.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

@@ -13,11 +13,12 @@
 
 namespace rt {
 
-/// The t strictly inside the interval at which the ray crosses the plane, from either side;
-/// nothing if there is none, if the ray runs along the plane, or if a coordinate is NaN.
+/// The t strictly inside the interval at which the ray hits the plane, from either side. Returns
+/// nothing if there is none, if the ray runs in the plane or parallel to it, or if a coordinate is
+/// NaN.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval);
 
-/// The plane's normal, made unit length, the same at every point.
+/// The plane's normal scaled to unit length, the same at every point.
 [[nodiscard]] Vec3 normal(const Plane& plane, Vec3 point);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Triangles join.
+// Triangles in addition.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

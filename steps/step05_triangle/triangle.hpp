@@ -13,14 +13,15 @@
 
 namespace rt {
 
-/// The t strictly inside the interval at which the ray meets the triangle, from either side;
-/// nothing if there is none, if the triangle has no area as the ray sees it, or if a coordinate is
-/// NaN. Edges and vertices belong to the triangle: two that share an edge leave no crack.
+/// The t strictly inside the interval at which the ray hits the triangle, from either side. Returns
+/// nothing if there is none, if the triangle has no area as seen along the ray, or if a coordinate
+/// is NaN. Edges and vertices belong to the triangle: two triangles with a shared edge leave no
+/// crack.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Triangle& triangle,
                                             Interval interval);
 
-/// The weights of a, b and c that give a point of the triangle's plane: α a + β b + γ c = point.
-/// They sum to 1, and none is negative inside. NaN if the triangle has no area.
+/// The barycentric coordinates of a point in the triangle's plane: α a + β b + γ c = point. Their
+/// sum is 1, and inside the triangle none is negative. NaN if the triangle has no area.
 [[nodiscard]] Vec3 barycentric(const Triangle& triangle, Vec3 point);
 
 /// The unit normal along (b − a) × (c − a), the same at every point.

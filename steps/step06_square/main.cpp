@@ -1,4 +1,4 @@
-// Squares join, among them those that are seen from one side only.
+// Squares in addition, among them those that are visible from one side only.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

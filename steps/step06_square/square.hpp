@@ -14,14 +14,14 @@
 
 namespace rt {
 
-/// The t strictly inside the interval at which the ray meets the square; nothing if there is
-/// none, or if a coordinate is NaN. Edges belong to the square. A one-sided square is met only
+/// The t strictly inside the interval at which the ray hits the square. Returns nothing if there is
+/// none, or if a coordinate is NaN. Edges belong to the square. A one-sided square is hit only
 /// where ⟨direction, normal⟩ < 0 (HAI).
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Square& square,
                                             Interval interval);
 
-/// HAI's u and v of a point of the square's plane: 0 to 1 along its x and y inside the square,
-/// (0, 0) at its corner C and (1, 1) at the opposite one.
+/// HAI's u and v of a point in the square's plane: inside the square from 0 to 1 along its x and y,
+/// (0, 0) at its corner C and (1, 1) at the opposite corner.
 [[nodiscard]] Vec2 square_uv(const Square& square, Vec3 point);
 
 /// The unit normal, basis.z, the same at every point.

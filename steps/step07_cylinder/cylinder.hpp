@@ -1,7 +1,7 @@
 // Stage 7: cylinders (MRT §7).
 //
 //   MRT            here
-//   o, Z           cylinder.center, cylinder.axis; X and Y may be any that complete Z
+//   o, Z           cylinder.center, cylinder.axis; X and Y are any axes that complete Z
 //   r, h           cylinder.radius, cylinder.height
 //   z_p            ⟨p − o, Z⟩
 #pragma once
@@ -13,13 +13,13 @@
 
 namespace rt {
 
-/// The smallest t strictly inside the interval at which the ray meets the side of the cylinder,
-/// from outside or from inside; nothing if there is none, if the ray runs along the axis, or if a
-/// coordinate is NaN. There are no caps, and both rims belong to the side.
+/// The smallest t strictly inside the interval at which the ray hits the lateral surface of the
+/// cylinder, from outside or from inside. Returns nothing if there is none, if the ray is parallel
+/// to the axis, or if a coordinate is NaN. There are no caps, and both rims belong to the surface.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder,
                                             Interval interval);
 
-/// The unit normal at a point of the side: away from the axis.
+/// The unit normal at a point of the lateral surface, pointing away from the axis.
 [[nodiscard]] Vec3 normal(const Cylinder& cylinder, Vec3 point);
 
 }  // namespace rt

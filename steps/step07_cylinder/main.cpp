@@ -1,4 +1,4 @@
-// Cylinders join.
+// Cylinders in addition.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

@@ -5,7 +5,7 @@
 namespace rt {
 
 std::string tell(Story& story, const Ray& ray, const Cylinder& cylinder) {
-    // v ∧ Z has the length of v's part in X and Y, whichever they are.
+    // v ∧ Z has the length of the component of v in the plane of X and Y, for any choice of these.
     const Vec3 from_center = ray.origin - cylinder.center;
     const Vec3 o = cross(from_center, cylinder.axis);
     const Vec3 d = cross(ray.direction, cylinder.axis);

@@ -1,4 +1,4 @@
-// The shapes of stages 3 to 8, for the stages after them.
+// The shapes of stages 3 to 8, for the later stages.
 #pragma once
 
 #include "common/nearest.hpp"
@@ -12,7 +12,7 @@
 
 namespace rt {
 
-/// Has a Nearest or a Blocker look through all of them, as stage 8's main.cpp does.
+/// Tests a closest-hit or any-hit query against all these shapes, as stage 8's main.cpp does.
 template <class Query>
 void among_shapes(Query& query, const Scene& scene) {
     query.among(scene.spheres);

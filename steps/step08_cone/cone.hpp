@@ -1,7 +1,7 @@
-// Stage 8: cones (MRT §8, with (r/h)² in place of r/h).
+// Stage 8: cones (MRT §8, with (r/h)² instead of r/h).
 //
 //   MRT            here
-//   o, Z           cone.apex, cone.axis; X and Y may be any that complete Z
+//   o, Z           cone.apex, cone.axis; X and Y are any axes that complete Z
 //   r, h           cone.radius, cone.height
 //   z_p            ⟨p − o, Z⟩
 #pragma once
@@ -13,13 +13,14 @@
 
 namespace rt {
 
-/// The smallest t strictly inside the interval at which the ray meets the side of the cone, from
-/// outside or from inside; nothing if there is none, if the ray runs along the side, or if a
-/// coordinate is NaN. One nappe, no base; the apex and the rim belong to the side.
+/// The smallest t strictly inside the interval at which the ray hits the lateral surface of the
+/// cone, from outside or from inside. Returns nothing if there is none, if the ray runs along the
+/// surface, or if a coordinate is NaN. The cone has one nappe and no base; the apex and the rim
+/// belong to it.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval);
 
-/// The unit normal at a point of the side: away from the axis and, by the slope, back towards the
-/// apex. At the apex, where every direction would do, it is −axis.
+/// The unit normal at a point of the lateral surface. It points away from the axis and, because of
+/// the slope, back toward the apex. At the apex, where no direction is distinguished, it is −axis.
 [[nodiscard]] Vec3 normal(const Cone& cone, Vec3 point);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Cones join: all the shapes of MRT.
+// Cones in addition: all the shapes of MRT.
 #include "common/nearest.hpp"
 #include "common/stage.hpp"
 #include "common/vector.hpp"

@@ -5,7 +5,8 @@ namespace rt {
 std::string tell(Story& story, const Ray& ray, const Cone& cone) {
     const Vec3 from_apex = ray.origin - cone.apex;
     const Real slope = cone.radius / cone.height;
-    // x_u x_v + y_u y_v − (r / h)² z_u z_v of two vectors: MRT §8's three coefficients.
+    // x_u x_v + y_u y_v − (r / h)² z_u z_v of two vectors u and v: the three coefficients of MRT
+    // §8.
     const auto off_cone = [&](Vec3 u, Vec3 v) {
         return dot(cross(u, cone.axis), cross(v, cone.axis)) -
                slope * slope * dot(u, cone.axis) * dot(v, cone.axis);

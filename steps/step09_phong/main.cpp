@@ -1,4 +1,4 @@
-// Lights in place of the torch.
+// Lights instead of the torch.
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 

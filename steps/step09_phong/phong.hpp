@@ -11,7 +11,7 @@
 //   shininess                   surface.material.shininess
 //   light.material              light.brightness · light.color, or ambient.ratio · ambient.color
 //
-// What is NaN is not positive.
+// A comparison that requires a positive number is false for NaN.
 #pragma once
 
 #include "common/scene.hpp"
@@ -19,19 +19,19 @@
 
 namespace rt {
 
-/// The unit direction in which light that comes from the unit direction to_light leaves a mirror:
-/// 2 ⟨L, N⟩ N − L.
+/// The unit direction of light reflected by a mirror, 2 ⟨L, N⟩ N − L, for light that arrives from
+/// the unit direction to_light.
 [[nodiscard]] Vec3 reflected(Vec3 to_light, Vec3 normal);
 
-/// What the surface shows of the light that is everywhere: once, however many lights there are.
+/// The ambient term: the ambient light that the surface reflects, once for any number of lights.
 [[nodiscard]] Color ambient_term(const Surface& surface, const Ambient& ambient);
 
-/// What the surface shows of the light evenly in all directions: by ⟨L, N⟩, and nothing where that
-/// is not positive, or where the light stands at the point itself.
+/// The diffuse term: light reflected evenly in all directions, proportional to ⟨L, N⟩. Black where
+/// that is not positive, or if the light is at the point itself.
 [[nodiscard]] Color diffuse_term(const Surface& surface, const Light& light);
 
-/// The highlight: by ⟨R, V⟩ to the power of the shininess; nothing where ⟨L, N⟩ or ⟨R, V⟩ is not
-/// positive, or where the light stands at the point itself.
+/// The specular term: the highlight, proportional to ⟨R, V⟩ to the power of the shininess. Black
+/// where ⟨L, N⟩ or ⟨R, V⟩ is not positive, or if the light is at the point itself.
 [[nodiscard]] Color specular_term(const Surface& surface, const Light& light);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// No light where something stands in its way.
+// Shadows: an occluded light contributes nothing.
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 
@@ -33,7 +33,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
         if (context.story != nullptr) tell(*context.story, surface, light);
         const Color diffuse = diffuse_term(surface, light);
         const Color specular = specular_term(surface, light);
-        if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
+        if (diffuse + specular == Color(0)) continue;  // nothing that an occluder could remove
         if (blocked(scene, shadow_ray(surface, light.position), context)) continue;
         terms.diffuse += diffuse;
         terms.specular += specular;

@@ -1,7 +1,7 @@
 // Stage 10: shadows (CR §3.2; M1's exercise "et pour les ombres ?").
 //
 //   CR                 here
-//   intersection       surface.point, which is on the shape to within surface.error
+//   intersection       surface.point, at most surface.error from the shape
 //   shadowRay          shadow_ray(…).ray
 //   0.001, maxDist     shadow_ray(…).interval, and no constant
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A ray from a surface to a light, and the part of it in which something would throw a shadow.
+/// A ray from a surface to a light, and the interval in which a hit occludes the light.
 struct ShadowRay {
     Ray ray;
     Interval interval;
@@ -21,9 +21,10 @@ struct ShadowRay {
 
 namespace rt {
 
-/// The way from the surface to the light. It starts off the surface, by surface.error or a little
-/// more on surface.side, so that the surface itself is never met; everything else between the point
-/// and the light is, and what is at the light or behind it is not.
+/// The shadow ray from the surface to the light. Its origin is off the surface, by surface.error or
+/// a little more along surface.side, so that it never hits the surface itself. Everything else
+/// between the point and the light is inside the interval; the light and everything behind it are
+/// outside.
 [[nodiscard]] ShadowRay shadow_ray(const Surface& surface, Vec3 light);
 
 }  // namespace rt

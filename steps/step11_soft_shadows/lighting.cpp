@@ -6,7 +6,7 @@ namespace rt {
 
 namespace {
 
-/// Before that, no estimate of an error is worth much.
+/// With fewer samples, the estimate of the error is not reliable.
 constexpr int fewest_samples = 8;
 
 }  // namespace
@@ -16,7 +16,7 @@ bool accurate(const ShadowRays& rays, const Color& color, const Context& context
     if (look.shadow_error <= 0) return false;
     const bool agree = rays.reached == 0 || rays.reached == rays.sent;
     if (agree && look.shadow_agree > 0 && rays.sent >= look.shadow_agree) return true;
-    // Asked at powers of two, where the points are as even as they get.
+    // Evaluated at powers of two, where the points are most even.
     if (rays.sent < fewest_samples || !std::has_single_bit(unsigned(rays.sent))) return false;
     const Real largest = glm::max(color.r, glm::max(color.g, color.b));
     const Real steps = 255 * share_error(rays) * largest * Real(context.weight);

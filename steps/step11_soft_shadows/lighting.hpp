@@ -1,4 +1,4 @@
-// Light and shadow, from here on.
+// The lighting of a shading point, with shadows, from this stage on.
 #pragma once
 
 #include "common/sampling.hpp"
@@ -16,17 +16,18 @@
 
 namespace rt {
 
-/// Whether the error of what the light adds to the pixel, a color times a share, is small enough,
-/// or is taken to be nothing because all rays agree.
+/// Returns whether the estimated error of the light's contribution to the pixel, color times
+/// visible fraction, is small enough, or whether enough rays agree.
 [[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
-// Each main.cpp knows what can stand in the way of a shadow ray: obstacles(query) has a Blocker, or
-// another query, look through it. The functions that ask are templates, so that they are compiled
-// into its `trace`, but for what only a light with a size needs: a scene whose lights have none
-// then costs what it costs in stage 10 (tests/program/instruction_counts.sh).
+// Each main.cpp defines the possible occluders: obstacles(query) tests an any-hit query, or another
+// one, against them. The functions with queries are templates, so that they are compiled into
+// `trace`, except for the part that only area lights need: a scene without area lights then costs
+// the same as in stage 10 (tests/program/instruction_counts.sh).
 
-/// Rays to a light with a size, which would add the given colour; none, if nothing can be in their
-/// way. Has copies of the surface and the context, so that those of its caller stay in registers.
+/// Traces shadow rays to an area light that would contribute the given color; none if the light has
+/// no potential occluder. Takes copies of the shading point and the context, so that the caller's
+/// remain in registers.
 template <class Obstacles>
 [[nodiscard, gnu::noinline]] ShadowRays rays_to(const Light& light, Surface surface, Color color,
                                                 std::uint32_t seed, const Obstacles& obstacles,
@@ -40,7 +41,8 @@ template <class Obstacles>
         return rays;
     }
     const Color seen = (1 - surface.material.mirror) * color;
-    // A few ways ahead: a processor works out several at once, if nothing is asked in between.
+    // Computed a few rays ahead: a processor computes several at once if no traversal is in
+    // between.
     std::array<ShadowRay, 8> ways;
     while (rays.sent < context.look.shadow_samples && !accurate(rays, seen, context)) {
         const std::size_t next = std::size_t(rays.sent) % ways.size();
@@ -57,7 +59,7 @@ template <class Obstacles>
     return rays;
 }
 
-/// Whether nothing stands between the surface and a light without a size.
+/// Returns whether the surface is visible from a point light.
 template <class Obstacles>
 [[nodiscard]] bool reached(const Surface& surface, const Light& light, const Obstacles& obstacles,
                            Context& context) {
@@ -67,8 +69,8 @@ template <class Obstacles>
     return !blocker.found();
 }
 
-/// What all the lights do at the surface. A light with a size is asked for by several rays, until
-/// --shadow-samples or --shadow-error is reached.
+/// The terms of all lights at the shading point. An area light is sampled with several rays, until
+/// the limit of --shadow-samples or --shadow-error.
 template <class Obstacles>
 [[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, const Obstacles& obstacles,
                              Context& context) {
@@ -78,7 +80,7 @@ template <class Obstacles>
         if (context.story != nullptr) tell(*context.story, surface, light);
         const Color diffuse = diffuse_term(surface, light);
         const Color specular = specular_term(surface, light);
-        if (diffuse + specular == Color(0)) continue;  // nothing to be kept off
+        if (diffuse + specular == Color(0)) continue;  // nothing that an occluder could remove
         if (light.radius > 0) [[unlikely]] {
             const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
             const std::uint32_t seed =

@@ -1,4 +1,4 @@
-// Lights may have a size.
+// Soft shadows of area lights.
 #include "common/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,17 +1,17 @@
-// Stage 11: soft shadows (CR §3.3, its samples put right).
+// Stage 11: soft shadows (CR §3.3, with its samples corrected).
 //
 //   CR                 here
 //   light.radius       light.radius, of a sphere around light.position
-//   x, y, z            sample, two numbers from 0 to 1 that are spread evenly, not rand()
+//   x, y, z            sample, two evenly spread numbers from 0 to 1, not rand()
 //   pos                light_point(…)
-//   counter / SAMPLES  1 − lit_share(…): it counts the blocked ones
+//   counter / SAMPLES  1 − lit_share(…): CR counts the blocked rays
 #pragma once
 
 #include "common/scene.hpp"
 
 namespace rt::inline RT_PRECISION {
 
-/// How many shadow rays have been sent to a light, and how many of them were not blocked.
+/// The number of shadow rays sent to a light, and the number of those that were not blocked.
 struct ShadowRays {
     int sent = 0;
     int reached = 0;
@@ -21,18 +21,19 @@ struct ShadowRays {
 
 namespace rt {
 
-/// The point of the light's surface at which to aim from the given place. Samples spread evenly
-/// over [0, 1)² make points spread evenly over all that can be seen of the light from there: over
-/// the solid angle it fills. From inside the light, and for a light without a size, it is its
-/// centre.
+/// The point of the light's surface that a shadow ray from the given position aims at. Samples
+/// spread evenly over [0, 1)² give points spread evenly over the visible part of the light: over
+/// its solid angle. From inside the light, and for a light without a size, it is the light's
+/// center.
 [[nodiscard]] Vec3 light_point(const Light& light, Vec3 from, Vec2 sample);
 
-/// The share of the light that reaches the surface; sent is positive.
+/// The fraction of the light that reaches the surface. `sent` must be positive.
 [[nodiscard]] Real lit_share(const ShadowRays& rays);
 
-/// By how much lit_share may be wrong: its standard error, estimated for points that are at least
-/// as even as independent ones, and at best as this stage's. It is positive even if all rays or
-/// none were blocked, the same for either kind exchanged, and goes to 0 as more are sent.
+/// The estimated standard error of lit_share, for sample points that are at least as even as
+/// independent ones, and at best as even as this stage's. It is positive even if all rays or none
+/// were blocked, does not change if blocked and unblocked are exchanged, and approaches 0 as more
+/// rays are sent.
 [[nodiscard]] Real share_error(const ShadowRays& rays);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Mirrors send rays on.
+// Mirrors, which reflect rays.
 #include "common/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

@@ -11,17 +11,18 @@
 
 namespace rt {
 
-/// The ray that the mirror sends on: d − 2 n ⟨d, n⟩, as long as d, from off the surface by
-/// surface.error or a little more on surface.side, and away from it even if the normal is
-/// interpolated and would send it in.
+/// The reflected ray, with direction d − 2 n ⟨d, n⟩, which has the length of d. Its origin is off
+/// the surface, by surface.error or a little more along surface.side. Its direction points away
+/// from the surface even if the interpolated normal would reflect it into the surface.
 [[nodiscard]] Ray mirrored(const Ray& ray, const Surface& surface);
 
-/// The mirror's share of what is reflected, and the rest of what the surface shows of the lights.
+/// The color of the reflection, weighted with `mirror`, plus the surface's own color, weighted with
+/// the rest.
 [[nodiscard]] Color mixed(Color own, Color reflection, Real mirror);
 
-/// Whether one more reflection can be seen: `bounces` have been made of at most `depth`, and the
-/// next would count in the pixel by `weight`, the product of all shares so far. Below 1/512, half a
-/// step of the picture's 256, it would not show.
+/// Returns whether one more reflection is visible: `bounces` of at most `depth` have been made, and
+/// the next one has the given `weight` in the pixel, the product of all mirror strengths so far.
+/// Below 1/512, half of one 8-bit level, it is not visible.
 [[nodiscard]] bool worth_reflecting(int bounces, int depth, Real weight);
 
 }  // namespace rt

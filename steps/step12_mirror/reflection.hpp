@@ -1,4 +1,4 @@
-// What is seen in a mirror, from here on.
+// Reflections in mirrors, from this stage on.
 #pragma once
 
 #include "common/context.hpp"
@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// The colour along the ray that the surface sends on; black, if there have been enough.
+/// The color along the ray that the surface reflects; black if there have been enough reflections.
 [[nodiscard]] Color reflection(const Scene& scene, const Ray& ray, const Surface& surface,
                                Context& context);
 

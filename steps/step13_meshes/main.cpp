@@ -1,4 +1,4 @@
-// Meshes and boxes join: all that a scene can hold.
+// Meshes and boxes in addition: every element of a scene.
 #include "common/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

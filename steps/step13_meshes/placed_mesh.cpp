@@ -37,7 +37,7 @@ SurfacePoint projected(const PlacedMesh& placed, const MeshHit& hit) {
     const Vec3& w = hit.weights;
     auto [point, error] =
         projected(triangle, w.x * triangle.a + w.y * triangle.b + w.z * triangle.c);
-    // In its own frame a mesh may be far from the origin, and that is where its triangles are met.
+    // In object space a mesh may be far from the origin, and its triangles are intersected there.
     const auto& [min, max] = placed.model->bounds;
     const Real in_frame = largest_component(glm::max(abs(min), abs(max)));
     const Motion& placement = placed.placement;

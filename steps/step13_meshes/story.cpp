@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// Whether the ray meets the triangle at a positive t, by MRT §4 and §5's half-planes.
+/// Returns whether the ray hits the triangle at a positive t, by the half-planes of MRT §4 and §5.
 bool is_ahead(const Ray& ray, const Mesh& mesh, const std::array<std::uint32_t, 3>& corners) {
     const Vec3& a = mesh.vertices[corners[0]];
     const Vec3& b = mesh.vertices[corners[1]];
@@ -33,7 +33,7 @@ std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
         const Real speed = dot(ray.direction, axes[std::size_t(i)]);
         Real t1 = (distance - half_size[i]) / speed;
         Real t2 = (distance + half_size[i]) / speed;
-        if (speed == 0) {  // between the planes for ever, or never; 0 / 0 on one of them
+        if (speed == 0) {  // always between the planes, or never; 0 / 0 on one of them
             const bool inside = std::fabs(distance) <= half_size[i];
             t1 = inside ? -infinity : infinity;
             t2 = infinity;

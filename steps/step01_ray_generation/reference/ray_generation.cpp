@@ -11,10 +11,10 @@ Vec3 divided_by_w(Vec4 point) {
     return Vec3(point) / point.w;
 }
 
-/// The tangent, kept for the next pixel: a picture's pixels all ask for the same one, and of a
-/// simple picture it would be a sixth of the time.
+/// The tangent, cached for the next pixel: all pixels of a picture use the same one, and it would
+/// take a sixth of the time of a simple picture.
 Real tangent(Real angle) {
-    // Not zero to begin with: mold 1.10 then links programs that may not start.
+    // Not zero-initialized: mold 1.10 would then link programs that may not start.
     struct Last {
         Real angle = std::numeric_limits<Real>::quiet_NaN();
         Real tangent = 0;
@@ -27,7 +27,7 @@ Real tangent(Real angle) {
 }  // namespace
 
 Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
-    // 2 · (j + 0.5) / W − 1 with the subtraction done in whole numbers, where it is exact.
+    // 2 · (j + 0.5) / W − 1 with the subtraction in integers, where it is exact.
     const Real x = Real(2 * pixel.column + 1 - resolution.width);
     const Real y = Real(resolution.height - 2 * pixel.row - 1);
     const Real half_pixel = tangent(vertical_fov / 2) / Real(resolution.height);

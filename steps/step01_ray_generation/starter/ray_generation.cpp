@@ -1,6 +1,5 @@
-// Stage 1, to be written: docs/step01_ray_generation.md says how, the header what is promised.
-// Begin with pixel_on_screen. camera_ray is one line more, unprojected_ray stands by itself.
-// `./course check 1` says what is wrong, `./course hint 1` what to think of next.
+// Stage 1, to be written. docs/step01_ray_generation.md explains it, the header is its contract.
+// Begin with pixel_on_screen. camera_ray needs one more line, unprojected_ray is independent.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 
 #include "common/todo.hpp"
@@ -11,7 +10,7 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
@@ -22,7 +21,7 @@ Vec2 pixel_on_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
 }
 
 Ray camera_ray(Pixel pixel, Resolution resolution, Real vertical_fov) {
-    // From the origin through the pixel's centre on the plane z = −1.
+    // From the origin through the pixel's center on the plane z = −1.
     RT_TODO(pixel, resolution, vertical_fov);
     return {.origin = Vec3(0), .direction = Vec3(0, 0, -1)};
 }

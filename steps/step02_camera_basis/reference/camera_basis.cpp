@@ -5,8 +5,8 @@
 namespace rt {
 
 Basis basis_around(Vec3 z) {
-    // (0, 1, 0) × z written out: no component is a difference, so nothing cancels near the
-    // vertical, and only an exactly vertical z leaves x without a direction.
+    // (0, 1, 0) × z written out: no component is a difference, so there is no cancellation near the
+    // vertical, and x has no direction only if z is exactly vertical.
     const bool vertical = z.x == 0 && z.z == 0;
     Basis basis;
     basis.z = unit(z);

@@ -1,6 +1,6 @@
-// Stage 2, to be written: docs/step02_camera_basis.md says how, the header what is promised.
-// Begin with basis_around: camera_basis needs it. The other two are given a basis.
-// `./course check 2` says what is wrong, `./course hint 2` what to think of next.
+// Stage 2, to be written. docs/step02_camera_basis.md explains it, the header is its contract.
+// Begin with basis_around: camera_basis needs it. The other two functions get a basis as an
+// argument.
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "common/todo.hpp"
@@ -10,24 +10,24 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 Basis basis_around(Vec3 z) {
-    // X = (0, 1, 0) ∧ Z made unit length, or (1, 0, 0) if Z is vertical. Y = Z ∧ X.
+    // X = (0, 1, 0) ∧ Z scaled to unit length, or (1, 0, 0) if Z is vertical. Y = Z ∧ X.
     RT_TODO(z);
     return {};
 }
 
 Basis camera_basis(Vec3 direction) {
-    // The basis whose z points back.
+    // The basis whose z points backward.
     RT_TODO(direction);
     return {};
 }
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
-    // The ray of the camera's frame, in the world.
+    // The ray of camera space, in world space.
     RT_TODO(basis, position);
     return ray;
 }

@@ -1,5 +1,6 @@
-// Stage 3 for `--precision exact`: every decision is that of exact arithmetic, and t is within 32 u
-// of the exact one, by proof; in what numbers, and how far off t was ever found: docs/stability.md.
+// Stage 3 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 32 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step03_sphere/sphere.hpp"
 
 #include "common/exact/certain.hpp"
@@ -16,7 +17,7 @@ namespace rt {
 
 namespace {
 
-/// ⟨p, p⟩ = r² along the ray.
+/// The intersection ⟨p, p⟩ = r² along the ray.
 auto along(const Sphere& sphere) {
     const Real unit = power_of_two_below(sphere.radius);
     const auto crossing_in = [=]<class T>(T, const Ray& near) {
@@ -36,8 +37,8 @@ auto along(const Sphere& sphere) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the centre, within u (2 |p| +
-    // w) of it (certain.hpp).
+    // The reference's formula, relative to the point p of the line closest to the center, whose
+    // error is at most u (2 |p| + w) (certain.hpp).
     const Vec3& d = ray.direction;
     const Rounded x = exact_sum(ray.origin.x, -sphere.center.x);
     const Rounded y = exact_sum(ray.origin.y, -sphere.center.y);
@@ -48,8 +49,8 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     const Real t_near = -dot(from_center, d) * inverse;
     const Vec3 p = fused_at(from_center, t_near, d) + Vec3(x.dropped, y.dropped, z.dropped);
 
-    // ⟨p, p⟩ is within 7.5 u ⟨p, p⟩ + 2 u w². That p is not quite the nearest point is what `aside`
-    // is for.
+    // ⟨p, p⟩ has an error of at most 7.5 u ⟨p, p⟩ + 2 u w². `aside` corrects for p not being
+    // exactly the closest point.
     const Real pp = dot(p, p);
     const Real ww = dd * (unit_roundoff * t_near) * (unit_roundoff * t_near);
     const Real aside = dot(p, d) * inverse;
@@ -61,8 +62,9 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     if (!(half_chord_squared > 16 * doubt && tells)) return carefully(ray, sphere, interval);
 
     const Real half_chord = std::sqrt(half_chord_squared * inverse);
-    // Half the doubt's share of the square; 4.5 u of the division, the root and the sum; and of
-    // aside, 5 u |p| / |d|, which is no more than 1.5 u of p's share and 4.5 u of half_chord.
+    // The error consists of half of the relative error of the square; 4.5 u for the division, the
+    // root and the sum; and for `aside` 5 u |p| / |d|, which is at most 1.5 u of the share of p and
+    // 4.5 u of half_chord.
     const Real share = Real(0.55) * doubt + Real(1.5) * unit_roundoff * pp;
     const Real error = half_chord * (share / half_chord_squared + 9 * unit_roundoff) +
                        6 * unit_roundoff * std::abs(aside);

@@ -8,8 +8,8 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    // PHY's A t² + B t + C loses half its digits in B² − 4AC when the sphere is far away: the half
-    // chord, seen from the point of the line nearest to the centre, does not.
+    // In PHY's A t² + B t + C, B² − 4AC loses half its digits for a distant sphere. The half chord,
+    // computed from the point of the line that is closest to the center, does not.
     const Vec3 from_center = ray.origin - sphere.center;
     const Real along = dot(from_center, ray.direction);
     const Real c = dot(from_center, from_center) - sphere.radius * sphere.radius;
@@ -20,10 +20,10 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
     const Real half_chord_squared = sphere.radius * sphere.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
-    // The root further from 0 is a sum; the other one is a difference, but their product is C / A.
-    // From the surface itself C is exactly 0, and so is one root. Where the ray hardly leaves the
-    // surface both roots and C are nothing but rounding errors, and so is the quotient: it is
-    // further from 0 than the sum, if it is wrong, and then the difference is as good as any.
+    // The root of larger magnitude is a sum. The other one is a difference, but their product is C
+    // / A. If the origin is on the surface, C is exactly 0, and so is one root. If the ray barely
+    // leaves the surface, both roots and C are rounding errors, and so is the quotient: if it is
+    // wrong, its magnitude is larger than that of the sum, and the difference is equally good.
     const Real half_chord = std::copysign(std::sqrt(half_chord_squared * inverse_a), t_closest);
     const Real t1 = t_closest + half_chord;
     Real t2 = c * inverse_a / t1;
@@ -44,7 +44,7 @@ Color color_from_normal(Vec3 normal) {
 }
 
 Real torch(Vec3 point, Vec3 normal, Vec3 eye) {
-    if (point == eye) return 0;  // no direction, hence no angle
+    if (point == eye) return 0;  // no direction and therefore no angle
     const Real cos_theta = dot(unit(normal), unit(eye - point));
     return glm::max(cos_theta, Real(0));
 }

@@ -1,6 +1,6 @@
-// Stage 3, to be written: docs/step03_sphere.md says how, the header what is promised.
-// Begin with intersect. Until normal is written too, what it meets is drawn in magenta: no number.
-// `./course check 3` says what is wrong, `./course hint 3` what to think of next.
+// Stage 3, to be written. docs/step03_sphere.md explains it, the header is its contract.
+// Begin with intersect. Until normal is written too, hits are magenta: not a number.
+// `./course check 3` reports errors, `./course hint 3` prints the next hint.
 #include "steps/step03_sphere/sphere.hpp"
 
 #include "common/todo.hpp"
@@ -13,7 +13,7 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval int
 }
 
 Vec3 normal(const Sphere& sphere, Vec3 point) {
-    // Away from the centre, with unit length.
+    // Away from the center, with unit length.
     RT_TODO(sphere, point);
     return Vec3(0);
 }

@@ -1,5 +1,6 @@
-// Stage 4 for `--precision exact`: every decision is that of exact arithmetic, and t is within 16 u
-// of the exact one, by proof; in what numbers, and how far off t was ever found: docs/stability.md.
+// Stage 4 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 16 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step04_plane/plane.hpp"
 
 #include "common/exact/certain.hpp"
@@ -16,7 +17,7 @@ namespace rt {
 
 namespace {
 
-/// ⟨n, p − a⟩ = 0 along the ray.
+/// The intersection ⟨n, p − a⟩ = 0 along the ray.
 auto along(const Ray& ray, const Plane& plane) {
     const Real unit =
         power_of_two_below(glm::max(largest_component(ray.origin), largest_component(plane.point)));
@@ -35,19 +36,19 @@ auto along(const Ray& ray, const Plane& plane) {
     return decided(ray, along(ray, plane), interval);
 }
 
-/// A scalar product, and the sum of its terms' sizes.
+/// A dot product, and the sum of the magnitudes of its terms.
 struct Product {
     Real value;
     Real size;
 
-    /// Whether so little cancels that the value is within 2 u of itself.
+    /// Returns whether there is so little cancellation that the relative error is at most 2 u.
     [[nodiscard]] bool certain() const {
         return std::abs(value) > 32 * unit_roundoff * size + underflow;
     }
 };
 
-/// ⟨n, v + dropped⟩ with twice the digits (Ogita, Rump, Oishi 2005, Dot2): within u of the result
-/// and 24 u² of the terms' sizes.
+/// ⟨n, v + dropped⟩ in twice the precision (Ogita, Rump, Oishi 2005, Dot2): the error is at most u
+/// times the result plus 24 u² times the terms' magnitudes.
 Product compensated_product(Vec3 n, Vec3 v, Vec3 dropped) {
     const Rounded x = exact_product(n.x, v.x);
     const Rounded y = exact_product(n.y, v.y);
@@ -59,7 +60,7 @@ Product compensated_product(Vec3 n, Vec3 v, Vec3 dropped) {
             .size = std::abs(x.value) + std::abs(y.value) + std::abs(z.value)};
 }
 
-/// For rays of which the plain products cancel too much.
+/// For rays whose plain products cancel too much.
 [[gnu::noinline]] std::optional<Real> compensated(const Ray& ray, const Plane& plane,
                                                   Interval interval) {
     const auto& [o, d] = ray;
@@ -81,8 +82,8 @@ Product compensated_product(Vec3 n, Vec3 v, Vec3 dropped) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
-    // MRT §4's quotient. With fma, a product of two vectors is off by no more than u of itself and
-    // of each sum on the way to it, and of its terms where one of the two is a rounded difference.
+    // MRT §4's quotient. With fma, the error of a dot product is at most u times the result and
+    // each partial sum, and u times the terms in which a factor is a rounded difference.
     const Vec3& d = ray.direction;
     const Vec3& n = plane.normal;
     const Vec3 way = plane.point - ray.origin;
@@ -97,7 +98,8 @@ std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval inter
     const Real terms = std::abs(n.x * way.x) + std::abs(n.y * way.y) + std::abs(distance_z);
     const Real distance_doubt = terms + std::abs(distance_z) + std::abs(distance_yz) + underflow;
     const Real approach_doubt = std::abs(approach_z) + std::abs(approach_yz) + underflow;
-    // 12 u of t, and 3 u of both products and their quotient. An infinite one is not less.
+    // 12 u times t, plus 3 u for both products and their quotient. The comparison fails for
+    // infinity.
     const Real doubt = std::fma(std::abs(t), approach_doubt, distance_doubt);
     const bool certain = doubt < 12 * std::abs(distance);
     const Estimate root{.t = t, .error = 16 * unit_roundoff * std::abs(t)};

@@ -7,8 +7,8 @@ namespace rt {
 
 namespace {
 
-/// Whether the vector is along an axis: then no product with it has more than one term, nothing can
-/// cancel, and the plain one is as good as the compensated.
+/// Returns whether the vector is along an axis: then no product with it has more than one term,
+/// nothing can cancel, and the plain product is as accurate as the compensated one.
 bool along_an_axis(Vec3 v) {
     return v.x == 0 ? v.y == 0 || v.z == 0 : v.y == 0 && v.z == 0;
 }
@@ -16,8 +16,9 @@ bool along_an_axis(Vec3 v) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
-    // t = ⟨o − o_r, n⟩ / ⟨d, n⟩ (MRT §4). At a grazing ray both products cancel, so both are
-    // compensated: t is within 4 ulp at any angle, and no epsilon decides what is parallel.
+    // t = ⟨o − o_r, n⟩ / ⟨d, n⟩ (MRT §4). For a grazing ray both products cancel, so both are
+    // compensated: the error of t is at most 4 ulp at any angle, and no epsilon is needed to detect
+    // a parallel ray.
     const auto& [point, n] = plane;
     const bool plain = along_an_axis(n);
     const Real distance =

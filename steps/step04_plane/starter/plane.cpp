@@ -1,6 +1,6 @@
-// Stage 4, to be written: docs/step04_plane.md says how, the header what is promised.
-// Begin with intersect. Until normal is written too, what it meets is drawn in magenta: no number.
-// `./course check 4` says what is wrong, `./course hint 4` what to think of next.
+// Stage 4, to be written. docs/step04_plane.md explains it, the header is its contract.
+// Begin with intersect. Until normal is written too, hits are magenta: not a number.
+// `./course check 4` reports errors, `./course hint 4` prints the next hint.
 #include "steps/step04_plane/plane.hpp"
 
 #include "common/todo.hpp"
@@ -10,12 +10,12 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
-    // The t strictly inside the interval at which the ray crosses the plane, or nothing.
+    // The t strictly inside the interval at which the ray hits the plane, or nothing.
     RT_TODO(ray, plane, interval);
     return std::nullopt;
 }

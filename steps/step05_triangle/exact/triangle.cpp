@@ -1,5 +1,6 @@
-// Stage 5 for `--precision exact`: every decision is that of exact arithmetic, and t is within 64 u
-// of the exact one, by proof; in what numbers, and how far off t was ever found: docs/stability.md.
+// Stage 5 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 64 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "common/exact/certain.hpp"
@@ -16,7 +17,8 @@ namespace rt {
 
 namespace {
 
-/// The plane's ⟨n, p − a⟩ = 0 along the ray, where α, β and γ have the sign of their sum.
+/// The intersection with the plane, ⟨n, p − a⟩ = 0 along the ray, where α, β and γ have the sign of
+/// their sum.
 auto along(const Ray& ray, const Triangle& triangle) {
     const Vec3 size =
         glm::max(glm::abs(triangle.b - triangle.a),
@@ -46,14 +48,14 @@ auto along(const Ray& ray, const Triangle& triangle) {
     return decided(ray, along(ray, triangle), interval);
 }
 
-/// Times the largest coordinates of the three, more than ⟨v, w × x⟩ may be off: six terms, each
-/// rounded seven times on its way, with those of v, w and x themselves, and twice more in α.
+/// Times the largest coordinates of v, w and x, an upper bound on the error of ⟨v, w × x⟩: six
+/// terms, each rounded seven times, including the roundings of v, w and x, and twice more in α.
 constexpr Real rounding = 56 * unit_roundoff;
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
-    // Möller and Trumbore's determinants, whose signs are certain but for so much.
+    // Möller and Trumbore's determinants, whose signs are certain up to these error bounds.
     const Vec3& o = ray.origin;
     const Vec3& d = ray.direction;
     const Vec3& corner = triangle.a;
@@ -76,15 +78,17 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
     const Real doubt = whole_doubt + rounding * size_d * largest_component(s) * (size_ab + size_ac);
     const bool tells = moderate(glm::min(size_d, glm::min(size_ab, size_ac)),
                                 glm::max(size_d, glm::max(size_ab, size_ac))) &&
-                       least - whole > -infinity;  // nor is any of the three
+                       least - whole > -infinity;  // so none of the three is NaN or infinite
     if (tells && least < -doubt && whole > whole_doubt) return std::nullopt;
     const bool inside = tells && least > doubt && whole > 16 * whole_doubt;
     if (!inside) return carefully(ray, triangle, interval);
 
-    // From the point p of the ray that is almost in the plane (certain.hpp): what is left to go
-    // rounds in the triangle's size, not in the distance of the origin.
-    const Vec3 dropped(exact_sum(o.x, -corner.x).dropped, exact_sum(o.y, -corner.y).dropped,
-                       exact_sum(o.z, -corner.z).dropped);  // of s; a miss needs none
+    // The computation is relative to the point p of the ray that is almost in the plane
+    // (certain.hpp): the remaining errors depend on the triangle's size and not on the distance of
+    // the origin.
+    const Vec3 dropped(
+        exact_sum(o.x, -corner.x).dropped, exact_sum(o.y, -corner.y).dropped,
+        exact_sum(o.z, -corner.z).dropped);  // the rounding error of s; a miss does not need it
     const Real t_near = side * dot(ac, r) / whole;
     const Vec3 p = fused_at(s, t_near, d) + dropped;
     const Real from_near = side * dot(cross(ab, ac), p) / whole;

@@ -9,8 +9,9 @@ namespace rt {
 
 namespace {
 
-/// The frame in which the ray runs along z from the origin: its axes are the world's, in an order
-/// in which the direction is longest along z, and x and y lean by the slopes.
+/// The coordinate system in which the ray starts at the origin and runs along z: its axes are those
+/// of the world, permuted so that the direction is longest along z, with x and y sheared by the
+/// slopes.
 struct RayFrame {
     explicit RayFrame(const Ray& ray) : origin(ray.origin) {
         const Vec3& d = ray.direction;
@@ -21,8 +22,7 @@ struct RayFrame {
         slope = {d[x] / d[z], d[y] / d[z]};
     }
 
-    /// A vertex gets the same bits in whichever triangle it stands, which is what closes the
-    /// cracks.
+    /// A shared vertex gets the same bits in each of its triangles; this prevents cracks.
     [[nodiscard]] Vec3 operator()(const Vec3& vertex) const {
         const Real depth = vertex[z] - origin[z];
         return {std::fma(-slope.x, depth, vertex[x] - origin[x]),
@@ -36,13 +36,13 @@ struct RayFrame {
     Vec2 slope;
 };
 
-/// |x| or |y|, whichever is larger.
+/// The larger of |x| and |y|.
 Real reach(Vec3 seen) {
     return glm::max(std::fabs(seen.x), std::fabs(seen.y));
 }
 
-/// Twice the signed area of the triangle that the edge from p to q makes with the ray. Its sign
-/// is exactly opposite for the edge from q to p.
+/// Twice the signed area of the triangle formed by the ray and the edge from p to q. Its sign is
+/// exactly opposite for the edge from q to p.
 Real edge_function(Vec2 p, Vec2 q) {
     return difference_of_products(p.x, q.y, p.y, q.x);
 }
@@ -51,27 +51,30 @@ Real edge_function(Vec2 p, Vec2 q) {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
     // Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection": the half-planes of MRT §5
-    // after a change of frame in which the ray is the z axis. Left is then left for every
-    // triangle, and a ray through a shared edge or vertex meets at least one of its triangles.
+    // after a change of coordinates in which the ray is the z axis. The side of an edge is then
+    // consistent for all triangles, and a ray through a shared edge or vertex hits at least one of
+    // its triangles.
     const RayFrame seen(ray);
     const Vec3 a = seen(triangle.a);
     const Vec3 b = seen(triangle.b);
     const Vec3 c = seen(triangle.c);
 
-    // Areas are products of lengths, and would leave float's range at sizes of 1e-20 and 1e20: they
-    // are taken in units of the triangle's size as the ray sees it, by which nothing rounds.
+    // Areas are products of lengths, and would leave the range of float at sizes of 1e-20 and 1e20:
+    // they are computed in units of the triangle's size as seen along the ray, a power of two, so
+    // that scaling is exact.
     const Real scale = 1 / power_of_two_below(glm::max(reach(a), glm::max(reach(b), reach(c))));
     const Vec2 a_seen = scale * Vec2(a);
     const Vec2 b_seen = scale * Vec2(b);
     const Vec2 c_seen = scale * Vec2(c);
-    const Real alpha = edge_function(b_seen, c_seen);  // opposite to a, hence the weight of a
+    const Real alpha = edge_function(b_seen, c_seen);  // opposite to a, therefore the weight of a
     const Real beta = edge_function(c_seen, a_seen);
     const Real gamma = edge_function(a_seen, b_seen);
-    const bool left = glm::min(alpha, glm::min(beta, gamma)) >= 0;  // "or on": an edge belongs
+    const bool left = glm::min(alpha, glm::min(beta, gamma)) >= 0;  // "or on": edges belong
     const bool right = glm::max(alpha, glm::max(beta, gamma)) <= 0;
     if (!left && !right) return std::nullopt;
 
-    // α a.z + β b.z + γ c.z over their sum, but from a: then only that rounds in the distance.
+    // α a.z + β b.z + γ c.z divided by their sum, but relative to a: then only that part rounds in
+    // the distance.
     const Real depth = a.z + (beta * (b.z - a.z) + gamma * (c.z - a.z)) / (alpha + beta + gamma);
     const Real t = depth / ray.direction[seen.z];
     if (!interval.contains(t)) return std::nullopt;  // NaN must miss: seen edge-on, t is 0 / 0
@@ -79,8 +82,8 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
 }
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
-    // Signed areas over the whole: M1's ratios and CR's, but negative outside, so they sum to 1.
-    // Products of four lengths stay in range in units of the triangle's own.
+    // Signed areas divided by the whole: M1's and CR's ratios, but negative outside, so their sum
+    // is 1. Products of four lengths stay in range in units of the triangle's own size.
     const auto& [a, b, c] = triangle;
     const Real length_unit =
         power_of_two_below(glm::max(largest_component(b - a), largest_component(c - a)));
@@ -93,7 +96,8 @@ Vec3 barycentric(const Triangle& triangle, Vec3 point) {
 }
 
 Vec3 normal(const Triangle& triangle, Vec3 /*point*/) {
-    // Each edge made unit length first: their product would leave float's range at 1e-20.
+    // Each edge is scaled to unit length first: their product would leave the range of float at
+    // 1e-20.
     return unit(cross(unit(triangle.b - triangle.a), unit(triangle.c - triangle.a)));
 }
 

@@ -1,7 +1,7 @@
-// Stage 5, to be written: docs/step05_triangle.md says how, the header what is promised.
-// Begin with intersect, by any of the page's three ways. Until normal is written too, what it meets
-// is drawn in magenta: no number. barycentric is first drawn with in stage 13.
-// `./course check 5` says what is wrong, `./course hint 5` what to think of next.
+// Stage 5, to be written. docs/step05_triangle.md explains it, the header is its contract.
+// Begin with intersect, by any of the three methods on the page. Until normal is written too, hits
+// are magenta: not a number. barycentric first affects the picture in stage 13.
+// `./course check 5` reports errors, `./course hint 5` prints the next hint.
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "common/todo.hpp"
@@ -11,18 +11,18 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
-    // The t strictly inside the interval at which the ray meets the triangle, or nothing.
+    // The t strictly inside the interval at which the ray hits the triangle, or nothing.
     RT_TODO(ray, triangle, interval);
     return std::nullopt;
 }
 
 Vec3 barycentric(const Triangle& triangle, Vec3 point) {
-    // The weights of a, b and c that give the point.
+    // The barycentric coordinates of the point: the weights of a, b and c.
     RT_TODO(triangle, point);
     return Vec3(0);
 }

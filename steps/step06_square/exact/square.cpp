@@ -1,5 +1,6 @@
-// Stage 6 for `--precision exact`: every decision is that of exact arithmetic, and t is within 32 u
-// of the exact one, by proof; in what numbers, and how far off t was ever found: docs/stability.md.
+// Stage 6 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 32 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step06_square/square.hpp"
 
 #include "common/exact/certain.hpp"
@@ -16,7 +17,8 @@ namespace rt {
 
 namespace {
 
-/// z = 0 along the ray, where |x| and |y| ≤ side / 2 and, of a one-sided square, z falls.
+/// The intersection z = 0 along the ray, where |x| and |y| ≤ side / 2 and, for a one-sided square,
+/// z decreases.
 auto along(const Square& square) {
     const Real unit = power_of_two_below(square.side);
     const auto crossing_in = [=]<class T>(T, const Ray& near) {
@@ -46,8 +48,9 @@ auto along(const Square& square) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
-    // The reference's form, from the point p of the ray that is almost in the plane (certain.hpp):
-    // a ⟨p, x⟩ is within 9 u of p's largest coordinate and w, a ⟨d, x⟩ within 6 u of d's.
+    // The reference's formula, relative to the point p of the ray that is almost in the plane
+    // (certain.hpp): the error of ⟨p, x⟩ is at most 9 u times p's largest coordinate and w, that of
+    // ⟨d, x⟩ 6 u times d's.
     const auto& [x, y, z] = square.basis;
     const Vec3& d = ray.direction;
     const Rounded o_x = exact_sum(ray.origin.x, -square.center.x);

@@ -21,15 +21,15 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     if (square.one_sided && !(slope < 0)) return std::nullopt;
     const Real inverse_slope = 1 / slope;
     const Real near = -dot(o, z) * inverse_slope;
-    // From that point on, which is close to the square's plane though rounded: then what is left
-    // rounds in the square's size, not in the distance of the origin.
+    // Relative to the ray's point at `near`, which is close to the square's plane despite rounding:
+    // the remaining errors depend on the square's size and not on the distance of the origin.
     const Vec3 p = o + near * d;
     const Real height = dot(p, z);
     const Real t = near - height * inverse_slope;
     if (!interval.contains(t)) return std::nullopt;  // a ray in the square's plane has t NaN
 
-    // |p.x − p.z d.x / d.z| ≤ side / 2 multiplied by |d.z|, in the square's frame: deciding without
-    // the rounded t needs no epsilon, and a grazing ray is as good as any other.
+    // |p.x − p.z d.x / d.z| ≤ side / 2 multiplied by |d.z|, in object space: the test without the
+    // rounded t needs no epsilon, and is as accurate for a grazing ray as for any other.
     const Real limit = square.side / 2 * std::abs(slope);
     const bool inside = std::abs(dot(p, x) * slope - height * dot(d, x)) <= limit &&
                         std::abs(dot(p, y) * slope - height * dot(d, y)) <= limit;

@@ -1,7 +1,7 @@
-// Stage 6, to be written: docs/step06_square.md says how, the header what is promised.
-// Begin with intersect. Until normal is written too, what it meets is drawn in magenta: no number.
-// square_uv is in no picture: the suite alone asks for it.
-// `./course check 6` says what is wrong, `./course hint 6` what to think of next.
+// Stage 6, to be written. docs/step06_square.md explains it, the header is its contract.
+// Begin with intersect. Until normal is written too, hits are magenta: not a number.
+// square_uv does not affect a picture: only the suite calls it.
+// `./course check 6` reports errors, `./course hint 6` prints the next hint.
 #include "steps/step06_square/square.hpp"
 
 #include "common/todo.hpp"
@@ -12,12 +12,12 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Square& square, Interval interval) {
-    // The t strictly inside the interval at which the ray meets the square, or nothing.
+    // The t strictly inside the interval at which the ray hits the square, or nothing.
     RT_TODO(ray, square, interval);
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
-// Stage 7 for `--precision exact`: every decision is that of exact arithmetic, and t is within 64 u
-// of the exact one, by proof; in what numbers, and how far off t was ever found: docs/stability.md.
+// Stage 7 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 64 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step07_cylinder/cylinder.hpp"
 
 #include "common/exact/certain.hpp"
@@ -16,7 +17,8 @@ namespace rt {
 
 namespace {
 
-/// ‖p × Z‖² = r² ‖Z‖² along the ray, where z² ≤ (h / 2)² ‖Z‖²: ‖Z‖ is 1 but for its rounding.
+/// The intersection ‖p × Z‖² = r² ‖Z‖² along the ray, where z² ≤ (h / 2)² ‖Z‖²: ‖Z‖ is 1 up to
+/// rounding.
 auto along(const Cylinder& cylinder) {
     const Real unit = power_of_two_below(glm::max(cylinder.radius, cylinder.height));
     const auto crossing_in = [=]<class T>(T, const Ray& near) {
@@ -48,8 +50,8 @@ auto along(const Cylinder& cylinder) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the centre (certain.hpp), in
-    // the cross-section.
+    // The reference's formula, relative to the point p of the line closest to the center
+    // (certain.hpp), in the cross-section.
     const Vec3& d = ray.direction;
     const Vec3& axis = cylinder.axis;
     const Rounded x = exact_sum(ray.origin.x, -cylinder.center.x);
@@ -67,12 +69,12 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
     const Real cc = dot(closest, closest);
     const Real rr = cylinder.radius * cylinder.radius;
 
-    // In units of u: across the axis, p is within 5 (|p| + w) and d within 3 |d|, which turns d by
-    // as much as the ray is nearly along the axis: `along` times. So `closest` is within
-    // (|p| + w) (7 + 3 along) of where the line is at t_closest, and that is (|p| + w) (12 + 9
-    // along) from where it is closest. The square is off by the first twice its length, which is no
-    // more than (cc + r²) / r, and by both their squares; and by 16 r² if the axis is not quite a
-    // unit.
+    // In units of u: across the axis, the error of p is at most 5 (|p| + w) and that of d 3 |d|,
+    // which rotates d by more the closer the ray is to parallel with the axis: by the factor
+    // `along`. So the distance of `closest` from the line's point at t_closest is at most (|p| + w)
+    // (7 + 3 along), and that point is (|p| + w) (12 + 9 along) from the closest point. The error
+    // of the square is the first times twice its length, which is at most (cc + r²) / r, plus the
+    // squares of both, plus 16 r² for an axis that is not exactly a unit vector.
     const Real size_d = std::sqrt(dd);
     const Real along = size_d / std::sqrt(a);
     const Real size_p =
@@ -83,7 +85,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
         (size_p * (7 + 3 * along) / cylinder.radius + 24 * unit_roundoff) * (cc + rr) +
         aside * aside;
     const bool tells =
-        along < Real(0x1p45) &&  // or the axis' own rounding might
+        along < Real(0x1p45) &&  // otherwise the rounding error of the axis might matter
         moderate(glm::min(size_d, cylinder.radius), glm::max(size_d, cylinder.radius));
     if (tells && half_chord_squared < -doubt) return std::nullopt;
     if (!(tells && half_chord_squared > 16 * doubt)) return carefully(ray, cylinder, interval);

@@ -8,15 +8,15 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
-    // From the point of the line nearest to the centre: what follows rounds in its own size, not in
-    // the distance of the origin.
+    // The computation is relative to the point of the line closest to the center: the errors then
+    // depend on the size of the cylinder and not on the distance of the origin.
     const Vec3 from_center = ray.origin - cylinder.center;
     const Real t_near = -dot(from_center, ray.direction) / dot(ray.direction, ray.direction);
     const Vec3 p = fused_at(from_center, t_near, ray.direction);
 
-    // v × Z is v's part across the axis, turned a quarter: the (x_p, y_p) of MRT §7 without
-    // choosing X and Y. In that cross-section the cylinder is a circle, met as stage 3 meets a
-    // sphere. A ray along the axis has a = 0 there, everything NaN, and misses by itself.
+    // v × Z is the component of v across the axis, rotated by 90°: the (x_p, y_p) of MRT §7 without
+    // a choice of X and Y. In this cross-section the cylinder is a circle, intersected as stage 3's
+    // sphere. For a ray along the axis a = 0, everything is NaN, and the ray misses.
     const Vec3 o = cross(p, cylinder.axis);
     const Vec3 d = cross(ray.direction, cylinder.axis);
     const Real a = dot(d, d);
@@ -25,7 +25,7 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
     const Real half_chord_squared = cylinder.radius * cylinder.radius - dot(closest, closest);
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
-    // So near to both roots, a difference is as good as a quotient.
+    // This close to both roots, a difference is as accurate as a quotient.
     const Real half_chord = std::sqrt(half_chord_squared / a);
     for (const Real from_p : {t_closest - half_chord, t_closest + half_chord}) {
         const Real z = dot(p, cylinder.axis) + from_p * dot(ray.direction, cylinder.axis);

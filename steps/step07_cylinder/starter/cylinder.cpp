@@ -1,6 +1,6 @@
-// Stage 7, to be written: docs/step07_cylinder.md says how, the header what is promised.
-// Begin with intersect. Until normal is written too, what it meets is drawn in magenta: no number.
-// `./course check 7` says what is wrong, `./course hint 7` what to think of next.
+// Stage 7, to be written. docs/step07_cylinder.md explains it, the header is its contract.
+// Begin with intersect. Until normal is written too, hits are magenta: not a number.
+// `./course check 7` reports errors, `./course hint 7` prints the next hint.
 #include "steps/step07_cylinder/cylinder.hpp"
 
 #include "common/todo.hpp"
@@ -13,12 +13,12 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
-    // The smallest t strictly inside the interval at which the ray meets the side, or nothing.
+    // The smallest t strictly inside the interval at which the ray hits the surface, or nothing.
     RT_TODO(ray, cylinder, interval);
     return std::nullopt;
 }

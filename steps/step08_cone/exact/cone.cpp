@@ -1,6 +1,6 @@
-// Stage 8 for `--precision exact`: every decision is that of exact arithmetic, and t is within 128
-// u of the exact one, by proof; in what numbers, and how far off t was ever found:
-// docs/stability.md.
+// Stage 8 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
+// to be within 128 u of the exact value. docs/stability.md has the number types and the largest
+// error found.
 #include "steps/step08_cone/cone.hpp"
 
 #include "common/exact/certain.hpp"
@@ -17,8 +17,8 @@ namespace rt {
 
 namespace {
 
-/// h² ‖p × Z‖² = r² ⟨p, Z⟩² along the ray, where 0 ≤ z and z² ≤ h² ‖Z‖²: ‖Z‖ is 1 but for its
-/// rounding.
+/// The intersection h² ‖p × Z‖² = r² ⟨p, Z⟩² along the ray, where 0 ≤ z and z² ≤ h² ‖Z‖²: ‖Z‖ is 1
+/// up to rounding.
 auto along(const Cone& cone) {
     const Real unit = power_of_two_below(glm::max(cone.radius, cone.height));
     const auto crossing_in = [=]<class T>(T, const Ray& near) {
@@ -49,12 +49,12 @@ auto along(const Cone& cone) {
     return decided(ray, along(cone), interval);
 }
 
-/// A number, and how far it may be from the exact one.
+/// A number with an upper bound on its error.
 struct Bounded {
     Real value;
     Real error;
 
-    /// Whether it is far enough from 0 to divide by it.
+    /// Returns whether it is far enough from 0 to divide by it.
     [[nodiscard]] bool divides() const {
         return std::abs(value) > 16 * error && std::abs(value) < infinity;
     }
@@ -66,8 +66,8 @@ Bounded quotient(const Bounded& a, const Bounded& b) {
     return {.value = value, .error = error + unit_roundoff * std::abs(value)};
 }
 
-/// across² − along², factored, of two lengths that are each within so much: at most twice that
-/// times their sum, and three roundings.
+/// across² − along², factored, for two lengths with errors of at most `error` each: the error is at
+/// most twice that times their sum, plus three roundings.
 Bounded difference_of_squares(Real across, Real along, Real error) {
     const Real sum = across + along;
     return {.value = (across - along) * sum, .error = Real(2.1) * error * sum + underflow};
@@ -76,7 +76,8 @@ Bounded difference_of_squares(Real across, Real along, Real error) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    // The reference's form, from the point p of the line nearest to the apex (certain.hpp).
+    // The reference's formula, relative to the point p of the line closest to the apex
+    // (certain.hpp).
     const Vec3& d = ray.direction;
     const Vec3& axis = cone.axis;
     const Rounded x = exact_sum(ray.origin.x, -cone.apex.x);
@@ -94,10 +95,10 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
                   glm::max(size_d, glm::max(r, h))))
         return carefully(ray, cone, interval);
 
-    // In units of u, and with the length's rounding and that of its product with r or h: across and
-    // along the axis, the moment m is within 12 |p| |d| and 9, d within 7 |d| and 4, p within 9 |p|
-    // and 6; |p| with w. An axis that is not quite a unit keeps the discriminant's sign, and the
-    // root within 8.
+    // In units of u, including the rounding of the length and of its product with r or h: across
+    // and along the axis, the errors are at most 12 |p| |d| and 9 |p| |d| for the moment m, 7 |d|
+    // and 4 |d| for d, 9 |p| and 6 |p| for p, where |p| includes w. An axis that is not exactly a
+    // unit vector does not change the discriminant's sign, and moves the root by at most 8.
     const Vec3 m = cross(p, d);
     const Real size = unit_roundoff * (r + h);
     const Bounded discriminant = difference_of_squares(
@@ -123,7 +124,7 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
     std::array<Bounded, 2> roots = {quotient(q, a), quotient(c, q)};
     if (roots[1].value < roots[0].value) std::swap(roots[0], roots[1]);
     if (!(roots[1].value - roots[0].value > Real(1.1) * (roots[0].error + roots[1].error)))
-        return carefully(ray, cone, interval);  // either might be the first
+        return carefully(ray, cone, interval);  // the order is uncertain
     for (const Bounded& from_p : roots) {
         const Real t = t_near + from_p.value;
         const Real error = from_p.error + 3 * unit_roundoff * std::abs(t);

@@ -21,8 +21,8 @@ Real off_cone(const Cone& cone, Vec3 v) {
 }  // namespace
 
 std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interval) {
-    // In units in which the cone and the direction are about 1: the products below have six
-    // factors, and in float would leave its range at sizes of 1e-6 and 1e6.
+    // In units in which the sizes of the cone and the direction are about 1: the products below
+    // have six factors, and would leave the range of float at sizes of 1e-6 and 1e6.
     const Real shrink = 1 / power_of_two_below(std::max(given.radius, given.height));
     const Real slow = 1 / power_of_two_below(largest_component(ray.direction));
     const Cone cone{
@@ -30,14 +30,14 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     const Vec3 from_apex = shrink * (ray.origin - given.apex);
     const Vec3 d = slow * ray.direction;
 
-    // MRT §8's quadratic, times h², from the point of the line nearest to the apex: far away its
-    // discriminant would cancel to nothing.
+    // MRT §8's quadratic, times h², relative to the point of the line closest to the apex: from far
+    // away the digits of its discriminant would cancel.
     const Real t_closest = -dot(from_apex, d) / dot(d, d);
     const Vec3 p = fused_at(from_apex, t_closest, d);
     const Real hh = cone.height * cone.height;
     const Real rr = cone.radius * cone.radius;
 
-    // b² − ac is h² times this, by Lagrange's identity, m being the moment of the line.
+    // b² − ac is h² times this by Lagrange's identity, where m is the moment of the line.
     const Vec3 m = cross(p, d);
     const Vec3 m_across = cross(m, cone.axis);
     const Real m_along = dot(m, cone.axis);
@@ -50,13 +50,14 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     const Real c = off_cone(cone, p);
     const Real q = -(b + std::copysign(cone.height * std::sqrt(discriminant), b));
 
-    // q / a and c / q, so that no root is a difference. A ray along the side has a = 0: q / a is
-    // infinite, and c / q is its one root, −c / b with MRT's b. The order depends on a's sign.
+    // The roots are q / a and c / q, so that neither is a difference. A ray along the surface has a
+    // = 0: q / a is infinite, and c / q is its only root, −c / b with MRT's b. The order of the
+    // roots depends on the sign of a.
     std::array<Real, 2> roots = {q / a, c / q};
     if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
     for (const Real root : roots) {
-        // On the cone z ≤ h is as far as the rim from the apex; but z alone, where the cone is
-        // flat, hardly tells how far that is.
+        // On the cone, z ≤ h means: at most as far from the apex as the rim. For a flat cone, z
+        // alone determines that distance poorly.
         const Vec3 point = p + root * d;
         const Real t = (t_closest + root) * (slow / shrink);
         if (dot(point, cone.axis) >= 0 && dot(point, point) <= rr + hh && interval.contains(t))

@@ -24,14 +24,14 @@ Color ambient_term(const Surface& surface, const Ambient& ambient) {
 
 Color diffuse_term(const Surface& surface, const Light& light) {
     const Real cosine = dot(unit(light.position - surface.point), surface.normal);
-    if (!(cosine > 0)) return Color(0);  // NaN, where the light stands at the point, is dark
+    if (!(cosine > 0)) return Color(0);  // black for NaN, where the light is at the point
     return cosine * shining(light) * surface.material.color;
 }
 
 Color specular_term(const Surface& surface, const Light& light) {
     if (surface.material.specular == 0) return Color(0);
     const Vec3 to_light = unit(light.position - surface.point);
-    // No highlight where no light falls, though ⟨R, V⟩ may be positive even there (erratum 14).
+    // No highlight without light, though ⟨R, V⟩ may be positive even there (erratum 14).
     if (!(dot(to_light, surface.normal) > 0)) return Color(0);
     const Real cosine = dot(reflected(to_light, surface.normal), surface.to_eye);
     if (!(cosine > 0)) return Color(0);

@@ -1,7 +1,7 @@
-// Stage 9, to be written: docs/step09_phong.md says how, the header what is promised.
-// Begin with ambient_term and diffuse_term: each shows in the picture by itself (--term diffuse).
-// specular_term needs reflected.
-// `./course check 9` says what is wrong, `./course hint 9` what to think of next.
+// Stage 9, to be written. docs/step09_phong.md explains it, the header is its contract.
+// Begin with ambient_term and diffuse_term: each is visible separately in the picture (--term
+// diffuse). specular_term needs reflected.
+// `./course check 9` reports errors, `./course hint 9` prints the next hint.
 #include "steps/step09_phong/phong.hpp"
 
 #include "common/todo.hpp"
@@ -13,7 +13,7 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
@@ -24,19 +24,21 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
 }
 
 Color ambient_term(const Surface& surface, const Ambient& ambient) {
-    // The ambient light's ratio and colour, times the material's colour.
+    // The ambient light's ratio and color, times the material's color.
     RT_TODO(surface, ambient);
     return Color(0);
 }
 
 Color diffuse_term(const Surface& surface, const Light& light) {
-    // By ⟨L, N⟩, in the colours of the light and of the material; nothing where it is not positive.
+    // Proportional to ⟨L, N⟩, in the colors of the light and of the material; black where it is not
+    // positive.
     RT_TODO(surface, light);
     return Color(0);
 }
 
 Color specular_term(const Surface& surface, const Light& light) {
-    // By ⟨R, V⟩ to the shininess, in the light's colour; nothing where ⟨L, N⟩ is not positive.
+    // Proportional to ⟨R, V⟩ to the shininess, in the light's color; black where ⟨L, N⟩ is not
+    // positive.
     RT_TODO(surface, light);
     return Color(0);
 }

@@ -6,16 +6,16 @@ namespace rt {
 
 namespace {
 
-/// In units of u times the largest coordinate: how far before the light the ray ends. A
-/// flat shape that the light lies in is met up to 8 units off, measured across it: this keeps a
-/// lamp in the ceiling from being shadowed by the ceiling where the ray comes to it at 4° or more.
+/// The distance from the end of the ray to the light, in units of u times the largest coordinate. A
+/// flat shape that contains the light is hit up to 8 units off, measured across it: this distance
+/// prevents the shadow of a ceiling on its own lamp if the ray arrives at 4° or more.
 constexpr Real ends_before = 128;
 
 }  // namespace
 
 ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
     const Vec3 origin = surface.point + surface.error * surface.side;
-    const Vec3 direction = light - origin;  // not made unit length: the light is at t = 1
+    const Vec3 direction = light - origin;  // not of unit length: the light is at t = 1
     const Real near_light =
         ends_before * unit_roundoff * glm::max(largest_component(origin), largest_component(light));
     return {.ray = {.origin = origin, .direction = direction},

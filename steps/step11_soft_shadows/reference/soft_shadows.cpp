@@ -12,22 +12,23 @@ namespace rt {
 Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     const Vec3 away = from - light.position;
     const auto [x, y, z] = basis_around(away);
-    const Real distance = dot(away, z);  // as length(away), but no square over- or underflows
-    // NaN, where the point is the light's own centre, is inside too.
+    const Real distance =
+        dot(away, z);  // as length(away), but without squares that over- or underflow
+    // NaN, for a point at the light's center, counts as inside too.
     if (!(light.radius > 0) || !(distance > light.radius)) return light.position;
 
-    // Directions within the cone that the light fills, evenly: 1 − cos is even from 0 to its
-    // largest value, which is sin² / (1 + cos), so that a small light does not cancel (Pharr,
-    // Jakob, Humphreys 2023, §6.2.4).
+    // Uniform directions in the cone of the light: 1 − cos is uniform from 0 to its largest value,
+    // which is sin² / (1 + cos), so that there is no cancellation for a small light (Pharr, Jakob,
+    // Humphreys 2023, §6.2.4).
     const Real sine_max = light.radius / distance;
     const Real cosine_max = std::sqrt((1 - sine_max) * (1 + sine_max));
     const Real share = sample.x / (1 + cosine_max);
     const Real one_minus_cosine = share * sine_max * sine_max;
     const Real cosine = 1 - one_minus_cosine;
 
-    // Where the direction enters the sphere it makes an angle with the normal whose sine is
-    // sine / sine_max, by the law of sines. Seen from the light's centre, the place is off the axis
-    // by what that angle exceeds the direction's.
+    // Where the direction enters the sphere, it makes an angle with the normal whose sine is sine /
+    // sine_max, by the law of sines. Seen from the light's center, the angle between the point and
+    // the axis is that angle minus the direction's.
     const Real slant_sine_squared = share * (2 - one_minus_cosine);
     const Real slant_sine = std::sqrt(slant_sine_squared);
     const Real slant_cosine = std::sqrt(std::max(1 - slant_sine_squared, Real(0)));
@@ -45,14 +46,14 @@ Real lit_share(const ShadowRays& rays) {
 }
 
 Real share_error(const ShadowRays& rays) {
-    // Each of n even points speaks for one of n boxes, and only the boxes on the shadow's edge are
-    // in doubt (Mitchell 1996). A part p of the light has an edge of about √p, which crosses some
-    // √(p n) boxes, and each of these is wrong by about 1 / n, either way: (p n)^(1/4) / n in all.
-    // p (1 − p) stands for the smaller part. One more of each kind keeps it off 0 (Agresti and
-    // Coull 1998): n rays that all agree may have overlooked about one box.
-    // The factor is measured. With it the error is 0.75 to 0.85 of the estimate, in the root mean
-    // square over straight edges anywhere, or discs, for n = 8 to 1024, and no more where little of
-    // the light is hidden.
+    // Each of n even points represents one of n boxes, and only the boxes on the shadow's edge are
+    // uncertain (Mitchell 1996). If a fraction p of the light is visible, the length of the edge is
+    // about √p, and it crosses about √(p n) boxes, each with an error of about 1 / n of either
+    // sign: (p n)^(1/4) / n in total. p (1 − p) replaces the smaller part. One more ray of each
+    // kind prevents 0 (Agresti and Coull 1998): n rays that all agree may have missed about one
+    // box. The factor is measured. With it the root mean square error is 0.75 to 0.85 of the
+    // estimate, over straight edges at any position, or discs, for n = 8 to 1024, and no more if
+    // only little of the light is hidden.
     constexpr Real factor = Real(0.7);
     const Real p = Real(rays.reached + 1) / Real(rays.sent + 2);
     return factor * std::pow(p * (1 - p), Real(0.25)) / std::pow(Real(rays.sent), Real(0.75));

@@ -1,7 +1,7 @@
-// Stage 11, to be written: docs/step11_soft_shadows.md says how, the header what is promised.
-// Begin with light_point. Until lit_share is written all of a light arrives, and shadows stay away;
-// share_error counts only with --tolerance.
-// `./course check 11` says what is wrong, `./course hint 11` what to think of next.
+// Stage 11, to be written. docs/step11_soft_shadows.md explains it, the header is its contract.
+// Begin with light_point. Until lit_share is written, all of a light arrives and there are no
+// shadows; share_error matters only with --tolerance.
+// `./course check 11` reports errors, `./course hint 11` prints the next hint.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
 #include "common/todo.hpp"
@@ -16,24 +16,24 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
-    // Another point of the light for each sample, spread evenly over what is seen of it.
+    // A different point of the light for each sample, spread evenly over its visible part.
     RT_TODO(light, from, sample);
     return light.position;
 }
 
 Real lit_share(const ShadowRays& rays) {
-    // The share of the rays that reach the light.
+    // The fraction of the rays that reach the light.
     RT_TODO(rays);
     return 1;
 }
 
 Real share_error(const ShadowRays& rays) {
-    // By how much that share may be wrong.
+    // The estimated error of that fraction.
     RT_TODO(rays);
     return 0;
 }

@@ -1,6 +1,6 @@
-// Stage 12, to be written: docs/step12_mirror.md says how, the header what is promised.
-// Begin with mirrored. Until the other two are written too, no mirror shows anything.
-// `./course check 12` says what is wrong, `./course hint 12` what to think of next.
+// Stage 12, to be written. docs/step12_mirror.md explains it, the header is its contract.
+// Begin with mirrored. Until the other two are written too, no reflection is visible.
+// `./course check 12` reports errors, `./course hint 12` prints the next hint.
 #include "steps/step12_mirror/mirror.hpp"
 
 #include "common/todo.hpp"
@@ -9,24 +9,25 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
 Ray mirrored(const Ray& ray, const Surface& surface) {
-    // From off the surface, along d − 2 n ⟨d, n⟩ or, if that goes in, another way that does not.
+    // From a point off the surface, along d − 2 n ⟨d, n⟩ or, if that points inward, a direction
+    // that does not.
     RT_TODO(ray, surface);
     return ray;
 }
 
 Color mixed(Color own, Color reflection, Real mirror) {
-    // The mirror's share of the reflection, and the rest of its own.
+    // The reflection weighted with mirror, and the own color with the rest.
     RT_TODO(own, reflection, mirror);
     return own;
 }
 
 bool worth_reflecting(int bounces, int depth, Real weight) {
-    // Whether there may be one more reflection, and whether it would show.
+    // Whether one more reflection is allowed and visible.
     RT_TODO(bounces, depth, weight);
     return false;
 }

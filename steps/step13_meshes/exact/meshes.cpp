@@ -1,5 +1,5 @@
-// Stage 13 for `--precision exact`: the reference, and where exactly a placed mesh is met, by the
-// ray that has been carried into its frame.
+// Stage 13 for `--precision exact`: the reference, and the exact intersection with a mesh instance
+// for the ray in object space.
 #include "steps/step13_meshes/reference/meshes.cpp"
 
 #include "common/exact/leader.hpp"

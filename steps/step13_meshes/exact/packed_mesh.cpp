@@ -1,5 +1,5 @@
-// How `--precision exact` asks a packed mesh: stage 5's certified kernel, one triangle after the
-// other.
+// The intersection of a packed mesh for `--precision exact`: stage 5's certified kernel, applied to
+// one triangle after the other.
 #include "common/packed_mesh.hpp"
 #include "common/exact/leader.hpp"
 #include "common/vector.hpp"
@@ -12,7 +12,8 @@ inline namespace RT_LANES {
 
 namespace {
 
-/// A triangle of a mesh. Of two that are equally near, the mesh's first is met.
+/// A triangle of a mesh. Of two hits at the same t, the triangle that is first in the mesh is
+/// reported.
 struct MetTriangle {
     std::uint32_t index = 0;
     Triangle triangle;
@@ -20,8 +21,8 @@ struct MetTriangle {
     friend bool operator<(const MetTriangle& a, const MetTriangle& b) { return a.index < b.index; }
 };
 
-/// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray meets in the interval,
-/// until it is true, and says whether it was.
+/// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
+/// a call returns true. Returns whether one did.
 template <class Visit>
 bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
                const TrianglePacket& packet, Visit visit) {

@@ -21,8 +21,8 @@ Triangle triangle_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& corne
             .c = mesh.vertices[corners[2]]};
 }
 
-/// 2 γ(3), of t: on a far face it is rounded three times, and might come out before the near one's
-/// where both are the same edge (Ize 2013, "Robust BVH Ray Traversal").
+/// 2 γ(3), relative to t: the t of a far face is rounded three times, and might be smaller than
+/// that of the near one if both are the same edge (Ize 2013, "Robust BVH Ray Traversal").
 constexpr Real far_padding = 2 * (3 * unit_roundoff) / (1 - 3 * unit_roundoff);
 
 }  // namespace
@@ -31,7 +31,7 @@ std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interva
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const Real o = ray.origin[axis];
         const Real d = ray.direction[axis];
-        if (d == 0) {  // along the slab for ever; on a face the divisions would give 0 / 0
+        if (d == 0) {  // parallel to the slab; on a face the divisions would be 0 / 0
             if (!(box.min[axis] <= o && o <= box.max[axis])) return std::nullopt;
             continue;
         }

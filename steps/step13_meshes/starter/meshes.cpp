@@ -1,7 +1,8 @@
-// Stage 13, to be written: docs/step13_meshes.md says how, the header what is promised.
-// Each function stands by itself. overlap and the first intersect draw boxes; into_frame and
-// interpolated_normal draw meshes, and the second intersect those of fewer than 16 triangles.
-// `./course check 13` says what is wrong, `./course hint 13` what to think of next.
+// Stage 13, to be written. docs/step13_meshes.md explains it, the header is its contract.
+// The functions are independent. overlap and the first intersect are for boxes; into_frame and
+// interpolated_normal are for meshes, and the second intersect for those of fewer than 16
+// triangles.
+// `./course check 13` reports errors, `./course hint 13` prints the next hint.
 #include "steps/step13_meshes/meshes.hpp"
 
 #include "common/todo.hpp"
@@ -15,7 +16,7 @@ namespace rt {
 
 namespace {
 
-// Your own helpers go here: what stands in here is seen by this file only.
+// Helper functions go here: this namespace is visible in this file only.
 
 }  // namespace
 
@@ -26,31 +27,31 @@ std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interva
 }
 
 std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
-    // The smallest t strictly inside the interval at which the ray meets a face, or nothing.
+    // The smallest t strictly inside the interval at which the ray hits a face, or nothing.
     RT_TODO(ray, box, interval);
     return std::nullopt;
 }
 
 Vec3 normal(const OrientedBox& box, Vec3 point) {
-    // The unit normal of the face that the point is on.
+    // The unit normal of the face that contains the point.
     RT_TODO(box, point);
     return Vec3(0);
 }
 
 Ray into_frame(const Ray& ray, const Motion& placement) {
-    // Back by the translation, turned back, made smaller by the scale.
+    // The inverse of the placement: translate back, rotate back, divide by the scale.
     RT_TODO(ray, placement);
     return ray;
 }
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
-    // The nearest of all the triangles, with the weights of its vertices, or nothing.
+    // The closest hit among all triangles, with its barycentric coordinates, or nothing.
     RT_TODO(ray, mesh, interval);
     return std::nullopt;
 }
 
 Vec3 interpolated_normal(const std::array<Vec3, 3>& normals, Vec3 weights) {
-    // Between the three, by the weights, and of unit length.
+    // The interpolated normal, of unit length.
     RT_TODO(normals, weights);
     return Vec3(0);
 }
