@@ -1,4 +1,4 @@
-// Balls around a few shapes leave out none that a ray meets, and most that it does not.
+// Tests of bounding spheres: they leave out no shape that a ray hits, and most of the others.
 #include "common/bounds.hpp"
 #include "common/items.hpp"
 
@@ -17,12 +17,12 @@ bool is_near(const Ray& ray, const Ball& ball) {
     return Balls(std::array{ball}).near(ray) != 0;
 }
 
-/// To the point from near or far away, any way or at right angles to the way from the ball's
-/// centre, so that it grazes a ball that ends there.
+/// A ray to the point from near or far away, in any direction or at right angles to the line from
+/// the sphere's center, so that it grazes a sphere that ends there.
 Ray draw_ray(Random& random, Vec3 point, const Ball& ball) {
     Vec3 way = random.direction();
     if (random.coin()) way = unit(cross(way, point - ball.center));
-    const Real size = spread(random, -8, 8);  // of any length, and from any distance
+    const Real size = spread(random, -8, 8);  // with a direction of any length, from any distance
     return {.origin = point - ball.radius * spread(random, -3, 7) * way, .direction = size * way};
 }
 
@@ -81,7 +81,7 @@ Items<Shape> draw_items(Random& random, int count) {
     return items;
 }
 
-/// How many of a list are asked about one ray, and the nearest of them.
+/// The number of tested shapes of a list for one ray, and the closest hit among them.
 struct Asked {
     int count = 0;
     Real t = infinity;
@@ -150,7 +150,8 @@ TEST_CASE("balls: as small as a shape lets them be") {
     check_reach(Cylinder{.radius = Real(0.75), .height = 2}, Vec3(0), Real(1.25));
     check_reach(OrientedBox{.half_size = {Real(0.25), Real(0.5), 1}}, Vec3(0),
                 std::sqrt(Real(21)) / 4);
-    // A right triangle of sides 3, 4 and 5 stands for the cone: around its apex and rim.
+    // A right triangle with sides 3, 4 and 5 represents the cone: the sphere around its apex and
+    // rim.
     check_reach(Cone{.radius = 3, .height = 4}, Vec3(0, Real(3.125), 0), Real(3.125));
     check_reach(Cone{.radius = 4, .height = 3}, Vec3(0, 3, 0), 4);  // a blunt one: around its rim
     check_reach(Triangle{.a = {1, 0, 0}, .b = {0, 1, 0}, .c = {0, 0, 1}}, Vec3(Real(1) / 3),
@@ -165,7 +166,7 @@ TEST_CASE("balls: a ray stays away from what its line passes by") {
                 const Ray ray{.origin = {1 + off, 2, 3 - distance}, .direction = {0, 0, length}};
                 CHECK(is_near(ray, ball) == (off < ball.radius));
             }
-    // The line, not the half-line: what is behind is asked.
+    // The test is about the line, not the half-line: a sphere behind the origin counts.
     CHECK(is_near({.origin = {1, 2, 5}, .direction = {0, 0, 1}}, ball));
 }
 

@@ -1,4 +1,4 @@
-// What --tolerance and --time choose, for made-up scenes of which everything is known.
+// The choices of --tolerance and --time, for model scenes with known errors and costs.
 #include "common/choice.hpp"
 #include "common/choice_depth.hpp"
 #include "common/penumbrae.hpp"
@@ -13,7 +13,7 @@ using namespace rt;
 
 namespace {
 
-/// A scene in which the errors and costs of all looks follow from a few numbers.
+/// A model scene: the errors and costs of all settings follow from a few numbers.
 struct MadeUp {
     Demands demands;
     Resolution size{.width = 640, .height = 480};
@@ -35,8 +35,8 @@ struct MadeUp {
 
 constexpr double one_ray_error = 80;  ///< 8-bit steps, of a pixel in a penumbra
 
-/// As stage 11's: n rays leave n^(−3/4) of the error of one, and the error is about two thirds of
-/// the one at which they stop, since they stop at powers of two.
+/// A model of stage 11: n rays leave n^(−3/4) of the error of one, and the error is about two
+/// thirds of the threshold, since sampling stops at powers of two.
 double rays_for(double error) {
     return std::pow(one_ray_error / error, 4.0 / 3);
 }
@@ -47,7 +47,7 @@ double error_of(const Look& look) {
                : one_ray_error * std::pow(look.shadow_samples, -0.75);
 }
 
-/// Of a pixel in a penumbra, or elsewhere, where nothing is in a light's way.
+/// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
 double light_rays(const Look& look, bool in_penumbra) {
     return in_penumbra ? std::max(rays_for(error_of(look)), double(look.shadow_agree)) : 0;
 }
@@ -59,7 +59,7 @@ double cost_of(const MadeUp& model, const Look& look, bool in_penumbra) {
            model.shadow_ray_cost * light_rays(look, in_penumbra);
 }
 
-/// Of the whole picture.
+/// The cost of the whole picture.
 double cost_of(const MadeUp& model, const Look& look) {
     return model.pixels() * (model.penumbra * cost_of(model, look, true) +
                              (1 - model.penumbra) * cost_of(model, look, false));
@@ -133,7 +133,7 @@ double beyond(double error, double allowed) {
     return std::erfc(allowed / error / std::sqrt(2));
 }
 
-/// What --tolerance promises.
+/// The guarantee of --tolerance.
 bool keeps(const MadeUp& model, double error, double allowed) {
     const double share = beyond(error, allowed);
     return share <= 0.1 && model.penumbra * share <= 0.01;
@@ -156,7 +156,7 @@ TEST_CASE(
     "a tolerance is kept by 99 of 100 pixels, and 9 of 10 in penumbrae, at about the least "
     "cost") {
     for (const Resolution size : {Resolution{320, 240}, Resolution{640, 480}}) {
-        std::vector<double> costs;  // of picture and trials, in units of the least
+        std::vector<double> costs;  // of picture and trials, in units of the cheapest setting
         for (const double penumbra : {0.03, 0.1, 0.3, 1.0})
             for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
                 MadeUp model = soft(penumbra);
@@ -213,7 +213,7 @@ TEST_CASE("what a scene does not require is not tried") {
     const Choice choice = chosen(model, {.look = {.depth = 8}, .tolerance = 1});
     CHECK(choice.expected.look.depth == 8);
     CHECK(choice.expected.look.shadow_samples == Look().shadow_samples);
-    CHECK(model.asked <= 200);  // for the time that it will take
+    CHECK(model.asked <= 200);  // the trials that estimate the time
     CHECK(model.pays_from == 32);
     CHECK(!choice.hierarchy_from);
 }
@@ -236,10 +236,11 @@ TEST_CASE("a hierarchy is built where it is cheaper") {
     model.demands.most_alike = 1000;
     model.list_cost = 0.5;
     (void)chosen(model, {.tolerance = 1});
-    CHECK(model.pays_from == 32);  // nobody tried a list
+    CHECK(model.pays_from == 32);  // no list was tried
     model.demands.most_alike = 40;
     (void)chosen(model, {.tolerance = 1, .hierarchy_from = 50});
-    CHECK(model.pays_from == 32);  // given, so arranged by whoever read the scene
+    // the value is given, so the scene's reader has built the hierarchies
+    CHECK(model.pays_from == 32);
 }
 
 TEST_CASE("float is taken where it draws the same, by no clock") {
@@ -260,7 +261,7 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
                 const Choice choice = chosen(model, {.tolerance = 1}, open_float);
                 INFO("sizes from " << feature << ", " << penumbra << " in a penumbra, float has "
                                    << other << " wrong");
-                // 255 · 8 u · 10 / feature: 1e-3 of a step, or 1.2. And 5 % of a few rays are not
+                // 255 · 8 u · 10 / feature: 1e-3 of a level, or 1.2. And 5 % of a few rays are not
                 // worth the trials.
                 const bool tried = feature == 1 && penumbra == 0.5;
                 CHECK(opened == tried);
@@ -374,13 +375,13 @@ TEST_CASE("a pace takes its time on a machine that is slower or faster than expe
             Pace pace(ladder, rows, at(wanted), start);
             double now = 0;
             for (int row = 0; row < rows; ++row) {
-                // A row costs what the golden ratio gives it, 0 to 2 times the mean.
+                // The cost of a row varies with the golden ratio, between 0 and 2 times the mean.
                 const double uneven = 2 * std::fmod(0.618033988749895 * row, 1.0);
                 now += uneven * slower * 16 / pace.next(at(now)).shadow_error / rows;
             }
             INFO(slower << " times slower, " << wanted << " s");
-            const double least = slower;      // all rows by the first look
-            const double most = 16 * slower;  // by the last
+            const double least = slower;      // all rows with the first setting
+            const double most = 16 * slower;  // with the last
             CHECK(now == Approx(std::clamp(wanted, least, most)).epsilon(0.05));
         }
 }

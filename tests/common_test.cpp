@@ -1,4 +1,4 @@
-// What every stage builds on: stages, requirements, the field of view, motion, the nearest.
+// Tests of common/: stages, requirements, the field of view, transforms, the closest hit.
 
 #include "common/motion.hpp"
 #include "common/nearest.hpp"
@@ -19,7 +19,7 @@ namespace rt {
 
 namespace {
 
-/// A shape whose answers a test chooses, and which remembers how it was asked.
+/// A shape with given answers that records its queries.
 struct Probe {
     std::optional<Real> t;
     Vec3 normal_there{0, 0, 1};

@@ -1,6 +1,6 @@
-// Rays that leave a surface, counted (docs/step10_shadows.md): how often one meets the surface that
-// it leaves, and how often it misses what stands just before it. Every constant distance from the
-// surface fails at some scale; stage 10's reference at none.
+// Self-intersections of rays that leave a surface, counted (docs/step10_shadows.md): how often a
+// ray hits the surface that it leaves, and how often it misses an object just before it. Every
+// constant offset from the surface fails at some scale; stage 10's reference at none.
 #include "common/nearest.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"
@@ -14,7 +14,7 @@ using namespace rt;
 
 namespace {
 
-/// A way off the surface.
+/// A method of leaving the surface.
 struct Method {
     const char* name;
     /// `met` is where the eye's ray met it, as o + t d; the surface's own point is re-projected.
@@ -49,17 +49,17 @@ constexpr Method constants[] = {
 
 struct Scale {
     Real size = 1;
-    Real away = 0;  ///< of the origin, in sizes
+    Real away = 0;  ///< offset of the origin, in sizes
 };
 
-/// A surface as its eye sees it, and a light that shines on it.
+/// A surface as seen by the eye, and a light that shines on it.
 template <class Shape>
 struct Seen {
     Shape shape;
     Vec3 met;
     Surface surface;
     Vec3 light;
-    Real extent;  ///< of the scene, from the origin
+    Real extent;  ///< distance of the scene's farthest point from the origin
 };
 
 /// A unit direction that leaves the surface: down to grazing, where the cosine is 10 to the power.
@@ -69,8 +69,8 @@ Vec3 draw_leaving(Random& random, Vec3 normal, Real lowest_power) {
     return cosine * normal + std::sqrt(1 - cosine * cosine) * across;
 }
 
-/// From far or near, outside or inside; nothing where the eye's ray is rounded past the shape, or
-/// the light comes closer to the surface than 1e-5 of the scene.
+/// From far or near, outside or inside; nothing if rounding moves the eye's ray past the shape, or
+/// if the light is closer to the surface than 1e-5 of the scene.
 template <class Shape>
 std::optional<Seen<Shape>> draw_seen(Random& random, Scale scale) {
     const Spot<Shape> spot = draw(random, Shape{});
@@ -119,12 +119,12 @@ std::optional<Seen<Shape>> draw_seen(Random& random, Scale scale) {
 
 struct Count {
     int rays = 0;
-    int false_hits = 0;  ///< of the surface that the ray leaves
+    int false_hits = 0;  ///< with the surface that the ray leaves
     int missed = 0;      ///< occluders
 };
 
-/// Each ray is asked about its own shape, and about a ball or a card in its way from 1e-5 of the
-/// scene on.
+/// Each ray is tested against its own shape, and against a sphere or a card in its way at least
+/// 1e-5 of the scene away.
 template <class Shape>
 Count count(const Method& method, Scale scale, int rays) {
     Count count;
@@ -159,7 +159,7 @@ std::string told(const Method& method, Scale scale, const Count& count) {
            std::to_string(count.missed) + " miss what is in the way";
 }
 
-/// None of 120,000 rays is wrong.
+/// All of 120,000 rays are right.
 template <class Shape>
 Verdict never_wrong() {
     constexpr int rays = 8000;

@@ -1,6 +1,7 @@
-// Where the documents are wrong (docs/errata.md): what is printed, worked out in numbers, fails,
-// and what holds, holds. The numbers are small and whole, so that both are exact. Each erratum has
-// a case of its number, in the suite of its document: errata_mrt_test.cpp and its neighbours.
+// The errors of the documents (docs/errata.md): the printed formula, evaluated with numbers, fails,
+// and the corrected one holds. The numbers are small and whole, so that both are exact. Each
+// erratum has a case with its number, in the suite of its document: errata_mrt_test.cpp and its
+// neighbors.
 #pragma once
 
 #include "tests/kit/verdict.hpp"

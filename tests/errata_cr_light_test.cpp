@@ -1,4 +1,4 @@
-// Where CR is wrong about light (its §3, §5): see tests/errata.hpp.
+// Errata of CR about light (its §3, §5): see tests/errata.hpp.
 #include "tests/errata.hpp"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ TEST_CASE(
     const Vec3 eye(Real(-0.8), 0, Real(0.6));
     const Phong printed_terms = printed_phong(light, normal, eye, 1);
     CHECK(printed_terms.diffuse == 0);
-    CHECK(close(printed_terms.specular, Real(0.28)));  // a highlight where no light comes
-    // Ambient added once a light: two lights make twice the ambient light.
+    CHECK(close(printed_terms.specular, Real(0.28)));  // a highlight without light
+    // Ambient light is added once per light: two lights give twice the ambient light.
     const Real ambient = Real(0.25);
     Real printed = 0;
     for (int i = 0; i < 2; ++i) printed += ambient + printed_terms.diffuse;
@@ -49,15 +49,15 @@ TEST_CASE("erratum 15: a point in shadow is black (CR §3.2)") {
 }
 
 TEST_CASE("erratum 16: samples beside the light, occluders to 0.9, the last light only (CR §3.3)") {
-    // A light of radius 2 four above the ground, and half-way a strip |x| < 1, endless along z.
-    // Under a strip in the middle the light is as free on the right as on the left.
+    // A light of radius 2, four above the ground, and half-way a strip |x| < 1, endless along z.
+    // Under the middle of the strip the visible parts of the light are symmetric.
     const Real radius = 2;
     constexpr int samples = 16;
     const auto free_share = [&](Real x, Real from, Real to) {
         int free = 0;
         for (int i = 0; i < samples; ++i) {
             const Real light = from + (to - from) * (Real(i) + Real(0.5)) / samples;
-            if (std::abs((x + light) / 2) >= 1) ++free;  // where the ray crosses the strip's height
+            if (std::abs((x + light) / 2) >= 1) ++free;  // the ray's x at the strip's height
         }
         return Real(free) / samples;
     };
@@ -65,7 +65,7 @@ TEST_CASE("erratum 16: samples beside the light, occluders to 0.9, the last ligh
     CHECK(free_share(Real(-1.5), 0, radius) == 0);
     CHECK(free_share(Real(1.5), -radius, radius) == Real(0.375));
     CHECK(free_share(Real(-1.5), -radius, radius) == Real(0.375));
-    // An occluder three along a unit direction, a light at five: between them, and beyond 0.9.
+    // An occluder three along a unit direction, a light at five: between them, and past 0.9.
     const Real occluder = 3;
     CHECK_FALSE(occluder < Real(0.9));
     CHECK(occluder < 5);

@@ -1,4 +1,4 @@
-// Where CR is wrong about shapes (its §2, §4): see tests/errata.hpp.
+// Errata of CR about shapes (its §2, §4): see tests/errata.hpp.
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"
 #include "steps/step05_triangle/triangle.hpp"
@@ -25,7 +25,7 @@ TEST_CASE("erratum 12: a sphere behind the ray is hit (CR §2.2)") {
     const auto printed = [](Real t1, Real t2) { return t1 > 0 && (t1 < t2 || t2 < 0) ? t1 : t2; };
     CHECK(printed(4, 6) == 4);     // five ahead: right
     CHECK(printed(-1, 1) == 1);    // inside: right
-    CHECK(printed(-6, -4) == -4);  // five behind: a hit that is none
+    CHECK(printed(-6, -4) == -4);  // five behind: reported as a hit
     CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, unit_sphere));
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("erratum 13: what is nearer than 4.9 is dropped (CR §2.1)") {
             if (hit < t && hit > more_than) t = hit;
         return t;
     };
-    CHECK(nearest(Real(4.9)) == 6);  // printed: one looks through the nearer
+    CHECK(nearest(Real(4.9)) == 6);  // printed: the closer shape is missed
     CHECK(nearest(0) == 4);
     CHECK(hits(five_before, unit_sphere, 4));
 }
@@ -48,7 +48,7 @@ TEST_CASE("erratum 17: the point is multiplied by its weights, and areas have no
     const Vec3 w = barycentric(triangle, p);
     CHECK(gives("P.x w0, P.y w1, P.z w2", p * w, Vec3(Real(0.25), Real(0.5), 0)));  // printed
     CHECK(gives("w0 a + w1 b + w2 c", w.x * triangle.a + w.y * triangle.b + w.z * triangle.c, p));
-    // Outside, unsigned areas sum to more than 1: that they sum to 1 must be asked.
+    // Outside, unsigned areas sum to more than 1: the sum of 1 must be tested.
     const Vec3 outside = abs(barycentric(triangle, {4, 4, 0}));
     CHECK(close(outside.x + outside.y + outside.z, 3));
 }
@@ -66,7 +66,8 @@ TEST_CASE("erratum 21: scalar products of the normal with vectors in its plane (
 }
 
 TEST_CASE("erratum 23: a ray along the square is inside it (CR §2.3)") {
-    // Its listing asks whether four answers are the same, and not which: four times "no" will do.
+    // The listing tests whether four answers are equal, not which answer it is: four times "no"
+    // passes.
     const Vec3 normal(0, 0, 1);
     const std::array<Vec3, 4> corners = {Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(2, 2, 1),
                                          Vec3(0, 2, 1)};
@@ -81,7 +82,7 @@ TEST_CASE("erratum 23: a ray along the square is inside it (CR §2.3)") {
     const Ray along{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
     const Real t = dot(corners[0] - along.origin, normal) / dot(along.direction, normal);
     CHECK(t == infinity);          // more than 0,
-    CHECK(printed(at(along, t)));  // and at (∞, NaN, NaN) no answer is yes: a hit
+    CHECK(printed(at(along, t)));  // and at (∞, NaN, NaN) no answer is "yes": all equal, a hit
     CHECK(misses(along, Square{.center = {1, 1, 1}, .basis = {}, .side = 2}));
 }
 

@@ -1,4 +1,4 @@
-// Where HAI and PHY are wrong: see tests/errata.hpp.
+// Errata of HAI and PHY: see tests/errata.hpp.
 #include "steps/step04_plane/plane.hpp"
 #include "steps/step06_square/square.hpp"
 
@@ -11,7 +11,7 @@ using namespace rt;
 
 namespace {
 
-/// PHY's B² − 4AC, and what it is made of.
+/// PHY's B² − 4AC, and its coefficients.
 struct Quadratic {
     Real a;
     Real b;
@@ -66,13 +66,13 @@ TEST_CASE("erratum 19: a unit v is asked for, and others are used (PHY)") {
     const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};
     const Vec3 origin(2, -3, 1);
     CHECK(hits(Ray{.origin = origin, .direction = v}, plane, Real(8) / 15));
-    // With the unit v that it asks for, t is ‖v‖ times as large, and no longer its 0.5333.
+    // With the unit v that it requires, t is ‖v‖ times as large, and no longer its 0.5333.
     const Real size = std::sqrt(Real(14));
     CHECK(hits(Ray{.origin = origin, .direction = v / size}, plane, size * 8 / 15));
 }
 
 TEST_CASE("erratum 20: vectors and their coefficients are exchanged (HAI)") {
-    // A = u (A·U / U·U) + v (A·V / V·V) holds with the vectors U and V outside the brackets.
+    // A = u (A·U / U·U) + v (A·V / V·V) is true with the vectors U and V outside the brackets.
     const Vec3 u(3, 0, 0);
     const Vec3 v(0, 2, 0);
     const Vec3 a(6, 8, 0);

@@ -1,4 +1,4 @@
-// Where MRT is wrong: see tests/errata.hpp.
+// Errata of MRT: see tests/errata.hpp.
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"
@@ -27,9 +27,9 @@ TEST_CASE("erratum 2: ‖d‖² is dropped before t² (MRT §3)") {
     const Real b = 2 * dot(ray.direction, ray.origin);
     const Real c = dot(ray.origin, ray.origin) - 1;
     CHECK(dot(ray.direction, ray.direction) == 34);
-    const Real t = 3 - 1 / std::sqrt(Real(34));  // one before the centre, which is 3 d away
+    const Real t = 3 - 1 / std::sqrt(Real(34));  // one before the center, which is 3 d away
     CHECK(std::abs(34 * t * t + b * t + c) < Real(0.001));
-    CHECK(std::abs(t * t + b * t + c) > 250);  // as printed, that t is no root
+    CHECK(std::abs(t * t + b * t + c) > 250);  // as printed, that t is not a root
     CHECK(hits(ray, unit_sphere, t));
 }
 
@@ -57,7 +57,7 @@ TEST_CASE(
     const Vec3 middle(2, 2, 0);
     for (const auto& [a, b, c] : {lower, upper}) {
         const Real side = dot(cross(c - b, middle - b), cross(c - b, a - b));
-        CHECK(side == 0);  // MRT §5 asks for more than 0: neither triangle has the point
+        CHECK(side == 0);  // MRT §5 requires more than 0: neither triangle contains the point
     }
     const Ray ray{.origin = {2, 2, 1}, .direction = {0, 0, -1}};
     CHECK(hits(ray, lower, 1));
@@ -83,7 +83,7 @@ TEST_CASE("erratum 22: ⟨d, n⟩ is divided by, and can be 0 (MRT §4, M1, PHY,
     const Real slope = dot(ray.direction, below.normal);
     CHECK(std::abs(slope) == 0);
     const Real t = dot(below.point - ray.origin, below.normal) / std::abs(slope);
-    CHECK(t > 0);  // printed: "t positive" is all that is asked, and ∞ is
+    CHECK(t > 0);  // printed: the only condition is "t positive", and ∞ is
     CHECK(t == infinity);
     CHECK(misses(ray, below));
     // In the plane itself it is 0 / 0.
@@ -93,7 +93,7 @@ TEST_CASE("erratum 22: ⟨d, n⟩ is divided by, and can be 0 (MRT §4, M1, PHY,
 
 TEST_CASE("erratum 24: either of the two t will do, negative or not the smallest (MRT §7–8)") {
     const Cylinder tube{.center = {0, 0, 0}, .axis = {0, 0, 1}, .radius = 1, .height = 2};
-    // x² + y² = 1 and |z| ≤ 1, which is all that is asked.
+    // x² + y² = 1 and |z| ≤ 1, the only condition.
     const auto printed = [](Vec3 p) { return p.x * p.x + p.y * p.y == 1 && std::abs(p.z) <= 1; };
     const Ray inside{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
     CHECK(printed(at(inside, -1)));

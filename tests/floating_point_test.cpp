@@ -1,7 +1,7 @@
-// What the build promises of numbers: every operation is rounded once, in the order in which it is
-// written, and NaN, infinities, signed zeros and subnormal numbers are what IEEE 754 says.
-// common/compensated.hpp and the watertight triangle are sound only so; common/options.cmake has
-// the flags. Fails with -ffast-math, or with -ffp-contract=fast where the processor has fma.
+// The build's guarantees about numbers: every operation is rounded once, in the order of the
+// source, and NaN, infinities, signed zeros and subnormal numbers follow IEEE 754.
+// common/compensated.hpp and the watertight triangle depend on it; common/options.cmake contains
+// the flags. The tests fail with -ffast-math, and with -ffp-contract=fast if the processor has fma.
 #include "common/compensated.hpp"
 #include "common/vector.hpp"
 #include "steps/step05_triangle/triangle.hpp"
@@ -21,13 +21,13 @@ namespace {
 using Bits = std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t>;
 using Limits = std::numeric_limits<Real>;
 
-/// The same number, of which the compiler knows nothing.
+/// The same number, unknown to the compiler.
 Real opaque(Real value) {
     volatile Real hidden = value;
     return hidden;
 }
 
-/// Asked of the bits, as -ffast-math takes isnan() for false.
+/// A test of the bits, since -ffast-math makes isnan() constant false.
 bool is_nan(Real value) {
     const Bits size = std::bit_cast<Bits>(value) & ~std::bit_cast<Bits>(Real(-0.0));
     return size > std::bit_cast<Bits>(infinity);
@@ -55,14 +55,14 @@ bool is_met(const Ray& ray, const Triangle& triangle) {
 }  // namespace
 
 TEST_CASE("a product is rounded before it is added to: nothing is contracted") {
-    // (1 + 2u)² is 1 + 4u and a little, which is rounded away. Each time a number of its own: a
-    // product with two uses might be spared.
+    // (1 + 2u)² is 1 + 4u plus a small term, which is rounded away. Each use computes it again: the
+    // compiler might fuse a product with one use only.
     const auto more = [] { return opaque(1 + 2 * unit_roundoff); };
     const auto square = [] { return opaque(1 + 4 * unit_roundoff); };
     CHECK(sum_of_product(more(), more(), -square()) == 0);
     CHECK(dot(Vec3(more(), 1, 0), Vec3(more(), -square(), 0)) == 0);
     CHECK(cross(Vec3(more(), square(), 0), Vec3(opaque(1), more(), 0)).z == 0);
-    // And where it is asked for, it is not.
+    // An explicit fma is not rounded in between.
     CHECK(std::fma(more(), more(), -square()) == 4 * unit_roundoff * unit_roundoff);
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("sums are taken as they are written: nothing is reassociated") {
     Real sum = one;
     for (int i = 0; i < 64; ++i) sum += opaque(unit_roundoff / 2);
     CHECK(sum == 1);
-    // Nor is a division made a multiplication by the inverse: 49 (1 / 49) is not 1.
+    // A division is not replaced by a multiplication by the inverse: 49 (1 / 49) is not 1.
     const std::array<Real, 4> odd = {opaque(49), opaque(98), opaque(103), opaque(107)};
     const Real divisor = opaque(49);
     CHECK(odd[0] / divisor == 1);
@@ -93,7 +93,7 @@ TEST_CASE("NaN and infinities are themselves") {
     CHECK(is_nan(zero * opaque(infinity)));
     CHECK(opaque(1) / zero == infinity);
     CHECK(opaque(Limits::max()) * opaque(2) == infinity);
-    // What must fail on NaN fails: this is how a shape misses what is not a number.
+    // Comparisons that must fail on NaN fail: this makes a ray miss a shape that is not a number.
     const Real nan = opaque(Limits::quiet_NaN());
     CHECK_FALSE(nan >= 0);
     CHECK_FALSE(nan < 0);
@@ -140,9 +140,9 @@ TEST_CASE("square roots and divisions are the nearest numbers") {
 }
 
 TEST_CASE("a corner is seen at the same place in all three roles, and by both neighbours") {
-    // A ray is aimed at the edge from p to q, and asked of the triangles on its two sides, turned
-    // all ways. Where a corner is seen depends on nothing but the corner and the ray: so each
-    // triangle answers as it does in another role, and at least one is met.
+    // A ray is aimed at the edge from p to q, and tested against the triangles on its two sides, in
+    // all rotations. The position of a corner, relative to the ray, depends only on the corner and
+    // the ray: so each triangle gives a consistent answer in all roles, and at least one is hit.
     CHECK(for_all(
         [](Random& random) {
             const Vec3 p = random.point(2);

@@ -1,4 +1,4 @@
-// The hierarchy finds what a list finds, whatever is in it; and a packed mesh lets no ray through.
+// The BVH and a list give the same hits, for any shapes; and a packed mesh is watertight.
 #include "common/hierarchy.hpp"
 #include "common/bounds.hpp"
 #include "common/packed_mesh.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
-/// A number whose logarithm is even: small and large shapes alike.
+/// A number with a uniform logarithm: small and large shapes alike.
 Real size_between(Random& random, Real low, Real high) {
     return low * std::pow(high / low, random.between(0, 1));
 }
@@ -81,8 +81,8 @@ Hierarchy hierarchy_of(const std::vector<Box>& boxes) {
     return Hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
 }
 
-/// A ray from anywhere, along an axis or any way, at a corner, at the middle of a face or at a
-/// point of the box: where a shape touches its box, a box too small would lose it.
+/// A ray from anywhere, along an axis or in any direction, to a corner, the middle of a face or a
+/// point of the box: at the points where a shape touches its box, a box too small would lose it.
 Ray draw_ray(Random& random, const Box& box) {
     Vec3 share;
     for (glm::length_t axis = 0; axis < 3; ++axis)
@@ -93,7 +93,7 @@ Ray draw_ray(Random& random, const Box& box) {
             .direction = -random.power_of_two() * away};
 }
 
-/// The nearest hit and the shape it is on, as a list finds it.
+/// The closest hit of a list, and its shape.
 template <class Shape>
 std::optional<Real> by_list(const std::vector<Shape>& shapes, const Ray& ray, Interval interval) {
     std::optional<Real> nearest;
@@ -118,9 +118,9 @@ std::optional<Real> by_hierarchy(const Hierarchy& hierarchy, const std::vector<S
     return nearest;
 }
 
-/// The hierarchy's nearest hit is the list's, to the last bit, since the same test finds both; and
-/// any() says that there is one. The ray has been made ready for another hierarchy before, which
-/// may have the same frame.
+/// The closest hit of the BVH equals the list's, to the last bit, since the same test computes
+/// both; and any() agrees. The ray was prepared for another BVH before, which may have the same
+/// frame.
 template <class Shape>
 Verdict agrees_with_list(Random& random) {
     const std::vector<Shape> shapes = draw_shapes<Shape>(random);
@@ -155,7 +155,7 @@ bool inside(const Box& box, const Shape&, Vec3 p) {
            p.y <= box.max.y && p.z <= box.max.z;
 }
 
-/// A hit as the stage finds it lies in the shape's box.
+/// The hit of the stage lies in the shape's box.
 template <class Shape>
 Verdict box_holds_hits(Random& random) {
     Shape shape;
@@ -166,7 +166,7 @@ Verdict box_holds_hits(Random& random) {
     for (int i = 0; i < 20; ++i) {
         const Ray ray = draw_ray(random, box);
         const auto t = intersect(ray, shape, {});
-        // The point itself is rounded once more, by as much of the way as there is.
+        // The point itself is rounded once more, relative to the distance.
         if (!t) continue;
         const Vec3 slack(4 * unit_roundoff * *t * length(ray.direction));
         const Box wider{.min = box.min - slack, .max = box.max + slack};
@@ -253,7 +253,7 @@ Verdict keeps_every_ray(const Mesh& mesh, Real scale, Vec3 center, int rays) {
         rays);
 }
 
-/// A hit by arithmetic with more digits, or that there is no telling.
+/// A hit in arithmetic with more digits, or the result that it is uncertain.
 struct Certain {
     bool sure = true;
     std::optional<long double> t;
@@ -279,8 +279,8 @@ Certain exact_hit(const Ray& ray, const Triangle& triangle) {
     return {.t = t};
 }
 
-/// Triangles anywhere: the packed mesh gives the hit that long double gives, and tells which
-/// triangle and where on it.
+/// Triangles anywhere: the packed mesh and long double agree on the hit, the triangle and its
+/// weights.
 Verdict agrees_with_long_double(Random& random) {
     Mesh mesh;
     const auto count = std::uint32_t(1 + random.below(100));
@@ -391,7 +391,7 @@ TEST_CASE("no ray is lost at a surface that is as nothing beside the rest of its
     for (const int decades : {-6, -9, -12, -15, -20, -30, -111, -150, -250}) {
         const Real scale = std::pow(Real(10), Real(decades));
         if (scale < std::numeric_limits<Real>::min() * 1'000'000) continue;  // no float
-        // Around it, another one of size 1, in whose scale all of it is packed.
+        // Around it, a mesh of size 1, whose scale is used for packing all of it.
         const Mesh small = placed(small_ball, scale, Vec3(0));
         Mesh both = small;
         const Mesh around = placed(small_ball, 1, Vec3(0));
@@ -482,8 +482,8 @@ TEST_CASE("a ray along the faces of boxes meets them (contract)") {
 
 TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
     // Whole numbers, times a power of two: the ray passes through the corner exactly, and often
-    // through nothing else of the box. It comes from near or far, at any scale. Rounded slabs
-    // without padding miss it two times in a hundred.
+    // through no other point of the box. It starts near or far, at any scale. Rounded slabs without
+    // padding miss it two times in a hundred.
     const auto whole_point = [](Random& random, int reach) {
         const auto whole = [&] { return Real(random.below(2 * reach + 1) - reach); };
         return Vec3(whole(), whole(), whole());

@@ -1,4 +1,5 @@
-// What is said of scenes that float cannot hold: found from the scene alone, before it is drawn.
+// The warnings about scenes that float cannot represent: computed from the scene alone, before it
+// is rendered.
 #include "common/input_rounding.hpp"
 #include "common/scene_reader.hpp"
 

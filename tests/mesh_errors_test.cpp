@@ -1,4 +1,4 @@
-// What a wrong mesh is refused with: the place, what is wrong, and what was expected.
+// The errors of a wrong mesh: the place, the mistake, and the expected words.
 
 #include "tests/mesh_reading.hpp"
 
@@ -124,7 +124,8 @@ TEST_CASE("faces and meshes without area are warned of") {
 TEST_CASE("a file above 512 MiB") {
     const MeshFolder folder;
     const std::string file = folder.write("a.off", "OFF\n");
-    std::filesystem::resize_file(file, (std::uintmax_t(512) << 20) + 1);  // zeros, none on the disk
+    // zeros, which use no space on the disk
+    std::filesystem::resize_file(file, (std::uintmax_t(512) << 20) + 1);
     CHECK_THROWS_WITH(load_mesh(file),
                       file + ": error: is larger than 512 MiB: expected a smaller mesh");
 }
@@ -311,7 +312,7 @@ TEST_CASE("binary PLY") {
         {"a.ply", with("\0\0\x80\x3f"s, "\0\0\x80\xff"s),
          ": error: vertex 1 is not a place: expected three numbers up to 3.4e38"},
     });
-    // 1e300, which a double holds and a float does not.
+    // 1e300, which a double can represent and a float cannot.
     const std::string far_away = "\0\0\0\0\0\0\0\0\x9c\x75\0\x88\x3c\xe4\x37\x7e"s;
     std::string doubles = header + far_away + std::string(32, '\0') + face;
     doubles.replace(doubles.find("float z"), 7, "double z");

@@ -60,7 +60,7 @@ std::string as_obj(const Mesh& mesh) {
     return text;
 }
 
-/// With what a reader has to pass over: a colour, a number a face, an element after the faces.
+/// With parts that a reader must skip: a color, a number per face, an element after the faces.
 std::string as_binary_ply(const Mesh& mesh, std::endian order) {
     std::string text = std::string("ply\nformat binary_") +
                        (order == std::endian::little ? "little" : "big") +

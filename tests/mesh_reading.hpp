@@ -1,4 +1,4 @@
-// Short ways to read a mesh in a test.
+// Shortcuts for reading a mesh in a test.
 #pragma once
 
 #include "common/input_error.hpp"
@@ -40,7 +40,7 @@ inline Mesh mesh_of(const std::string& name, std::string_view content) {
     return load_mesh(folder.write(name, content));
 }
 
-/// What the file is refused with, without the folder; "accepted" if it is not.
+/// The error message for the file, without the folder; "accepted" if there is none.
 inline std::string mesh_refusal(const std::string& name, std::string_view content) {
     const MeshFolder folder;
     try {
@@ -51,19 +51,19 @@ inline std::string mesh_refusal(const std::string& name, std::string_view conten
     }
 }
 
-/// How a mesh hangs together.
+/// The topology of a mesh.
 struct Topology {
-    int vertices = 0;  ///< that a triangle uses
+    int vertices = 0;  ///< used by a triangle
     int edges = 0;
     int triangles = 0;
     int open_edges = 0;    ///< of one triangle
-    int shared_edges = 0;  ///< of more than two, or of two that do not turn the same way
+    int shared_edges = 0;  ///< of more than two triangles, or of two with different orientations
     int parts = 0;
     [[nodiscard]] int euler() const { return vertices - edges + triangles; }
 };
 
 inline Topology topology(const Mesh& mesh) {
-    // Each edge from its smaller to its larger vertex: how often it is gone along, either way.
+    // Each edge from its smaller to its larger vertex: the number of uses in each direction.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<int, int>> edges;
     std::map<std::uint32_t, std::uint32_t> part_of;
     const auto root = [&part_of](std::uint32_t v) {

@@ -1,4 +1,4 @@
-// vector.hpp and compensated.hpp against whole numbers, in which every sum here is exact.
+// vector.hpp and compensated.hpp against whole numbers, with which every sum here is exact.
 
 #include "common/compensated.hpp"
 #include "common/vector.hpp"
@@ -23,7 +23,7 @@ Whole whole(Random& random, int bits) {
     return static_cast<Whole>(std::round((random.choice() * 2 - 1) * std::ldexp(1.0, bits)));
 }
 
-/// A whole number whose bits a Real all has.
+/// A whole number that a Real represents exactly.
 Real real(Whole value) {
     REQUIRE(static_cast<Whole>(static_cast<Real>(value)) == value);
     return static_cast<Real>(value);
@@ -37,7 +37,7 @@ Verdict exact(Rounded came, Real plain, Whole expected) {
 }
 
 Verdict within(Real came, Whole expected, Real error) {
-    // |expected| may have more bits than a Real: the difference is taken in whole numbers.
+    // |expected| may have more bits than a Real: the difference is computed in whole numbers.
     const Real off = std::abs(static_cast<Real>(static_cast<Whole>(came) - expected));
     const bool is_whole = came == std::trunc(came);
     return verdict(is_whole && off <= error, text(came) + " is not " + std::to_string(expected));
@@ -91,7 +91,7 @@ TEST_CASE("facing() turns a normal to where the ray comes from, and leaves one a
 TEST_CASE("exact_sum() loses nothing, in either order") {
     CHECK(for_all(
         [](Random& random) {
-            // Of magnitudes so far apart that the sum has more digits than a Real.
+            // Magnitudes so different that the sum has more digits than a Real.
             const Real a = std::ldexp(real(whole(random, digits - 2)), 8);
             const Real b = real(whole(random, digits));
             const Whole sum = static_cast<Whole>(a) + static_cast<Whole>(b);
@@ -113,7 +113,8 @@ TEST_CASE("exact_product() loses nothing") {
 }
 
 TEST_CASE("difference_of_products() keeps the digits where two large products nearly cancel") {
-    // 2^(p−1) + 1, squared, less its neighbours' product: 1, where plain numbers say 0 or worse.
+    // (2^(p−1) + 1)², minus the product of its neighbors: 1, where plain arithmetic gives 0 or
+    // worse.
     const Real n = std::ldexp(Real(1), digits - 1) + 1;
     CHECK(difference_of_products(n, n, n - 1, n + 1) == 1);
     CHECK(difference_of_products(n - 1, n + 1, n, n) == -1);
@@ -158,7 +159,7 @@ TEST_CASE("compensated_dot() is as good as with twice the digits") {
 
 TEST_CASE("compensated_dot() of a difference takes the difference exactly") {
     const Real big = std::ldexp(Real(1), digits + 1);
-    // big − 1 has one digit too many; along x and against y it cancels but for the 1.
+    // big − 1 has one digit too many; the products along x and y cancel up to the 1.
     CHECK(compensated_dot({1, 1, 0}, {big, -big, 0}, {1, 0, 0}) == -1);
     CHECK(compensated_dot({1, -1, 3}, {big, big, 0}, {1, 2, -1}) == 4);
     CHECK(compensated_dot({0, 0, 1}, {big, big, 7}, {-big, big, 5}) == 2);

@@ -12,7 +12,7 @@ struct PageLine {
     int number = 0;  ///< from 1
     std::string text;
 
-    /// What Markdown shows as it stands: commands, scenes, answers of programs, C++.
+    /// Verbatim text in Markdown: commands, scenes, output of programs, C++.
     [[nodiscard]] bool is_verbatim() const { return text.rfind("    ", 0) == 0; }
     /// Without the blanks before it.
     [[nodiscard]] std::string words() const {
@@ -34,7 +34,7 @@ struct PageCode {
     enum class Kind {
         file,    ///< from its first #include on
         check,   ///< a line to paste into a test
-        answer,  ///< a call of `intersect`, and what is expected of it
+        answer,  ///< a call of `intersect`, and its expected answer
     };
     Kind kind = Kind::file;
     int first_line = 0;

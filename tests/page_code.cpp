@@ -1,5 +1,5 @@
-// page_code <output> <page>... : the C++ of the pages, as a source of the suite "pages". What a
-// page shows must compile, its checks must hold, and its answers must be the reference's.
+// page_code <output> <page>... : the C++ of the pages, as a source of the suite "pages". Shown code
+// must compile, its checks must pass, and its answers must be the reference's.
 #include "tests/page.hpp"
 
 #include <iostream>

@@ -19,13 +19,13 @@ using namespace rt;
 
 namespace {
 
-/// A command, or a line of a scene, and where it stands.
+/// A command, or a line of a scene, and its place.
 struct Shown {
     std::string place;
     std::string text;
 };
 
-/// What the pattern's group finds in the README and in every page.
+/// All matches of the pattern's group in the README and in the pages.
 std::vector<Shown> shown(const std::regex& pattern) {
     std::vector<std::filesystem::path> files = {project_file("README.md")};
     for (const auto& entry : std::filesystem::directory_iterator(project_file("docs")))
@@ -41,7 +41,7 @@ std::vector<Shown> shown(const std::regex& pattern) {
     return all;
 }
 
-/// What `./course` itself says that there is.
+/// The commands that `./course` lists.
 std::set<std::string> commands() {
     static const std::regex command(R"(\./course ([a-z]+))");
     std::set<std::string> all;
@@ -50,7 +50,7 @@ std::set<std::string> commands() {
     return all;
 }
 
-/// Nothing, or what is wrong with the words behind `./course`.
+/// Empty, or the error in the words after `./course`.
 std::string complaint(std::vector<std::string> words) {
     static const std::set<std::string> known = commands();
     static const std::set<std::string> draw = {"run", "compare", "explain"};
@@ -78,7 +78,7 @@ std::string complaint(std::vector<std::string> words) {
             arguments.push_back(words[i].c_str());
     }
     try {
-        // A program of its own, which `run` chooses.
+        // A separate program, which `run` selects.
         const bool exact = std::find(words.begin(), words.end(), "exact") != words.end();
         (void)parse_options({.stage = stage, .root = RAYSTEPS_ROOT, .exact = exact},
                             int(arguments.size()), arguments.data());

@@ -1,6 +1,6 @@
-// Every number that a page prints is worked out again: what has a decimal point, a percent or
-// degree sign, or thousands with a comma, and some whole numbers. A number that nobody works out
-// fails, and so does one that is worked out and not printed.
+// Every number that a page prints is computed again: numbers with a decimal point, a percent or
+// degree sign, or a comma between thousands, and some whole numbers. A printed number that is not
+// computed fails, and so does a computed one that is not printed.
 #include "common/mesh_loading.hpp"
 #include "common/options.hpp"
 #include "common/sampling.hpp"
@@ -40,7 +40,7 @@ struct Printed {
     int line;
     std::string text;
     double value;
-    double last_digit;  ///< what one more of its last digit adds
+    double last_digit;  ///< the weight of its last digit
     std::string unit;   ///< "°", "%" or nothing
 };
 
@@ -50,8 +50,8 @@ bool is_code(const PageLine& line, const std::vector<PageCode>& codes) {
     });
 }
 
-/// A command, a scene or C++, which are taken by their programs in this suite, or a row of stage
-/// 10's table, whose rays tests/contact_test.cpp counts.
+/// A command, a scene or C++, which other parts of this suite run, or a row of stage 10's table,
+/// whose rays tests/contact_test.cpp counts.
 bool is_asked_elsewhere(const PageLine& line, const std::vector<PageCode>& codes) {
     static const std::regex elsewhere(
         R"(    (\./course|cmake|gdb|build/|RAYSTEPS_|L |box |mesh |Triangle\{).*)"
@@ -60,7 +60,7 @@ bool is_asked_elsewhere(const PageLine& line, const std::vector<PageCode>& codes
 }
 
 std::vector<Printed> numbers_in(const std::string& text, int line = 0) {
-    // Link targets, code, sections of documents, and pixels are none.
+    // Link targets, code, sections of documents, and pixels do not count.
     static const std::regex none(
         R"(\]\([^)]*\)|`[^`]*`|§(\d|\.\d|–)*|(row,column|--pixel) \d+,\d+)");
     static const std::regex each(
@@ -106,7 +106,7 @@ struct Known {
 
 using Knowledge = std::vector<Known>;
 
-/// Whether one rounds to the other; whether it is negative stands before a number, not in it.
+/// True if one rounds to the other; the sign is printed before a number, not in it.
 bool rounds_to(const Known& known, const Printed& printed) {
     const double value = std::abs(known.value);
     const double slack = printed.last_digit / 2 * (1 + 1e-9) + 4 * double(epsilon) * value;
@@ -130,7 +130,7 @@ Verdict says(const std::string& page, const std::string& sentence) {
                    "docs/" + page + ".md does not say: " + sentence);
 }
 
-/// The number that stands in a source between these words.
+/// The number between these words in a source.
 double said_in(const std::string& file, const std::string& before, const std::string& after) {
     const std::string text = std::regex_replace(content(file), std::regex("\n *///? *"), " ");
     const std::size_t from = text.find(before);
@@ -143,8 +143,8 @@ double said_in(const std::string& file, const std::string& before, const std::st
     return value;
 }
 
-// What CR prints as the least t of a shadow ray, of a reflected ray, and by what its listing
-// multiplies vertices.
+// CR's printed minimum t of a shadow ray and of a reflected ray, and its listing's factor for
+// vertices.
 constexpr double cr_shadow_start = 0.001;
 constexpr double cr_mirror_start = 0.0001;
 constexpr double cr_mesh_scale = 0.0001;
@@ -152,7 +152,7 @@ constexpr double cr_mesh_scale = 0.0001;
 Knowledge stage1() {
     const double fov = 70 * degree;
     const double top = std::tan(fov / 2);
-    // Of two pixels on a screen from −2 to 2, each is 2 wide.
+    // Two pixels on a screen from −2 to 2 are 2 wide each.
     const double middle = (pixel_on_screen({}, {2, 1}, pi / 2).x + 2) / 2;
     return {{"how far a pixel's middle is in it", middle},
             {"a field of view", fov / degree, "°"},
@@ -213,7 +213,7 @@ Knowledge stage10() {
     const std::string source = "common/projection.hpp";
     const double flat_is_off =
         said_in("steps/step10_shadows/reference/shadows.cpp", "is met up to ", " units off");
-    // How far before a light at distance 1 the ray ends, in units of u.
+    // The ray's end before a light at distance 1, in units of u.
     const Surface floor{.point = {0, 0, 0}, .normal = {0, 1, 0}, .side = {0, 1, 0}};
     const double before =
         (1 - double(shadow_ray(floor, {0, 1, 0}).interval.max)) / double(unit_roundoff);
@@ -228,7 +228,7 @@ Knowledge stage10() {
 
 const Light above{.position = {0, 4, 0}, .radius = 2};
 
-/// The share of the points that pass the strip |x| < 1 two above the ground, seen from x.
+/// The fraction of the points that pass the strip |x| < 1 two above the ground, seen from x.
 double passing(double x, const std::function<Vec3(Vec3, Vec2)>& point) {
     constexpr std::uint32_t samples = 1 << 18;
     int free = 0;
@@ -260,8 +260,8 @@ Knowledge light_shares() {
             {"flat, centred", passing(x, centred)}};
 }
 
-/// By how many times the estimates are the true error for 8, 16, … 1024 rays, over straight edges
-/// so far from the middle of a disc, as root mean squares.
+/// The ratio of the estimates to the true error for 8, 16, … 1024 rays, as root mean squares over
+/// straight edges at these distances from the middle of a disc.
 struct Estimates {
     std::vector<double> even;         ///< true error / share_error
     std::vector<double> independent;  ///< √(p (1 − p) / n) / true error
@@ -301,7 +301,7 @@ Estimates estimates(double from, double to) {
     return result;
 }
 
-/// Stage 11's scene, 80 × 60 pixels, and what its colours are.
+/// Stage 11's scene, 80 × 60 pixels, and its colors.
 struct Drawn {
     std::vector<Color> colors;
     double rays = 0;  ///< to the lamp, a pixel
@@ -396,7 +396,7 @@ Knowledge stage11() {
     CHECK(errors_alike(coarse + 1, 3));
     CHECK(std::abs(table[coarse + 1].drawn.rays / table[3].drawn.rays - 0.7) < 0.05);
 
-    // How many pixels are off by more than those 2.5 steps, to tens.
+    // The number of pixels with an error above those 2.5 levels, to tens.
     const std::vector<double>& off = table.at(coarse).errors.of_pixels;
     const double limit = table[coarse].look.shadow_error / 255;
     const auto beyond = [&off](double most) {
@@ -448,7 +448,7 @@ Knowledge stage12() {
             {"what they show", 100 * (1 - std::pow(m, depth + 1)), "%"}};
 }
 
-/// How many triangles a mesh of the scene has that is read from the file.
+/// The number of triangles in a mesh of the scene, as read from the file.
 double triangles(const Scene& scene, const std::string& file) {
     for (std::size_t i = 0; i < scene.named_meshes.size(); ++i)
         if (scene.named_meshes[i].file == file)
@@ -538,7 +538,7 @@ Verdict is_printed(const Known& known, const Page& page, const std::vector<Print
 }  // namespace
 
 TEST_CASE("a page's sentences with whole numbers are true") {
-    // Situation B (PHY), with the centre that is given and with the one that is worked with.
+    // Situation B (PHY), with the given center and with the one that its solution uses.
     const auto situation_b = [](Vec3 center) {
         const Vec3 v(0, -3, 5);
         const Vec3 r = Vec3(3, 2, 0) - center;
@@ -560,7 +560,7 @@ TEST_CASE("a page's sentences with whole numbers are true") {
 }
 
 TEST_CASE("the table of costs in stage 5's page is the one that is counted") {
-    // tests/triangle_costs_test.cpp asks for each row: "42 | 49 | 1 | 0".
+    // tests/triangle_costs_test.cpp tests each row: "42 | 49 | 1 | 0".
     const std::string source = content("tests/triangle_costs_test.cpp");
     const std::regex row(R"re("(\d+ \| \d+ \| \d+ \| \d+)")re");
     int rows = 0;
@@ -593,7 +593,7 @@ TEST_CASE("what is a number, and which is another (this suite)") {
 }
 
 TEST_CASE("all C++ of the pages is compiled in this suite") {
-    // What a compiler or a debugger shows of a file has the line's number before it.
+    // The output of a compiler or a debugger has the line's number before the code.
     const std::regex code(R"(    (?! *\d+[ \t]).*[;{}])");
     const std::regex data(R"(    +(Triangle\{|Value returned|//).*)");
     for (const auto& entry : std::filesystem::directory_iterator(project_file("docs"))) {

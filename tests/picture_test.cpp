@@ -1,4 +1,4 @@
-// From a scene to a picture: colours, the render loop, the picture in a terminal.
+// From a scene to a picture: colors, the render loop, the picture in a terminal.
 
 #include "common/preview.hpp"
 #include "common/render.hpp"

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An empty folder, for as long as it lives. Both precisions may be tested at once.
+/// An empty folder with the lifetime of this object. Both precisions may be tested at the same
+/// time.
 class Scratch {
 public:
     Scratch() : folder_(fs::path(sizeof(Real) == 4 ? "picture_float" : "picture_double")) {
@@ -36,7 +37,7 @@ public:
     [[nodiscard]] std::string file(const std::string& name) const {
         return (folder_ / name).string();
     }
-    /// How many files and folders are in it, at any depth.
+    /// The number of files and folders in it, at any depth.
     [[nodiscard]] auto count() const {
         return std::distance(fs::recursive_directory_iterator(folder_), {});
     }
@@ -211,7 +212,7 @@ TEST_CASE("several writers of one picture each write a whole one") {
         threads.emplace_back([&, i] {
             for (int turn = 0; turn < 20; ++turn) {
                 write_png(file, noise({8 * i, 8 * i}), {});
-                const Image back = read_png(file);  // somebody's
+                const Image back = read_png(file);  // another file
                 const int side = back.resolution.width;
                 if (back.pixels != noise({side, side}).pixels) ++wrong;
             }

@@ -1,4 +1,4 @@
-// Polygons cut into triangles: the same area, n − 2 of them, none outside.
+// Polygons cut into triangles: the same area, n − 2 triangles, none outside.
 
 #include "common/polygon.hpp"
 

@@ -21,8 +21,8 @@ std::string call(std::uint32_t index, std::uint32_t seed) {
     return "spread_sample(" + std::to_string(index) + ", " + std::to_string(seed) + ")";
 }
 
-/// Of 2^k points from `first` on, one lies in each of 2^k boxes, 2^across columns of 2^(k −
-/// across).
+/// 2^k points from `first` on are stratified: one lies in each of 2^k boxes, 2^across columns of
+/// 2^(k − across).
 Verdict stratified(std::uint32_t first, unsigned k, unsigned across, std::uint32_t seed) {
     std::vector<int> counts(std::size_t(1) << k);
     for (std::uint32_t i = 0; i < 1U << k; ++i) {
@@ -102,7 +102,7 @@ TEST_CASE("samples: each point alone is uniform over the seeds of a picture's pi
 }
 
 TEST_CASE("samples: neighbours, lights and bounces have points of their own") {
-    // Where each of two points lies, by quarters: 16 times 16 boxes, as even as if independent.
+    // The quarters of each of two points: 16 times 16 boxes, as uniform as if independent.
     const auto quarter = [](Vec2 point) {
         return std::size_t(point.x * 4) * 4 + std::size_t(point.y * 4);
     };
@@ -134,7 +134,8 @@ TEST_CASE("samples: no two pixels of a large picture have the same seed, nearly"
             seeds.push_back(sample_seed({row, column}, 1, 0));
     std::sort(seeds.begin(), seeds.end());
     const auto same = seeds.end() - std::unique(seeds.begin(), seeds.end());
-    // n² / 2 / 2^32 = 11 of n independent ones, give or take 3.3: six of these.
+    // The expected number for independent ones is n² / 2 / 2^32 = 11, with a deviation of 3.3; the
+    // bound is six of these.
     CHECK(same < 31);
 }
 

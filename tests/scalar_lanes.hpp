@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// What PackedMesh answers for each ray where the compiler has no vectors.
+/// The hits of PackedMesh for each ray if the compiler has no vectors.
 [[nodiscard]] std::vector<std::optional<MeshHit>> hits_without_vectors(
     const Mesh& mesh, const std::vector<Ray>& rays);
 

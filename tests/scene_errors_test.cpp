@@ -1,4 +1,4 @@
-// What a wrong scene is refused with: the place, what is wrong, and what was expected.
+// The errors of a wrong scene: the place, the mistake, and the expected words.
 
 #include "tests/scene_reading.hpp"
 
@@ -104,7 +104,7 @@ TEST_CASE("wrong in lenient and in strict reading") {
          R"(7: error: the resolution's height must be a positive whole number, not "4e2")"},
     };
     for (const Wrong& wrong : all) {
-        // A second R is for lenient reading only to see through; elsewhere it is the only one.
+        // Lenient reading accepts a second R only there; elsewhere it is the only one.
         const bool second = wrong.line.starts_with("R");
         const std::string text =
             second ? "#\nC 0,0,0 0,0,-1 60\n" + wrong.line : with_camera(wrong.line);
@@ -237,7 +237,7 @@ TEST_CASE("a file of another program is told to be one") {
     CHECK(lenient_refusal(obj) ==
           "scene.rt: error: no camera: expected a line \"C position direction fov\"" + remark);
     CHECK(strict_refusal(obj).ends_with("cy co box mesh" + remark));
-    // One of its words may be one of ours.
+    // A foreign line may contain a word of this format.
     CHECK(lenient_refusal("CAM 1\nlookat 0 0 0\nnewmtl a\nC white\n")
               .ends_with("not \"white\" (3 of 4 lines begin with a word that no scene has: is this "
                          "another format?)"));

@@ -1,4 +1,4 @@
-// What docs/scenes.md says a scene means. Expected values come from there.
+// The meaning of a scene, as defined by docs/scenes.md, the source of the expected values.
 
 #include "tests/scene_reading.hpp"
 
@@ -191,7 +191,7 @@ TEST_CASE("a camera whose direction is zero looks along an axis to most shapes, 
     };
     CHECK(looks("", "0,0,-1") == Vec3(0, 0, -1));
     CHECK(looks("pl 0,0,9 0,0,1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));
-    CHECK(looks("sp 1,2,3 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));  // where the camera stands
+    CHECK(looks("sp 1,2,3 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));  // the camera's position
     CHECK(looks("sp 10,3,4 1 1,2,3\n", "1,0,0") == Vec3(1, 0, 0));
     CHECK(looks("cy -10,3,4 0,1,0 1 1 1,2,3\n", "-1,0,0") == Vec3(-1, 0, 0));
     CHECK(looks("sq 1,10,3 0,1,0 1 1,2,3\n", "0,1,0") == Vec3(0, 1, 0));
@@ -202,7 +202,7 @@ TEST_CASE("a camera whose direction is zero looks along an axis to most shapes, 
     CHECK(looks("sp 9,2,3 1 1,2,3\nsp 9,3,3 1 1,2,3\nsp 1,2,99 1 1,2,3\n", "1,0,0") ==
           Vec3(1, 0, 0));
     CHECK(looks("sp 1,2,-9 1 1,2,3\nsp 9,3,3 1 1,2,3\n", "0,0,-1") == Vec3(0, 0, -1));
-    // In the scene's own words.
+    // In the scene's own coordinates.
     CHECK(looks("sp 1,2,10 1 1,2,3\n# rt: up=z\n", "0,0,1") == Vec3(0, 1, 0));
     CHECK(looks("sp 9,2,3 1 1,2,3\n# rt: hand=left\n", "1,0,0") == Vec3(-1, 0, 0));
 }
@@ -250,7 +250,7 @@ TEST_CASE("hand=left exchanges left and right, up=z turns z upwards") {
     check(lenient(text + "# rt: up=y hand=right\n", {.axes = {.left_handed = true, .z_up = true}})
               .scene,
           as_it_is);
-    // A point that the scene has is found again.
+    // A point of the scene gets the same coordinates back.
     for (const bool left_handed : {false, true})
         for (const bool z_up : {false, true}) {
             const Axes axes{.left_handed = left_handed, .z_up = z_up};
@@ -411,7 +411,7 @@ TEST_CASE("lenient reading takes a word in place of a colour for white") {
         std::vector<std::string>{"scene.rt:2:12: warning: \"wood\" stands where a sphere's colour "
                                  "was expected; it is white"});
     CHECK(color("sp 1,2,3 4 wood 255,51,0").color == Color(1, Real(0.2), 0));
-    // A colour that is wrong, or forgotten, is still an error.
+    // A wrong or missing color is still an error.
     for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5"})
         CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + words) != "accepted");
 }

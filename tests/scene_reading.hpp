@@ -1,4 +1,4 @@
-// Short ways to read a scene in a test.
+// Shortcuts for reading a scene in a test.
 #pragma once
 
 #include "common/scene_reader.hpp"
@@ -16,7 +16,7 @@ struct Lenient {
     std::vector<std::string> warnings;
 };
 
-/// What lenient reading makes of the text, called scene.rt.
+/// The result of lenient reading of the text, called scene.rt.
 inline Lenient lenient(std::string_view text, SceneReading reading = {}) {
     Lenient result;
     reading.warn = [&result](const std::string& warning) { result.warnings.push_back(warning); };
@@ -24,12 +24,12 @@ inline Lenient lenient(std::string_view text, SceneReading reading = {}) {
     return result;
 }
 
-/// What strict reading makes of it.
+/// The result of strict reading.
 inline Scene strict(std::string_view text) {
     return parse_scene(text, "scene.rt", basis_around, {.strict = true});
 }
 
-/// The message with which it is refused; "accepted" if it is not.
+/// The error message; "accepted" if there is none.
 inline std::string refusal(std::string_view text, bool strict) {
     try {
         static_cast<void>(parse_scene(text, "scene.rt", basis_around, {.strict = strict}));
@@ -47,7 +47,7 @@ inline std::string strict_refusal(std::string_view text) {
     return refusal(text, true);
 }
 
-/// A scene whose third line is the one in question.
+/// A scene whose third line is the tested one.
 inline std::string with_camera(const std::string& line) {
     return "R 640 480\nC 0,0,0 0,0,-1 60\n" + line + "\n";
 }

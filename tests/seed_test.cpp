@@ -1,4 +1,4 @@
-// What random cases are drawn from: other seeds, names and places share no question.
+// The seeds of random cases: different seeds, names and indices share no input.
 #include "common/keyed_hash.hpp"
 
 #include "tests/kit/random.hpp"

@@ -1,4 +1,4 @@
-// Which shapes none of a light's rays can meet, whatever point of it they go to.
+// Shapes outside the shaft: no ray to any point of the light hits them.
 #include "common/shaft.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"
@@ -13,7 +13,7 @@ using namespace rt;
 
 namespace {
 
-/// Where a shadow ray from the spot starts.
+/// The start of a shadow ray from the point.
 template <class Shape>
 Vec3 start_from(const Spot<Shape>& spot, Vec3 light) {
     const bool outside = dot(light - spot.point, spot.normal) > 0;
@@ -23,8 +23,8 @@ Vec3 start_from(const Spot<Shape>& spot, Vec3 light) {
     return shadow_ray(surface, light).ray.origin;
 }
 
-/// The largest light, here or smaller, whose shaft does not hold the shape or the ball, as far as
-/// it tells.
+/// The largest light, up to this one, whose shaft excludes the shape or the sphere, according to
+/// the test.
 template <class Held>
 Light largest_beside(Vec3 point, Light light, const Held& what) {
     Real held = light.radius;

@@ -1,4 +1,4 @@
-// Model only what a scene requires: what no shipped scene uses is not here.
+// Every element and option of the format is used by a shipped scene: nothing else is modeled.
 #include "common/scene_elements.hpp"
 #include "common/scene_reader.hpp"
 
@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> shipped_files() {
     return files;
 }
 
-/// What stands between each of the openings in the text and the next of the ends.
+/// The texts between each of the openings and the next of the ends.
 std::set<std::string> found(const std::string& text, const std::string& opening,
                             const std::string& ends) {
     std::set<std::string> all;
@@ -40,7 +40,7 @@ std::set<std::string> found(const std::string& text, const std::string& opening,
     return all;
 }
 
-/// Whether a scene that strict reading accepts does what is asked.
+/// True if a scene that strict reading accepts satisfies the predicate.
 template <class Predicate>
 bool any_scene(Predicate predicate) {
     const std::vector<std::filesystem::path> files = shipped_files();

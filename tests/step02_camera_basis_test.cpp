@@ -19,7 +19,8 @@ constexpr Real bound = 10 * unit_roundoff;
 using Exact = long double;
 using Exact3 = glm::vec<3, Exact>;
 
-/// MRT §2 in long double, whose rounding is far below the bound; on the vertical, X = (1, 0, 0).
+/// MRT §2 in long double, whose rounding is far below the bound; for a vertical direction, X = (1,
+/// 0, 0).
 struct ExactBasis {
     Exact3 x;
     Exact3 y;
@@ -93,7 +94,7 @@ TEST_CASE("X is made unit length when the camera is pitched (erratum 3, MRT §2)
 
 TEST_CASE("the direction has any length but zero (MRT §2)") {
     CHECK(basis_is({0, 0, -7}, {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}}));
-    // So short that its square is 0, so long that it is ∞.
+    // So short that the square is 0, so long that it is ∞.
     for (const Real length : {std::numeric_limits<Real>::min(), std::numeric_limits<Real>::max()})
         CHECK(basis_is({length, 0, 0}, {.x = {0, 0, 1}, .y = {0, 1, 0}, .z = {-1, 0, 0}}));
 }

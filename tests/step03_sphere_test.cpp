@@ -37,7 +37,7 @@ TEST_CASE("the radius and the centre count (MRT §3)") {
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -2}}, unit_sphere, 2));
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.25)}}, unit_sphere, 16));
-    // d = (0, −3, 5), ‖d‖² = 34: aimed at the centre from three lengths away.
+    // d = (0, −3, 5), ‖d‖² = 34: a ray to the center from three lengths away.
     CHECK(hits(Ray{.origin = {0, 9, -15}, .direction = {0, -3, 5}},
                Sphere{.center = {0, 0, 0}, .radius = 1}, 3 - 1 / std::sqrt(Real(34))));
 }
@@ -98,7 +98,8 @@ TEST_CASE("rays aimed at a point of the sphere meet it there (MRT §3)") {
 TEST_CASE("rays aimed past the sphere miss it (MRT §3)") {
     CHECK(for_all([](Random& random) {
         const Sample<Sphere> sample = draw(random);
-        // Through a point outside, at right angles to the line to the centre: nothing is nearer.
+        // Through a point outside, at right angles to the line to the center: no other point is
+        // closer.
         const Basis basis = random.basis();
         const Real distance = sample.shape.radius * random.between(Real(1.01), 2);
         const Vec3 passed = sample.shape.center + distance * basis.x;

@@ -15,7 +15,7 @@ Ray down_at(Real x, Real y) {
     return {.origin = {x, y, 2}, .direction = {0, 0, -1}};
 }
 
-/// Weights of at least 0.1, so that no formula's rounding decides what is inside.
+/// Weights of at least 0.1, so that rounding does not decide what is inside.
 Vec3 inner_weights(Random& random) {
     const Vec3 w(random.between(1, 5), random.between(1, 5), random.between(1, 5));
     return w / (w.x + w.y + w.z);
@@ -155,7 +155,7 @@ TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
 TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
     CHECK(for_all([](Random& random) {
         Sample<Triangle> sample = draw(random);
-        // One weight negative: beyond the edge opposite to that corner.
+        // One weight negative: outside the edge opposite to that corner.
         Vec3 w = inner_weights(random);
         const int beyond = random.below(3);
         w[beyond] = -random.between(Real(0.1), 1);

@@ -23,7 +23,7 @@ Square draw_square(Random& random) {
     return {.center = random.point(3), .basis = random.basis(), .side = random.between(1, 3)};
 }
 
-/// x and y in units of half a side, at most 0.9: no formula's rounding decides what is inside.
+/// x and y in units of half a side, at most 0.9: rounding does not decide what is inside.
 Sample<Square> draw(Random& random) {
     const Square square = draw_square(random);
     const Real x = random.between(Real(-0.9), Real(0.9)) * square.side / 2;

@@ -18,7 +18,7 @@ Cylinder draw_cylinder(Random& random) {
             .height = random.between(1, 3)};
 }
 
-/// At most 0.9 of the way to a rim: no formula's rounding decides what is within the height.
+/// At most 0.9 of the way to a rim: rounding does not decide what is within the height.
 Sample<Cylinder> draw(Random& random) {
     const Basis basis = random.basis();
     Cylinder cylinder = draw_cylinder(random);
@@ -158,7 +158,7 @@ TEST_CASE("rays aimed past the side miss (MRT §7)") {
     }));
     CHECK(for_all([](Random& random) {
         Sample<Cylinder> sample = draw(random);
-        // At a point of the tube beyond a rim, from outside and across.
+        // At a point of the infinite tube past a rim, from outside and across.
         const Real beyond = sample.shape.height * random.between(Real(0.05), 1);
         sample.shape.center += (sample.shape.height + beyond) * sample.shape.axis;
         const Real back = random.between(1, 4);

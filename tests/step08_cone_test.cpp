@@ -20,8 +20,8 @@ Cone draw_cone(Random& random, Vec3 axis) {
             .height = random.between(1, 2)};
 }
 
-/// Between 0.2 and 0.9 of the height: no formula's rounding decides what is within it, and the
-/// apex, where nothing is smooth, is not near.
+/// Between 0.2 and 0.9 of the height: rounding does not decide what is within it, and the apex,
+/// where the normal is undefined, is not near.
 Sample<Cone> draw(Random& random) {
     const Basis basis = random.basis();
     const Cone cone = draw_cone(random, basis.z);
@@ -33,14 +33,14 @@ Sample<Cone> draw(Random& random) {
             .normal = n / std::sqrt(dot(n, n))};
 }
 
-/// The point with this z_p on the cone's side, or on what continues it at either end, turned by an
+/// The point with this z_p on the cone's side, or on its extension at either end, rotated by an
 /// angle from the basis' x around its z, the axis.
 Vec3 on_side(const Cone& cone, const Basis& basis, Real z, Real angle) {
     const Vec3 across = std::cos(angle) * basis.x + std::sin(angle) * basis.y;
     return cone.apex + z * (basis.z + cone.radius / cone.height * across);
 }
 
-/// A ray that crosses what continues the side, at `passed` heights from the apex, meets the side
+/// A ray that crosses the extension of the side, `passed` heights from the apex, hits the side
 /// behind it, a third to two thirds of a turn around the axis: a line has no third such point.
 Verdict hits_behind(Real passed, Random& random) {
     const Basis basis = random.basis();
@@ -70,7 +70,7 @@ TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "
     const Cone cone{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, cone, 4));
     CHECK(misses(Ray{.origin = {Real(1.25), 2, 5}, .direction = {0, 0, -1}}, cone));
-    // Half-way to the apex 0.5 wide, where the printed one is 0.707.
+    // Half-way to the apex the radius is 0.5, where the printed one is 0.707.
     CHECK(hits(Ray{.origin = {-5, 1, 0}, .direction = {1, 0, 0}}, cone, Real(4.5)));
     CHECK(misses(Ray{.origin = {-5, 1, Real(0.625)}, .direction = {1, 0, 0}}, cone));
 }
@@ -131,7 +131,7 @@ TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §
 }
 
 TEST_CASE("a ray along the axis meets nothing but the apex (MRT §8)", "[exact]") {
-    // At a double root: by some right formulas it is just missed.
+    // A double root: some right formulas just miss it.
     const std::optional<Real> t = intersect({{0, 9, 0}, {0, -1, 0}}, upward, {});
     CHECK(verdict(!t || close(*t, 9), "Expected the apex at t = 9, or nothing: " + came_text(t)));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, upward));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
-/// What was asked, what came, what was expected, what to paste in a test.
+/// The call, the answer, the expected answer, and a line to paste into a test.
 Verdict answers(const std::string& function, const std::string& check, const std::string& asked,
                 Vec3 came, Vec3 expected) {
     return verdict(close(came, expected), function + "(" + asked + ")\n  came:     " + text(came) +
@@ -76,7 +76,7 @@ Light light_along(Vec3 direction) {
     return {.position = Real(5) * direction};
 }
 
-/// A surface and a light, with the angles of CR §3.1 known: θ between L and N, α between R and V.
+/// A surface and a light with known angles (CR §3.1): θ between L and N, α between R and V.
 struct Lit {
     Surface surface;
     Light light;
@@ -84,7 +84,7 @@ struct Lit {
     Real alpha;
 };
 
-/// N, L and R in a plane that is turned any way, and V about R; any brightness, any colours.
+/// N, L and R in a plane in any orientation, and V rotated around R; any brightness, any colors.
 Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
     const Basis basis = random.basis();
     const Vec3 l = std::sin(theta) * basis.x + std::cos(theta) * basis.z;
@@ -104,7 +104,7 @@ Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
     return lit;
 }
 
-/// Lit, and seen with a highlight or beside it.
+/// Lit, and seen inside or outside the highlight.
 Lit draw(Random& random) {
     const Real theta = random.between(0, Real(1.5));
     const Real alpha = random.between(0, Real(1.4));
@@ -324,7 +324,7 @@ TEST_CASE("without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 1
     CHECK(dark(facing_z({Real(-0.8), 0, Real(0.6)}, 1), light_along(behind)));
     CHECK(for_all([](Random& random) {
         const Real theta = random.between(pi / 2 + Real(0.02), Real(2.2));
-        // R is below the surface: V must be above it, and may be no further than 90° from R.
+        // R is below the surface: V must be above it, and at most 90° from R.
         const Real alpha = random.between(theta - pi / 2 + Real(0.1), pi / 2 - Real(0.1));
         const Lit hidden = make_lit(random, theta, alpha, 0);
         return dark(hidden.surface, hidden.light);
@@ -352,7 +352,7 @@ TEST_CASE("what is not a number is dark: it is not positive (contract)") {
                                &lit.surface.to_eye};
         Vec3& part = *parts[random.below(4)];
         part[random.below(3)] = not_a_number;
-        if (&part == &lit.surface.to_eye)  // diffuse light does not ask for it
+        if (&part == &lit.surface.to_eye)  // diffuse light does not depend on it
             return specular_is(lit.surface, lit.light, Color(0));
         return dark(lit.surface, lit.light);
     }));

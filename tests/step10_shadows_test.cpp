@@ -13,7 +13,7 @@ using namespace rt;
 
 namespace {
 
-/// A point of the floor, seen from above, as well known as a point near 1 can be.
+/// A point of the floor, seen from above, with the error of a point near 1.
 const Surface on_floor{.point = {0, 0, 0},
                        .normal = {0, 1, 0},
                        .side = {0, 1, 0},
@@ -28,7 +28,7 @@ std::string told(const Surface& surface, Vec3 light, const ShadowRay& way) {
     return call(surface, light) + "\n  came:     " + code(way.ray) + ", " + code(way.interval);
 }
 
-/// Whether the shape is met on the way is as it should be, and the way is one at all.
+/// Tests that the shape is hit on the way or not, as expected, and that the shadow ray is valid.
 template <class Shape>
 Verdict met(const Surface& surface, Vec3 light, const Shape& shape, bool expected) {
     const ShadowRay way = shadow_ray(surface, light);
@@ -55,8 +55,8 @@ Verdict not_in_the_way(const Surface& surface, Vec3 light, const Shape& shape) {
     return met(surface, light, shape, false);
 }
 
-/// The points at both ends of the interval are the surface's and the light's, give or take a
-/// hundredth of the way.
+/// The points at both ends of the interval are the surface's and the light's, within a hundredth of
+/// the distance.
 Verdict leads_there(const Surface& surface, Vec3 light) {
     const auto [ray, interval] = shadow_ray(surface, light);
     const Vec3 begin = at(ray, interval.min);
@@ -68,7 +68,7 @@ Verdict leads_there(const Surface& surface, Vec3 light) {
                        text(light));
 }
 
-/// What an eye at `eye` sees of the shape at `aim`.
+/// The surface of the shape at `aim`, as seen from `eye`.
 template <class Shape>
 std::optional<Surface> seen(Vec3 eye, Vec3 aim, const Shape& shape) {
     const Ray ray{.origin = eye, .direction = aim - eye};
@@ -81,7 +81,7 @@ std::optional<Surface> seen(Vec3 eye, Vec3 aim, const Shape& shape) {
     return surface_at(*hit, ray);
 }
 
-/// What is seen from `eye` at `aim` gets the light at `light` past its own shape.
+/// The light at `light` reaches the point at `aim`, seen from `eye`, past its own shape.
 template <class Shape>
 Verdict no_acne(Vec3 eye, Vec3 aim, Vec3 light, const Shape& shape) {
     const std::optional<Surface> surface = seen(eye, aim, shape);
@@ -91,13 +91,13 @@ Verdict no_acne(Vec3 eye, Vec3 aim, Vec3 light, const Shape& shape) {
 
 constexpr Real scales[] = {Real(1e-6), Real(1e-3), 1, Real(1e3), Real(1e6)};
 
-/// A surface through the origin whose point is off it, by almost its error.
+/// A surface through the origin with a point that is off it, by almost its error.
 struct OffSurface {
     Surface surface;
     Plane plane;
 };
 
-/// Large errors tell more of a formula than small ones.
+/// Large errors reveal more about a formula than small ones.
 OffSurface draw_off_surface(Random& random, Real depth) {
     Surface surface = draw_surface(random, Vec3(0));
     surface.error = random.between(Real(0.001), Real(0.003));
@@ -115,8 +115,8 @@ Vec3 draw_leaving(Random& random, Vec3 side, Real least_cosine) {
     return cosine * side + std::sqrt(1 - cosine * cosine) * unit(across);
 }
 
-/// Seen and lit from the side that the normal at `aim` points to; the shape is of the size of its
-/// distance from the origin.
+/// Seen and lit from the side of the normal at `aim`; the shape's size equals its distance from the
+/// origin.
 template <class Shape>
 Verdict no_acne_from_outside(Random& random, const Shape& shape, Vec3 aim, Vec3 normal) {
     const Real size = length(aim);
@@ -127,7 +127,7 @@ Verdict no_acne_from_outside(Random& random, const Shape& shape, Vec3 aim, Vec3 
                    shape);
 }
 
-/// A lamp in a square around the centre sheds light on what lies the way behind it.
+/// A lamp in a square around the center shines on the surface behind it.
 Verdict lamp_is_not_shadowed(Random& random, Vec3 center, const Basis& basis, Vec3 way) {
     const Square lamp_in{.center = center, .basis = basis, .side = 2};
     const Vec3 across = random.between(Real(-0.9), Real(0.9)) * basis.x +
@@ -141,7 +141,7 @@ Verdict lamp_is_not_shadowed(Random& random, Vec3 center, const Basis& basis, Ve
     return not_in_the_way(surface, light, lamp_in);
 }
 
-/// The colour seen along the ray, as main.cpp has it.
+/// The color seen along the ray, as in main.cpp.
 Color colour(const Scene& scene, const Ray& ray) {
     Context context;
     return trace(scene, ray, context);
@@ -229,8 +229,8 @@ TEST_CASE("a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.
         return lamp_is_not_shadowed(random, random.point(3), basis, way);
     }));
     CHECK(for_all([](Random& random) {
-        // Near the world's origin, where the light's own coordinates do not tell how far away the
-        // surface is, and how much is rounded there.
+        // Near the world's origin, where the light's own coordinates do not reveal its distance
+        // from the surface, nor the rounding there.
         const Basis basis = random.basis();
         const Vec3 way = random.between(100, 1000) * draw_leaving(random, basis.z, Real(0.5));
         return lamp_is_not_shadowed(random, random.point(1), basis, way);

@@ -32,7 +32,7 @@ std::string call(const Light& light, Vec3 from, Vec2 sample) {
            code(sample.x) + ", " + code(sample.y) + "})";
 }
 
-/// The light's point, whose coordinates may be off by `tolerance` of how far the light is.
+/// The light's point, with a `tolerance` relative to the light's distance.
 Verdict aims_at(const Light& light, Vec3 from, Vec2 sample, Vec3 expected) {
     const Vec3 came = light_point(light, from, sample);
     return verdict(close(came, expected),
@@ -42,8 +42,7 @@ Verdict aims_at(const Light& light, Vec3 from, Vec2 sample, Vec3 expected) {
                        code(sample.y) + "}, " + code(expected) + "));");
 }
 
-/// The point is on the sphere, on the side that is seen: not beyond the circle where tangents
-/// touch.
+/// The point is on the sphere, on the visible side: within the circle of the tangents.
 Verdict aims_at_what_is_seen(const Light& light, Vec3 from, Vec2 sample) {
     const Exact point = light_point(light, from, sample);
     const Exact center = light.position;
@@ -70,10 +69,10 @@ Verdict aims_at_what_is_seen(const Light& light, Vec3 from, Vec2 sample) {
                        text(Real(towards)) + paste);
 }
 
-/// Where a point of the light is seen: both numbers are spread evenly over 0 to 1 if the directions
-/// are over the cone that the light fills. `turn` counts from any direction.
+/// The position of a point in the visible cap of the light: both numbers are uniform in 0 to 1 if
+/// the directions are uniform in the cone of the light. `turn` is relative to any direction.
 struct Seen {
-    double ring;  ///< (1 − cos θ) / (1 − cos θ_max), θ from the light's centre
+    double ring;  ///< (1 − cos θ) / (1 − cos θ_max), θ from the light's center
     double turn;
 };
 
@@ -89,8 +88,8 @@ Seen seen(const Light& light, Vec3 from, Vec3 point) {
     return {.ring = dot(aside, aside) / 2 / largest, .turn = angle / (2 * exact_pi) + 0.5};
 }
 
-/// Of 4096 samples spread evenly, each of 8 rings and 8 sectors of equal solid angle has 64 points,
-/// give or take 16: 4 standard deviations of points that are twice as uneven as the samples.
+/// For 4096 evenly spread samples, each of 8 rings and 8 sectors of equal solid angle contains 64
+/// points, within 16: 4 standard deviations of points that are twice as uneven as the samples.
 Verdict points_are_even(const Light& light, Vec3 from, std::uint32_t seed) {
     constexpr int samples = 4096;
     std::array<std::array<int, 8>, 8> counts{};
@@ -181,8 +180,8 @@ Verdict share_is(const ShadowRays& rays, Real expected) {
               "share_is(" + code(rays) + ", " + rt::code(expected) + ")");
 }
 
-// Scenes for the whole stage: a light above the ground, and half-way a strip |x| < 1, endless
-// along z (erratum 16).
+// Scenes for the whole stage: a light above the ground, and half-way a strip |x| < 1, endless along
+// z (erratum 16).
 
 constexpr const char* strip =
     "C 0,1,5 0,0,-1 60\nA 0.2 255,255,255\n"
@@ -244,14 +243,14 @@ Real mean_share(const Scene& scene, Real x) {
 /// of them.
 constexpr double share_bound = 6 * 0.0017;
 
-/// Points of a disc, evenly, and a straight edge: the errors of the share that is free, over the
-/// estimates, as their root mean square. The suite's own points, so that share_error alone is
-/// asked. They are as even for any count as the stage's are for powers of two: the true error is
+/// Points of a disc, evenly spread, and a straight edge: the root mean square of the error of the
+/// visible share over its estimate. The points are the suite's own, so that share_error alone is
+/// tested. They are as even for any count as the stage's are for powers of two: the true error is
 /// 0.51 to 0.84 times the reference's estimate, for 12 counts of each octave from 8 to 2048.
 struct Honesty {
     int sent = 8;
     double squares = 0;
-    std::map<int, double> estimates;  ///< of so many that reached: asked once
+    std::map<int, double> estimates;  ///< by the number of free rays: computed once
 };
 
 void measure(Honesty& honesty, double edge, std::mt19937_64& engine) {
@@ -271,8 +270,8 @@ void measure(Honesty& honesty, double edge, std::mt19937_64& engine) {
     honesty.squares += error * error / (entry->second * entry->second);
 }
 
-/// Edges so far from the middle of the light, whose radius is 1. One seed makes all of them, and
-/// the counts, so that no table has the estimates.
+/// Edges with these distances from the middle of the light, whose radius is 1. One seed generates
+/// all of them, and the counts, so that no table contains the estimates.
 Verdict honest(double from, double to) {
     const auto ask = [from, to](Random& random) {
         std::mt19937_64 engine(draw_seed(random));
@@ -297,7 +296,7 @@ Verdict honest(double from, double to) {
     return for_all(ask, 1);
 }
 
-/// The mean colour, 0 to 255, of 8 × 8 pixels.
+/// The mean color, 0 to 255, of 8 × 8 pixels.
 Exact mean_color(const Image& image, Pixel corner) {
     Exact sum(0);
     for (int row = 0; row < 8; ++row)
@@ -308,9 +307,10 @@ Exact mean_color(const Image& image, Pixel corner) {
     return sum / 64.0;
 }
 
-/// As picture_matches, but another right light_point takes the samples to other points, which makes
-/// another noise: means of 8 × 8 pixels are compared. A pixel in the penumbra is wrong by some 5 of
-/// 255 (16 rays), a mean by an eighth of that, and two means differ by less than 6 of 255.
+/// The same as picture_matches, but another right light_point assigns other points to the samples,
+/// which makes another noise: means of 8 × 8 pixels are compared. The error of a pixel in the
+/// penumbra is some 5 of 255 (16 rays), that of a mean an eighth of it, and two means differ by
+/// less than 6 of 255.
 Verdict picture_matches_on_average(const std::string& name) {
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
     Scene scene =
@@ -445,9 +445,10 @@ TEST_CASE("just outside the light, the point is still on it (contract)", "[exact
         const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
         for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
             const Vec3 came = light_point(above, from, {x, Real(0.25)});
-            if (x > 0 && above_surface > 64 * epsilon)  // nearer, they may all be one
+            if (x > 0 && above_surface > 64 * epsilon)  // closer points may all be equal
                 CHECK(came != light_point(above, from, {x, Real(0.75)}));
-            const Real off = distance(came, above.position);  // its centre will do on the surface
+            // the light's center is accepted on the surface
+            const Real off = distance(came, above.position);
             CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +
                                                         "\n  came:     " + text(came) +
                                                         "\n  expected: a point of the light"));
@@ -457,7 +458,7 @@ TEST_CASE("just outside the light, the point is still on it (contract)", "[exact
 
 TEST_CASE("a light so small that sin² is less than a rounding is sampled all over (contract)",
           "[exact]") {
-    // 1 − sin² rounds to 1: a cosine made of that leaves 1 − cos at 0, and one point.
+    // 1 − sin² rounds to 1: with a cosine computed from it, 1 − cos is 0, and all points are one.
     const Real distance = 2 / std::sqrt(unit_roundoff);
     CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, distance, 0}, 6));
     CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, 0, distance}, 7));
@@ -474,7 +475,7 @@ TEST_CASE("a light very far, or very small, is aimed at (contract)", "[exact]") 
 }
 
 TEST_CASE("the share of a cone beside a plane is integrated to 1e-6 (this suite)") {
-    // By Girard's theorem, the piece of a cap that a great circle cuts off.
+    // The piece of a cap that a great circle cuts off, by Girard's theorem.
     for (const double half_angle : {0.01, 0.5, 1.0, 1.5})
         for (const double part : {0.0, 0.1, 0.5, 0.9, 0.999}) {
             const double offset = part * half_angle;
@@ -527,8 +528,8 @@ TEST_CASE("the share is that of the rays that reach the light, not of the blocke
 
 namespace {
 
-/// Of an error, which the contract gives no number, no suite can ask under a change: so its cases
-/// ask at random as well.
+/// The contract does not determine the error, so no suite can transform the query: these cases use
+/// random queries as well.
 Verdict is_positive(const ShadowRays& rays) {
     const Real came = share_error(rays);
     return verdict(came > 0 && came <= 1, "share_error(" + code(rays) +
@@ -683,7 +684,7 @@ TEST_CASE("rays that all agree are believed where that is asked for (contract)")
         const double share = free_share(scene.lights[0], x);
         const std::int64_t rays = lit(scene, x, believing).rays;
         if (share == 0 || share == 1) {
-            CHECK((rays == 16 || rays == 0));  // none where the light shines from behind
+            CHECK((rays == 16 || rays == 0));  // none if the light is behind the surface
             ++whole;
         } else if (0.25 < share && share < 0.75) {
             CHECK(rays == lit(scene, x, careful).rays);
@@ -699,7 +700,8 @@ TEST_CASE("soft shadows are the same for any number of threads (contract)") {
     scene.resolution = {20, 15};
     const auto one = render(scene, {.threads = 1, .look = {.shadow_error = 5}});
     CHECK(one->sized_light_rays > 0);
-    // No numbers are told below: with a state kept between calls, they depend on whose turn it is.
+    // The message contains no numbers: with state kept between calls, they depend on the order of
+    // the threads.
     for (const int threads : {2, 3, 7}) {
         const auto several = render(scene, {.threads = threads, .look = {.shadow_error = 5}});
         CHECK((several->image.pixels == one->image.pixels));

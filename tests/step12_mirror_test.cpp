@@ -20,7 +20,7 @@ bool as_long(Vec3 a, Vec3 b) {
     return std::abs(length(a) / length(b) - 1) <= tolerance;
 }
 
-/// A flat surface seen by the ray, its point where the ray is after a length of its direction.
+/// A flat surface seen along the ray, with its point one direction length from the ray's origin.
 Surface flat(const Ray& ray, Vec3 normal, Real error = 64 * unit_roundoff) {
     return {.point = at(ray, 1),
             .normal = normal,
@@ -33,7 +33,7 @@ std::string question(const Ray& ray, const Surface& surface) {
     return "mirrored(" + code(ray) + ",\n           " + code(surface) + ")";
 }
 
-/// The mirror sends the ray on in this direction; how long it is, `keeps_length` asks.
+/// The reflected ray has this direction; `keeps_length` tests its length.
 Verdict sends(const Ray& ray, const Surface& surface, Vec3 expected) {
     const Vec3 came = mirrored(ray, surface).direction;
     return verdict(close(unit(came), unit(expected)),
@@ -66,7 +66,7 @@ Verdict starts_off(const Ray& ray, const Surface& surface) {
             code(surface) + "));");
 }
 
-/// The ray sent on goes away from the face.
+/// The reflected ray leaves the face.
 Verdict goes_away(const Ray& ray, const Surface& surface) {
     const Vec3 came = mirrored(ray, surface).direction;
     return verdict(dot(came, surface.side) > 0,
@@ -76,7 +76,7 @@ Verdict goes_away(const Ray& ray, const Surface& surface) {
                        "\n  paste:    CHECK(goes_away(" + code(ray) + ", " + code(surface) + "));");
 }
 
-/// A ray, and a flat surface that it comes to from the side that the normal is on.
+/// A ray, and a flat surface that it hits from the side of the normal.
 struct Seen {
     Ray ray;
     Surface surface;
@@ -93,7 +93,7 @@ Seen draw_seen(Random& random) {
             .surface = flat(ray, normal, 64 * unit_roundoff * (1 + length(at(ray, 1))))};
 }
 
-/// What came from before the mirror leaves it on that side.
+/// A ray from before the mirror is reflected to the same side.
 Verdict comes_back(const Ray& ray, const Surface& surface) {
     const Vec3 came = mirrored(ray, surface).direction;
     return verdict(dot(came, surface.side) > 0, question(ray, surface) +
@@ -118,7 +118,8 @@ Verdict worth(int bounces, int depth, Real weight, bool expected) {
                        "\n  paste:    CHECK(" + (expected ? "" : "!") + call + ");");
 }
 
-/// What keeps a scene of perfect mirrors from being traced for ever: asked before one is.
+/// The condition that ends the trace in a scene of perfect mirrors, tested before such a scene is
+/// traced.
 Verdict stops_at(int depth) {
     Verdict stops;
     for (int bounces = depth; stops && bounces < depth + 4; ++bounces)
@@ -131,7 +132,7 @@ Verdict mixes(Color own, Color reflection, Real mirror, Color expected) {
                  mixed(own, reflection, mirror), expected);
 }
 
-/// The colour that `trace` sees, as a sentence of `what` if it is another.
+/// The color from `trace`, or a failure with the sentence `what`.
 Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color expected,
              int depth = 8) {
     if (const Verdict stops = stops_at(depth); !stops) return stops;
@@ -140,7 +141,8 @@ Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color 
                  trace(scene, ray, context), expected);
 }
 
-/// How many reflections `trace` makes of a scene without lights: every ray but the first is one.
+/// The number of reflections that `trace` computes in a scene without lights: every ray but the
+/// first is one.
 Verdict reflections(const std::string& what, const Scene& scene, const Ray& ray, int expected,
                     int depth = 8) {
     if (const Verdict stops = stops_at(depth); !stops) return stops;
@@ -155,10 +157,10 @@ Verdict reflections(const std::string& what, const Scene& scene, const Ray& ray,
 
 const Color red{1, Real(0.25), 0};
 const Color blue{0, Real(0.25), 1};
-const Ambient everywhere{.ratio = 1};  // what it shines on shows its own colour
+const Ambient everywhere{.ratio = 1};  // a lit surface shows its own color
 
-/// Two walls four apart that face each other, a red and a blue one. A ray between them that runs
-/// across goes to and fro.
+/// Two facing walls, four apart, a red and a blue one. A ray that runs across is reflected to and
+/// fro.
 Scene facing_walls(Real mirror) {
     Scene scene;
     scene.ambient = everywhere;
@@ -172,7 +174,7 @@ Scene facing_walls(Real mirror) {
 const Ray across{.origin = {1, 0, 0}, .direction = {1, 0, 0}};
 const Ray aslant{.origin = {1, 0, 0}, .direction = {1, Real(0.5), Real(0.25)}};
 
-/// The geometric sum: each mirror's own share of what the mirrors before it let it count.
+/// The geometric sum: each mirror's own share of the weight that the mirrors before it left.
 Color facing_sum(Real mirror, int depth) {
     Color sum(0);
     Real weight = 1;
@@ -181,8 +183,8 @@ Color facing_sum(Real mirror, int depth) {
     return sum;
 }
 
-/// A mirror all around, of radius √2, in which a ray along a side of the inscribed square comes
-/// back after four reflections; and a red ball on the first side, behind the ray's start.
+/// A mirror all around, of radius √2, in which a ray along a side of the inscribed square returns
+/// after four reflections; and a red sphere on the first side, behind the ray's start.
 Scene inside_of_mirror() {
     Scene scene;
     scene.ambient = everywhere;
@@ -240,7 +242,7 @@ TEST_CASE("the reflected ray stays in the plane of the ray and the normal (CR §
     CHECK(for_all([](Random& random) {
         const auto [ray, surface] = draw_seen(random);
         if (!comes_back(ray, surface)) return comes_back(ray, surface);
-        // What runs along the mirror goes on as it did.
+        // The component along the mirror is unchanged.
         const auto along = [n = surface.normal](Vec3 v) { return v - dot(v, n) * n; };
         const Vec3 d = unit(ray.direction);
         const Vec3 r = unit(mirrored(ray, surface).direction);
@@ -251,8 +253,9 @@ TEST_CASE("the reflected ray stays in the plane of the ray and the normal (CR §
 
 TEST_CASE("a flat mirror shows a thing where its image is, as far behind (CR §5.1)") {
     CHECK(for_all([](Random& random) {
-        // Eye and thing at their heights above feet on the mirror. By similar triangles the eye
-        // sees the thing at the point that parts the way between the feet as the heights do.
+        // Eye and object at their heights above feet on the mirror. By similar triangles the eye
+        // sees the object at the point that divides the line between the feet in the ratio of the
+        // heights.
         const Basis basis = random.basis();
         const Vec3 foot = random.point(2);
         const Real eye_height = random.between(Real(0.5), 4);
@@ -335,7 +338,7 @@ TEST_CASE("an interpolated normal is the one that reflects (CR §6)") {
 
 TEST_CASE("an interpolated normal never sends the ray below the flat face (CR §6)") {
     // The eye is 80° from the face's normal. The interpolated one leans away from it, by 8° or 30°:
-    // from the first the ray would go 6° into the face, and the second faces away from the eye.
+    // with the first the ray would go 6° into the face, and the second faces away from the eye.
     const auto towards = [](Real degrees) {
         const Real angle = degrees * pi / 180;
         return Vec3(std::sin(angle), std::cos(angle), 0);
@@ -421,8 +424,8 @@ std::optional<Hit> first_hit(const Scene& scene, const Ray& ray) {
     return nearest.hit();
 }
 
-/// The ray meets the shape; the one that the mirror sends on does not meet it again where it left,
-/// within a hundredth of its size. (Seen from inside it does meet it, further on.)
+/// The ray hits the shape; the reflected ray does not hit it again where it left, within a
+/// hundredth of its size. (Seen from inside, it does hit it farther away.)
 Verdict leaves(const Scene& scene, const Ray& ray, Real size) {
     const std::optional<Hit> hit = first_hit(scene, ray);
     if (!hit) return {};
@@ -443,7 +446,7 @@ Verdict leaves(const Scene& scene, const Ray& ray, Real size) {
 }  // namespace
 
 TEST_CASE("it does not meet the surface that it leaves, however large or small (erratum 31)") {
-    // Sizes from 1e-6 to 1e6. The sphere is seen from inside, where a constant start is past the
+    // Sizes from 1e-6 to 1e6. The sphere is seen from inside, where a constant offset is past the
     // other side of a small one and lost in the rounding of a large one.
     Verdict across_it;
     for (int exponent = -6; across_it && exponent <= 6; ++exponent) {
@@ -469,7 +472,7 @@ TEST_CASE("it does not meet the surface that it leaves, however large or small (
             motion.translation = motion.scale * random.point(8);
             const Vec3 eye = random.point(4);
             const Vec3 aim = random.point(1);
-            // Of any length beside the scene's: in float, their products stay far from underflow.
+            // Any length relative to the scene: in float, the products stay far from underflow.
             const Ray ray{.origin = moved(eye, motion),
                           .direction = random.power_of_two() * turned(aim - eye, motion)};
             return leaves(moved_scene(draw_shape(random), motion), ray, motion.scale);
@@ -487,7 +490,7 @@ TEST_CASE("what it shows and what it reflects are shares of one (contract)") {
 }
 
 TEST_CASE("a mirror in a room of its own colour is not seen: the shares add up (contract)") {
-    CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));  // and is seen in another
+    CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));  // and has another one in the mirror
     CHECK(for_all([](Random& random) {
         const Color color = abs(random.point(1));
         return mixes(color, color, random.between(0, 1), color);
@@ -552,7 +555,7 @@ TEST_CASE("two facing mirrors show the geometric sum of their shares (CR §5.1)"
 }
 
 TEST_CASE("shares of 0.1 stop after two reflections: 0.001 would not show (contract)") {
-    // A power of two stands on the bound itself: (1/8)³ is 1/512, and (1/2)⁹ too.
+    // A power of two equals the bound exactly: (1/8)³ is 1/512, and (1/2)⁹ too.
     CHECK(reflections("two mirrors", facing_walls(Real(0.1)), across, 2));
     CHECK(reflections("two mirrors", facing_walls(Real(0.1)), across, 2, 1000));
     CHECK(reflections("two mirrors", facing_walls(Real(0.125)), across, 3, 1000));
@@ -592,7 +595,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a wall is lit, and lit it is seen in a mirror that is lit (CR §3.1, §5.1)") {
-    // Down at 45° onto a floor that is half a mirror, and up to a wall. The light stands above the
+    // Down at 45° onto a floor that is half a mirror, and up to a wall. The light is above the
     // floor's point: its cosine there is 1, and at the wall, 2 down and 2 along, 1/√2.
     Scene scene;
     scene.lights.push_back({.position = {0, 4, 0}, .brightness = Real(0.5)});

@@ -102,7 +102,7 @@ Sample<OrientedBox> draw_box(Random& random) {
 
 // Meshes.
 
-/// C++ that makes the mesh again.
+/// C++ that creates the mesh.
 std::string mesh_code(const Mesh& mesh) {
     std::string vertices;
     for (const Vec3& v : mesh.vertices) vertices += (vertices.empty() ? "" : ", ") + code(v);
@@ -146,8 +146,8 @@ Verdict misses_mesh(const Ray& ray, const Mesh& mesh, Interval interval = {}) {
     return verdict(!came, mesh_told(ray, mesh, interval, came, std::nullopt));
 }
 
-/// Two triangles one before the other, the nearer one second, of five vertices one of which is in
-/// neither: a ray down the z axis has weights ½, ¼, ¼ in both.
+/// Two triangles one before the other, the closer one second, of five vertices one of which is
+/// unused: a ray down the z axis has weights ½, ¼, ¼ in both.
 const Mesh layers{
     .vertices = {{9, 9, 9}, {0, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 1, 2}, {-1, -1, 2}, {1, -1, 2}},
     .triangles = {{1, 2, 3}, {4, 5, 6}}};
@@ -159,7 +159,7 @@ const Vec3 half_and_quarters{Real(0.5), Real(0.25), Real(0.25)};
 struct Stack {
     Mesh mesh;
     Ray line;
-    std::vector<MeshHit> crossed;  ///< by the line, nearest first
+    std::vector<MeshHit> crossed;  ///< along the line, closest first
 };
 
 /// A triangle around the point, which has these weights in it.
@@ -211,7 +211,7 @@ Stack draw_stack(Random& random) {
     return stack;
 }
 
-/// From (-1, -1, -1) to (1, 1, 1): twelve triangles, few enough to be asked one by one.
+/// From (-1, -1, -1) to (1, 1, 1): twelve triangles, few enough to be tested one by one.
 Mesh cube() {
     Mesh mesh;
     for (int i = 0; i < 8; ++i)
@@ -325,7 +325,7 @@ Verdict none_lost(const Mesh& mesh, Asked asked) {
 
 // Scenes.
 
-const Ambient everywhere{.ratio = 1};  // what it shines on shows its own colour
+const Ambient everywhere{.ratio = 1};  // a lit surface shows its own color
 const Color red{1, Real(0.25), 0};
 const Color blue{0, Real(0.25), 1};
 
@@ -434,7 +434,7 @@ Verdict zeros_are_zero(Real zero) {
 
 TEST_CASE("a ray along a face or an edge is in the box, though 0 times infinity is NaN (M1)") {
     CHECK(for_all([](Random& random) {
-        // Sizes in eighths, with which nothing is rounded.
+        // Sizes in eighths, which need no rounding.
         const int width = 1 + random.below(64);
         const int height = 1 + random.below(64);
         const Vec3 half = Vec3(width, height, 1 + random.below(64)) / Real(8);
@@ -703,7 +703,7 @@ TEST_CASE("the vertices are where they are, not ten thousand times nearer (errat
 }
 
 TEST_CASE("a triangle is met however near it is (erratum 31, CR §4.2)", "[exact]") {
-    const Real near = std::ldexp(Real(1), -20);  // the listing asks for t > 0.001
+    const Real near = std::ldexp(Real(1), -20);  // the listing requires t > 0.001
     CHECK(meets({.origin = {0, 0, 2 + near}, .direction = {0, 0, -1}}, layers,
                 {.t = near, .triangle = 1, .weights = half_and_quarters}));
     CHECK(meets({.origin = {0, 0, 5}, .direction = {0, 0, -3 / near}}, layers,
@@ -748,7 +748,7 @@ Verdict interpolates(const std::array<Vec3, 3>& normals, Vec3 weights, Vec3 expe
                        asked + ", " + code(expected) + "));");
 }
 
-/// Three unit normals, none further than 60° from a direction.
+/// Three unit normals, at most 60° from a direction.
 std::array<Vec3, 3> draw_normals(Random& random) {
     const Vec3 around = random.direction();
     std::array<Vec3, 3> normals;
@@ -784,7 +784,7 @@ TEST_CASE("between vertices, the normal is between theirs, by the weights (CR §
     CHECK(interpolates(axes, {Real(0.2), Real(0.4), Real(0.4)}, Vec3(1, 2, 2) / Real(3)));
     CHECK(interpolates(axes, {Real(0.4), Real(0.4), Real(0.2)}, Vec3(2, 2, 1) / Real(3)));
     CHECK(for_all([](Random& random) {
-        // On a ball the normal is the point's own direction, from the centre.
+        // On a sphere the normal is the point's own direction, from the center.
         const std::array<Vec3, 3> normals = draw_normals(random);
         const Vec3 weights = draw_weights(random);
         const auto& [a, b, c] = normals;

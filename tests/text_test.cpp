@@ -68,7 +68,7 @@ TEST_CASE("code() makes the same number again") {
 }
 
 TEST_CASE("code() of a value is C++ that makes it") {
-    // Left: what is pasted below, letter by letter.
+    // Left: the text to paste, letter by letter.
     CHECK(code(Ray{.origin = {0, 0, 5}, .direction = {Real(0.5), 0, -1}}) ==
           "Ray{.origin = {0, 0, 5}, .direction = {Real(0.5), 0, -1}}");
     CHECK(code(Interval{.min = 0, .max = infinity}) == "Interval{.min = 0, .max = infinity}");

@@ -1,4 +1,4 @@
-// What the three ways of stage 5's page cost: the operations, counted.
+// The costs of the three methods of stage 5's page: counted operations.
 #include "tests/kit/catch.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ struct Costs {
 
 Costs costs;
 
-/// A number that counts what is done with it.
+/// A number that counts its operations.
 struct Counted {
     double value = 0;
 };
@@ -85,8 +85,8 @@ const Vector b = vector(4, 0, 0);
 const Vector c = vector(0, 4, 0);
 const Vector d = vector(0, 0, -1);
 
-/// Whether a ray from o along d meets the triangle. What is used twice is worked out once, and
-/// nothing is worked out before it is needed.
+/// True if a ray from o along d hits the triangle. Common subexpressions are computed once, and
+/// nothing is computed before it is needed.
 using Way = bool (*)(Vector o);
 
 bool half_planes(Vector o) {
@@ -126,7 +126,7 @@ bool moller_trumbore(Vector o) {
     return (dot(ac, r) * inverse).value > 0;
 }
 
-/// What a ray down at (x, y) costs, as the page's table has it.
+/// The costs of a ray down at (x, y), as a row of the page's table.
 std::string costs_at(double x, double y, Way way, bool meets) {
     costs = {};
     REQUIRE(way(vector(x, y, 2)) == meets);

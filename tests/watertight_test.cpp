@@ -71,8 +71,8 @@ const std::vector<std::vector<Face>>& faces_around() {
 
 enum class Target { edge, corner };
 
-/// A ray aimed at a point that faces share, and every face that touches what they share. These
-/// cover all that lies around the point, so the ray meets one of them.
+/// A ray to a point that faces share, and every face that touches the shared vertex or edge. These
+/// cover the neighborhood of the point, so the ray hits one of them.
 struct Shot {
     Ray ray;
     std::vector<Triangle> around;
@@ -145,7 +145,7 @@ Verdict is_stopped(const Shot& shot) {
                        code(shot.around.front()));
 }
 
-/// Of a hundred rays, how many pass.
+/// The percentage of rays that leak.
 double leaking_share(Target target, Way way) {
     constexpr int shots = 20'000;
     int leaking = 0;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t fewest_mistakes = 8;
 constexpr std::size_t fewest_alternatives = 3;
 
-/// What is found of one stage, and what is not.
+/// The existing and missing parts of one stage.
 class Findings {
 public:
     explicit Findings(int stage) : name_(stage_name(stage)) {}
@@ -31,7 +31,7 @@ public:
     }
     void note(const std::string& what) { notes_ += (notes_.empty() ? "" : ", ") + what; }
 
-    /// Tells them; whether nothing is missing.
+    /// Prints them. Returns true if nothing is missing.
     [[nodiscard]] bool tell() const {
         std::printf("%s %-22s %s\n", missing_.empty() ? "✓" : "✗", name_.c_str(), notes_.c_str());
         for (const std::string& what : missing_)
@@ -66,19 +66,19 @@ std::set<std::string> figures_of(const std::string& page) {
 void look_at_page(int stage, Findings& findings) {
     const std::string name(stage_name(stage));
     const std::string file = "docs/" + name + ".md";
-    findings.require(is_file(file), file + " is not there");
+    findings.require(is_file(file), file + " does not exist");
     if (!is_file(file)) return;
     const std::string page = read_text(project_folder / file);
     const std::set<std::string> figures = figures_of(page);
-    findings.require(!figures.empty(), file + " shows no figure");
+    findings.require(!figures.empty(), file + " contains no figure");
     for (const std::string& figure : figures)
         findings.require(is_file("docs/figures/" + figure),
-                         "docs/figures/" + figure + " is not there");
+                         "docs/figures/" + figure + " does not exist");
     findings.require(page.find("pictures/" + name + ".png") != std::string::npos,
                      file + " does not show the stage's picture");
     for (const char* command : {"./course run ", "./course check "})
         findings.require(page.find(command + std::to_string(stage)) != std::string::npos,
-                         file + " does not name " + command + std::to_string(stage));
+                         file + " does not contain " + command + std::to_string(stage));
     findings.note(std::to_string(figures.size()) + (figures.size() == 1 ? " figure" : " figures"));
 }
 
@@ -112,8 +112,8 @@ std::set<std::string> passed_cases(const SuiteResult& suite) {
     return names;
 }
 
-/// The reference passes all; the starter what its folder's passes.txt lists, for which nothing hit,
-/// or zero, is the right answer.
+/// The reference passes all cases; the starter passes those in its folder's passes.txt, where a
+/// miss or zero is the right answer.
 void look_at_suite(int stage, Findings& findings) {
     const std::string name(stage_name(stage));
     const std::string list = step_path(stage, "starter/passes.txt");
@@ -131,13 +131,13 @@ void look_at_suite(int stage, Findings& findings) {
         const std::set<std::string> passed = passed_cases(starter);
         findings.require(starter.ended.empty(), "the starter " + starter.ended);
         findings.require(starter.output.find("is not written yet") != std::string::npos,
-                         "the starter does not say what is not written yet");
+                         "the starter does not report that it is not written yet");
         for (const std::string& each : passed)
             findings.require(expected.count(each) == 1, "the starter passes: " + each);
         for (const std::string& each : expected)
-            findings.require(passed.count(each) == 1, list + " lists what fails: " + each);
+            findings.require(passed.count(each) == 1, list + " lists a case that fails: " + each);
         if (std::string(precision) == "_double")
-            findings.note(std::to_string(cases) + " cases, of which the starter passes " +
+            findings.note(std::to_string(cases) + " cases, the starter passes " +
                           std::to_string(passed.size()));
     }
 }
@@ -161,7 +161,7 @@ int audit() {
         const std::string name(stage_name(stage));
         Findings findings(stage);
         for (const std::string& file : {"scenes/" + name + ".rt", "docs/pictures/" + name + ".png"})
-            findings.require(is_file(file), file + " is not there");
+            findings.require(is_file(file), file + " does not exist");
         look_at_suite(stage, findings);
         look_at_page(stage, findings);
         look_at_hints(stage, findings);

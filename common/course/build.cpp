@@ -15,14 +15,14 @@ namespace rt {
 
 namespace {
 
-/// A word as a shell takes it literally.
+/// An argument quoted for the shell.
 std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
     return text + "'";
 }
 
-/// What ninja says, line by line.
+/// Parses the output of ninja, line by line.
 class Listener {
 public:
     void hear(const std::string& line) {
@@ -37,17 +37,18 @@ public:
         } else if (line.rfind("FAILED: ", 0) == 0) {
             failures_.emplace_back();
             in_failure_ = skip_ = true;
-        } else if (skip_) {  // the command, which is long, and not what is wrong
+            // the long command line of a failed step, which does not help the student
+        } else if (skip_) {
             skip_ = false;
         } else if (line.rfind("ninja: ", 0) != 0 || line.rfind("ninja: error: ", 0) == 0) {
             (in_failure_ ? failures_.back() : rest_) += line;
         }
     }
 
-    /// What went wrong; what else was said, if nothing did.
+    /// The errors; without errors, the rest of the output.
     std::string end() {
         if (shown_) std::fputs("\r\033[K", stderr);
-        // What fails in one precision fails in the other with the same words.
+        // A file that fails in one precision fails in the other with the same message.
         std::sort(failures_.begin(), failures_.end());
         failures_.erase(std::unique(failures_.begin(), failures_.end()), failures_.end());
         std::string all;
@@ -99,7 +100,7 @@ void choose_reference(const std::string& stages) {
         if (line == setting) return;
     const Ending ending =
         listen_to({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
-    if (ending.status != 0) throw ProgramError("error: cmake fails\n" + ending.output);
+    if (ending.status != 0) throw ProgramError("error: cmake failed\n" + ending.output);
 }
 
 }  // namespace rt

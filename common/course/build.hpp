@@ -1,4 +1,4 @@
-// Building, quietly.
+// Quiet builds.
 #pragma once
 
 #include <string>
@@ -6,20 +6,21 @@
 
 namespace rt {
 
-/// What came of a build.
+/// The result of a build.
 struct Build {
     bool succeeded = false;
-    std::string output;  ///< what the compiler and the linker said: errors, or warnings
+    std::string output;  ///< output of the compiler and the linker: errors or warnings
 };
 
-/// Builds the targets in the build folder, everything if there are none. On a terminal it shows how
-/// far it is.
+/// Builds the targets in the build folder, or everything if the list is empty. Shows the progress
+/// on a terminal.
 [[nodiscard]] Build try_build(const std::vector<std::string>& targets);
 
-/// The same. Throws ProgramError if it fails, with the first error as compiler_errors.hpp tells it.
+/// The same, but throws ProgramError if the build fails, with the first error in the form of
+/// compiler_errors.hpp.
 void build(const std::vector<std::string>& targets);
 
-/// Stages that are built from the reference though a student's file exists, from now on: "3;5".
+/// From now on, builds these stages ("3;5") from the reference even if a student's file exists.
 /// Throws ProgramError if CMake fails.
 void choose_reference(const std::string& stages);
 

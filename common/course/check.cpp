@@ -36,7 +36,7 @@ struct Outcome {
     [[nodiscard]] bool passed() const { return in_double.passed && in_float.passed; }
 };
 
-/// What both suites say.
+/// The results of both suites.
 struct Judgement {
     SuiteResult in_double;
     SuiteResult in_float;
@@ -55,7 +55,7 @@ struct Judgement {
     }
 };
 
-/// Runs both suites beside one another. A case that a crash has kept from being asked has not
+/// Runs both suites at the same time. A case that was not reached because of a crash has not
 /// passed.
 Judgement judge(const std::string& name) {
     std::future<SuiteResult> beside =
@@ -79,7 +79,7 @@ std::string now() {
     return text;
 }
 
-/// What the student's code printed, each line once: it may print for every ray.
+/// Prints the output of the student's code, each line once, since code may print for every ray.
 void show_output(const SuiteResult& suite) {
     constexpr std::size_t most = 12;
     std::set<std::string> seen;
@@ -108,11 +108,11 @@ void explain_failure(const Judgement& judgement) {
     for (const std::string& line : lines_of(failed.failure)) std::printf("    %s\n", line.c_str());
     if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
     if (!suite.ended.empty() && failed.name == suite.cases.back().name)
-        std::printf("    your code %s\n    The cases after this one were not asked.\n",
+        std::printf("    your code %s\n    The cases after this one were not run.\n",
                     suite.ended.c_str());
 }
 
-/// My picture beside the stage's, in a file that is told.
+/// Writes the student's picture beside the reference's to a file, and prints its path.
 void show_picture(int stage) {
     const std::string name(stage_name(stage));
     const TemporaryFolder folder(build_folder);
@@ -121,7 +121,7 @@ void show_picture(int stage) {
         listen_to({(build_folder / (name + "_judged")).string(), "--quiet", "-o", mine.string()},
                   picture_limit);
     if (ending.out_of_time || ending.status != 0) {
-        std::printf("\nno picture: the program %s\n", ending.out_of_time ? "has no end"
+        std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
                                                       : ending.crash.empty()
                                                           ? ending.output.c_str()
                                                           : ("crashed: " + ending.crash).c_str());
@@ -143,13 +143,14 @@ void show_cases(const std::vector<Outcome>& all) {
                                 : painted("  ✗ " + outcome.in_double.name, Paint::bad).c_str());
 }
 
-/// What passes here, and is refused when it is graded.
+/// Warns of includes that work here, and are refused when the file is graded.
 void show_refused_includes(const Workbook& workbook) {
     const int stage = workbook.stage();
     for (const std::filesystem::path& file : workbook.files())
         for (const Include& each : refused_includes(project_folder, stage, file))
             std::printf(
-                "%s:%d: warning: a graded file may not include %s: docs/%s.md says what it may\n",
+                "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
+                "headers\n",
                 step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
                 each.header.c_str(), std::string(stage_name(stage)).c_str());
 }
@@ -216,7 +217,7 @@ void watch(int stage) {
         } catch (const InputError& error) {
             std::puts(error.what());
         }
-        std::printf("\nwaiting for %s to be saved; Ctrl-C ends\n",
+        std::printf("\nwaiting for a change of %s; Ctrl-C ends\n",
                     step_path(stage, "student").c_str());
         finish_output();
     }

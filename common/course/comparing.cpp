@@ -33,13 +33,13 @@ void build_both(const Contest& contest) {
     build({my_program(contest), reference_program(contest)});
 }
 
-/// What a program says, which is told as an error if it fails.
+/// The output of a program, which becomes an error message if the program fails.
 std::string answer(const std::string& program, const Contest& contest, const Command& more) {
     Command command = {(build_folder / program).string()};
     command.insert(command.end(), contest.words.begin(), contest.words.end());
     command.insert(command.end(), more.begin(), more.end());
     const Ending ending = listen_to(command, time_limit);
-    if (ending.out_of_time) throw InputError({}, program + " has no end");
+    if (ending.out_of_time) throw InputError({}, program + " does not end");
     if (!ending.crash.empty()) throw InputError({}, program + " crashed: " + ending.crash);
     if (ending.status != 0) throw ProgramError(ending.output);
     return ending.output;
@@ -66,7 +66,7 @@ int compare_pictures(const Contest& contest) {
     write_png((project_folder / file).string(), comparison.side_by_side, {});
     if (isatty(STDOUT_FILENO) == 1)
         std::fputs(preview(comparison.side_by_side, terminal_columns()).c_str(), stdout);
-    std::printf("%s: mine, the reference's, the difference\n%s\n", file.c_str(),
+    std::printf("%s: yours, the reference's, the difference\n%s\n", file.c_str(),
                 summary(comparison).c_str());
     if (!comparison.center) return 0;
     std::printf("Why? ./course explain %d\n", contest.stage);

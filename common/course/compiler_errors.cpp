@@ -13,12 +13,12 @@ using Lines = std::vector<std::string>;
 /// "…/steps/step05_triangle/student/triangle.cpp:12:5: error: …", wherever the project is.
 const std::regex diagnostic(R"(([^:]+):(\d+):(\d+): (fatal error|error|warning|note): (.*))");
 const std::regex students_file(R"((?:^|.*/)(steps/step\w+/student/[^:]+))");
-/// Another place that the compiler names on its way to an error: "in instantiation of …".
+/// A place that the compiler lists in the context of an error: "in instantiation of …".
 const std::regex mention(R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))");
 const std::regex undefined(R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)");
 const std::regex duplicate(R"((?:multiple definition of|duplicate symbol:) [`']?([^`';]*))");
 
-/// The place of somebody's own file: from the project's folder on; nothing if it is not his.
+/// The path of a student's file, relative to the project's folder; empty for any other file.
 std::string own(const std::string& file) {
     std::smatch match;
     return std::regex_match(file, match, students_file) ? match[1].str() : "";
@@ -32,7 +32,7 @@ std::string shown_after(const Lines& lines, std::size_t i) {
     return text;
 }
 
-/// The first diagnostic of this kind in somebody's own file.
+/// The first diagnostic of this kind in a student's file.
 std::string first(const Lines& lines, const std::string& kind) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
         std::smatch match;
@@ -46,7 +46,7 @@ std::string first(const Lines& lines, const std::string& kind) {
     return "";
 }
 
-/// An error in a header, which somebody's own line has led the compiler to.
+/// An error in a header that a line of a student's file caused.
 std::string led_to(const Lines& lines) {
     std::string place;
     for (const std::string& line : lines) {
@@ -59,7 +59,7 @@ std::string led_to(const Lines& lines) {
     return "";
 }
 
-/// What only the linker misses, or finds twice.
+/// Errors of the linker: missing or duplicate symbols.
 std::string linker(const Lines& lines) {
     for (const std::string& line : lines) {
         std::smatch match;
@@ -69,7 +69,7 @@ std::string linker(const Lines& lines) {
                    "has?";
         if (std::regex_search(line, match, duplicate))
             return "error: defined twice: " + match[1].str() +
-                   "\nA helper of your own belongs into an anonymous namespace.";
+                   "\nPut helper functions into an anonymous namespace.";
     }
     return "";
 }

@@ -1,11 +1,12 @@
-// What a wrong answer looks like: a known mistake, or else the smallest question that shows it.
+// The diagnosis of a wrong answer: a known mistake, or else the smallest input that shows the
+// error.
 #pragma once
 
 namespace rt {
 
-/// Asks the student's file of the stage the questions of tests/mistakes/<stage>/probes.txt. Says
-/// the sentence of the known mistake that answers alike; if none does, the plainest question that
-/// is answered wrong, drawn in renders/ if it can be. Says nothing if nothing is found.
+/// Runs the student's file of the stage on the inputs in tests/mistakes/<stage>/probes.txt. Prints
+/// the sentence of the known mistake with the same answers; if there is none, the simplest input
+/// with a wrong answer, drawn in renders/ if possible. Prints nothing if no answer is wrong.
 void show_diagnosis(int stage);
 
 }  // namespace rt

@@ -43,8 +43,8 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
-    std::string name = parent / "raysteps.XXXXXX";  // which mkdtemp fills in
-    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be made");
+    std::string name = parent / "raysteps.XXXXXX";  // completed by mkdtemp
+    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");
     path_ = name;
 }
 

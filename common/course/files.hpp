@@ -1,4 +1,4 @@
-// Files, written whole or not at all.
+// Files that are written whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -10,21 +10,21 @@ namespace rt {
 /// The file's text. Throws InputError if it cannot be read.
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
-/// Writes a WholeFile: whoever is interrupted, or has no room left on the disk, keeps what was
-/// there. Throws InputError if it fails.
+/// Writes a WholeFile: after an interruption, or on a full disk, the old contents are still there.
+/// Throws InputError on failure.
 void write_text(const std::filesystem::path& file, const std::string& text);
 
 /// The same with another file's text and permissions.
 void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// The files of a folder with this ending, by name; none if there is no such folder.
+/// The files of a folder with this extension, sorted by name; empty if there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                                           const std::string& ending);
 
-/// The lines of a text, without their ends.
+/// The lines of a text, without their line ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
-/// A new folder, of a name that nobody has, gone with its scope.
+/// A new folder with a unique name, removed at the end of its scope.
 class TemporaryFolder {
 public:
     /// Throws InputError.

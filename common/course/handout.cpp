@@ -24,10 +24,11 @@ namespace {
 constexpr std::chrono::minutes time_limit{5};
 constexpr const char* archive_ending = ".tar.gz";
 
-/// What is handed out. Whatever is not named here stays out: tests/mistakes, tests/alternatives and
-/// tests/contract/wrong include references, tests/mutation quotes them, tests/oracle and
-/// tests/stability have their formulas in exact arithmetic, and so have common/exact and
-/// steps/…/exact in certified arithmetic; stories have them as `explain` tells. No student grades.
+/// The files for students. A file that does not match stays out: tests/mistakes, tests/alternatives
+/// and tests/contract/wrong include references, tests/mutation quotes them, tests/oracle and
+/// tests/stability contain their formulas in exact arithmetic, common/exact and steps/…/exact in
+/// certified arithmetic, and the stories as `explain` prints them. The grader is for instructors
+/// only.
 const std::regex for_students(  //
     R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|common/exact/exact\.cmake|common/(?!exact/|course/grade/|story_parts).*)"
@@ -41,7 +42,7 @@ bool is_for_students(const std::string& path) {
     return std::regex_match(path, for_students) && path.find("/.") == std::string::npos;
 }
 
-/// What git answers to ls-files; nothing if the project is no clone.
+/// The output of git ls-files; nothing if the project is not a clone.
 std::vector<std::string> ask_git(const std::string& options) {
     const fs::path answer = build_folder / "handout.files";
     const std::string root = project_folder.string();
@@ -67,7 +68,7 @@ std::vector<std::string> all_files(const fs::path& folder) {
     return paths;
 }
 
-/// What there is, where no git tells what belongs to the project.
+/// The existing files, for a project outside git.
 std::vector<std::string> look_around() {
     std::vector<std::string> paths;
     for (const auto& entry : fs::directory_iterator(project_folder)) {
@@ -86,7 +87,7 @@ std::vector<std::string> files_for_students() {
     const std::vector<std::string> known = ask_git("");
     if (known.empty()) return look_around();
     for (const std::string& path : ask_git("--others --exclude-standard"))
-        std::fprintf(stderr, "warning: %s is not known to git, and left out\n", path.c_str());
+        std::fprintf(stderr, "warning: %s is not in git, and left out\n", path.c_str());
     return known;
 }
 
@@ -95,10 +96,11 @@ constexpr const char* machine = "__x86_64__";
 #elif defined(__aarch64__)
 constexpr const char* machine = "__aarch64__";
 #else
-constexpr const char* machine = "";  // and no hand-out
+constexpr const char* machine = "";  // for a project that is not a hand-out
 #endif
 
-/// A file that compiles wherever the references' objects fit. Its first line says so in words.
+/// A source that compiles only where the references' objects can be linked. Its first line states
+/// this in English.
 std::string fits() {
     utsname system{};
     uname(&system);
@@ -145,14 +147,14 @@ void pack(const fs::path& folder, const fs::path& archive) {
         listen_to({"tar", "-czf", archive.string(), "--owner=0", "--group=0", "-C",
                    folder.parent_path().string(), folder.filename().string()},
                   time_limit);
-    if (ending.status != 0) throw ProgramError("error: tar fails\n" + ending.output);
+    if (ending.status != 0) throw ProgramError("error: tar failed\n" + ending.output);
 }
 
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
     const fs::file_type type = fs::symlink_status(target).type();
     const bool is_free = type == fs::file_type::not_found ||
                          (type == fs::file_type::directory && fs::is_empty(target));
-    if (!is_free) throw InputError({destination.string()}, "is there already");
+    if (!is_free) throw InputError({destination.string()}, "exists already");
 }
 
 }  // namespace
@@ -173,11 +175,11 @@ int hand_out(const fs::path& destination) {
     const TemporaryFolder workshop(target.parent_path());
     const std::size_t files = fill(workshop.path() / name);
     if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
-    refuse_what_is_there(destination, target);  // somebody may have used the time
+    refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
-    std::printf("%s: %zu files, and no solution among them\nfor %s", destination.c_str(), files,
+    std::printf("%s: %zu files, without solutions\nfor %s", destination.c_str(), files,
                 fits().substr(3, fits().find('\n') - 2).c_str());
-    std::printf("Whoever has an older one: ./course update %s\n", target.filename().c_str());
+    std::printf("To update an older hand-out: ./course update %s\n", target.filename().c_str());
     return 0;
 }
 

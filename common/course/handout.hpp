@@ -1,14 +1,15 @@
-// `./course handout`: the project as students get it.
+// `./course handout`: the students' copy of the project.
 #pragma once
 
 #include <filesystem>
 
 namespace rt {
 
-/// Writes all that students need, and nothing that shows a solution: the references as archives of
-/// their objects, built for machines of this one's kind; no known mistakes, no other right answers,
-/// no tests of the project itself. A folder, or an archive if the name ends in .tar.gz; whole or
-/// not at all. Returns 0. Throws InputError if it cannot, or if something is there already.
+/// Writes everything that students need, without solutions: the references only as archives of
+/// objects, built for machines like this one; no known mistakes, no other right answers, no tests
+/// of the project itself. The destination is a folder, or an archive if the name ends in .tar.gz;
+/// it is written whole or not at all. Returns 0. Throws InputError on failure, or if the
+/// destination exists.
 int hand_out(const std::filesystem::path& destination);
 
 }  // namespace rt

@@ -7,7 +7,7 @@ namespace rt {
 
 inline constexpr int hint_levels = 3;
 
-/// The section "## 2" of them, say; nothing if there is none.
+/// The section of one level, such as "## 2"; empty if there is none.
 [[nodiscard]] std::string hint_text(int stage, int level);
 
 }  // namespace rt

@@ -29,12 +29,12 @@
 
 namespace {
 
-constexpr const char* test_time_limit = "300";  // seconds; a loop without end is a failure
+constexpr const char* test_time_limit = "300";  // seconds; an endless loop is a failure
 
 constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "a ray through every pixel",
-    "a camera that looks anywhere",
-    "spheres, and the nearest of them",
+    "a camera in any direction",
+    "spheres, and the closest of them",
     "planes, and a horizon",
     "triangles without cracks between them",
     "squares, and the Cornell box",
@@ -42,33 +42,33 @@ constexpr std::array<const char*, rt::stage_names.size()> brings = {
     "open cones",
     "light: ambient, diffuse, specular",
     "shadows",
-    "shadows of lights that have a size",
+    "soft shadows of area lights",
     "mirrors",
     "meshes of a million triangles",
 };
 
 constexpr const char* commands = R"(
-./course start N           your own file, to be written: steps/stepNN_…/student/
-./course check N           is it right? what fails first, and why; your picture beside ours
-./course watch N           check, again and again, whenever you save
-./course hint N            the next of three hints
-./course run N [scene.rt] [options]     draw its scene, or yours; --help lists options
+./course start N           create your own file: steps/stepNN_…/student/
+./course check N           test it, explain the first failure, compare the pictures
+./course watch N           check again whenever you save
+./course hint N            show the next of three hints
+./course run N [scene.rt] [options]     render its scene, or yours; --help lists options
 ./course compare N [scene.rt] [options] your picture, the reference's, the difference
 ./course explain N [ROW,COLUMN]         your numbers for a pixel beside the reference's
-./course view [N]          your picture and the reference's in a browser, to look around in
-./course solution N        the reference: once you have passed, or ask twice
-./course reset N           start anew; what you have is kept beside
-./course test [N] [options of ctest]    the suite as it is, or every test
-./course update NEW        a newer hand-out, folder or archive; what you have written stays
-./course audit             for who writes stages: is each of them whole?
-./course measure [STUDY…]  speed against accuracy on this machine: docs/accuracy.md
-./course grade SUBMISSIONS… --out DIR   for who teaches: marks, sealed; --help lists options
-./course handout DIR       for who teaches: all of this without the solutions; or DIR.tar.gz
+./course view [N]          your picture and the reference's in a browser, with a movable camera
+./course solution N        show the reference, once you have passed or at the second call
+./course reset N           copy the starter again; your files are kept beside
+./course test [N] [options of ctest]    run the stage's suite, or all tests
+./course update NEW        install a newer hand-out, folder or archive; your files stay
+./course audit             for authors of stages: test that each one is complete
+./course measure [STUDY…]  measure speed against accuracy on this machine: docs/accuracy.md
+./course grade SUBMISSIONS… --out DIR   for instructors: grade in a sandbox; --help lists options
+./course handout DIR       for instructors: a copy without the solutions; or DIR.tar.gz
 
-N is a number or a name: 5, triangle, step05_triangle; without it, the stage you are at.
-run, compare, explain: --mine with all stages you have written, --reference 3,5 without these.)";
+N is a number or a name: 5, triangle, step05_triangle; the default is your current stage.
+run, compare, explain: --mine uses all your stages, --reference 3,5 all but these.)";
 
-/// What a command was given.
+/// The arguments of a command.
 struct Words {
     std::string stage;
     std::vector<std::string> rest;
@@ -88,7 +88,7 @@ int parse_stage(const std::string& text) {
     return *stage;
 }
 
-/// "3;sphere,5" as CMake has it: "3;3;5". Throws InputError if one is no stage.
+/// "3;sphere,5" in CMake's form: "3;3;5". Throws InputError if one is not a stage.
 std::string parse_stages(std::string text) {
     std::replace(text.begin(), text.end(), ',', ';');
     std::istringstream in(text);
@@ -99,7 +99,7 @@ std::string parse_stages(std::string text) {
     return stages;
 }
 
-/// Where somebody is: thirteen lines.
+/// Prints the student's progress: thirteen lines.
 int list() {
     const int current = rt::current_stage();
     for (int stage = 1; stage <= int(brings.size()); ++stage) {
@@ -132,7 +132,7 @@ int start(int stage) {
 }
 
 int reset(int stage) {
-    std::printf("what you had is kept in %s\n", rt::Workbook(stage).reset().c_str());
+    std::printf("your old files are kept in %s\n", rt::Workbook(stage).reset().c_str());
     return 0;
 }
 
@@ -154,8 +154,9 @@ int solution(int stage) {
     ++record.solution_asked;
     workbook.remember(record);
     if (workbook.state() != rt::State::done && record.solution_asked < 2) {
-        std::printf("%s does not pass yet. ./course hint %d helps; ask again for the solution.\n",
-                    rt::stage_name(stage).data(), stage);
+        std::printf(
+            "%s does not pass yet. ./course hint %d helps; repeat the command for the solution.\n",
+            rt::stage_name(stage).data(), stage);
         return 1;
     }
     for (const auto& file : files)
@@ -164,8 +165,8 @@ int solution(int stage) {
     return 0;
 }
 
-/// Builds a program of all the student's stages. If another stage than this does not compile, tells
-/// how to do without it.
+/// Builds a program of all the student's stages. If another stage does not compile, prints how to
+/// build without it.
 void build_all_mine(int stage) {
     try {
         rt::build({rt::stage_target(stage)});
@@ -179,7 +180,7 @@ void build_all_mine(int stage) {
     }
 }
 
-/// Whether the program is asked for that precision, which has a program of its own.
+/// True for the option that selects the exact precision, which has a program of its own.
 bool wants_exact(const std::vector<std::string>& words) {
     const auto name = std::find(words.begin(), words.end(), "--precision");
     return std::find(words.begin(), words.end(), "--precision=exact") != words.end() ||
@@ -256,12 +257,12 @@ int test(std::vector<std::string> words) {
     rt::build(targets);
     const int status = rt::run_process(command);
     if (targets.empty() && !rt::has_meshes)
-        std::puts("step13_meshes was left out: ./course test 13 installs what it needs");
+        std::puts("step13_meshes was left out: ./course test 13 installs OpenMesh");
     std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
     return status;
 }
 
-/// The grader is a program of its own: no student needs what it is made of.
+/// The grader is a separate program, which students do not get.
 int grade(const std::vector<std::string>& words) {
     const bool attacks = std::find(words.begin(), words.end(), "--self-test") != words.end();
     rt::choose_reference("all");
@@ -277,7 +278,7 @@ int grade(const std::vector<std::string>& words) {
 int run_command(int argc, char** argv) {
     CLI::App app{"Raysteps: a ray tracer in thirteen steps", "course"};
     app.require_subcommand(0, 1);
-    // Words after `test` are its own, options among them.
+    // Arguments after `test`, also options, belong to the command.
     CLI::App* test_app = app.add_subcommand("test")->prefix_command();
     CLI::App* audit_app = app.add_subcommand("audit");
     CLI::App* grade_app = app.add_subcommand("grade")->prefix_command();
@@ -333,7 +334,7 @@ int run_command(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that we tell
+    std::signal(SIGXFSZ, SIG_IGN);  // a file above the size limit is an error to report
     try {
         const int status = run_command(argc, argv);
         rt::finish_output();
@@ -342,7 +343,8 @@ int main(int argc, char** argv) {
         std::cerr << error.what() << '\n';
     } catch (const rt::ProgramError& error) {
         std::cerr << error.what();
-    } catch (const std::exception& error) {  // of the system: a folder that is not ours, say
+        // from the system: a folder of another user, for example
+    } catch (const std::exception& error) {
         std::cerr << "error: " << error.what() << '\n';
     }
     return 2;

@@ -24,7 +24,7 @@ bool is_handout(const fs::path& folder) {
 Manifest read_manifest(const fs::path& folder) {
     const auto refuse = [&folder] {
         throw InputError({folder.string()},
-                         "no hand-out of Raysteps: it is what ./course handout writes");
+                         "not a hand-out of Raysteps, as written by ./course handout");
     };
     if (!is_handout(folder)) refuse();
     Manifest manifest;

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Whether a line begins a comment that goes on in the next.
+/// True if a line starts a comment that continues on the next.
 bool opens_comment(const std::string& line) {
     const std::size_t start = line.rfind("/*");
     return start != std::string::npos && line.find("*/", start + 2) == std::string::npos &&

@@ -25,8 +25,8 @@ struct File {
     std::string name;
     std::vector<std::string> programs;
     int turns;            ///< more than one, where time is measured
-    double seconds;       ///< that a turn takes on a machine like docs/accuracy.md's
-    bool meshes = false;  ///< whether it needs OpenMesh
+    double seconds;       ///< of one turn, on the machine of docs/accuracy.md
+    bool meshes = false;  ///< true if it needs OpenMesh
 };
 
 const std::vector<File> files = {
@@ -52,7 +52,7 @@ public:
     Meter(const Meter&) = delete;
     Meter& operator=(const Meter&) = delete;
 
-    /// The part before is done; this one is expected to take so long.
+    /// Finishes the previous part, and starts one with this expected duration.
     void begin(double seconds) {
         done_ += part_;
         part_ = seconds;

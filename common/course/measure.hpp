@@ -6,9 +6,9 @@
 
 namespace rt {
 
-/// Runs the studies of these names, or all, and writes docs/accuracy/*.csv, the plots beside them
-/// and the tables of docs/accuracy.md. Throws InputError for a name that is none, and if Boost is
-/// missing; ProgramError if something fails.
+/// Runs the studies with these names, or all, and writes docs/accuracy/*.csv, the plots beside them
+/// and the tables of docs/accuracy.md. Throws InputError for an unknown name, and without Boost;
+/// ProgramError if something fails.
 int measure(const std::vector<std::string>& names);
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Colour, where there is a terminal to see it.
+// Color on a terminal.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace rt {
 
 enum class Paint { good, bad, bold, dim };
 
-/// The text in colour, if the standard output is a terminal and NO_COLOR is not set.
+/// The text in color, if the standard output is a terminal and NO_COLOR is not set.
 [[nodiscard]] std::string painted(const std::string& text, Paint paint);
 
 }  // namespace rt

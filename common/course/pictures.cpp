@@ -9,7 +9,7 @@ namespace rt {
 
 namespace {
 
-constexpr int rounding = 1;  // a colour near n + ½ rounds either way
+constexpr int rounding = 1;  // a color near n + ½ may be rounded up or down
 constexpr int gap = 4;       // white, between pictures
 
 int difference(Rgb a, Rgb b) {
@@ -18,7 +18,7 @@ int difference(Rgb a, Rgb b) {
     return most;
 }
 
-/// Dark where the pictures agree, so that what differs stands out and its place is still known.
+/// Dark where the pictures agree, so that differences stand out and their places are visible.
 Rgb shown_difference(Rgb mine, Rgb reference) {
     const int most = difference(mine, reference);
     if (most <= rounding) {
@@ -35,7 +35,7 @@ void paste(const Image& image, Image& into, int left) {
             into[{row, left + column}] = image[{row, column}];
 }
 
-/// Of a set of pixels, those that hang together with the first, which leave the set.
+/// Removes the first pixel and all pixels connected to it from the set, and returns them.
 std::vector<Pixel> take_cluster(std::vector<bool>& set, Resolution size, Pixel first) {
     std::vector<Pixel> cluster;
     std::vector<Pixel> todo = {first};
@@ -91,7 +91,7 @@ std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
 Comparison compare(const Image& mine, const Image& reference) {
     const Resolution size = reference.resolution;
     if (mine.resolution.width != size.width || mine.resolution.height != size.height)
-        throw InputError({}, "the two pictures are not of one size");
+        throw InputError({}, "the two pictures differ in size");
     Comparison comparison;
     Image shown(size);
     std::vector<bool> differs(mine.pixels.size());

@@ -33,8 +33,7 @@ enum class Group { ours, its_own };
 int become(char** arguments, int output, Group group, pid_t parent) {
     signal(SIGINT, SIG_DFL);
     if (group == Group::its_own) setpgid(0, 0);
-    // What somebody listens to ends with him, however he ends; what is run for its own sake is
-    // told.
+    // A program with captured output is killed together with its caller; any other gets SIGTERM.
     prctl(PR_SET_PDEATHSIG, output == -1 ? SIGTERM : SIGKILL);
     if (getppid() != parent) _exit(signalled + SIGKILL);
     if (output != -1) {
@@ -54,7 +53,7 @@ pid_t start(const Command& command, int output, Group group) {
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     std::array<int, 2> failure{};
-    if (pipe2(failure.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left to listen with");
+    if (pipe2(failure.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
     const pid_t parent = getpid();
     const pid_t process = fork();
     int error = process == -1 ? errno : 0;
@@ -63,15 +62,15 @@ pid_t start(const Command& command, int output, Group group) {
         _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
     }
     close(failure[1]);
-    // Nothing comes once it has become the program.
+    // Nothing can be read after a successful exec.
     while (process > 0 && read(failure[0], &error, sizeof error) == -1 && errno == EINTR) continue;
     close(failure[0]);
     if (error == 0) return process;
     if (process > 0) waitpid(process, nullptr, 0);
-    throw InputError({}, command[0] + " does not start: " + std::strerror(error));
+    throw InputError({}, command[0] + " cannot be started: " + std::strerror(error));
 }
 
-/// Keeps what comes from the program, until it closes the pipe or is `given_up`.
+/// Collects the program's output, until it closes the pipe or `given_up` returns true.
 void listen(int ear, const std::function<bool()>& given_up, std::string& output) {
     std::array<char, 4096> heard{};
     while (!given_up()) {
@@ -84,7 +83,7 @@ void listen(int ear, const std::function<bool()>& given_up, std::string& output)
     }
 }
 
-/// What waitpid tells of its end.
+/// The status from waitpid.
 int wait_for(pid_t process) {
     int answer = 0;
     while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
@@ -99,11 +98,11 @@ std::string crash(int answer) {
 }  // namespace
 
 int run_process(const Command& command) {
-    // Ctrl-C is the program's to answer: who waits for it must live to hear how it ended.
+    // Ctrl-C is for the program: its parent must survive to report how it ended.
     const auto previous = std::signal(SIGINT, SIG_IGN);
     const int answer = wait_for(start(command, -1, Group::ours));
     std::signal(SIGINT, previous);
-    // A shell would say so, but it only sees us.
+    // A shell would report the crash, but it only sees this process.
     const std::string crashed = crash(answer);
     if (!crashed.empty() && WTERMSIG(answer) != SIGINT)
         std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(), crashed.c_str());
@@ -113,7 +112,7 @@ int run_process(const Command& command) {
 Ending listen_to(const Command& command, std::chrono::milliseconds limit,
                  const std::atomic<bool>* cancelled) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left to listen with");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
     const auto [ear, mouth] = ends;
     const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
     pid_t process = 0;
@@ -133,10 +132,10 @@ Ending listen_to(const Command& command, std::chrono::milliseconds limit,
     };
     listen(ear, given_up, ending.output);
     close(ear);
-    // It may have closed its streams, and go on.
+    // It may continue with closed streams.
     int answer = 0;
     for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {
-        // It may have others to end first.
+        // It may have to end its own children first.
         if (given_up())
             kill(group == Group::ours ? process : -process,
                  ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);

@@ -1,4 +1,4 @@
-// Other programs.
+// Child processes.
 #pragma once
 
 #include <atomic>
@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// What another program said was wrong, in its own words, which may be several lines.
+/// The error output of another program, which may be several lines.
 class ProgramError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -17,27 +17,28 @@ class ProgramError : public std::runtime_error {
 /// A program and its arguments.
 using Command = std::vector<std::string>;
 
-/// Runs a program, found as a shell finds it, until it ends: its exit status, or 128 + the number
-/// of the signal that ended it, which is told unless it was Ctrl-C. Throws InputError if the
-/// program cannot be started.
+/// Runs a program, found on PATH, until it ends. Returns its exit status, or 128 + the number of
+/// the signal that ended it; such a signal is reported unless it was Ctrl-C. Throws InputError if
+/// the program cannot be started.
 [[nodiscard]] int run_process(const Command& command);
 
-/// How a program ended whose words were kept.
+/// The result of a program with captured output.
 struct Ending {
-    int status = 0;            ///< as run_process has it
-    std::string crash;         ///< the signal that ended it, "Segmentation fault"; or nothing
-    bool out_of_time = false;  ///< it was ended by us
-    std::string output;        ///< of both streams, the first 64 KiB
+    int status = 0;            ///< the same as the result of run_process
+    std::string crash;         ///< the name of the signal that ended it, "Segmentation fault"; or
+                               ///< empty
+    bool out_of_time = false;  ///< stopped after the time limit
+    std::string output;        ///< both streams, at most the first 64 KiB
 };
 
-/// Runs a program that says nothing to anybody but us, for so long at most. Throws InputError if
-/// it cannot be started. With `cancelled` it ends as soon as that is set, and what it has started
-/// with it; Ctrl-C is then ours to hear, and not the program's. It is asked to end (SIGTERM), and a
-/// fifth of a second later is ended; it ends with the thread that listens, too.
+/// Runs a program with its output captured, and stops it after `limit`. Throws InputError if it
+/// cannot be started. When `*cancelled` becomes true, the program and its children are stopped, and
+/// Ctrl-C is handled by the caller instead of the program. To stop it, SIGTERM is sent, and SIGKILL
+/// a fifth of a second later. The program is also stopped when the calling thread ends.
 [[nodiscard]] Ending listen_to(const Command& command, std::chrono::milliseconds limit,
                                const std::atomic<bool>* cancelled = nullptr);
 
-/// The exit status that waitpid and pclose hide in their answer; 128 + the number of a signal.
+/// The exit status in a result of waitpid or pclose; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
 
 }  // namespace rt

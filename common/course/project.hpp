@@ -1,4 +1,4 @@
-// Where things are: the project's folder, what is built, and the files of each stage.
+// The paths of the project: its folder, the build, and the files of each stage.
 #pragma once
 
 #include "common/stages.hpp"
@@ -11,13 +11,13 @@ namespace rt {
 extern const std::filesystem::path project_folder;
 extern const std::filesystem::path build_folder;
 
-/// Whether OpenMesh is there, without which stage 13 is left out of the build.
+/// True if OpenMesh is installed; without it, stage 13 is left out of the build.
 extern const bool has_meshes;
 
-/// Whether Boost is there, without which nothing is measured against exact arithmetic.
+/// True if Boost is installed; without it, nothing is measured against exact arithmetic.
 extern const bool has_oracle;
 
-/// "steps/step05_triangle/student", say: what somebody sees who stands in the project's folder.
+/// A path relative to the project's folder, such as "steps/step05_triangle/student".
 [[nodiscard]] inline std::string step_path(int stage, const std::string& rest) {
     return "steps/" + std::string(stage_name(stage)) + "/" + rest;
 }

@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// What follows the word, if the line starts with it.
+/// The rest of the line after the word, if the line starts with it.
 bool starts_with(const std::string& line, const std::string& word, std::string& rest) {
     if (line.rfind(word, 0) != 0) return false;
     rest = line.substr(word.size());

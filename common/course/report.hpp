@@ -1,4 +1,4 @@
-// What a suite tells of its cases.
+// The report of a suite on its cases.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@ namespace rt {
 
 struct CaseResult {
     std::string name;
-    int points = 1;  ///< what it is worth
+    int points = 1;  ///< points if it passes
     bool passed = false;
-    std::string place;    ///< of its first failure: "tests/step05_triangle_test.cpp:61"
-    std::string failure;  ///< what it says, line by line
+    std::string place;    ///< the place of its first failure: "tests/step05_triangle_test.cpp:61"
+    std::string failure;  ///< the message of the failure, line by line
 };
 
-/// Reads what tests/kit/report.cpp writes.
+/// Parses the output of tests/kit/report.cpp.
 [[nodiscard]] std::vector<CaseResult> read_report(const std::string& text);
 
 }  // namespace rt

@@ -13,9 +13,9 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr double rounding = 1e-5;  // of two right formulas, in float as in double
+constexpr double rounding = 1e-5;  // between two right formulas, in float and in double
 
-/// Whether two texts are the same but for the last digits of their numbers.
+/// True if two texts are equal but for the last digits of their numbers.
 bool same(const std::string& a, const std::string& b) {
     const char* p = a.c_str();
     const char* q = b.c_str();
@@ -38,16 +38,16 @@ bool same(const std::string& a, const std::string& b) {
     return *p == *q;
 }
 
-constexpr const char* verdict = "→";  // before what came of it: a hit, a miss
+constexpr const char* verdict = "→";  // precedes a result: a hit, a miss
 
-/// What a line is about: "t" of "  t = 4".
+/// The name of a line's quantity: "t" in "  t = 4".
 std::string name(const std::string& line) {
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
     if (line.compare(start, std::string(verdict).size(), verdict) == 0) return verdict;
     return line.substr(start, line.find(" = ") - start);
 }
 
-/// For each pair of tails, how many lines they have in common by name, in order.
+/// For each pair of tails, the number of lines with common names, in order.
 std::vector<std::vector<int>> common_tails(const Lines& a, const Lines& b) {
     std::vector<std::vector<int>> longest(a.size() + 1, std::vector<int>(b.size() + 1));
     for (std::size_t i = a.size(); i-- > 0;)
@@ -58,7 +58,7 @@ std::vector<std::vector<int>> common_tails(const Lines& a, const Lines& b) {
     return longest;
 }
 
-/// What is shown: section by section, those that are alike left out.
+/// The output, section by section, without equal sections.
 class Page {
 public:
     void both(const std::string& line) { add("          ", line); }
@@ -68,9 +68,8 @@ public:
     [[nodiscard]] std::string text() {
         end_section();
         if (first_.empty()) return "Nothing differs.\n";
-        if (alike_ > 0)
-            text_ += "(" + std::to_string(alike_) + " sections are alike, and left out)\n";
-        return text_ + "\nThe first that differs: " + first_ + "\n";
+        if (alike_ > 0) text_ += "(" + std::to_string(alike_) + " equal sections are left out)\n";
+        return text_ + "\nThe first difference: " + first_ + "\n";
     }
 
 private:
@@ -86,7 +85,7 @@ private:
         add(painted(whose, Paint::bold), line);
         differs_ = true;
         if (!first_.empty()) return;
-        first_ = (name(line) == verdict ? "what came of it" : name(line)) + ", of " + heading_;
+        first_ = (name(line) == verdict ? "the result" : name(line)) + ", of " + heading_;
     }
 
     void end_section() {
@@ -110,7 +109,7 @@ private:
 
 std::string beside(const std::string& mine, const std::string& reference) {
     constexpr std::size_t most =
-        2000;  // lines; a scene with more shapes tells no more of its misses
+        2000;  // lines; a scene with more shapes logs no more of its misses
     Lines a = lines_of(mine);
     Lines b = lines_of(reference);
     a.resize(std::min(a.size(), most));

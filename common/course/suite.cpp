@@ -22,7 +22,7 @@ SuiteResult run_suite(const std::string& program) {
     if (std::filesystem::exists(report)) result.cases = read_report(read_text(report));
     if (ending.out_of_time)
         result.ended =
-            "has no end: it was stopped after " + std::to_string(time_limit.count()) + " s";
+            "does not end: it was stopped after " + std::to_string(time_limit.count()) + " s";
     else if (!ending.crash.empty())
         result.ended = "crashed: " + ending.crash;
     return result;

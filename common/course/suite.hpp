@@ -1,4 +1,4 @@
-// A stage's suite, run, and what came of each case.
+// Runs a stage's suite and returns the result of each case.
 #pragma once
 
 #include "common/course/report.hpp"
@@ -7,11 +7,11 @@ namespace rt {
 
 struct SuiteResult {
     std::vector<CaseResult> cases;
-    std::string ended;   ///< why it came to no end: it crashed or took too long; else empty
-    std::string output;  ///< what the student's own code printed
+    std::string ended;   ///< the reason for an early end, a crash or a timeout; else empty
+    std::string output;  ///< the output of the student's own code
 };
 
-/// Runs a suite's program, for ten seconds at most.
+/// Runs a suite's program, for at most ten seconds.
 [[nodiscard]] SuiteResult run_suite(const std::string& program);
 
 }  // namespace rt

@@ -29,24 +29,24 @@ bool is_there(const fs::path& path) {
     return fs::symlink_status(path).type() != fs::file_type::not_found;
 }
 
-/// Refuses what was not written whole, or is meant for other places.
+/// Refuses an incomplete hand-out, and one for another kind of machine.
 Manifest read_whole(const fs::path& folder) {
     Manifest manifest = read_manifest(folder);
     for (const auto& [path, fingerprints] : manifest.fingerprints) {
         if (std::regex_match(path, not_to_touch))
-            throw InputError({folder.string()}, "no hand-out, as it has " + path);
+            throw InputError({folder.string()}, "not a hand-out: it has " + path);
         if (fingerprints.size() != 1 || !manifest.matches(folder, path))
             throw InputError({folder.string()},
-                             path + " is not as it was handed out: get the hand-out once more");
+                             path + " differs from the hand-out: get the hand-out again");
     }
     return manifest;
 }
 
-/// The folder of a hand-out that may be packed.
+/// The folder of a hand-out, unpacked if necessary.
 fs::path unpacked(const fs::path& newer) {
     if (fs::is_directory(newer)) return newer;
     if (newer.empty()) throw InputError({}, "update: expected a hand-out, not \"\"");
-    if (!fs::exists(newer)) throw InputError({newer.string()}, "is not there");
+    if (!fs::exists(newer)) throw InputError({newer.string()}, "does not exist");
     const fs::path folder = build_folder / "newer_handout";
     fs::remove_all(folder);
     fs::create_directories(folder);
@@ -56,7 +56,7 @@ fs::path unpacked(const fs::path& newer) {
     if (ending.status != 0) throw InputError({newer.string()}, "cannot be unpacked");
     for (const auto& entry : fs::directory_iterator(folder))
         if (is_handout(entry.path())) return entry.path();
-    throw InputError({newer.string()}, "has no hand-out of Raysteps in it");
+    throw InputError({newer.string()}, "contains no hand-out of Raysteps");
 }
 
 class Update {
@@ -64,7 +64,7 @@ public:
     Update(const fs::path& newer, Manifest mine, Manifest its)
         : newer_(newer), mine_(std::move(mine)), its_(std::move(its)) {}
 
-    /// What is there no more goes first: it may be in the way.
+    /// Removed files go first: they may be in the way of new ones.
     void run() {
         Manifest both = mine_;
         both.title = under_way;
@@ -83,15 +83,15 @@ public:
         if (changed_.empty())
             std::printf("nothing has changed: %s\n", its_.title.c_str());
         else
-            std::printf("%zu files of the hand-out have changed; what you have written has not\n",
+            std::printf("%zu files of the hand-out have changed; your own files have not\n",
                         changed_.size());
         for (int stage = 1; stage <= int(stage_names.size()); ++stage)
             if (Workbook(stage).state() != State::untouched && concerns(stage))
-                std::printf("Yours may be judged anew: ./course check %d\n", stage);
+                std::printf("Check your file again: ./course check %d\n", stage);
     }
 
 private:
-    /// Of an update that was killed.
+    /// Removes the files of an update that was killed.
     static void remove_left_overs(const Manifest& manifest) {
         std::set<fs::path> folders;
         for (const auto& [path, fingerprints] : manifest.fingerprints)
@@ -125,7 +125,7 @@ private:
         copy_whole(newer_ / path, project_folder / path);
     }
 
-    /// What is not as it was handed out is somebody's work.
+    /// A file that differs from the hand-out is the student's work.
     void put_aside(const std::string& path) {
         int number = 1;
         std::string kept;
@@ -133,7 +133,7 @@ private:
             kept = path + ".yours_" + std::to_string(number++);
         } while (is_there(project_folder / kept));
         fs::rename(project_folder / path, project_folder / kept);
-        std::printf("         what you had there is kept in %s\n", kept.c_str());
+        std::printf("         your old file is kept in %s\n", kept.c_str());
     }
 
     void say(const char* what, const std::string& path) {
@@ -141,7 +141,7 @@ private:
         changed_.push_back(path);
     }
 
-    /// The starter, the hints and the page change nothing about what is written.
+    /// The starter, the hints and the page do not affect a student's file.
     [[nodiscard]] bool concerns(int stage) const {
         const std::string name(stage_name(stage));
         for (const std::string& path : changed_)
@@ -161,11 +161,11 @@ private:
 
 int update(const fs::path& newer) {
     if (!is_handout(project_folder))
-        throw InputError({}, "this is no hand-out: bring it up to date with git pull");
+        throw InputError({}, "this is not a hand-out: update it with git pull");
     const fs::path folder = unpacked(newer);
     Manifest mine = read_manifest(project_folder);
     Update update(folder, std::move(mine), read_whole(folder));
-    // With which `course` goes on if what is half-way there does not build.
+    // `course` continues with this copy if the half-updated project does not build.
     copy_whole("/proc/self/exe", build_folder / "updater");
     update.run();
     update.tell();

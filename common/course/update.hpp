@@ -1,17 +1,18 @@
-// `./course update`: a newer hand-out in a student's copy.
+// `./course update`: the update of a student's copy to a newer hand-out.
 #pragma once
 
 #include <filesystem>
 
 namespace rt {
 
-/// Brings the files of a newer hand-out, a folder or an archive, and removes what it has no more.
-/// What the student has written stays as it is: his stages, and under another name what he has
-/// changed of the hand-out. Whoever is interrupted runs it again. Says what has changed. Returns 0.
-/// Throws InputError, before anything is touched, if one of the two is no hand-out.
+/// Copies the files of a newer hand-out, a folder or an archive, and removes files that it no
+/// longer contains. The student's own files stay: their stages unchanged, and changed files of the
+/// hand-out under another name. After an interruption, the same command completes the update.
+/// Prints the changes. Returns 0. Throws InputError, before anything is changed, if one of the two
+/// is not a hand-out.
 int update(const std::filesystem::path& newer);
 
-/// Says so if an update was interrupted here.
+/// Prints a warning if an update of this copy was interrupted.
 void warn_of_half_update();
 
 }  // namespace rt

@@ -38,7 +38,7 @@ Record read_record(const fs::path& file) {
 
 std::string text(const Record& record) {
     std::ostringstream out;
-    out << "# What ./course remembers of this stage. Remove it, and it forgets.\n";
+    out << "# The progress of this stage, as stored by ./course. Remove this file to reset it.\n";
     if (!record.checked.empty())
         out << "checked: " << record.checked << "\npassed: " << record.passed << " of "
             << record.cases << "\nfiles: " << record.checked_files << '\n';
@@ -47,7 +47,7 @@ std::string text(const Record& record) {
     return out.str();
 }
 
-/// Of Fowler, Noll and Vo (FNV-1a): tells two versions of a file apart.
+/// FNV-1a (Fowler, Noll and Vo): distinguishes versions of a file.
 std::uint64_t hash(const std::string& text, std::uint64_t hash) {
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return hash;
@@ -104,8 +104,8 @@ void Workbook::remember(const Record& record) {
 
 void Workbook::start() {
     if (!files().empty())
-        throw InputError({}, step_path(stage_, "student") + " is there already: ./course reset " +
-                                 std::to_string(stage_) + " keeps it and starts anew");
+        throw InputError({}, step_path(stage_, "student") + " exists already: ./course reset " +
+                                 std::to_string(stage_) + " keeps it and copies the starter again");
     std::error_code there;
     fs::create_directories(folder_, there);
     const TemporaryFolder workshop(folder_.parent_path());

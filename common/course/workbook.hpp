@@ -1,4 +1,4 @@
-// What the student has written, and how far it is: steps/stepNN_name/student/.
+// The student's files and progress: steps/stepNN_name/student/.
 #pragma once
 
 #include <filesystem>
@@ -7,19 +7,20 @@
 
 namespace rt {
 
-/// What is remembered of a stage, in student/progress.txt, for the student to read.
+/// The stored progress of a stage, in student/progress.txt, which the student may read.
 struct Record {
-    std::string checked;  ///< when: "2026-11-21 14:03"; empty if never
-    int passed = 0;       ///< cases
+    std::string checked;  ///< the time of the last check: "2026-11-21 14:03"; empty if never
+                          ///< checked
+    int passed = 0;       ///< number of cases
     int cases = 0;
-    std::string checked_files;  ///< fingerprint of what was checked
-    int hints = 0;              ///< that were shown
-    int solution_asked = 0;     ///< how often
+    std::string checked_files;  ///< fingerprint of the checked files
+    int hints = 0;              ///< number of hints shown
+    int solution_asked = 0;     ///< number of times that the solution was shown
 };
 
 enum class State { untouched, started, done };
 
-/// A stage as the student has it.
+/// A stage with the student's files.
 class Workbook {
 public:
     explicit Workbook(int stage);
@@ -33,17 +34,17 @@ public:
     [[nodiscard]] std::string fingerprint() const;
 
     [[nodiscard]] const Record& record() const { return record_; }
-    /// Remembers, from now on.
+    /// Stores the progress.
     void remember(const Record& record);
 
-    /// Copies the starter. Throws InputError if there are files already.
+    /// Copies the starter. Throws InputError if files exist already.
     void start();
-    /// Moves what is there to a folder of its own beside it, which it returns
-    /// ("steps/…/student_1"), and starts anew.
+    /// Moves the student's files to a new folder beside it, which it returns ("steps/…/student_1"),
+    /// and copies the starter.
     std::string reset();
 
 private:
-    /// The starter in a folder of the workshop, whole before anything else is touched.
+    /// A complete copy of the starter in the workshop, made before anything else is touched.
     [[nodiscard]] std::filesystem::path fresh_start(const std::filesystem::path& workshop) const;
 
     int stage_;
@@ -51,8 +52,8 @@ private:
     Record record_;
 };
 
-/// The stage that somebody is at: the first that he has started and not done, else the first that
-/// is untouched; the last if all are done.
+/// The student's current stage: the first that is started and not done, else the first that is not
+/// started; the last if all are done.
 [[nodiscard]] int current_stage();
 
 }  // namespace rt

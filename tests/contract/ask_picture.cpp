@@ -1,7 +1,7 @@
 // ask_picture WORKER STAGE OUT.png
 //
-// Has the stage's scene drawn by a worker, every fourth pixel of every fourth row. Prints how many
-// pixels that is, and how many are other than right answers are; writes them beside the
+// Renders the stage's scene with a worker, every fourth pixel of every fourth row. Prints the
+// number of pixels, and the number that differs from right answers; writes them beside the
 // reference's.
 #include "tests/contract/asking.hpp"
 #include "tests/contract/picture_question.hpp"
@@ -22,7 +22,7 @@ namespace {
 using namespace rt;
 
 constexpr int every = 4;
-constexpr double longest = 5;  // seconds that the worker may use
+constexpr double longest = 5;  // limit of the worker's computing time in seconds
 
 /// The pixels that were drawn, as a picture of their own.
 Image thinned(const Image& image) {

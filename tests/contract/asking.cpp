@@ -36,7 +36,7 @@ std::string seconds_text(double seconds) {
     return text;
 }
 
-/// Words of somebody else's making, fit for a line.
+/// Untrusted text, made safe for one line.
 std::string plain(std::string words) {
     if (words.size() > longest_words) words.resize(longest_words);
     for (char& c : words)
@@ -57,10 +57,11 @@ std::vector<std::string> command_of(const std::string& program) {
     return command;
 }
 
-/// What ended it, in half a sentence.
+/// The cause of the end, as a clause.
 std::string words_of_signal(int signal) {
-    if (signal == SIGSYS) return "tried what it may not: files, processes and networks are closed";
-    if (signal == SIGXCPU) return "took more computing time than it may";
+    if (signal == SIGSYS)
+        return "tried a forbidden operation: files, processes and networks are closed";
+    if (signal == SIGXCPU) return "took more computing time than allowed";
     return "crashed: " + std::string(strsignal(signal));
 }
 
@@ -73,7 +74,7 @@ bool is_asleep(pid_t process) {
     const ssize_t size = read(file, text.data(), text.size());
     close(file);
     const std::string_view stat(text.data(), std::size_t(std::max<ssize_t>(size, 0)));
-    const std::size_t name_end = stat.rfind(") ");  // the name may hold anything
+    const std::size_t name_end = stat.rfind(") ");  // the name may contain any character
     if (name_end == std::string_view::npos || name_end + 2 >= stat.size()) return true;
     return stat[name_end + 2] != 'R';
 }
@@ -114,7 +115,7 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
         throw CannotStart("no socket: " + std::string(std::strerror(errno)));
     socket_ = sockets[0];
     fcntl(socket_, F_SETFL, O_NONBLOCK);
-    // What it prints is nobody's: it may print as often as it is asked.
+    // Its output is discarded: it may print for every query.
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -133,7 +134,7 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
     if (error != 0) {
         process_ = 0;
         close(socket_);
-        throw CannotStart(command[0] + " does not start: " + std::strerror(error));
+        throw CannotStart(command[0] + " cannot be started: " + std::strerror(error));
     }
     stopwatch_ = Stopwatch(process_);
 }
@@ -158,7 +159,8 @@ void Worker::give_up(const std::string& reason) {
     throw NoAnswer(reason);
 }
 
-/// It has closed its end. What it was ended by is there in a moment, or its own doing.
+/// The worker has closed its end. The signal that ended it is available shortly after, or the
+/// worker ended by itself.
 void Worker::it_has_ended() {
     int status = 0;
     const double start = stopwatch_.used();
@@ -169,7 +171,7 @@ void Worker::it_has_ended() {
             if (WIFSIGNALED(status)) throw NoAnswer(words_of_signal(WTERMSIG(status)));
             throw NoAnswer("ended the program, with status " + std::to_string(WEXITSTATUS(status)));
         }
-        if (stopwatch_.used() - start > ending_seconds) give_up("closed the channel to who asks");
+        if (stopwatch_.used() - start > ending_seconds) give_up("closed the channel to the grader");
         usleep(1000);
         stopwatch_.look();
     }
@@ -180,7 +182,7 @@ void Worker::wait_until_ready(short event, Allowance allowance) {
         pollfd ready{.fd = socket_, .events = event, .revents = 0};
         const bool is_due = stopwatch_.is_due();
         const bool is_ready = poll(&ready, 1, is_due ? 0 : int(between_looks.count())) > 0;
-        if (is_due && !is_ready) stopwatch_.look();  // it may sleep once it has answered
+        if (is_due && !is_ready) stopwatch_.look();  // it may sleep after its answer
         if (is_due && stopwatch_.used() >= allowance.until)
             give_up("gave no answer within " + seconds_text(allowance.seconds) + " s");
         if (is_ready) return;
@@ -203,7 +205,7 @@ void Worker::send(const char* from, std::size_t count, Allowance allowance) {
 
 std::size_t Worker::receive(char* to, std::size_t most, Allowance allowance) {
     for (;;) {
-        wait_until_ready(POLLIN, allowance);  // to look for it first is mostly too early
+        wait_until_ready(POLLIN, allowance);  // looking for the answer first is mostly too early
         const ssize_t got = recv(socket_, to, most, 0);
         if (got > 0) return std::size_t(got);
         if (got == 0 || (errno != EINTR && errno != EAGAIN)) it_has_ended();
@@ -211,7 +213,7 @@ std::size_t Worker::receive(char* to, std::size_t most, Allowance allowance) {
 }
 
 std::string Worker::ask(const std::string& question, double seconds) {
-    if (!alive()) throw NoAnswer("is not there any more");
+    if (!alive()) throw NoAnswer("has already ended");
     stopwatch_.waits();
     const Allowance allowance{.seconds = seconds, .until = stopwatch_.used() + seconds};
     const Frame asked{.size = question.size(), .ticket = tickets_()};
@@ -228,7 +230,7 @@ std::string Worker::ask(const std::string& question, double seconds) {
     std::memcpy(&came, piece.data(), sizeof came);
     count -= sizeof came;
     if (came.ticket != asked.ticket || came.size < 1 || count > came.size)
-        give_up("wrote into the channel to who asks");
+        give_up("wrote into the channel to the grader");
     if (came.size > largest_answer) give_up("gave an answer that is larger than any answer is");
     std::string answer(came.size, '\0');
     std::memcpy(answer.data(), piece.data() + sizeof came, count);

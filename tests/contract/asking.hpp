@@ -1,7 +1,7 @@
-// The asking end: another process that answers, and what became of it.
+// The client of a worker process, and the reasons why an answer may be missing.
 //
-// RAYSTEPS_SEALED   the launcher `sealed`, if the process is to be sealed
-// RAYSTEPS_LIMITS   what it may use up, as the launcher has it: "cpu=10 memory=512"
+// RAYSTEPS_SEALED   the launcher `sealed`, if the process runs in the sandbox
+// RAYSTEPS_LIMITS   its limits, in the launcher's form: "cpu=10 memory=512"
 #pragma once
 
 #include <sys/types.h>
@@ -15,7 +15,8 @@
 
 namespace rt::contract {
 
-/// No answer came, and none will: says why in half a sentence, "crashed: Segmentation fault".
+/// There is no answer, and there will be none. The message is the reason as a clause: "crashed:
+/// Segmentation fault".
 struct NoAnswer : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -25,22 +26,22 @@ struct CannotStart : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The seconds that a process takes by its own doing: it computes, or it sleeps. That it waits for
-/// a busy machine does not count.
+/// The seconds that a process spends computing or sleeping. Time spent waiting for a busy processor
+/// does not count.
 class Stopwatch {
 public:
     Stopwatch() = default;
     explicit Stopwatch(pid_t process);
 
-    /// Somebody waits for it from here on: only then its sleep counts.
+    /// Starts the wait for an answer: sleep counts only from here on.
     void waits();
 
     /// Until now, or until it was last there.
     [[nodiscard]] double computed();
     [[nodiscard]] double used() { return computed() + slept_; }
 
-    /// Counts the time since it was looked at last as sleep, if it is found asleep. Best done
-    /// several times a second.
+    /// Counts the time since the last call as sleep, if the process is asleep now. Call it several
+    /// times a second.
     void look();
     [[nodiscard]] bool is_due() const;
 
@@ -48,7 +49,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     pid_t process_ = 0;
-    std::optional<clockid_t> clock_;  ///< of its computing
+    std::optional<clockid_t> clock_;  ///< of its computing time
     double computed_ = 0;
     double slept_ = 0;
     double computed_when_looked_ = 0;
@@ -74,7 +75,7 @@ public:
     [[nodiscard]] bool alive() const { return process_ > 0; }
 
 private:
-    /// What it has for an answer: seconds, and until when on its stopwatch.
+    /// The allowance for an answer: seconds, and the end on the stopwatch.
     struct Allowance {
         double seconds;
         double until;
@@ -82,7 +83,7 @@ private:
 
     void wait_until_ready(short event, Allowance allowance);
     void send(const char* from, std::size_t count, Allowance allowance);
-    /// Reads what is there, so much at most.
+    /// Reads the available bytes, at most `most`.
     std::size_t receive(char* to, std::size_t most, Allowance allowance);
     /// Ends the process, and throws NoAnswer for the reason.
     [[noreturn]] void give_up(const std::string& reason);

@@ -1,4 +1,4 @@
-// Values as the bytes that go from one process to another on the same machine.
+// Values as bytes, sent between processes on the same machine.
 #pragma once
 
 #include "tests/contract/fields.hpp"
@@ -11,7 +11,7 @@
 
 namespace rt::contract {
 
-/// Bytes that are not what they should be: too few, too many, or with no meaning.
+/// Thrown for bytes that are invalid: too few, too many, or without a meaning.
 struct Malformed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -37,7 +37,7 @@ public:
         left_.remove_prefix(count);
     }
     [[nodiscard]] std::size_t left() const { return left_.size(); }
-    /// Whoever has read all that there should be says so.
+    /// Must be called after the last value has been read.
     void end() const {
         if (!left_.empty()) throw Malformed("it is too long");
     }
@@ -68,7 +68,7 @@ T get(Reader& from) {
     T value{};
     if constexpr (std::is_same_v<T, bool>) {
         const auto byte = get<std::uint8_t>(from);
-        if (byte > 1) throw Malformed("neither true nor false");
+        if (byte > 1) throw Malformed("a byte that is neither true nor false");
         value = byte == 1;
     } else if constexpr (is_number<T>) {
         from.raw(&value, sizeof value);

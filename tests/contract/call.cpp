@@ -32,7 +32,8 @@ std::string first_word(const std::string& text) {
     return text.substr(0, text.find_first_of(" :"));
 }
 
-/// The name that a call in the text is of, and of which stage: by name, then by what can be read.
+/// The function that a call in the text is of, by its name, and then by whether the arguments can
+/// be parsed.
 std::optional<Call> read_as(const Callee& callee, std::string_view text) {
     if (!text.starts_with(callee.name + "(")) return std::nullopt;
     text.remove_prefix(callee.name.size() + 1);
@@ -92,7 +93,7 @@ Call read_call(int stage, std::string_view text) {
         if (callee.stage != stage) continue;
         if (auto call = read_as(callee, text)) return *call;
     }
-    throw Malformed("no call of stage " + std::to_string(stage) + ": " + std::string(text));
+    throw Malformed("not a call of stage " + std::to_string(stage) + ": " + std::string(text));
 }
 
 std::string code(const Answer& answer) {
@@ -104,7 +105,7 @@ Answer read_answer(const Callee& callee, std::string_view text) {
     for (const char* const word : {"crashed", "gave", "ended", "threw", "closed", "wrote", "was"})
         if (text == word) return {.value = std::nullopt, .failure = word};
     Answer answer{.value = read_value(*callee.answer, text)};
-    if (!text.empty()) throw Malformed("something behind the answer");
+    if (!text.empty()) throw Malformed("more text after the answer");
     return answer;
 }
 
@@ -117,7 +118,7 @@ bool same(const Answer& came, const Answer& expected, double within) {
 
 Answer Asked::operator()(const Call& call) {
     if (gone_.empty() && used_ + (worker_ ? worker_->used() : 0) > all_seconds)
-        gone_ = "was not asked any more, since it took too long";
+        gone_ = "was not run any more, since it took too long";
     if (!gone_.empty()) return {.value = std::nullopt, .failure = gone_};
     try {
         if (!worker_) worker_ = std::make_unique<Worker>(program_);
@@ -131,9 +132,9 @@ Answer Asked::operator()(const Call& call) {
         if (worker_ && !worker_->alive()) {
             used_ += worker_->used();
             worker_ = nullptr;
-            // Who waited in vain once does not wait again.
+            // After one timeout, no further worker is started.
             if (--left_ == 0 || first_word(failure) == "gave")
-                gone_ = "was not asked any more, since it " + failure;
+                gone_ = "was not run any more, since it " + failure;
         }
         return {.value = std::nullopt, .failure = failure};
     }

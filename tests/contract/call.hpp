@@ -1,4 +1,4 @@
-// Calls of a contract's functions, and what a worker answers.
+// Calls of a contract's functions, and a worker's answers.
 #pragma once
 
 #include "tests/contract/asking.hpp"
@@ -11,7 +11,7 @@
 
 namespace rt::contract {
 
-/// A function of a contract, seen from outside.
+/// A function of a contract, as seen by a client.
 struct Callee {
     int stage;
     int place;
@@ -36,21 +36,21 @@ struct Call {
 /// The call of a stage that code has written. Throws Malformed.
 [[nodiscard]] Call read_call(int stage, std::string_view text);
 
-/// An answer, or why there was none: "crashed: Segmentation fault".
+/// An answer, or the reason why there is none: "crashed: Segmentation fault".
 struct Answer {
     std::optional<Value> value;
     std::string failure = {};
 
-    /// False once too much has been lost to ask again: then it says nothing about the call.
-    [[nodiscard]] bool asked() const { return !failure.starts_with("was not asked"); }
+    /// False if the query was not sent, after too many crashes: then the answer means nothing.
+    [[nodiscard]] bool asked() const { return !failure.starts_with("was not run"); }
 };
 
 [[nodiscard]] std::string code(const Answer& answer);
 [[nodiscard]] Answer read_answer(const Callee& callee, std::string_view text);
-/// Failures are the same if they begin with the same word: it crashed, it gave no answer.
+/// Failures are equal if they start with the same word: it crashed, it gave no answer.
 [[nodiscard]] bool same(const Answer& came, const Answer& expected, double within);
 
-/// Somebody who is asked: a worker, and another one when it is gone, but not for ever.
+/// A worker process, restarted after a crash up to a limit.
 class Asked {
 public:
     explicit Asked(std::string program) : program_(std::move(program)) {}
@@ -61,9 +61,9 @@ public:
 private:
     std::string program_;
     std::unique_ptr<Worker> worker_;
-    double used_ = 0;   ///< by those that are gone
-    int left_ = 8;      ///< how many may still crash
-    std::string gone_;  ///< why no more are asked
+    double used_ = 0;   ///< by the workers that ended
+    int left_ = 8;      ///< number of crashes still allowed
+    std::string gone_;  ///< the reason why no more queries are sent
 };
 
 }  // namespace rt::contract

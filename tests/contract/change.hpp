@@ -1,8 +1,8 @@
-// What a graded run does to the questions that stand in a suite, and are known to whoever reads it:
-// each is asked after a seeded motion, scale and the like, under which the contract says what
-// becomes of the answer. Questions that are drawn at random are asked as they are.
+// The changes that a graded run makes to the fixed inputs of a suite, which anyone can read: each
+// query is sent after a seeded transform, scale and so on, for which the contract determines the
+// change of the answer. Random inputs stay unchanged.
 //
-// RAYSTEPS_AS_WRITTEN  if it is set, nothing is changed: for words that a student can repeat
+// RAYSTEPS_AS_WRITTEN  if it is set, nothing is changed: for messages that a student can repeat
 #pragma once
 
 #include "common/box.hpp"
@@ -19,32 +19,35 @@ namespace rt::contract {
 struct Change {
     /// Any similarity; in a case with the tag [exact], the one below.
     Motion any;
-    /// Axes exchanged and turned round, a scale that is a power of two: nothing is rounded, and a
-    /// ray along an axis stays one. For edges, tangents, and starts on a surface.
+    /// Permuted and reflected axes, and a power of two as the scale: nothing is rounded, and a ray
+    /// along an axis stays one. For edges, tangents, and starts on a surface.
     Motion exact;
-    /// The axes of `exact`, the scale and the way of `any`: boxes along the axes stay boxes.
+    /// The axes of `exact`, the scale and the translation of `any`: axis-aligned boxes stay
+    /// aligned.
     Motion boxes;
-    /// A turn round y, as which way is up stays: by quarters in a case with the tag [exact].
+    /// A rotation around y, which keeps the up direction: by quarter turns in a case with the tag
+    /// [exact].
     Motion upright;
-    Real length = 1;                       ///< of directions, by which every t is divided
-    Real light = 1;                        ///< of brightness, by which every colour is multiplied
+    Real length = 1;                       ///< of directions: every t is divided by it
+    Real light = 1;                        ///< of brightness: every color is multiplied by it
     std::array<int, 3> channels{0, 1, 2};  ///< red, green and blue exchanged
-    int finer = 1;  ///< odd: pixels cut into so many, the middle one asked for
+    int finer = 1;  ///< odd: each pixel is divided into this many per axis, and the middle one is
+                    ///< queried
     Real zoom = 1;  ///< of the tangent of half the field of view
 };
 
-/// The running case's; none where questions are asked as they are.
+/// The change of the running case; null if queries are sent unchanged.
 [[nodiscard]] const Change* change();
 
 /// Draws the change of a case, if this run is graded.
 void draw_change(const std::string& name, bool exact);
 
-/// As turned of motion.hpp, but a zero keeps its sign.
+/// The same as `turned` in motion.hpp, but a zero keeps its sign.
 [[nodiscard]] Vec3 turned_direction(Vec3 v, const Motion& motion);
 [[nodiscard]] Vec3 turned_back(Vec3 v, const Motion& motion);
 [[nodiscard]] Vec3 moved_back(Vec3 point, const Motion& motion);
 
-/// The ray's points keep their t, but for the length.
+/// The ray's points keep their t, up to the length.
 [[nodiscard]] Ray moved(const Ray& ray, const Motion& motion, Real length = 1);
 [[nodiscard]] Ray moved_back(const Ray& ray, const Motion& motion, Real length = 1);
 [[nodiscard]] Interval divided(Interval interval, Real length);

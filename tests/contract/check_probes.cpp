@@ -1,8 +1,8 @@
 // check_probes PROBES FOLDER REFERENCE RIGHT… MISTAKE=WORKER…
 //
-// Whether a stage's probes.txt is as its known mistakes are: each is recognised as itself, or as
-// others that answer the same; and of the reference and other right answers nothing is said.
-// Prints who is recognised as what.
+// Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
+// with the same answers, and the reference and the other right answers are not recognized as a
+// mistake. Prints the recognized mistakes.
 #include "tests/contract/files.hpp"
 #include "tests/contract/paste.hpp"
 #include "tests/contract/probes.hpp"
@@ -26,18 +26,18 @@ public:
         Asked asked(worker);
         const std::vector<Answer> answers = asked(calls_);
         for (const Mistake& mistake : recognised(probes_, answers))
-            complain(worker + " is right, and taken for " + mistake.name);
+            complain(worker + " is right, but recognized as " + mistake.name);
         Asked reference(reference_);
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
-            complain(worker + " is right, and said to differ:\n  " +
+            complain(worker + " is right, but differs:\n  " +
                      paste_line(found->call, *found->expected.value) +
                      "\n  came: " + told(found->call, found->came));
     }
 
     void mistaken(const std::string& name, const std::string& sentence, const std::string& worker) {
         const auto known = std::ranges::find(probes_.mistakes, name, &Mistake::name);
-        if (known == probes_.mistakes.end()) return complain("of " + name + " nothing is known");
-        if (known->sentence != sentence) complain("the sentence of " + name + " is another one");
+        if (known == probes_.mistakes.end()) return complain("there is nothing about " + name);
+        if (known->sentence != sentence) complain("the sentence of " + name + " has changed");
         ++count_;
         if (!is_recognisable(probes_, name)) {
             std::cout << name << ": as near to the reference as right answers are\n";
@@ -51,12 +51,12 @@ public:
             names += " " + mistake.name;
         }
         std::cout << name << ":" << names << '\n';
-        if (!as_itself) complain(name + " is not recognised");
+        if (!as_itself) complain(name + " is not recognized");
     }
 
     [[nodiscard]] int end() {
         if (count_ != probes_.mistakes.size())
-            complain("there are mistakes in it that are not there any more");
+            complain("it contains mistakes that no longer exist");
         return failures_ == 0 ? 0 : 1;
     }
 

@@ -1,7 +1,7 @@
 // choose_probes STAGE RECORD REFERENCE FOLDER ALTERNATIVE… MISTAKE=WORKER…
 //
-// Writes a stage's probes.txt to the standard output: of the calls that its suite has made
-// (RECORD), few that separate every known mistake from the reference and from one another.
+// Writes a stage's probes.txt to the standard output: a few of the calls that its suite made
+// (RECORD), which separate every known mistake from the reference and from the others.
 #include "tests/contract/files.hpp"
 #include "tests/contract/probes.hpp"
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t most_probes = 64;
 constexpr int times_separated = 3;        ///< each mistake from the reference
-constexpr int calls_of_each = 6;          ///< of each function, at least
-constexpr int most_of_case = 2000;        ///< of each function, that are read of a test case
+constexpr int calls_of_each = 6;          ///< per function, at least
+constexpr int most_of_case = 2000;        ///< of one test case, per function
 constexpr int most_plain = 300;           ///< of these, the plainest
-constexpr int most_calls_of_each = 1500;  ///< of these, from plain to not
+constexpr int most_calls_of_each = 1500;  ///< of these, from plain to complex
 /// A function is open if another right one answers that share of its calls otherwise.
 constexpr double open_share = 0.02;
 constexpr std::size_t longest_call = 1200;  // characters: meshes are long
@@ -65,7 +65,7 @@ bool differ(const Answer& a, const Answer& b) {
     return !same(a, b, mistake_tolerance);
 }
 
-/// Leaves out the calls to which right answers differ, and names the functions where most do.
+/// Removes calls with several right answers, and names the functions with most of them.
 std::vector<std::string> take_out_open(Table& table, const std::vector<std::string>& alternatives) {
     std::set<std::size_t> out;
     std::set<const Callee*> open;
@@ -94,7 +94,7 @@ std::vector<std::string> take_out_open(Table& table, const std::vector<std::stri
     return {names.begin(), names.end()};
 }
 
-/// Who answers a call alike has the same number; the reference's is 0.
+/// Workers with equal answers to a call have the same number; the reference's is 0.
 std::vector<int> kinds_of_answers(const Table& table, std::size_t call) {
     std::vector<const Answer*> kinds = {&table.right[call]};
     std::vector<int> numbers;
@@ -107,7 +107,7 @@ std::vector<int> kinds_of_answers(const Table& table, std::size_t call) {
     return numbers;
 }
 
-/// Greedily: always the call that separates most of what still is to be, the plainest of these.
+/// Greedy: always the call that separates most of the remaining pairs, the plainest of these.
 std::set<std::size_t> chosen(const Table& table) {
     const std::size_t count = table.mistaken.size();
     std::vector<std::vector<int>> kinds;
@@ -190,7 +190,7 @@ Probes choose(const Request& request) {
     }
     for (const std::size_t call : chosen(table))
         probes.probes.push_back({.call = table.calls[call], .right = table.right[call]});
-    // Again, in this order: what a mistake answers may depend on what it was asked before.
+    // Again, in this order: a mistake's answer may depend on earlier calls.
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
     for (const auto& [name, worker] : request.mistakes) {

@@ -1,4 +1,4 @@
-// Values as bytes and as text, workers that are asked badly, and the smallest failing call.
+// Values as bytes and as text, workers that get invalid queries, and the smallest failing call.
 #include "tests/contract/contracts.hpp"
 #include "tests/contract/files.hpp"
 #include "tests/contract/frame.hpp"
@@ -110,7 +110,7 @@ Call call_of_sphere(const Ray& ray, const Sphere& sphere) {
 const Ray ahead{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
 const Sphere unit_sphere{.center = {0, 0, 0}, .radius = 1};
 
-/// What diagnose finds of a program in wrong/.
+/// The diagnosis of a program in wrong/.
 struct Diagnosis {
     std::vector<Mistake> mistakes;
     std::optional<Difference> smallest;
@@ -140,7 +140,7 @@ bool is_round(const Call& call) {
 
 }  // namespace
 
-TEST_CASE("values come back as the same bits, from bytes and from text") {
+TEST_CASE("values are read back as the same bits, from bytes and from text") {
     CHECK(comes_back(ahead));
     CHECK(comes_back(Ray{.origin = {not_a_number, Real(-0.0), Real(0.1)},
                          .direction = {infinity, -infinity, Real(5e-324)}}));
@@ -162,7 +162,7 @@ TEST_CASE("values come back as the same bits, from bytes and from text") {
     CHECK(comes_back(true));
 }
 
-TEST_CASE("a mesh comes back, empty or of a hundred thousand vertices") {
+TEST_CASE("a mesh is read back, empty or of a hundred thousand vertices") {
     CHECK(comes_back(Mesh{}));
     Mesh mesh;
     for (std::uint32_t i = 0; i < 100000; ++i) {
@@ -179,10 +179,11 @@ TEST_CASE("bytes that are no value are refused") {
     CHECK(refused<Ray>(""));
     CHECK(refused<bool>("\2"));
     CHECK(refused<std::optional<Real>>("\1"));
-    CHECK(refused<Mesh>(std::string(4, '\xff')));  // as many vertices as there can be, and none
+    // as many vertices as the size allows, but no data
+    CHECK(refused<Mesh>(std::string(4, '\xff')));
 }
 
-TEST_CASE("a worker that is asked what is no question ends with a status of its own") {
+TEST_CASE("a worker ends with a special status after a malformed query") {
     const std::string question = question_of(call_of_sphere(ahead, unit_sphere));
     CHECK(status_after("") == 0);
     CHECK(status_after(frame(question)) == 0);
@@ -197,7 +198,7 @@ TEST_CASE("a worker that is asked what is no question ends with a status of its 
     CHECK(status_after(frame(bytes_of(Number{.stage = 0, .place = 255}))) == malformed_status);
 }
 
-TEST_CASE("a worker's answer, or why there is none") {
+TEST_CASE("a worker's answer, or the reason why there is none") {
     const Call call = call_of_sphere(ahead, unit_sphere);
     const Call to_the_right =
         call_of_sphere(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, unit_sphere);
@@ -213,7 +214,7 @@ TEST_CASE("a worker's answer, or why there is none") {
     CHECK_THROWS_AS(Asked(wrong + "/not_there")(call), CannotStart);
 }
 
-TEST_CASE("one who has crashed is asked again, one who never answered is not") {
+TEST_CASE("a worker is restarted after a crash, but not after a timeout") {
     const Call ahead_call = call_of_sphere(ahead, unit_sphere);
     const Call to_the_right =
         call_of_sphere(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, unit_sphere);
@@ -225,7 +226,7 @@ TEST_CASE("one who has crashed is asked again, one who never answered is not") {
     CHECK_FALSE(hangs(ahead_call).asked());
 }
 
-TEST_CASE("what is no known mistake is shown by a call of round numbers") {
+TEST_CASE("an unknown mistake is shown by a call with round numbers") {
     for (const char* const wrong : {"too_large", "flattened", "throws"}) {
         const Diagnosis found = diagnosis(wrong);
         INFO(wrong);
@@ -243,7 +244,7 @@ TEST_CASE("the smallest call that crashes does crash") {
     CHECK(told(found.smallest->call, found.smallest->came) == "your code crashed: Aborted");
 }
 
-TEST_CASE("a loop without end is found to be one") {
+TEST_CASE("an endless loop is diagnosed") {
     const Diagnosis found = diagnosis("never_answers");
     REQUIRE(found.smallest);
     CHECK(told(found.smallest->call, found.smallest->came) ==
@@ -271,7 +272,7 @@ TEST_CASE("a slice shows the shape's section, the ray and both hits") {
     CHECK(std::ranges::count(svg, '\n') > 200);
 }
 
-TEST_CASE("a slice of no answer says so, in our words, and of one that is no number too") {
+TEST_CASE("a slice without an answer, or with one that is not a number, has a fixed text") {
     const Call call = call_of_sphere(ahead, unit_sphere);
     Asked reference(RAYSTEPS_REFERENCE_WORKER);
     Difference difference{.call = call, .expected = reference(call)};

@@ -14,7 +14,7 @@
 
 namespace rt::contract {
 
-// Which overload is meant.
+// Selects an overload.
 template <class Shape>
 using Intersect = std::optional<Real> (*)(const Ray&, const Shape&, Interval);
 template <class Shape>
@@ -115,8 +115,8 @@ struct Contract<13> {
 
 inline constexpr int stage_count = 13;
 
-/// Calls visit(stage, function) for all, where function is a Function{} that is only asked for its
-/// type: Function<…>.
+/// Calls visit(stage, function) for all functions, where function is a Function{} that serves as
+/// its type only: Function<…>.
 template <int Stage = 1, class Visit>
 void for_each_function(Visit visit) {
     []<class... Each>(std::type_identity<std::tuple<Each...>>, Visit& visit_one) {
@@ -125,7 +125,7 @@ void for_each_function(Visit visit) {
     if constexpr (Stage < stage_count) for_each_function<Stage + 1>(visit);
 }
 
-/// The number that a function goes by in a question: its stage, and its place in the contract.
+/// The number of a function in a query: its stage, and its place in the contract.
 struct Number {
     std::uint8_t stage;
     std::uint8_t place;
@@ -134,8 +134,8 @@ template <>
 inline constexpr auto record<Number> = record_of("Number", field("stage", &Number::stage),
                                                  field("place", &Number::place));
 
-// The places of what is asked for at once, whole pictures and many points of a light: behind every
-// contract's functions.
+// The numbers of batch queries, whole pictures and many points of a light: after every contract's
+// functions.
 inline constexpr std::uint8_t picture_place = 255;
 inline constexpr std::uint8_t light_points_place = 254;
 

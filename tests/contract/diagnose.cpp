@@ -1,8 +1,8 @@
 // diagnose PROBES WORKER REFERENCE [SLICE.svg]
 //
-// What is wrong with the functions that WORKER answers for: the known mistakes that they show, or
-// the smallest call on which they and the reference's differ. Exit status 0 if nothing is found, 1
-// if something is, 2 if it could not be asked.
+// Diagnoses the functions of WORKER: prints the known mistakes that they show, or the smallest call
+// with an answer that differs from the reference's. Exit status 0 if nothing is found, 1 if
+// something is, 2 if the worker could not be queried.
 #include "tests/contract/files.hpp"
 #include "tests/contract/paste.hpp"
 #include "tests/contract/probes.hpp"
@@ -25,8 +25,8 @@ void tell(const Difference& difference) {
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
 
-/// A function that is not written yet answers so; with words of its own, a mistake may too. Whether
-/// all functions of the stage do: then nothing is written.
+/// A function with constant answers is not written yet; a mistake with a sentence of its own may be
+/// constant too. Returns true if all functions of the stage are constant: then nothing is written.
 bool tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
     bool all_do = true;
     for (const Callee& callee : callees()) {
@@ -40,7 +40,7 @@ bool tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
         }
         if (right.size() > 1 && came.size() == 1)
             std::cout << "always: " << callee.name << " answers " << *came.begin()
-                      << ", whatever it is asked\n";
+                      << ", for all arguments\n";
         else if (right.size() > 1)
             all_do = false;
     }

@@ -1,5 +1,5 @@
-// What the values that cross a contract are made of, told once: from it follow their bytes, their
-// text, and how two of them compare.
+// The fields of all values in a contract, listed once: their bytes, their text, and their
+// comparison follow from it.
 #pragma once
 
 #include "common/context.hpp"
@@ -133,7 +133,7 @@ template <>
 inline constexpr auto record<ShadowRays> = record_of("ShadowRays", field("sent", &ShadowRays::sent),
                                                      field("reached", &ShadowRays::reached));
 
-// What a picture is made of besides.
+// The additional fields of a picture.
 template <>
 inline constexpr auto record<Camera> = record_of("Camera", field("position", &Camera::position),
                                                  field("direction", &Camera::direction),
@@ -155,13 +155,13 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// As long as it happens to be.
+/// A list of any length.
 template <class T>
 inline constexpr bool is_sequence = false;
 template <class T>
 inline constexpr bool is_sequence<std::vector<T>> = true;
 
-/// How many parts a value has that are all of one type: the coordinates of a Vec3.
+/// The number of equal parts of a value: the coordinates of a Vec3.
 template <class T>
 inline constexpr int part_count = 0;
 template <glm::length_t Count, class T>

@@ -1,4 +1,4 @@
-// What is read of files.
+// Reading of files.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace rt::contract {
 /// Throws std::runtime_error, if it cannot be read.
 [[nodiscard]] std::string content_of(const std::string& file);
 
-/// What the comment "// sentence: …" of a known mistake's source says.
+/// The text of the comment "// sentence: …" in a known mistake's source.
 [[nodiscard]] std::string sentence_in(const std::string& file);
 
 }  // namespace rt::contract

@@ -1,4 +1,4 @@
-// The functions of a contract as a list that both ends of a question are made from.
+// The functions of a contract as a list, from which the client and the worker are generated.
 #pragma once
 
 #include "tests/contract/bytes.hpp"

@@ -25,7 +25,7 @@ inline Image picture_in(const std::string& answer, Resolution size) {
     const std::size_t pixels = image.pixels.size();
     image.pixels = get<std::vector<Rgb>>(reader);
     reader.end();
-    if (image.pixels.size() != pixels) throw Malformed("a picture of another size");
+    if (image.pixels.size() != pixels) throw Malformed("a picture of a different size");
     return image;
 }
 

@@ -9,8 +9,8 @@ namespace rt::contract {
 namespace {
 
 constexpr const char* head =
-    "# Calls that tell the known mistakes of this stage from the reference and from one another,\n"
-    "# and what they answer. Made by choose_probes from the suite's own calls, not by hand.\n";
+    "# Calls that distinguish the known mistakes of this stage from the reference and each other,\n"
+    "# with the answers. Made by choose_probes from the suite's own calls, not by hand.\n";
 
 /// "mistake name: sentence" behind its first word.
 Mistake read_mistake(const std::string& line) {
@@ -33,7 +33,7 @@ std::size_t place_of(const Probes& probes, const std::string& mistake) {
 /// "answer | names"
 void read_wrong(const Probes& probes, Probe& probe, const std::string& line) {
     const std::size_t bar = line.rfind(" | ");
-    if (bar == std::string::npos) throw Malformed("whose answer is it? " + line);
+    if (bar == std::string::npos) throw Malformed("an answer without an owner: " + line);
     const Answer answer = read_answer(*probe.call.callee, std::string_view(line).substr(0, bar));
     for (const std::string& name : words_of(line.substr(bar + 3)))
         probe.mistaken[place_of(probes, name)] = answer;

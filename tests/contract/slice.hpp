@@ -10,8 +10,8 @@ namespace rt::contract {
 /// Whether the call is of a ray that meets a shape, so that there is something to draw.
 [[nodiscard]] bool can_be_drawn(const Call& call);
 
-/// An SVG of the plane through the ray and the shape's middle: the shape's section, for which the
-/// reference is asked, the ray, the hit that was expected, and what came instead.
+/// An SVG of the plane through the ray and the shape's middle: the shape's section, computed by the
+/// reference, the ray, the expected hit, and the actual one.
 [[nodiscard]] std::string slice(const Difference& difference, Asked& reference);
 
 }  // namespace rt::contract

@@ -10,10 +10,10 @@ namespace rt::contract {
 namespace {
 
 constexpr int neighbours_of_each = 8;  ///< calls like a probe
-constexpr int most_starts = 6;         ///< from which a plain call is looked for
-constexpr int most_questions = 4000;   ///< on the way from each
+constexpr int most_starts = 6;         ///< from which the search for a plain call starts
+constexpr int most_questions = 4000;   ///< for each start
 
-/// How little there is to read in a number.
+/// The length of a number's text.
 double length_of(double number) {
     const double size = std::abs(number);
     if (size == 0 || std::isinf(size)) return 0;
@@ -32,7 +32,7 @@ double length_of(const Call& call) {
     return sum;
 }
 
-/// Calls visit(part, its name) for a value and all that it is made of.
+/// Calls visit(part, its name) for a value and all of its parts.
 template <class Visit>
 void for_each_within(Value& value, const std::string& name, Visit& visit) {
     visit(value, name);
@@ -43,11 +43,11 @@ void for_each_within(Value& value, const std::string& name, Visit& visit) {
 }
 
 template <class Visit>
-void for_each_within(Call& call, Visit visit) {  // which may count
+void for_each_within(Call& call, Visit visit) {  // the ones that may count
     for (Value& argument : call.arguments) for_each_within(argument, "", visit);
 }
 
-/// Where something is, in contrast to a direction.
+/// True for a point, false for a direction.
 bool is_place(const std::string& name) {
     constexpr std::array places = {"origin", "center",   "point",    "apex",        "a",   "b",
                                    "c",      "position", "vertices", "translation", "min", "max"};
@@ -70,8 +70,8 @@ bool orthonormal(const Value& basis) {
     return is_unit(x) && is_unit(y) && dot(off, off) < 1e-18;
 }
 
-/// What a plainer call must keep of the first one for its contract to hold: what is of unit length
-/// stays so, what is positive, what is a share from 0 to 1.
+/// The conditions of its contract that a plainer call must keep: unit lengths stay unit, positive
+/// numbers stay positive, and shares stay between 0 and 1.
 class Conditions {
 public:
     explicit Conditions(Call call) : start_(std::move(call)) {}
@@ -110,7 +110,7 @@ private:
             return was_unit ? is_unit(v) : dot(v, v) > 0 || dot(vec3(before), vec3(before)) == 0;
         }
         if (value.type->kind == Type::Kind::integer) return value.number >= 0;
-        // A number that stands alone: a length, an angle, a share.
+        // A single number: a length, an angle, a share.
         const bool alone = value.type->kind == Type::Kind::real;
         if (!alone || is_coordinate(name)) return true;
         if (before.number > 0 && !(value.number > 0)) return false;
@@ -140,8 +140,8 @@ private:
     Call start_;
 };
 
-/// Whether a call's arguments may be chosen one by one. A normal is asked for at a point of the
-/// shape, a weight of a point of the triangle's plane: there they belong together.
+/// True if a call's arguments are independent. The point of a normal is on the shape, and the point
+/// of a weight is in the triangle's plane: those must change together.
 bool is_free(const Callee& callee) {
     constexpr std::array bound = {"normal",     "barycentric",         "square_uv",
                                   "reflected",  "interpolated_normal", "mirrored",
@@ -149,7 +149,7 @@ bool is_free(const Callee& callee) {
     return std::ranges::find(bound, callee.name) == bound.end();
 }
 
-/// Looks for what differs, by asking both.
+/// Searches for a difference, by sending each call to both workers.
 class Search {
 public:
     Search(Asked& student, Asked& reference) : student_(student), reference_(reference) {}
@@ -164,8 +164,9 @@ public:
         return difference;
     }
 
-    /// As difference, but of a call that no suite has made: another right answer, rounded
-    /// otherwise, must be as near. So the answer must hardly change with the call's numbers.
+    /// The same as `difference`, but for a call that no suite has made: another right answer,
+    /// rounded differently, must be equally near. So the answer must hardly change with the call's
+    /// numbers.
     [[nodiscard]] std::optional<Difference> certain_difference(const Call& call) {
         auto found = difference(call);
         if (!found) return std::nullopt;
@@ -245,7 +246,7 @@ private:
                     at(c, i).parts[0].number = 0;
                     at(c, i).parts[1].number = double(infinity);
                 });
-            if (is_basis(value))  // the world's, whichever of its axes comes first
+            if (is_basis(value))  // the world's basis, with any order of its axes
                 for (std::size_t first = 0; first < 3; ++first)
                     changed([&](Call& c) {
                         set_vec3(at(c, i).parts[first], {1, 0, 0});
@@ -297,8 +298,8 @@ private:
     int questions_ = 0;
 };
 
-/// What a failing call is judged by: the function that comes first in the contract, then how plain
-/// its numbers are.
+/// The order of failing calls: first the function that is first in the contract, then the plainest
+/// numbers.
 bool plainer(const Difference& a, const Difference& b) {
     const auto order = [](const Difference& difference) {
         return std::pair(difference.call.callee->place, length_of(difference.call));
@@ -306,7 +307,7 @@ bool plainer(const Difference& a, const Difference& b) {
     return order(a) < order(b);
 }
 
-/// Of the probes, which all right answers agree on, those with another answer.
+/// The probes, with one right answer each, that were answered differently.
 std::vector<Difference> failed_probes(const Probes& probes, const std::vector<Answer>& answers) {
     std::vector<Difference> failed;
     for (std::size_t i = 0; i < probes.probes.size(); ++i) {
@@ -347,7 +348,8 @@ std::optional<Difference> smallest_difference(const Probes& probes,
     Difference smallest = failed.front();
     const Callee* const callee = smallest.call.callee;
     if (!is_free(*callee)) return smallest;
-    // Making one call plainer may end where another one's way leads on.
+    // One simplification may block another that leads to a plainer call, so several starts are
+    // tried.
     int starts = 0;
     for (const Difference& difference : failed) {
         if (difference.call.callee != callee || starts == most_starts) break;

@@ -1,4 +1,4 @@
-// The smallest call on which two answer differently.
+// The smallest call on which two workers answer differently.
 #pragma once
 
 #include "tests/contract/probes.hpp"
@@ -14,9 +14,9 @@ struct Difference {
     Answer expected;
 };
 
-/// Among the probes and calls like them, the plainest on which the student's answer is not the
-/// reference's; its numbers made as round as they can be while that stays so. Nothing, if there is
-/// none. The probes' answers are the student's, in their order.
+/// The plainest call, among the probes and similar calls, on which the student's answer differs
+/// from the reference's, with its numbers rounded as far as possible. Nothing if there is none.
+/// `answers` are the student's answers to the probes, in their order.
 [[nodiscard]] std::optional<Difference> smallest_difference(const Probes& probes,
                                                             const std::vector<Answer>& answers,
                                                             Asked& student, Asked& reference);

@@ -1,4 +1,4 @@
-// The body of a contract's function where it is asked of a worker.
+// The body of a contract's function that sends its call to a worker.
 #pragma once
 
 #include "tests/contract/change.hpp"

@@ -1,11 +1,11 @@
-// A suite's other link: whatever it asks, a worker of another process answers. Every test case has
-// a worker of its own; once that is gone, the rest of the case fails at once.
+// The link of a suite to a worker: another process answers each of its queries. Every test case has
+// a worker of its own; when that ends, the rest of the case fails at once.
 //
 // RAYSTEPS_WORKER         the worker's program
-// RAYSTEPS_SECONDS        what it may use for an answer, by its stopwatch (default 20)
-// RAYSTEPS_CASE_SECONDS   what for all answers of a case (default 120)
-// RAYSTEPS_SUITE_SECONDS  what for all answers of the suite (default 600)
-// RAYSTEPS_RECORD         a file that all questions are written to, if it is set
+// RAYSTEPS_SECONDS        limit for an answer, by the worker's stopwatch (default 20)
+// RAYSTEPS_CASE_SECONDS   limit for all answers of a case (default 120)
+// RAYSTEPS_SUITE_SECONDS  limit for all answers of the suite (default 600)
+// RAYSTEPS_RECORD         a file for a record of all queries, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "tests/contract/asking.hpp"
 #include "tests/contract/call.hpp"
@@ -37,7 +37,7 @@ double seconds(const char* variable, double otherwise) {
     return said == nullptr ? otherwise : std::strtod(said, nullptr);
 }
 
-/// What stands between a suite and its worker. Pictures are asked for by several threads.
+/// The link of a suite to its worker. Several threads query pictures.
 class Link {
 public:
     std::string ask(const std::string& question) {
@@ -68,19 +68,19 @@ public:
         record_.write(reinterpret_cast<const char*>(&size), sizeof size) << question;
     }
 
-    /// The question as it is asked, after a change.
+    /// Stores the query as sent, after the change.
     void keep_changed(const std::string& question) {
         const std::lock_guard lock(mutex_);
         changed_ = question;
     }
 
-    /// The last one of the case that was changed, in words.
+    /// The last changed query of the case, as text.
     std::string words_on_change() {
         const std::lock_guard lock(mutex_);
         if (changed_.empty()) return "";
         const std::string question = code(call_of(changed_));
         if (question.size() > longest_question) return "";
-        return "  changed:  all was turned, moved and scaled, so that the answer is the same; at "
+        return "  changed:  everything was rotated, moved and scaled, which keeps the answer; at "
                "last\n"
                "            " +
                question;
@@ -100,7 +100,7 @@ private:
         return said;
     }
 
-    /// What it has used.
+    /// The time that it has used.
     double end_worker() {
         const double used = worker_ ? worker_->used() : 0;
         worker_ = nullptr;
@@ -143,7 +143,7 @@ struct WorkerForEachCase : Listener {
         Listener::testCaseStarting(info);
         link().start_afresh();
         draw_change(info.name, info.tagsAsString().find("[exact]") != std::string::npos);
-        link().record("");  // so that a reader sees where a case begins
+        link().record("");  // marks the start of a case for the reader
         remark_on_failure = [] { return link().words_on_change(); };
     }
 };
@@ -180,7 +180,7 @@ std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed
     Reader reader(bytes);
     auto points = get<std::vector<Vec3>>(reader);
     reader.end();
-    if (points.size() != std::size_t(count)) throw Malformed("another number of points");
+    if (points.size() != std::size_t(count)) throw Malformed("wrong number of points");
     if (now != nullptr)
         for (Vec3& point : points) point = moved_back(point, now->any);
     return points;

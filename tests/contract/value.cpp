@@ -27,7 +27,7 @@ std::string number_code(const Value& value, int digits) {
     return rt::code(number);
 }
 
-/// Takes what does not carry meaning: a type's or a field's name, "=", blanks.
+/// Skips characters without meaning: the name of a type or a field, "=", blanks.
 void skip_names(std::string_view& text) {
     for (;;) {
         while (!text.empty() && (text.front() == ' ' || text.front() == '=')) text.remove_prefix(1);
@@ -65,7 +65,7 @@ double read_number(std::string_view& text) {
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc())
-        throw Malformed("no number: \"" + std::string(text.substr(0, 40)) + "\"");
+        throw Malformed("not a number: \"" + std::string(text.substr(0, 40)) + "\"");
     text.remove_prefix(std::size_t(end - text.data()));
     if (wrapped) need(text, ")");
     return number;

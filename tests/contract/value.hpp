@@ -1,5 +1,5 @@
-// Any value that crosses a contract, as a tree: for programs that compare, shorten and tell calls
-// of every function alike.
+// Any value in a contract, as a tree: for programs that compare, simplify and print calls of every
+// function.
 #pragma once
 
 #include "tests/contract/bytes.hpp"
@@ -10,7 +10,7 @@
 
 namespace rt::contract {
 
-/// What a value is made of, known when the program runs.
+/// The structure of a value, at run time.
 struct Type {
     enum class Kind { real, integer, truth, parts, sequence, optional, record };
     struct Part {
@@ -21,7 +21,7 @@ struct Type {
     Kind kind;
     const char* name = "";
     std::vector<Part> parts = {};  ///< one, if all are alike
-    int count = 0;                 ///< of parts that are alike
+    int count = 0;                 ///< of equal parts
     bool is_signed = true;
 };
 
@@ -64,20 +64,20 @@ const Type& type_of() {
 
 struct Value {
     const Type* type = nullptr;
-    double number = 0;         ///< of what has no parts
-    std::vector<Value> parts;  ///< of an optional value: itself, or none
+    double number = 0;         ///< of a leaf
+    std::vector<Value> parts;  ///< of an optional value: the value, or empty
 };
 
 [[nodiscard]] Value get_value(const Type& type, Reader& from);
 void put_value(Writer& to, const Value& value);
 
-/// C++ that makes the value again. Answers are the same everywhere to some 14 digits.
+/// C++ that makes the value. Answers are equal on all machines to about 14 digits.
 [[nodiscard]] std::string code(const Value& value, int digits = 0);
-/// What code has written, taken from the text's beginning. Throws Malformed.
+/// Parses the output of `code` from the text's beginning, and removes it. Throws Malformed.
 [[nodiscard]] Value read_value(const Type& type, std::string_view& text);
 
-/// Whether the suites would take one for the other: within the kit's `tolerance`, or another one.
-/// NaN is NaN, and an optional t has no smaller scale than itself.
+/// True if the suites would accept one for the other: within the kit's `tolerance`, or `within`.
+/// NaN equals NaN, and the scale of an optional t is at least its own size.
 [[nodiscard]] bool same(const Value& came, const Value& expected, double within);
 
 /// Calls visit(number's value) for each.
@@ -89,7 +89,7 @@ void for_each_number(SomeValue& value, Visit visit) {
     for (auto& part : value.parts) for_each_number(part, visit);
 }
 
-/// The part of that name; nothing if there is none.
+/// The part with this name; null if there is none.
 [[nodiscard]] const Value* find(const Value& value, std::string_view name);
 
 [[nodiscard]] bool is_vec3(const Value& value);

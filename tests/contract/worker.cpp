@@ -1,5 +1,5 @@
-// Answers questions about contracts, from whatever a stage is linked to: the student's file, the
-// reference, a known mistake.
+// Answers queries with the functions that it is linked to: a student's file, the reference, or a
+// known mistake.
 #include "tests/contract/contracts.hpp"
 #include "tests/contract/frame.hpp"
 #include "tests/contract/scene_bytes.hpp"
@@ -55,10 +55,10 @@ std::map<int, Answer> all_answers() {
     return answers;
 }
 
-/// What comes in, as much at a time as is there.
+/// The input, read in the largest available blocks.
 class Inbox {
 public:
-    /// Whether so much came.
+    /// False if the input ended first.
     bool read(char* to, std::size_t count) {
         while (count > 0) {
             if (from_ == to_ && !fill()) return false;
@@ -71,7 +71,7 @@ public:
         return true;
     }
 
-    /// Whether anything is still to come.
+    /// True if there is more input.
     bool goes_on() { return from_ < to_ || fill(); }
 
 private:
@@ -97,7 +97,7 @@ bool write_all(const char* from, std::size_t count) {
     return true;
 }
 
-/// Piece by piece: a size that promises more than comes costs no memory.
+/// Reads in blocks: a size that promises more than the input contains costs no memory.
 bool read_question(Inbox& inbox, std::string& question, std::size_t size) {
     constexpr std::size_t piece = std::size_t(1) << 20;
     question.clear();
@@ -132,7 +132,7 @@ Writer answer_to(const std::string& question, const std::map<int, Answer>& answe
 }
 
 int serve() {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody asks a worker whose asker is gone
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a worker without a client must not go on
     const std::map<int, Answer> answers = all_answers();
     Inbox inbox;
     std::string question;
@@ -141,7 +141,7 @@ int serve() {
     while (inbox.goes_on()) {
         if (!inbox.read(reinterpret_cast<char*>(&frame), sizeof frame) ||
             frame.size > largest_question || !read_question(inbox, question, frame.size))
-            throw Malformed("a frame cut short");
+            throw Malformed("a truncated frame");
         const Writer answer = answer_to(question, answers);
         frame.size = answer.bytes().size();
         std::string bytes(reinterpret_cast<const char*>(&frame), sizeof frame);

@@ -190,9 +190,9 @@ mkdir -p "$folder/hindered/students/s000/submitted/$file/in_the_way"
 "$build/grade" "$class" --out "$folder/hindered" --seed-file "$seed" --stages "$listed" --student s000 \
     --student s001 > "$folder/log" 2>&1
 [ $? = 2 ] || fail "the status of a run that could not judge one"
-grep -q '^error: s000 could not be judged: ' "$folder/log" || fail "who could not be judged"
+grep -q '^error: s000 could not be graded: ' "$folder/log" || fail "who could not be judged"
 for name in s000 s001; do
     grep -q "^$name," "$folder/hindered/grades.csv" || fail "$name is not in the grade book"
 done
-grep -q 'could not be judged' "$folder/hindered/students/s000/feedback.html" || fail "the reason"
+grep -q 'could not be graded' "$folder/hindered/students/s000/feedback.html" || fail "the reason"
 exit $failed

@@ -87,7 +87,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
     ground.write(step + "starter/triangle.cpp", "ours");
     const HandedIn ours = ground.take("whole");
     CHECK(ours.files.empty());
-    CHECK(ours.words.at(5).find("starter/triangle.cpp (the project's, not yours)") !=
+    CHECK(ours.words.at(5).find("starter/triangle.cpp (a file of the project, not yours)") !=
           std::string::npos);
     ground.write("whole/tests/triangle.cpp", "misplaced");
     CHECK(ground.take("whole").files == Files{{5, "misplaced"}});
@@ -100,7 +100,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
           std::string::npos);
 }
 
-TEST_CASE("links, devices and books are not taken in") {
+TEST_CASE("links, devices and books are not collected") {
     const Ground ground;
     ground.write("secret/passwords", "secret");
     ground.write("links/readme", "");
@@ -113,7 +113,7 @@ TEST_CASE("links, devices and books are not taken in") {
     const HandedIn taken = ground.take("links");
     CHECK(taken.files.empty());
     for (const int stage : {3, 4, 8})
-        CHECK(taken.words.at(stage).find("(a link, or no file)") != std::string::npos);
+        CHECK(taken.words.at(stage).find("(a link, or not a regular file)") != std::string::npos);
     CHECK(taken.words.at(6).find("square.cpp (more than 256 KiB") != std::string::npos);
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("names that people and browsers give are taken, and said") {
         ground.write("ann/" + name, "his");
         const HandedIn taken = ground.take("ann");
         CHECK(taken.files == Files{{stage, "his"}});
-        CHECK(taken.words.at(stage).find(name + " was taken for ") == 0);
+        CHECK(taken.words.at(stage).find(name + " was used as ") == 0);
         fs::remove_all(ground.place("ann"));
     }
     for (const char* folder : {"tests", "build", "src"}) {
@@ -250,7 +250,7 @@ TEST_CASE("names that people and browsers give are taken, and said") {
     CHECK(ground.take("ann").files == Files{{3, "exact"}});
 }
 
-TEST_CASE("what is near, and not taken, is told; so are sources if none is taken") {
+TEST_CASE("near names that are not used are reported; so are all sources if none is used") {
     const Ground ground;
     for (const char* name : {"shpere.cpp", "sphere.txt", "sphere.cpp.txt", "spheres.cpp"}) {
         ground.write(std::string("ann/") + name, "");
@@ -400,8 +400,8 @@ TEST_CASE("names that are one on other systems are made two") {
     ground.write("../x", "");
     CHECK(ground.students() == std::vector<std::string>{"Ann", "ann_2", "ann_3"});
     CHECK(ground.find({ground.place("")}).left_over ==
-          std::vector<std::string>{"ann: is graded as ann_2, as there is another ann",
-                                   "ann.: is graded as ann_3, as there is another ann"});
+          std::vector<std::string>{"ann: is graded as ann_2, since there is another ann",
+                                   "ann.: is graded as ann_3, since there is another ann"});
     CHECK(plain_name("..") == "_");
     CHECK(plain_name("../../x") == "_.._.._x");
     CHECK(plain_name("a\nb") == "a_b");

@@ -165,7 +165,7 @@ TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged")
       "score": 0,
       "max_score": 2,
       "status": "failed",
-      "output": "No file was handed in.\n<none>",
+      "output": "No file was submitted.\n<none>",
 )" + same + R"(,
     {
       "name": "5 triangle: edges",
@@ -186,7 +186,7 @@ TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged")
     write_gradescope(two.folder / "results.json", {unread[0], unread[1]});
     const std::string json = read_text(two.folder / "results.json");
     CHECK(has(json, "\"output\": \"4 plane: You compare with <0>.\\n\\n\""));
-    CHECK(has(json, "\"output\": \"Your file cannot be judged:\\nno <vec>\""));
+    CHECK(has(json, "\"output\": \"Your file cannot be graded:\\nno <vec>\""));
 }
 
 TEST_CASE("a feedback page says what failed, and folds away what passed") {
@@ -201,7 +201,7 @@ TEST_CASE("a feedback page says what failed, and folds away what passed") {
     CHECK(has(page, "<h1>=cmd|&quot;&lt;b&gt;&amp;\n</h1> <p>1 of 6 points</p>"));
     CHECK(has(page, "<h2>4 plane</h2> <span>1 of 2 points</span>"));
     CHECK(has(page, "<p>1 case of 2 fails.</p>"));
-    CHECK(has(page, "known mistake does: You compare with &lt;0&gt;.</p>"));
+    CHECK(has(page, "a known mistake: You compare with &lt;0&gt;.</p>"));
     CHECK(has(page, "<pre class=\"wrong\">intersect(…)\n  came: 1</pre>"));
     CHECK(has(page, "<img src=\"data:image/svg+xml;base64,PHN2Zy8+\""));
     CHECK(has(page,
@@ -213,12 +213,12 @@ TEST_CASE("a feedback page says what failed, and folds away what passed") {
     CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is met</li>\n</ul>"));
     CHECK(has(page, "<pre>warning: &lt;unused&gt;</pre>"));
     CHECK(
-        has(page, "<p>Your file cannot be judged:</p>\n<pre class=\"wrong\">no &lt;vec&gt;</pre>"));
+        has(page, "<p>Your file cannot be graded:</p>\n<pre class=\"wrong\">no &lt;vec&gt;</pre>"));
 
     const std::string other = read_text(student_folder(two.folder, "zoe") / "feedback.html");
     CHECK(well_formed(other));
     CHECK(has(other, "<p>3 of 6 points</p>"));
-    CHECK(has(other, "<p>No file was handed in.</p>\n<pre class=\"wrong\">&lt;none&gt;</pre>"));
+    CHECK(has(other, "<p>No file was submitted.</p>\n<pre class=\"wrong\">&lt;none&gt;</pre>"));
     CHECK(has(other, "<details><summary>Your picture is right</summary>"));
 }
 
@@ -233,7 +233,7 @@ TEST_CASE("a starter that is handed in has no points, and is told why") {
     write_feedback(results.folder, {mark});
     const std::string page = read_text(student_folder(results.folder, "anna") / "feedback.html");
     CHECK(has(page, "<span>0 of 2 points</span>"));
-    CHECK(has(page, "<p>What passes does so in the starter too"));
+    CHECK(has(page, "<p>All passing cases pass in the starter too"));
     write_gradescope(results.folder / "results.json", {mark});
     const std::string json = read_text(results.folder / "results.json");
     CHECK(has(json, "\"score\": 0,\n      \"max_score\": 1,\n      \"status\": \"passed\""));
@@ -258,15 +258,15 @@ TEST_CASE("the class report has every mark, and where to look first") {
               "<a href=\"students/%3Dcmd%7C%22%3Cb%3E%26%0A/feedback.html\">"
               "=cmd|&quot;&lt;b&gt;&amp;\n</a></th>"
               "<td class=\"share\" style=\"--share: 50%\">50</td>"
-              "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be judged\">×</td>"
+              "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>"
               "<td class=\"share\" style=\"--share: 16%\">1</td>"));
     CHECK(has(page,
-              "zoe</a></th><td class=\"soft\" title=\"not handed in\">–</td>"
+              "zoe</a></th><td class=\"soft\" title=\"not submitted\">–</td>"
               "<td class=\"share\" style=\"--share: 75%\">75</td>"
               "<td class=\"share\" style=\"--share: 50%\">3</td>"));
     // Of stage 5, 0 + 3 + 3 + 4 of 16 points were won.
     CHECK(has(page,
-              "mean, handed in</th><td class=\"share\" style=\"--share: 50%\">50</td>"
+              "mean of submissions</th><td class=\"share\" style=\"--share: 50%\">50</td>"
               "<td class=\"share\" style=\"--share: 62%\">62</td>"));
     const std::size_t often = page.find(
         "--share: 66%\">2</td><td class=\"text\">5 triangle</td>"
@@ -288,7 +288,7 @@ TEST_CASE("the class report has every mark, and where to look first") {
     CHECK(hardest < less_hard);
     CHECK(less_hard != std::string::npos);
     CHECK_FALSE(has(page, "it is met"));
-    CHECK(has(page, "Likeness is no proof."));
+    CHECK(has(page, "Similarity is no proof."));
 }
 
 TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
@@ -302,15 +302,15 @@ TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
 TEST_CASE("the class report names stages, what is left over, and who tried what") {
     Class two;
     write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
-    two.marks[0].cases[1].words = "your code tried what it may not: files\n";
-    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, {}, "2026-11-22, seed known as 12");
+    two.marks[0].cases[1].words = "your code tried a forbidden operation: files\n";
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, {}, "2026-11-22, seed 12");
     const std::string page = read_text(two.folder / "class.html");
     CHECK(well_formed(page));
     CHECK(has(page, "<th class=\"stage\"><span>4 plane</span></th>"));
-    CHECK(has(page, "<p class=\"soft\">2026-11-22, seed known as 12</p>"));
+    CHECK(has(page, "<p class=\"soft\">2026-11-22, seed 12</p>"));
     CHECK(has(page, "<td class=\"text\">list.txt: &lt;nobody&#39;s&gt;</td>"));
     CHECK(has(page,
-              "Tried what it may not: files, processes, networks</h3>\n<div "
+              "Forbidden operations: files, processes, networks</h3>\n<div "
               "class=\"scroll\"><table class=\"list\">\n<tr><td class=\"text\">=cmd|&quot;&lt;b&gt;"
               "&amp;\n</td><td class=\"text\">4 plane</td><td class=\"text\">in 1 case</td></tr>"));
     CHECK(has(page, "<td class=\"text\">5 triangle</td><td class=\"text\">no &lt;vec&gt;</td>"));

@@ -69,7 +69,7 @@ TEST_CASE("a seed is given by a file, which no other may follow") {
     CHECK(grade::agreed_seed(results, given) == 0xc0ffee12345678);
     CHECK(grade::agreed_seed(results, {}) == 0xc0ffee12345678);
     write_text(given, "00c0ffee12345679\n");
-    CHECK(error_of(results, given).find("is another seed than") != std::string::npos);
+    CHECK(error_of(results, given).find("is a different seed than") != std::string::npos);
     CHECK(grade::agreed_seed(results, {}) == 0xc0ffee12345678);
     for (const char* text :
          {"", "7", "00c0ffee1234567g", "00c0ffee123456789", "-0c0ffee12345678"}) {

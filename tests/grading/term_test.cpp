@@ -117,7 +117,9 @@ TEST_CASE("a lecturer's points go before the grader's, with the reason, and last
     CHECK(has(read_text(two.folder / "class.html"), "carl"));
 }
 
-TEST_CASE("who is on the roster and handed in nothing has a line, and who is not on it is told") {
+TEST_CASE(
+    "a student on the roster without a submission has a line; a submission off the roster is "
+    "reported") {
     const Small two;
     two.write("class.csv", "student,email\nann_1,a@x\nZoe Doe,z@x\n");
     two.write("term.txt", "roster: class.csv\n");
@@ -125,9 +127,9 @@ TEST_CASE("who is on the roster and handed in nothing has a line, and who is not
           "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
           "ann_1,3,5,8,14,\r\n"
           "ben_2,4,0,4,14,\r\n"
-          "zoe_doe,0,0,0,14,handed in nothing\r\n");
+          "zoe_doe,0,0,0,14,submitted nothing\r\n");
     CHECK(two.term().unknown ==
-          std::vector<std::string>{"ben_2: handed in, and is not on the roster"});
+          std::vector<std::string>{"ben_2: submitted, but is not on the roster"});
     write_upload(two.folder, two.marks, two.term());
     CHECK(read_text(two.folder / "upload.csv") ==
           "student,email,Raysteps\r\nann_1,a@x,8\r\nZoe Doe,z@x,0\r\n");
@@ -152,13 +154,13 @@ TEST_CASE("Moodle's grading worksheet comes back with grades, of its maximum") {
           "Last modified (grade),Feedback comments\r\n"
           "Participant 2,\"Ben, B\",b@x,Submitted,28.57,100.00,Yes,-,\r\n"
           "Participant 1,-Ann,a@x,Submitted,57.14,100.00,Yes,-,\r\n"
-          "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,handed in nothing\r\n");
+          "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,submitted nothing\r\n");
     CHECK(two.term().unknown.empty());
     two.write("term.txt", "roster: sheet.csv\nbonus: 5\n");
     write_upload(two.folder, two.marks, two.term());
     CHECK(has(read_text(two.folder / "upload.csv"), "-Ann,a@x,Submitted,100,100.00"));
     two.write("term.txt", "roster: sheet.csv\n");
-    CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,handed in nothing"));
+    CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,submitted nothing"));
 }
 
 TEST_CASE("Canvas's gradebook comes back with one column, and the points possible") {
@@ -211,7 +213,7 @@ TEST_CASE("what is wrong with the settings is told with its place") {
     CHECK(says("\nwieght: 5 2\n").starts_with(file + ":2: error: \"wieght: 5 2\" is no setting"));
     CHECK(says("weight: 5 two\n") == file + ":1: error: \"two\" is no number from 0 to 1000");
     CHECK(says("weight: ball 2\n") == file + ":1: error: no stage \"ball\"");
-    CHECK(says("weight: 5\n").starts_with(file + ":1: error: a weight is of a stage"));
+    CHECK(says("weight: 5\n").starts_with(file + ":1: error: a weight needs a stage"));
     CHECK(says("late percent: 101\n").starts_with(file + ":1: error: \"101\" is no number"));
     CHECK(says("roster: none.csv\n").starts_with(file + ":1: error: there is no file"));
     CHECK(says("anonymous\n") == file + ":1: error: \"anonymous\" is not \"word: value\"");
@@ -223,7 +225,8 @@ TEST_CASE("what is wrong with the settings is told with its place") {
     two.write("a.csv", "student,days\n\nann_1,-2\n");
     CHECK(says("late: a.csv\n") == table + ":3: error: \"-2\" is no number from 0 to 366");
     two.write("a.csv", "student\nann_1\nAnn_1\n");
-    CHECK(says("roster: a.csv\n") == table + ":3: error: \"Ann_1\" is ann_1, who is there already");
+    CHECK(says("roster: a.csv\n") ==
+          table + ":3: error: \"Ann_1\" is ann_1, who is listed already");
     two.write("a.csv", "");
     CHECK(says("roster: a.csv\n") == table + ": error: is empty");
 }

@@ -7,9 +7,9 @@
 
 namespace rt {
 
-/// The scene through its first camera; of a picture that takes seconds, every so many-th pixel of
-/// every so many-th row, the others black. Where a suite asks another process (tests/contract), the
-/// picture is drawn there.
+/// The scene rendered through its first camera. For a slow picture, only every `every`-th pixel of
+/// every `every`-th row; the others are black. If the suite uses another process (tests/contract),
+/// the picture is rendered there.
 [[nodiscard]] Image drawn(const Scene& scene, const Look& look = {}, int every = 1);
 
 }  // namespace rt

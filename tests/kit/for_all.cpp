@@ -36,7 +36,7 @@ std::array<double, 8> plainer(double choice) {
             std::round(choice * 1024) / 1024};
 }
 
-/// Tries to make every choice plainer, as long as the property still fails, until none can be.
+/// Makes each choice plainer while the property still fails, until none can be made plainer.
 void shrink(const Property& property, std::vector<double>& choices) {
     for (bool changed = true; changed;) {
         changed = false;

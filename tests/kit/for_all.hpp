@@ -1,4 +1,4 @@
-// What must hold of random cases, and the plainest case in which it does not.
+// Properties that random cases must have, and the plainest counterexample.
 #pragma once
 
 #include "tests/kit/random.hpp"
@@ -8,15 +8,15 @@
 
 namespace rt {
 
-/// Asks about one random case.
+/// Tests one random case.
 using Property = std::function<Verdict(Random&)>;
 
-/// Holds if the property holds of every case. Else tells the case that is left when the choices
-/// that made the failing one are made as plain as they can be, and the seed (seed.hpp) unless it is
+/// Passes if the property is true for every case. Otherwise reports the case that remains after
+/// making the failing case's choices as plain as possible, and the seed (seed.hpp) unless it is
 /// secret.
 [[nodiscard]] Verdict for_all(const Property& property, int cases = 300);
 
-/// Whether this thread asks about a random case.
+/// True while this thread tests a random case.
 [[nodiscard]] bool is_drawn();
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// M1's rays come out of inverse matrices: these, and how far their rounding may lead.
+// M1's rays as results of inverse matrices: the matrices, and a bound of their rounding.
 #pragma once
 
 #include "tests/kit/random.hpp"
@@ -14,11 +14,11 @@
 
 namespace rt {
 
-/// What expected values are worked out in. Where it is no wider than double, what it is used for
-/// must bear a few u more.
+/// The type of expected values. Where it is no wider than double, its users must tolerate a few
+/// more u.
 using Exact = long double;
 
-/// What OpenGL knows of a camera beside its place: the planes are at distances from it.
+/// The parameters of OpenGL's camera, apart from its position: the planes are at distances from it.
 struct Perspective {
     Resolution resolution;
     Real vertical_fov;
@@ -49,13 +49,14 @@ inline InverseMatrices inverse_matrices(const Mat4& view, const Perspective& per
         .image_to_world = Mat4(camera_to_world * glm::inverse(projection) * glm::inverse(image))};
 }
 
-/// How far apart, in each coordinate, M1's ends and MRT's may be: 64 s (f / n) (f + ‖o_C‖) u, with
-/// s the largest coordinate of the screen at distance 1, and at least 1.
+/// The bound of the difference, in each coordinate, between M1's ends and MRT's: 64 s (f / n) (f +
+/// ‖o_C‖) u, with s the largest coordinate of the screen at distance 1, and at least 1.
 ///
-/// On the far plane w = 1/n + (1/f − 1/n) = 1/f is what is left of numbers as large as 1/n, so it
-/// is good to 3 (f/n) u, and draws the end towards the world's origin or away from it by as much of
-/// their distance, √3 s f + ‖o_C‖ at most. Before the division the end is a sum of numbers of the
-/// size of s and ‖o_C‖ / n, and so are both rays' roundings: less than sixty of them.
+/// On the far plane w = 1/n + (1/f − 1/n) = 1/f is the difference of numbers as large as 1/n, so
+/// its relative error is 3 (f/n) u. It moves the end towards the world's origin or away from it by
+/// the same fraction of their distance, at most √3 s f + ‖o_C‖. Before the division the end is a
+/// sum of numbers of the size of s and ‖o_C‖ / n, and so are both rays' roundings: less than sixty
+/// of them.
 inline Real both_ways_bound(const Perspective& perspective, Vec3 position) {
     const auto& [resolution, fov, near, far] = perspective;
     const Real half_height = std::tan(fov / 2);
@@ -64,7 +65,7 @@ inline Real both_ways_bound(const Perspective& perspective, Vec3 position) {
     return 64 * s * (far / near) * (far + length(position)) * unit_roundoff;
 }
 
-/// "row 1, column 2 of 640 x 480 pixels, …": what a failure begins with.
+/// "row 1, column 2 of 640 x 480 pixels, …": the start of a failure's message.
 inline std::string seen(Pixel pixel, const Perspective& perspective) {
     const auto& [resolution, fov, near, far] = perspective;
     return "row " + std::to_string(pixel.row) + ", column " + std::to_string(pixel.column) +
@@ -72,7 +73,7 @@ inline std::string seen(Pixel pixel, const Perspective& perspective) {
            " pixels, vertical_fov " + text(fov) + ", planes at " + text(near) + " and " + text(far);
 }
 
-/// M1's ray starts where MRT's does, and its t = 1 is MRT's t = f, give or take the bound.
+/// M1's ray starts at the same point as MRT's, and its t = 1 is MRT's t = f, within the bound.
 inline Verdict same_ray(const std::string& asked, const Ray& m1, const Ray& mrt, Real far_plane,
                         Real bound) {
     const auto agree = [bound](Vec3 a, Vec3 b) {

@@ -1,4 +1,4 @@
-// Surfaces and lights, drawn at random and told as C++.
+// Random surfaces and lights, and their text as C++.
 #pragma once
 
 #include "tests/kit/for_all.hpp"

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// What light_point gives for the first so many of the samples that are spread evenly from the
-/// seed. Where a suite asks another process (tests/contract), that is one question.
+/// The results of light_point for the first `count` samples, evenly spread from the seed. If the
+/// suite uses another process (tests/contract), this is one query.
 [[nodiscard]] std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed,
                                              int count);
 

@@ -14,7 +14,7 @@ namespace rt {
 
 namespace {
 
-constexpr int rounding = 1;  // a colour near n + ½ rounds either way
+constexpr int rounding = 1;  // a color near n + ½ may be rounded up or down
 constexpr std::uint8_t not_judged = 255;
 
 std::string text(Rgb color) {

@@ -11,22 +11,22 @@ namespace rt {
 /// A file of the project, named from its top: "scenes/cornell_box.rt".
 [[nodiscard]] std::string project_file(const std::string& name);
 
-/// How a picture is drawn, and how much of it.
+/// The settings of a rendering, and its fraction of pixels.
 struct Drawing {
     std::string scene;  ///< if it is not called as the picture
     Look look;
-    int every = 1;  ///< of a picture that takes seconds, so many-th pixels and rows are enough
+    int every = 1;  ///< for a slow picture: only every `every`-th pixel and row
 };
 
-/// Whether a pixel's colour is as near to the reference's as right answers are, by what the picture
-/// of the same name in tests/pictures says of it.
+/// True if a pixel's color is as near to the reference's as right answers are, by the spread in the
+/// picture of the same name in tests/pictures.
 [[nodiscard]] bool fits(Rgb came, Rgb reference, Rgb spread);
 
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///
-/// Each pixel may be off by as much as right answers are: by what tests/pictures/<name>.png says of
-/// it (the spread of drawings whose rays were jittered, in both precisions), and by 1 of 255 for
-/// rounding. Where that is much, beside an edge, the pixel is not judged.
+/// Each pixel may differ by as much as right answers do: by the spread in tests/pictures/<name>.png
+/// (of renderings with jittered rays, in both precisions), and by 1 of 255 for rounding. Where the
+/// spread is large, beside an edge, the pixel is not tested.
 [[nodiscard]] Verdict picture_matches(const std::string& name, const Drawing& drawing = {});
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Random numbers that a failure can be repeated and made simpler with.
+// Random numbers that make failures repeatable and reducible.
 #pragma once
 
 #include "common/basis.hpp"
@@ -10,8 +10,8 @@
 
 namespace rt {
 
-/// Draws numbers, and keeps the choices that made them: replayed, they make the same case.
-/// A choice of ½ always makes the plainest value, so that simpler choices are simpler cases.
+/// Generates numbers, and records the choices that made them: replayed, they make the same case. A
+/// choice of ½ always makes the plainest value, so that simpler choices are simpler cases.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -27,8 +27,8 @@ public:
     bool coin();
     int below(int count);    ///< 0 to count − 1
     Vec3 point(Real reach);  ///< each coordinate from −reach to reach
-    Vec3 direction();        ///< unit length, any way
-    Basis basis();           ///< turned any way
+    Vec3 direction();        ///< unit length, any direction
+    Basis basis();           ///< any rotation
 
     [[nodiscard]] const std::vector<double>& choices() const { return choices_; }
 

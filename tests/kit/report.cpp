@@ -1,9 +1,9 @@
-// Tells what came of each case, at once, so that a crash leaves all that was known before it. The
-// file is named by the environment variable RAYSTEPS_REPORT; without it nothing is told.
+// Reports the result of each case immediately, so that a crash loses no earlier result. The
+// environment variable RAYSTEPS_REPORT names the file; without it nothing is reported.
 //
 //   case edges belong to the triangle (MRT §5)
-//   points 2                                   if its tag says so: [2 points]; else it is worth 1
-//   at tests/step05_triangle_test.cpp:61       only of a case that fails: its first failure
+//   points 2                                   if its tag contains them: [2 points]; default 1
+//   at tests/step05_triangle_test.cpp:61       only for a failed case: its first failure
 //   | intersect(Ray{…                          its lines
 //   failed                                     or passed
 #include "tests/kit/report.hpp"
@@ -26,7 +26,7 @@ using Answer = bool;
 
 namespace {
 
-/// What failed: a verdict's sentence by itself, anything else as it stands in the suite.
+/// The failure: a verdict's sentence alone, or any other assertion as written in the suite.
 std::string told(const Catch::AssertionResult& result) {
     const std::string expanded = result.getExpandedExpression();
     if (!expanded.empty() && expanded.front() == '\n')
@@ -47,7 +47,7 @@ std::string place(const Catch::SourceLineInfo& source) {
            std::to_string(source.line);
 }
 
-/// What "[light][2 points]" is worth.
+/// The points in tags such as "[light][2 points]".
 int points_in(const std::string& tags) {
     int points = 1;
     for (std::size_t at = tags.find('['); at != std::string::npos; at = tags.find('[', at + 1))
@@ -64,7 +64,7 @@ public:
         const char* file = std::getenv("RAYSTEPS_REPORT");
         if (file == nullptr) return;
         out_.open(file);
-        std::setvbuf(stdout, nullptr, _IOLBF, 4096);  // what was printed before a crash counts
+        std::setvbuf(stdout, nullptr, _IOLBF, 4096);  // output before a crash is kept
     }
 
     void testCaseStarting(const Catch::TestCaseInfo& info) override {

@@ -1,4 +1,4 @@
-// What a report says of a failure besides the suite's own words.
+// Additions to the report of a failure.
 #pragma once
 
 #include <functional>
@@ -6,8 +6,8 @@
 
 namespace rt {
 
-/// Lines for the end of a failure, if there are any: then its line to paste, which would be of
-/// another question, is left out.
+/// Returns lines for the end of a failure, or an empty text. If there are lines, the failure's line
+/// to paste is left out, since it would belong to another query.
 inline std::function<std::string()> remark_on_failure;
 
 }  // namespace rt

@@ -1,6 +1,6 @@
-// What random cases are drawn from.
+// The seed of random cases.
 //
-// RAYSTEPS_SEED       a number, to repeat a run or to see other questions
+// RAYSTEPS_SEED       a number, to repeat a run or to see other inputs
 // RAYSTEPS_SEED_FILE  in a graded run: a file with the seed in 16 hexadecimal digits, which no
 //                     message contains
 #pragma once
@@ -15,11 +15,11 @@ struct Seed {
     bool secret = false;
 };
 
-/// The run's. Throws std::runtime_error if the file has none.
+/// The seed of this run. Throws std::runtime_error if the file contains none.
 [[nodiscard]] const Seed& seed();
 
-/// The number that the i-th draw of a named case starts from: other seeds, names and places share
-/// none, and from the draws of one case follows nothing about another.
+/// The random number that starts the i-th draw of a named case: different seeds, names and indices
+/// share none, and the draws of one case reveal nothing about another's.
 [[nodiscard]] std::uint64_t draw_number(std::uint64_t seed, std::string_view name, std::uint64_t i);
 
 /// The same for the run's seed and the test case that runs.

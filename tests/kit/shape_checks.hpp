@@ -1,5 +1,5 @@
-// What must hold of every shape, asked in random cases. A suite says how to draw a shape and a
-// point of it; everything else follows from geometry.
+// Properties of every shape, tested with random cases. A suite defines the random shapes and points
+// on them; everything else follows from geometry.
 #pragma once
 
 #include "tests/kit/for_all.hpp"
@@ -28,8 +28,8 @@ struct Aimed {
     Vec3 normal;
 };
 
-/// A sample's point, aimed at from the side that its normal points to. Every shape here lies
-/// behind the plane that touches it there, so nothing of it is hit before.
+/// A ray to a sample's point, from the side of its normal. Every shape here lies behind its tangent
+/// plane at that point, so the ray hits nothing before it.
 template <class Shape>
 Aimed<Shape> aimed_from_outside(const Sample<Shape>& sample, Random& random) {
     Vec3 away = random.direction();
@@ -53,7 +53,7 @@ inline Motion random_motion(Random& random) {
     return motion;
 }
 
-// Each takes `draw`, which makes a Sample<Shape> of a Random.
+// The parameter `draw` of each function makes a Sample<Shape> from a Random.
 
 /// A ray aimed at a point from outside hits there, whatever the length of its direction.
 template <class Draw>
@@ -87,7 +87,7 @@ Verdict interval_is_kept(Draw draw) {
     });
 }
 
-/// Where a hit found is where it was and nowhere else once everything has moved.
+/// After a rigid transform of ray and shape, the hit is the transformed hit.
 template <class Draw>
 Verdict motion_changes_nothing(Draw draw) {
     return for_all([draw](Random& random) {

@@ -14,12 +14,12 @@ namespace rt {
 
 constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
-/// How far an answer may be from the exact one, relative to it, in suites: examples and random
-/// cases stay within ten sizes of a shape and 0.2 of grazing. There the textbook's formulas lose
-/// (10²) / 0.2 = 500 epsilon at most, with a few operations each. Whoever is further off is wrong.
+/// The tolerance of suites, relative to the exact answer: examples and random cases stay within ten
+/// sizes of a shape and 0.2 of grazing. There the textbook's formulas lose at most (10²) / 0.2 =
+/// 500 epsilon, with a few operations each. A larger error is a wrong answer.
 constexpr Real tolerance = 4096 * epsilon;
 
-/// Whether what was asked for came, and what to tell who wrote it if it did not.
+/// The result of a check, and the message for the student if it failed.
 struct Verdict {
     bool holds = true;
     std::string sentence;
@@ -27,7 +27,7 @@ struct Verdict {
     explicit operator bool() const { return holds; }
 };
 
-/// Holds, or says so in a sentence.
+/// Passes, or fails with a sentence.
 inline Verdict verdict(bool holds, const std::string& sentence) {
     return {.holds = holds, .sentence = holds ? "" : sentence};
 }
@@ -51,7 +51,8 @@ inline std::string came_text(std::optional<Real> t) {
     return t ? "a hit at t = " + text(*t) : "no hit";
 }
 
-/// The lines of a failure: what was asked, what came, what was expected, what to paste in a test.
+/// The lines of a failure: the call, the answer, the expected answer, and a line to paste into a
+/// test.
 template <class Shape>
 std::string told(const Ray& ray, const Shape& shape, Interval interval, std::optional<Real> came,
                  std::optional<Real> expected) {
@@ -80,7 +81,7 @@ Verdict misses(const Ray& ray, const Shape& shape, Interval interval = {}) {
     return verdict(!came, told(ray, shape, interval, came, std::nullopt));
 }
 
-/// A value came out as expected; `what` is the call that gave it.
+/// A value that should equal the expected one; `what` is the call that returned it.
 template <class Value>
 Verdict gives(const std::string& what, Value came, Value expected) {
     return verdict(close(came, expected),

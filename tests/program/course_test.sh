@@ -72,7 +72,7 @@ echo "// of mine" > $stage/student/helpers.hpp
     cat $stage/reference/sphere.cpp
 } > $mine
 course 0 check 3
-says "$mine:2: warning: a graded file may not include common/scene.hpp: docs/step03_sphere.md says what it may"
+says "$mine:2: warning: a graded file may not include common/scene.hpp: docs/step03_sphere.md lists the allowed headers"
 says "$mine:3: warning: a graded file may not include helpers.hpp: "
 says "$mine:4: warning: a graded file may not include ../sphere.hpp: "
 says "$mine:5: warning: a graded file may not include steps/step04_plane/plane.hpp: "
@@ -114,7 +114,7 @@ says "pixels differ"
 [ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
 course 0 explain 3
 says "mine "
-says "The first that differs: "
+says "The first difference: "
 course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
@@ -138,7 +138,7 @@ course 1 check 3
 says "your code crashed: Segmentation fault"
 sed -i 's/std::raise(SIGSEGV);/for (volatile bool on = true; on;) continue;/' $mine
 course 1 check 3
-says "your code has no end"
+says "your code does not end"
 
 # Hints, the solution.
 course 0 hint 3

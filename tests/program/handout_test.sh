@@ -112,16 +112,16 @@ cp -r $stage/student ../student
 cp -r renders ../renders
 course 2 update ../nowhere
 course 2 update ..
-says "no hand-out of Raysteps"
+says "not a hand-out of Raysteps"
 tar -czf ../docs.tar.gz docs
 course 2 update ../docs.tar.gz
-says "has no hand-out of Raysteps in it"
+says "contains no hand-out of Raysteps"
 head -c 9999 ../old.tar.gz > ../cut.tar.gz
 course 2 update ../cut.tar.gz
 cp -r ../new ../broken
 echo "int broken" >> ../broken/common/ray.hpp
 course 2 update ../broken
-says "common/ray.hpp is not as it was handed out"
+says "common/ray.hpp differs from the hand-out"
 course 0 update ../new
 says "changed  $stage/reference/f64.a"
 says "changed  docs/step05_triangle.md"

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t largest_list = 32 << 20;
 
-/// As unpack.cpp calls them.
+/// The names in unpack.cpp.
 constexpr std::array kinds = {"folder", "other",  "source", "archive",
                               "link",   "locked", "large",  "damaged"};
 
@@ -46,7 +46,7 @@ std::optional<std::string> plain_bytes(const fs::path& file, std::size_t largest
     return text;
 }
 
-/// The list may be a stranger's work, should he have got hold of the tool.
+/// The list is untrusted: the archive may have taken control of the tool.
 Unpacked read_list(const std::string& text, const fs::path& folder) {
     Unpacked unpacked;
     std::size_t at = 0;

@@ -1,4 +1,4 @@
-// Archives of strangers.
+// Unpacking of untrusted archives.
 #pragma once
 
 #include "common/course/grade/compile.hpp"
@@ -10,28 +10,30 @@
 
 namespace rt::grade {
 
-/// A name in an archive.
+/// One entry of an archive.
 struct Entry {
     enum class Kind { folder, other, source, archive, link, locked, large, damaged };
     Kind kind = Kind::other;
     std::string name;
-    std::filesystem::path file;  ///< what was taken out: a source, an archive
+    std::filesystem::path file;  ///< an unpacked file: a source or an archive
 };
 
 struct Unpacked {
     std::vector<Entry> entries;
-    bool whole = false;  ///< else the archive is damaged, or a bomb: these were before that
+    bool whole = false;  ///< false if the archive is damaged or a bomb: the entries precede the
+                         ///< damage
 };
 
-/// Takes the sources that are named nearly like a stage's, and the archives, out of an archive into
-/// a folder of the workshop, by a sealed tool; all of them have so many megabytes at most. Nothing
-/// if the archive cannot be read at all. Throws ProgramError or filesystem_error if it is we who
-/// fail.
+/// Unpacks an archive in the sandbox, into a folder of the workshop: only the archives, and the
+/// sources with nearly the name of a stage's file. `most_megabytes` bounds their total size.
+/// Returns nothing if the archive cannot be read at all. Throws ProgramError or filesystem_error if
+/// the grader itself fails.
 [[nodiscard]] std::optional<Unpacked> unpack(const Workshop& workshop,
                                              const std::filesystem::path& archive,
                                              const std::filesystem::path& folder, int megabytes);
 
-/// The text, if the file is one: no link, no device, no pipe, of a size that a person writes.
+/// The text, if this is a regular file (no link, device or pipe) of the size of a handwritten
+/// source.
 [[nodiscard]] std::optional<std::string> source_text(const std::filesystem::path& file);
 
 }  // namespace rt::grade

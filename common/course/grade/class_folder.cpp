@@ -20,12 +20,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 80;
-constexpr int class_megabytes = 2000;  // of what is taken out of an archive of a class
+// total size of the files unpacked from an archive of a class
+constexpr int class_megabytes = 2000;
 
-/// Whose a file is, by the name that a learning platform gave it.
+/// The student of a file, by the name from a learning platform.
 struct Labelled {
     std::string student;
-    std::string name;  ///< the student's own; none if it is a folder's
+    std::string name;  ///< the student's own name for the file; empty for a folder
     bool late = false;
 };
 
@@ -56,7 +57,7 @@ bool is_folder(const fs::path& place) {
     return fs::is_directory(fs::symlink_status(place));
 }
 
-/// The stages whose files are somewhere in the folder.
+/// The stages with a file anywhere in the folder.
 std::set<int> stages_in(const fs::path& folder) {
     std::set<int> stages;
     std::error_code failed;
@@ -69,7 +70,7 @@ std::set<int> stages_in(const fs::path& folder) {
     return stages;
 }
 
-/// What a submission has at its top: a file of a stage's name, a stage's folder, or "steps".
+/// True if the top of the folder contains a stage's file, a stage's folder, or "steps".
 bool is_submission(const std::vector<fs::path>& entries) {
     return std::any_of(entries.begin(), entries.end(), [](const fs::path& each) {
         const std::string name = each.filename();
@@ -83,7 +84,7 @@ bool has_labels(const std::vector<fs::path>& entries) {
                        [](const fs::path& each) { return label(each.filename()).has_value(); });
 }
 
-/// Whether the folders look like several students': two have a file of the same stage.
+/// True if the folders look like several students': two contain a file of the same stage.
 bool are_many(const std::vector<fs::path>& entries) {
     const std::set<std::string> of_a_project = {"student", "starter", "reference", "src",
                                                 "source",  "include", "build",     "tests",
@@ -97,15 +98,15 @@ bool are_many(const std::vector<fs::path>& entries) {
     return false;
 }
 
-/// What a run writes, or an earlier one has written: it may lie among the submissions.
+/// True for the output of this run or an earlier one, which may be among the submissions.
 bool is_results(const fs::path& folder) {
     return fs::is_directory(folder / "students") &&
            (fs::exists(folder / "grades.csv") || !files_in(folder, ".lock.1").empty() ||
             fs::exists(folder / "seed.txt"));
 }
 
-/// The names of an archive as folders and files, in a folder of our own. Of files only those have
-/// content that may be a student's; of the others the names stand, so that nobody disappears.
+/// Creates the names of an archive as folders and files. Only files that may be a student's have
+/// contents; the other names are created too, so that no student is lost.
 void lay_out(const Unpacked& unpacked, const fs::path& folder) {
     for (const Entry& entry : unpacked.entries) {
         const fs::path name = fs::path(entry.name).lexically_normal();
@@ -149,7 +150,7 @@ public:
                 student = first + "_" + std::to_string(i);
             if (student != first)
                 leave(key.first.has_filename() ? key.first : key.first.parent_path(),
-                      "is graded as " + student + ", as there is another " + first);
+                      "is graded as " + student + ", since there is another " + first);
             all.envelopes.push_back({.student = student, .pieces = std::move(pieces)});
         }
         all.left_over = std::move(left_over_);
@@ -167,12 +168,12 @@ private:
             by_student_[{full, without_archive_ending(last)}].push_back({full, last});
     }
 
-    /// One student may have several pieces.
+    /// A student may have several files and folders.
     void add_labelled(const fs::path& place, const Labelled& labelled) {
         by_student_[{place.parent_path(), labelled.student}].push_back({place, labelled.name});
         if (labelled.late)
             left_over_.push_back(plain_name(labelled.student) +
-                                 ": Canvas marks it LATE; it is graded as the others are");
+                                 ": Canvas marks it LATE; it is graded like the others");
     }
 
     void add_folder(const fs::path& place) {
@@ -187,7 +188,7 @@ private:
             add_student(place);
             return;
         }
-        // One archive may be the whole class.
+        // A single archive may be the whole class.
         const bool alone = 1 == std::count_if(entries.begin(), entries.end(), [](const auto& each) {
                                return is_folder(each) || is_archive(each.filename());
                            });
@@ -197,7 +198,7 @@ private:
                 add_entry(each);
     }
 
-    /// What stands in a folder of a class.
+    /// Adds one entry of a folder of a class.
     void add_entry(const fs::path& entry) {
         const std::string name = entry.filename();
         std::error_code none;
@@ -205,14 +206,14 @@ private:
         if (is_folder(entry)) {
             if (fs::equivalent(entry, results_, none)) return;
             if (name[0] == '.' && stages_in(entry).empty()) return leave(entry, "is hidden");
-            if (is_results(entry)) return leave(entry, "has the results of a run");
+            if (is_results(entry)) return leave(entry, "contains the results of a run");
             return add_student(entry);
         }
         if (const std::optional<Labelled> labelled = label(name))
             return add_labelled(fs::absolute(entry).lexically_normal(), *labelled);
         if (fs::is_regular_file(entry) && is_archive(name)) return add_student(entry);
         leave(entry,
-              "is neither a folder nor an archive, and not named as Moodle or Canvas name files");
+              "is neither a folder nor an archive, and its name is not one by Moodle or Canvas");
     }
 
     void leave(const fs::path& entry, const std::string& why) {
@@ -226,15 +227,15 @@ private:
         if (label(archive.filename()) || !add_class_archive(archive)) add_student(archive);
     }
 
-    /// Whether it is a class's. A student's own is never looked at so when others stand beside it:
-    /// it could hold what is named as another's.
+    /// Adds the submissions of an archive if it is a class. Not called for a student's own archive
+    /// beside others, since it could contain files named as another student's.
     bool add_class_archive(const fs::path& archive) {
         const TemporaryFolder taken_out(workshop_.folder);
         const std::optional<Unpacked> unpacked =
             unpack(workshop_, archive, taken_out.path(), class_megabytes);
         if (!unpacked) return false;
         std::string name = (workshop_.folder / "class.XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be made");
+        if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");
         lay_out(*unpacked, name);
         fs::path top = name;
         std::vector<fs::path> entries = entries_of(top);
@@ -252,16 +253,16 @@ private:
             return false;
         }
         if (!unpacked->whole)
-            throw InputError({archive}, "is damaged, or has more than " +
+            throw InputError({archive}, "is damaged, or contains more than " +
                                             std::to_string(class_megabytes) +
-                                            " MB of submissions: unpack it yourself");
+                                            " MB of submissions: please unpack it yourself");
         for (const fs::path& each : entries) add_entry(each);
         return true;
     }
 
     const Workshop& workshop_;
     const fs::path& results_;
-    // By the place, and the name: of labelled ones by the folder they are in.
+    // By place and name: for files with a platform's label, the place is their folder.
     std::map<std::pair<fs::path, std::string>, std::vector<Piece>> by_student_;
     std::vector<std::string> left_over_;
 };
@@ -274,7 +275,7 @@ ClassFolder find_class(const Workshop& workshop, const std::vector<fs::path>& pl
     for (const fs::path& place : places) finding.add_place(place);
     ClassFolder found = finding.found();
     if (found.envelopes.empty()) {
-        std::string why = "holds no submission";
+        std::string why = "contains no submission";
         for (const std::string& each : found.left_over) why += "; " + each;
         throw InputError({places.at(0)}, why);
     }
@@ -284,7 +285,7 @@ ClassFolder find_class(const Workshop& workshop, const std::vector<fs::path>& pl
 ClassFolder one_submission(const std::vector<fs::path>& places) {
     Envelope envelope;
     for (const fs::path& place : places) {
-        if (!fs::exists(place)) throw InputError({place}, "is not there");
+        if (!fs::exists(place)) throw InputError({place}, "does not exist");
         const fs::path full = fs::absolute(place).lexically_normal();
         const std::string last =
             full.has_filename() ? full.filename() : full.parent_path().filename();
@@ -308,7 +309,7 @@ std::string plain_name(const std::string& text) {
             name.pop_back();
         if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xc0) name.pop_back();
     }
-    while (!name.empty() && name.back() == '.') name.pop_back();  // as some systems do
+    while (!name.empty() && name.back() == '.') name.pop_back();  // as some file systems do
     if (name.empty() || name.front() == '.' || name.front() == '-') name.insert(0, "_");
     return name;
 }

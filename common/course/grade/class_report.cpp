@@ -17,9 +17,9 @@ std::string section(const std::string& title, const std::string& inside) {
     return "<section>\n<h2>" + title + "</h2>\n" + inside + "</section>\n";
 }
 
-constexpr const char* missing_cell = "<td class=\"soft\" title=\"not handed in\">–</td>";
+constexpr const char* missing_cell = "<td class=\"soft\" title=\"not submitted\">–</td>";
 constexpr const char* refused_cell =
-    "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be judged\">×</td>";
+    "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>";
 
 std::string points_cell(int points, int most) {
     return share_cell("share", points, most, std::to_string(100 * points / std::max(most, 1)));
@@ -31,7 +31,7 @@ std::string mark_cell(const Mark& mark, int most) {
     return points_cell(mark.points(), most);
 }
 
-/// With a link to what the student reads, unless the name is hidden or there is nothing to read.
+/// Links to the student's feedback, unless the name is hidden or there is no feedback.
 std::string student_cell(const Submission& submission) {
     const bool linked = submission.called == submission.student && !submission.marks.empty();
     return "<th class=\"student\">" +
@@ -41,9 +41,9 @@ std::string student_cell(const Submission& submission) {
            "</th>";
 }
 
-/// The mean share of what was handed in.
+/// The mean result of the submitted stages.
 std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& stages) {
-    std::string cells = "<th class=\"student\">mean, handed in</th>";
+    std::string cells = "<th class=\"student\">mean of submissions</th>";
     for (const auto& [stage, most] : stages) {
         int points = 0;
         int most_of_all = 0;
@@ -80,12 +80,13 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
         const int share = std::clamp(int(100 * submission.points / std::max(all, 1e-9)), 0, 100);
         rows += row(cells + share_cell("share", share, 100, number(submission.points)));
     }
-    return "<p class=\"soft\">The points of each stage, of a hundred; – is not handed in, × cannot "
+    return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, × "
+           "cannot "
            "be judged.</p>\n" +
            table("matrix", rows + mean_row(marks, stages));
 }
 
-/// What a lecturer's settings have changed, and who handed in nothing.
+/// The changes by the lecturer's settings, and the students without a submission.
 std::string remarks(const std::vector<Mark>& marks, const Term& term) {
     std::string rows;
     for (const Submission& submission : submissions(marks, term))
@@ -94,7 +95,7 @@ std::string remarks(const std::vector<Mark>& marks, const Term& term) {
     return rows.empty() ? "" : section("Remarks", table("list", rows));
 }
 
-/// What of the class's folder is nobody's, and names in the term's files that nobody has.
+/// The files that belong to no submission, and the names in the term's files that match no student.
 std::string left_over(const std::filesystem::path& results, const Term& term) {
     const std::filesystem::path file = results / left_over_file;
     std::string rows;
@@ -108,7 +109,7 @@ std::string first_line(const std::string& words) {
     return words.substr(0, words.find('\n'));
 }
 
-/// Whose code was stopped at what no answer needs, and whose was not run at all.
+/// The students whose code was stopped at a forbidden operation, and those whose code was not run.
 std::string trials(const std::vector<Mark>& marks, const Term& term) {
     std::vector<std::string> tried;
     std::vector<std::string> refused;
@@ -117,7 +118,7 @@ std::string trials(const std::vector<Mark>& marks, const Term& term) {
             text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
         const auto cases =
             std::count_if(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-                return each.words.find("tried what it may not") != std::string::npos;
+                return each.words.find("tried a forbidden operation") != std::string::npos;
             });
         if (cases > 0) tried.push_back(row(who + text_cell("in " + counted(int(cases), "case"))));
         if (mark.verdict == Verdict::refused)
@@ -126,8 +127,8 @@ std::string trials(const std::vector<Mark>& marks, const Term& term) {
     std::string html;
     if (!tried.empty())
         html +=
-            "<h3>Tried what it may not: files, processes, networks</h3>\n" + first_rows("", tried);
-    if (!refused.empty()) html += "<h3>Could not be judged</h3>\n" + first_rows("", refused);
+            "<h3>Forbidden operations: files, processes, networks</h3>\n" + first_rows("", tried);
+    if (!refused.empty()) html += "<h3>Could not be graded</h3>\n" + first_rows("", refused);
     return html.empty() ? "<p>Nobody's.</p>\n" : html;
 }
 
@@ -138,7 +139,7 @@ std::string mistakes(const std::vector<Mark>& marks) {
         if (mark.verdict == Verdict::judged) ++judged[mark.stage];
         for (const std::string& sentence : lines_of(mark.mistake)) ++counts[{mark.stage, sentence}];
     }
-    if (counts.empty()) return "<p>None was recognised.</p>\n";
+    if (counts.empty()) return "<p>No known mistake was recognized.</p>\n";
     std::vector<std::pair<std::pair<int, std::string>, int>> sorted(counts.begin(), counts.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& one, const auto& other) { return one.second > other.second; });
@@ -147,7 +148,7 @@ std::string mistakes(const std::vector<Mark>& marks) {
         rows.push_back(row(share_cell("bar", count, judged[which.first], std::to_string(count)) +
                            text_cell(stage_title(which.first)) + text_cell(which.second)));
     return first_rows(row("<th>students</th><th class=\"text\">stage</th>"
-                          "<th class=\"text\">what a student is told</th>"),
+                          "<th class=\"text\">message to the student</th>"),
                       rows);
 }
 
@@ -186,7 +187,7 @@ std::string cases(const std::vector<Mark>& marks) {
                 "<td>" + std::to_string(each.judged) + "</td>" +
                 text_cell(stage_title(each.stage)) + text_cell(each.name)));
     if (rows.empty()) return "<p>No case fails.</p>\n";
-    return "<p class=\"soft\">Of the files that could be judged.</p>\n" +
+    return "<p class=\"soft\">Only files that could be graded are counted.</p>\n" +
            first_rows(row("<th>pass</th><th>of</th><th class=\"text\">stage</th>"
                           "<th class=\"text\">case</th>"),
                       rows);
@@ -220,20 +221,24 @@ std::string near(const std::vector<NearFiles>& found, const Term& term) {
     for (const NearFiles& each : found)
         rows.push_back(
             row(text_cell(names({each.one, each.other}, term)) + text_cell(near_stages(each))));
-    return "<h3>Near, but not the same</h3>\n<p class=\"soft\">How much of the shorter file is in "
+    return "<h3>Similar files</h3>\n<p class=\"soft\">The percentage of the shorter file that is "
+           "in "
            "the longer, from " +
            std::to_string(near_percent) +
-           " % on, whatever the names and comments. What the starter has does not count; what many "
-           "have counts little.</p>\n" +
+           " % on, apart from names and comments. Passages of the starter do not count; passages "
+           "of many "
+           "students count little.</p>\n" +
            first_rows("", rows);
 }
 
 std::string alike(const Likeness& found, const Term& term) {
     const std::string html =
-        "<p class=\"hint\">Likeness is no proof. Two who worked side by side, or from the same "
-        "page, write alike, and a short stage leaves little choice: read the files, and ask, "
+        "<p class=\"hint\">Similarity is no proof. Students who worked together, or from the same "
+        "page, write similar code, and a short stage leaves little choice: read the files, and "
+        "ask, "
         "before you conclude anything.</p>\n";
-    if (found.same.empty() && found.near.empty()) return html + "<p>No two files are alike.</p>\n";
+    if (found.same.empty() && found.near.empty())
+        return html + "<p>No two files are similar.</p>\n";
     return html + same(found.same, term) + near(found.near, term);
 }
 
@@ -254,7 +259,7 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
         left_over(results, term) + section("Known mistakes", mistakes(marks)) +
         section("Hardest cases", cases(marks)) +
         section("Code that was stopped or refused", trials(marks, term)) +
-        section("Files that are alike", alike(likeness(results, project, marks), term));
+        section("Similar files", alike(likeness(results, project, marks), term));
     write_text(results / "class.html", page("Class report", body));
 }
 

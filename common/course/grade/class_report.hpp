@@ -1,4 +1,4 @@
-// What an instructor sees of a class.
+// The class report, for the instructor.
 #pragma once
 
 #include "common/course/grade/results.hpp"
@@ -6,10 +6,10 @@
 
 namespace rt::grade {
 
-/// Writes results/class.html: every stage of every student, what the term has changed, the known
-/// mistakes, the hardest cases, whose code was stopped, and files that are alike, beyond what they
-/// have of the starters in the project's folder. The edition says of when and of what it is. Throws
-/// InputError.
+/// Writes results/class.html: every stage of every student, changes by the term's rules, the known
+/// mistakes, the hardest cases, the students whose code was stopped, and similar files (apart from
+/// the starters in the project's folder). The edition is the date and the version on the page.
+/// Throws InputError.
 void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
                         const std::vector<Mark>& marks, const Term& term = {},
                         const std::string& edition = "");

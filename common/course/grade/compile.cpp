@@ -21,10 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-constexpr int wall_seconds = 30;  // where nothing else runs; a tool computes for 15 at most
+constexpr int wall_seconds = 30;  // on an idle machine; a tool computes for at most 15 seconds
 constexpr int header_megabytes = 256;
 
-/// How a seat is compiled and linked, as seats/*.txt has it: a name and an option a line.
+/// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
 using Options = std::multimap<std::string, std::string>;
 
 std::string name_of(int stage) {
@@ -39,7 +39,7 @@ Options read_options(const Workshop& workshop, int stage) {
     const fs::path file = workshop.folder / "seats" / (name_of(stage) + ".txt");
     Options options;
     std::ifstream in(file);
-    if (!in) throw ProgramError(file.string() + " is not there");
+    if (!in) throw ProgramError(file.string() + " does not exist");
     for (std::string line; std::getline(in, line);) {
         const std::size_t space = line.find(' ');
         if (space != std::string::npos && space + 1 < line.size())
@@ -53,7 +53,7 @@ void append(Command& command, const Options& options, const std::string& name) {
     for (auto each = first; each != last; ++each) command.push_back(each->second);
 }
 
-/// What a file of the stage may see of the project.
+/// The project's headers that a file of the stage may include.
 fs::path headers_of(const Workshop& workshop, int stage) {
     return workshop.folder / "headers" / name_of(stage);
 }
@@ -70,7 +70,7 @@ StageFunctions functions_of(const Workshop& workshop, int stage) {
          : kind == "callable" ? functions.callable
                               : functions.others)
             .insert(symbol);
-    if (functions.own.empty()) throw ProgramError("seats/graded is not whole");
+    if (functions.own.empty()) throw ProgramError("seats/graded is incomplete");
     return functions;
 }
 
@@ -83,8 +83,8 @@ Command compiler(const Workshop& workshop, int stage) {
     return compile;
 }
 
-/// Ended by a limit. Which one ends a bomb, and how far it came, depends on what else the machine
-/// does.
+/// True if a limit ended the tool. The limit that a bomb reaches first, and its progress until
+/// then, depend on the load of the machine.
 bool is_bomb(const Ending& ending) {
     const auto says = [&ending](const char* words) {
         return ending.output.find(words) != std::string::npos;
@@ -94,7 +94,7 @@ bool is_bomb(const Ending& ending) {
            says("cannot allocate memory");
 }
 
-/// What is told of a tool that failed: its own words, the same in every run.
+/// The message about a failed tool: its own output, identical in every run.
 std::string told(const Ending& ending, const Workshop& workshop, int stage,
                  const TemporaryFolder& scratch, const std::string& otherwise) {
     if (is_bomb(ending)) return otherwise + " took too much time or memory.";
@@ -104,8 +104,8 @@ std::string told(const Ending& ending, const Workshop& workshop, int stage,
     return words.empty() ? otherwise + " failed." : words;
 }
 
-/// Where a tool has its parts, if that is no folder of the system's, and what it is told to include
-/// from: a compiler in /opt, headers in /home.
+/// The folders of the tool's own parts, if they are not system folders, and of its include options:
+/// a compiler in /opt, headers in /home.
 std::vector<fs::path> folders_of(const Command& command) {
     std::vector<fs::path> folders;
     std::error_code none;
@@ -119,7 +119,8 @@ std::vector<fs::path> folders_of(const Command& command) {
     return folders;
 }
 
-/// For whoever may enter the folder that they are in, whatever the project's own are.
+/// Makes the contents readable for everybody who may enter the folder, with any permissions in the
+/// project.
 void let_all_read(const fs::path& folder) {
     using fs::perms;
     for (const auto& each : fs::recursive_directory_iterator(folder))
@@ -146,8 +147,8 @@ std::string told_of_compile(const Ending& ending, const Workshop& workshop, int 
     const std::string words = told(ending, workshop, stage, scratch, "The compile");
     const std::string header = refused_header(words);
     if (header.empty()) return words;
-    return "Your file includes " + header + ", which this stage may not: docs/" + name_of(stage) +
-           ".md says what it may.\n" + words;
+    return "Your file includes " + header + ", which this stage must not include: docs/" +
+           name_of(stage) + ".md lists the allowed headers.\n" + words;
 }
 
 void copy_headers(const fs::path& project, const Workshop& workshop, int stage) {
@@ -158,8 +159,9 @@ void copy_headers(const fs::path& project, const Workshop& workshop, int stage) 
     }
 }
 
-/// Moves what a sealed tool has made, and owns. Not a copy of ours: a process that another thread
-/// starts meanwhile would hold it open, and a program that is written to cannot be run.
+/// Moves the result of a sealed tool, which owns it. It is not copied: a process started meanwhile
+/// by another thread would keep the copy open, and a program that is open for writing cannot be
+/// run.
 void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
     fs::rename(made, to);
     if (lchown(to.c_str(), geteuid(), getegid()) != 0) throw ProgramError(to.string() + ": owner");
@@ -175,8 +177,8 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
         if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
             copy_headers(project, workshop, stage);
-    // Where the user that a sealed tool becomes finds it, whoever's the build folder is; and before
-    // there are threads: a program that a process started meanwhile holds open cannot be run.
+    // Copied to a place that the tool's user can read, whoever owns the build folder; and before
+    // threads exist, since a program that a process started meanwhile keeps open cannot be run.
     if (fs::exists(build / "unpack")) {
         fs::copy_file(build / "unpack", folder / "unpack", fs::copy_options::overwrite_existing);
         fs::permissions(folder / "unpack", fs::perms(0755));
@@ -200,7 +202,7 @@ void precompile_header(const Workshop& workshop, int stage) {
                                      compile, header_megabytes);
     if (ending.status != 0)
         throw ProgramError("error: the headers of " + name_of(stage) +
-                           " do not compile in the seal\n" + ending.output);
+                           " do not compile in the sandbox\n" + ending.output);
     take(made, header + ".gch", fs::perms(0644));
 }
 
@@ -215,7 +217,7 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
     for (const fs::path& each : folders_of(command)) sealed.push_back("read=" + each.string());
     sealed.push_back("--");
     sealed.insert(sealed.end(), command.begin(), command.end());
-    // The launcher watches the clock; we do in case that it cannot.
+    // The launcher enforces the time limit; this one is a fallback.
     Ending ending = listen_to(sealed, std::chrono::seconds(wall + 10), workshop.stop);
     go_on(workshop);
     if (ending.status == not_sealed) throw ProgramError(ending.output);
@@ -225,8 +227,8 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
 Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                         const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
-    // Named as the student knows it, and from where the compiler starts: its words say so, and
-    // so does __FILE__, the same in every run.
+    // The file has the student's name for it, relative to the compiler's folder, so that messages
+    // and __FILE__ are the same in every run.
     const std::string source = name_of(stage).substr(7) + ".cpp";
     const fs::path made = scratch.path() / "submission.o";
     std::ofstream(scratch.path() / source) << text;
@@ -238,8 +240,8 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
         command.insert(command.end(), {"-c", source, "-o", made});
         return run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)}, command);
     };
-    // The stage's header is compiled ahead, which helps those only who include nothing before it:
-    // so it goes first. Whoever minds is compiled as he is.
+    // The stage's precompiled header works only as the first include, so it is included first. A
+    // file that does not compile this way is compiled unchanged.
     Ending compiled = compile({"-include", header_of(workshop, stage)});
     if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
     if (compiled.status != 0) return {.words = told_of_compile(compiled, workshop, stage, scratch)};
@@ -257,8 +259,9 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
 
 namespace {
 
-/// One file alone is linked to what it may call. Of several, each was linked so before: they are
-/// linked to the references of all others, of which not even the linker sees the students' stages'.
+/// A single file is linked to the functions that it may call. Several files were linked this way
+/// one by one; together, they are linked to the references of all other stages, without the
+/// references of the students' stages.
 std::vector<fs::path> parts_of(const Workshop& workshop, int stage,
                                const std::map<int, fs::path>& objects) {
     const fs::path seats = workshop.folder / "seats";

@@ -1,4 +1,4 @@
-// From a stranger's files to a worker, without a look at anything but the headers.
+// From an untrusted submission to a worker. The compiler can read the headers, and nothing else.
 #pragma once
 
 #include "common/course/process.hpp"
@@ -11,16 +11,17 @@
 
 namespace rt::grade {
 
-/// A folder of nothing but what a compile may see: the project's headers, and the seats
-/// (tests/grading/seat.cmake). Whoever compiles is nobody in particular, so the folders above it
-/// must be open to all.
+/// A folder that contains only what a compiler may read: the project's headers, and the link kits
+/// (tests/grading/seat.cmake). The compiler runs as an unprivileged user, so all folders above it
+/// must be readable by everyone.
 struct Workshop {
     std::filesystem::path folder;
     std::filesystem::path sealed;             ///< the launcher
-    const std::atomic<bool>* stop = nullptr;  ///< once it is set, what runs is ended
+    const std::atomic<bool>* stop = nullptr;  ///< when this becomes true, running programs are
+                                              ///< stopped
 };
 
-/// What was on its way is worth nothing: somebody has stopped it.
+/// The work was stopped; its partial result must not be used.
 struct Interrupted : std::runtime_error {
     Interrupted() : std::runtime_error("interrupted") {}
 };
@@ -28,38 +29,41 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted if the workshop is stopped.
 void go_on(const Workshop& workshop);
 
-/// Fills the folder from the project and from what is built of it. Throws filesystem_error.
+/// Fills the folder from the project and its build. Throws filesystem_error.
 [[nodiscard]] Workshop open_workshop(const std::filesystem::path& project,
                                      const std::filesystem::path& build,
                                      const std::filesystem::path& folder);
 
-/// Compiles a stage's header ahead, sealed, so that a file after it takes a third of its time.
-/// Throws ProgramError.
+/// Precompiles a stage's header in the sandbox, which divides the compile time of each submission
+/// by three. Throws ProgramError.
 void precompile_header(const Workshop& workshop, int stage);
 
-/// What came of a compile or a link.
+/// The result of a compile or a link.
 struct Made {
     bool succeeded = false;
-    std::string words;  ///< why not, fit for who wrote the file
+    std::string words;  ///< the reason for a failure, for the author of the file
 };
 
-// Both throw ProgramError, or filesystem_error, if it is we who fail; Interrupted.
+// Both functions throw ProgramError or filesystem_error if the grader itself fails, and
+// Interrupted.
 
-/// Compiles what was handed in for a stage. Refuses what defines symbols that are not his to
-/// define.
+/// Compiles a submission's files for a stage. Refuses a file that defines symbols other than its
+/// own.
 [[nodiscard]] Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
                                       const std::filesystem::path& object);
 
-/// Links a stage's worker of the student's objects, by stage, and the references of all others.
+/// Links a stage's worker from the student's objects, by stage, and the references of all other
+/// stages.
 [[nodiscard]] Made link_worker(const Workshop& workshop, int stage,
                                const std::map<int, std::filesystem::path>& objects,
                                const std::filesystem::path& worker);
 
-/// How the stage's worker is sealed: what RAYSTEPS_LIMITS says to it.
+/// The sandbox of the stage's worker: the value of RAYSTEPS_LIMITS.
 [[nodiscard]] std::string worker_limits(int stage);
 
-/// Runs a tool that may read these, what belongs to the tool, and what it is told to include from
-/// (-isystem); and write into the folder only, which it starts in, files of so many megabytes.
+/// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
+/// its -isystem options; it may write only to its working folder, files of at most this many
+/// megabytes.
 [[nodiscard]] Ending run_sealed(const Workshop& workshop, const std::filesystem::path& writable,
                                 const std::vector<std::filesystem::path>& readable,
                                 const Command& command, int megabytes = 32);

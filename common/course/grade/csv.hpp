@@ -1,4 +1,4 @@
-// Tables as spreadsheets and learning platforms write and read them: RFC 4180.
+// Tables for spreadsheets and learning platforms: RFC 4180.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@ namespace rt::grade {
 
 struct Csv {
     struct Row {
-        int line = 0;  ///< of the file
+        int line = 0;  ///< in the file
         std::vector<std::string> cells;
 
         /// Nothing if the row is shorter.
@@ -18,20 +18,20 @@ struct Csv {
     std::filesystem::path file;
     char separator = ',';
     Row head;
-    std::vector<Row> rows;  ///< below it; blank lines are none
+    std::vector<Row> rows;  ///< below the headings; without blank lines
 
-    /// The column of one of these headings, in upper or lower case; -1 if there is none.
+    /// The column with one of these headings, ignoring case; -1 if there is none.
     [[nodiscard]] int column(const std::vector<std::string>& headings) const;
 };
 
-/// Separated by comma, semicolon or tab, whichever the first line has most of. Throws InputError if
-/// the file cannot be read, or a quote is not closed.
+/// The separator is the comma, semicolon or tab that is most frequent in the first line. Throws
+/// InputError if the file cannot be read, or a quote is not closed.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);
 
-/// A cell that no spreadsheet takes for a formula.
+/// A cell that no spreadsheet evaluates as a formula.
 [[nodiscard]] std::string cell(const std::string& text);
 
-/// The same, but as it is: for a program that knows it.
+/// The cell unchanged, for programs that do not evaluate formulas.
 [[nodiscard]] std::string plain_cell(const std::string& text, char separator = ',');
 
 }  // namespace rt::grade

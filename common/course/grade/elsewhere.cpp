@@ -52,7 +52,7 @@ root=${AUTOGRADER:-/autograder}
 seconds=${RAYSTEPS_SECONDS:-540}  # less than Gradescope's time limit, after which nothing is kept
 answer=$root/results/results.json
 results=$(mktemp -d)
-why="The autograder itself failed. This says nothing of your work: please tell your instructor."
+why="The autograder itself failed. This does not concern your work: please inform your instructor."
 
 finish() {
     rm -rf "$results"
@@ -139,7 +139,7 @@ shift 2
 parts=16
 tasks=
 while [ "${1-}" = --parts ] || [ "${1-}" = --tasks ]; do
-    [ $# -ge 2 ] || { echo "error: $1 wants a value" >&2; exit 2; }
+    [ $# -ge 2 ] || { echo "error: $1 needs a value" >&2; exit 2; }
     case $1 in
         --parts) parts=$2 ;;
         --tasks) tasks=$2 ;;
@@ -147,7 +147,7 @@ while [ "${1-}" = --parts ] || [ "${1-}" = --tasks ]; do
     shift 2
 done
 case $parts in
-    '' | *[!0-9]* | 0*) echo "error: --parts wants a number from 1 on, not \"$parts\"" >&2; exit 2 ;;
+    '' | *[!0-9]* | 0*) echo "error: --parts needs a number from 1 on, not \"$parts\"" >&2; exit 2 ;;
 esac
 # Built once, before many tasks use it. For nodes whose processors differ, see docs/instructors.md.
 sh @PROJECT@/course grade --help > /dev/null
@@ -190,7 +190,7 @@ seq 16 | parallel --quote @PROJECT@/build/grade "$class" --out "$out" --jobs 1 -
 @PROJECT@/build/grade --report --out "$out"
 )sh";
 
-/// Copies what belongs to the project: what git knows, or else all but what comes of it.
+/// Copies the project: the files in git, or else all files but the build's output.
 constexpr const char* copy_project = R"sh(
 cd "$1" || exit
 if git -c safe.directory="$1" ls-files --error-unmatch course > /dev/null 2>&1; then
@@ -201,7 +201,7 @@ else
 fi | tar -xf - -C "$2"
 )sh";
 
-/// A word as a shell takes it literally.
+/// An argument quoted for the shell.
 std::string quoted(const std::string& word) {
     std::string text = "'";
     for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
@@ -261,7 +261,7 @@ void write_for(const std::string& place, const fs::path& place_of_files, const f
     if (place != "gradescope" && place != "github" && place != "slurm")
         throw InputError({}, "--for gradescope, github or slurm, not \"" + place + "\"");
     fs::create_directories(place_of_files);
-    const fs::path folder = fs::absolute(place_of_files);  // for tools that start elsewhere
+    const fs::path folder = fs::absolute(place_of_files);  // for tools that start in another folder
     const Writer writer(project, stages);
     if (place == "gradescope") write_autograder(folder, project, writer);
     if (place == "github") writer.write(folder / "grade.yml", workflow);

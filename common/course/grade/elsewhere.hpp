@@ -1,4 +1,4 @@
-// `./course grade --for …`: what grades a class on machines that are not this one.
+// `./course grade --for …`: files that run the grading on another machine.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 namespace rt::grade {
 
-/// Writes into the folder what the place needs:
+/// Writes the place's files into the folder:
 ///
 /// gradescope   autograder.zip, to be uploaded: the project, setup.sh and run_autograder
 /// github       grade.yml, a workflow for .github/workflows of a private clone of the project
-/// slurm        submit.sh CLASS OUT, an array of jobs and the reports after it; and the same
-///              for GNU parallel, in_parallel.sh
+/// slurm        submit.sh CLASS OUT, an array of jobs and then the reports; and in_parallel.sh,
+///              the same for GNU parallel
 ///
-/// On Gradescope these stages are graded; all, if there are none. Throws InputError if the place is
-/// none of these, or a file cannot be written; ProgramError if the project is not packed.
+/// On Gradescope only `stages` are graded; all of them if it is empty. Throws InputError if the
+/// place is unknown or a file cannot be written; ProgramError if the project cannot be packed.
 void write_for(const std::string& place, const std::filesystem::path& folder,
                const std::filesystem::path& project, const std::set<int>& stages);
 

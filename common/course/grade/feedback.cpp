@@ -48,18 +48,17 @@ std::string failed_case(const CaseMark& each) {
 std::string diagnosis(const Mark& mark, const fs::path& folder) {
     std::string html;
     for (const std::string& sentence : lines_of(mark.mistake))
-        html +=
-            "<p class=\"hint\">It answers as a known mistake does: " + escaped(sentence) + "</p>\n";
+        html += "<p class=\"hint\">Its answers are those of a known mistake: " + escaped(sentence) +
+                "</p>\n";
     if (!mark.smallest.empty())
-        html += "<h3>Where it goes wrong, at its plainest</h3>\n" +
-                preformatted(mark.smallest, "wrong");
-    if (!mark.slice.empty()) html += drawing(folder / mark.slice, "The same, drawn");
+        html += "<h3>The simplest failing input</h3>\n" + preformatted(mark.smallest, "wrong");
+    if (!mark.slice.empty()) html += drawing(folder / mark.slice, "A drawing of it");
     return html;
 }
 
 std::string picture(const PictureMark& picture, const fs::path& folder) {
     const std::string caption =
-        "By your stages up to this one, by the references', and the difference: " +
+        "With your stages up to this one, with the references, and the difference: " +
         (picture.different == 0 ? "none of " + counted(picture.pixels, "pixel") + " differs"
                                 : std::to_string(picture.different) + " of " +
                                       counted(picture.pixels, "pixel") + " differ");
@@ -82,7 +81,7 @@ std::string judged(const Mark& mark, const fs::path& folder) {
                (fails == 1 ? " fails.</p>\n" : " fail.</p>\n");
     if (passes > 0 && mark.points() == 0)
         html +=
-            "<p>What passes does so in the starter too: there are points for it once anything "
+            "<p>All passing cases pass in the starter too: they count as soon as anything "
             "else passes.</p>\n";
     html += diagnosis(mark, folder) + failed;
     const bool differs = mark.picture && mark.picture->different > 0;
@@ -93,7 +92,7 @@ std::string judged(const Mark& mark, const fs::path& folder) {
         fails == 0 ? "Every case passes"
                    : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
     if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
-    if (!mark.words.empty()) html += folded("What was said of your file", preformatted(mark.words));
+    if (!mark.words.empty()) html += folded("Messages about your file", preformatted(mark.words));
     return html;
 }
 
@@ -102,10 +101,10 @@ std::string section(const Mark& mark, int most, const fs::path& folder) {
                              "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
                              "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
     if (mark.verdict == Verdict::missing)
-        return html + "<p>No file was handed in.</p>\n" + preformatted(mark.words, "wrong") +
+        return html + "<p>No file was submitted.</p>\n" + preformatted(mark.words, "wrong") +
                "</section>\n";
     if (mark.verdict == Verdict::refused)
-        return html + "<p>Your file cannot be judged:</p>\n" + preformatted(mark.words, "wrong") +
+        return html + "<p>Your file cannot be graded:</p>\n" + preformatted(mark.words, "wrong") +
                "</section>\n";
     return html + judged(mark, folder) + "</section>\n";
 }
@@ -119,7 +118,7 @@ std::string overview(const Submission& submission, const std::map<int, int>& sta
                 std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
                 std::string(stage_name(stage)) + "\">" + stage_title(stage) + "<small>" +
                 std::to_string(mark->points()) + " of " + std::to_string(most) +
-                (mark->verdict == Verdict::missing ? ", not handed in" : "") +
+                (mark->verdict == Verdict::missing ? ", not submitted" : "") +
                 "</small></a></li>\n";
     }
     return html + "</ul>\n";

@@ -1,4 +1,4 @@
-// What a student reads of his marks.
+// The feedback page of each student.
 #pragma once
 
 #include "common/course/grade/results.hpp"
@@ -6,8 +6,8 @@
 
 namespace rt::grade {
 
-/// Writes results/students/<student>/feedback.html for each student who handed in: one file, with
-/// its pictures inside. Throws InputError.
+/// Writes results/students/<student>/feedback.html for each student with a submission: one file
+/// that contains its pictures. Throws InputError.
 void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks,
                     const Term& term = {});
 

@@ -30,13 +30,13 @@ scmp_arg_cmp argument_is(unsigned argument, std::uint64_t value) {
     return {.arg = argument, .op = SCMP_CMP_EQ, .datum_a = value, .datum_b = 0};
 }
 
-/// Whether the bits of the mask are these.
+/// The condition that the masked bits equal `bits`.
 scmp_arg_cmp bits_are(unsigned argument, std::uint64_t mask, std::uint64_t bits) {
     return {.arg = argument, .op = SCMP_CMP_MASKED_EQ, .datum_a = mask, .datum_b = bits};
 }
 
-/// A list of system calls that are let through; of any other comes what is given at first. Calls by
-/// the numbers of another architecture end the process.
+/// A list of allowed system calls, and the default result of all others. Calls by the numbers of
+/// another architecture end the process.
 class Filter {
 public:
     explicit Filter(std::uint32_t otherwise) : context_(seccomp_init(otherwise)) {
@@ -57,7 +57,7 @@ public:
         for (const char* call : calls) answer_if(what, call, {});
     }
 
-    /// If all conditions hold.
+    /// If all conditions are true.
     void answer_if(std::uint32_t what, const char* call, Conditions conditions) {
         note(seccomp_rule_add_array(context_, what, number(call), unsigned(conditions.size()),
                                     conditions.begin()));
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] bool put_on() const { return holds_ && seccomp_load(context_) == 0; }
 
 private:
-    /// A name that an architecture does not have gets a number that stands for nothing there.
+    /// A name that does not exist on this architecture gets a number without a system call.
     int number(const char* call) {
         const int number = seccomp_syscall_resolve_name(call);
         holds_ = holds_ && number != __NR_SCMP_ERROR;
@@ -80,8 +80,8 @@ private:
 };
 
 void let_threads(Filter& filter) {
-    // All that a thread has, and of the rest no more than pthread_create asks for: a parent that
-    // waits for its child (CLONE_VFORK) would stand still without computing or sleeping.
+    // The flags of a thread, as pthread_create sets them, and no others: a parent waiting for its
+    // child (CLONE_VFORK) would be blocked without using processor time or sleeping.
     constexpr std::uint64_t needed = CLONE_VM | CLONE_SIGHAND | CLONE_THREAD;
     constexpr std::uint64_t harmless = CLONE_FS | CLONE_FILES | CLONE_SYSVSEM | CLONE_SETTLS |
                                        CLONE_PARENT_SETTID | CLONE_CHILD_CLEARTID |
@@ -103,15 +103,15 @@ bool filter_worker() {
     filter.let_if("tgkill", {argument_is(0, std::uint64_t(getpid()))});  // abort
     let_threads(filter);
     filter.answer(refused(ENOSYS), {"clone3"});  // its flags are in memory: back to clone
-    // The step into the worker itself. A path beside the descriptor finds no program that Landlock
-    // lets it run.
+    // The execution of the worker itself. Landlock lets it run no other program, so a path argument
+    // is harmless.
     filter.let_if("execveat", {argument_is(0, program_descriptor), argument_is(4, AT_EMPTY_PATH)});
     constexpr int set_thread_pointer = 0x1002;
     filter.let_if("arch_prctl", {argument_is(0, set_thread_pointer)});
-    constexpr int control_flow_status = 0x3001;  // which the start of a program asks for
+    constexpr int control_flow_status = 0x3001;  // needed at the start of a program
     filter.answer_if(refused(EACCES), "arch_prctl", {argument_is(0, control_flow_status)});
     filter.answer(refused(EACCES), {"time", "open", "stat", "access", "readlink", "poll"});
-    // What a forgotten line of debugging tries: it need not cost a case.
+    // Calls that forgotten debugging code tries: they need not cost a case.
     filter.answer(
         refused(EACCES),
         {"openat",  "newfstatat", "statx",   "faccessat", "readlinkat",        "ioctl",
@@ -122,9 +122,9 @@ bool filter_worker() {
 }
 
 bool filter_compiler() {
-    // What a tool finds missing it does without.
+    // A tool works without calls that seem missing.
     Filter filter(refused(ENOSYS));
-    // Files: which ones, Landlock says.
+    // Files: Landlock decides which ones.
     filter.let({"open",      "openat",          "close",      "read",
                 "write",     "readv",           "writev",     "pread64",
                 "pwrite64",  "preadv",          "pwritev",    "lseek",
@@ -140,12 +140,12 @@ bool filter_compiler() {
                 "sendfile",  "copy_file_range", "close_range"});
     filter.let({"pipe", "pipe2", "dup", "dup2", "dup3", "poll", "ppoll", "select", "pselect6",
                 "epoll_create1", "epoll_ctl", "epoll_wait", "epoll_pwait", "eventfd2"});
-    // Not F_SETOWN, by which a pipe signals another process.
+    // Without F_SETOWN, by which a pipe signals another process.
     for (const int command : {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD, F_SETFD, F_GETFL, F_SETFL, F_GETLK,
                               F_SETLK, F_SETLKW, F_GETPIPE_SZ, F_SETPIPE_SZ})
         filter.let_if("fcntl", {argument_is(1, std::uint64_t(command))});
-    // Whose a file is and how old, nobody asks; and a descriptor that may be read is enough to
-    // change it.
+    // The owner and the age of a file are never used; and a descriptor open for reading is enough
+    // to change them.
     filter.answer(pretended, {"chmod", "fchmod", "fchmodat", "chown", "fchown", "lchown",
                               "fchownat", "utime", "utimes", "futimesat", "utimensat"});
     filter.answer(refused(ENOTTY), {"ioctl"});
@@ -160,7 +160,7 @@ bool filter_compiler() {
     filter.let_if("prctl", {argument_is(0, PR_SET_NAME)});
     filter.let({"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "rt_sigsuspend",
                 "rt_sigtimedwait", "rt_sigpending", "sigaltstack", "alarm", "setitimer"});
-    // Processes, which stay in the group that they are ended by: no setsid, no setpgid.
+    // Processes stay in the group that is killed at the end: no setsid, no setpgid.
     filter.let({"fork", "vfork", "execve", "wait4", "waitid", "exit", "exit_group"});
     constexpr std::uint64_t of_their_own = CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID |
                                            CLONE_NEWNET | CLONE_NEWIPC | CLONE_NEWUTS |

@@ -1,14 +1,14 @@
-// Which system calls are let through (seccomp).
+// The filter of system calls (seccomp).
 #pragma once
 
 #include "common/course/grade/seal.hpp"
 
 namespace rt::grade {
 
-/// Puts the filter on this process and on all that come of it, for good. Either has a list of what
-/// it may do. Beyond it a worker is refused what honest code tries without harm (to open a file)
-/// and is ended by anything else; to a compiler the kernel seems to have no such call. Returns
-/// whether the filter is on.
+/// Installs the filter permanently on this process and its children. Workers and compilers have one
+/// list of allowed calls each. A worker gets an error for calls that honest code may try without
+/// harm (to open a file), and is killed for any other; a compiler gets ENOSYS for every call not on
+/// the list. Returns true if the filter is active.
 [[nodiscard]] bool filter_system_calls(const Seal& seal);
 
 }  // namespace rt::grade

@@ -27,7 +27,7 @@ std::size_t end_of_name(std::string_view source, std::size_t from) {
     return from;
 }
 
-/// Just after what closes it, or the end.
+/// The position just after the closing text, or the end.
 std::size_t after(std::string_view source, std::string_view closing, std::size_t from) {
     const std::size_t at = source.find(closing, from);
     return at == std::string_view::npos ? source.size() : at + closing.size();
@@ -45,7 +45,7 @@ std::size_t end_of_line(std::string_view source, std::size_t at) {
     return std::min(at, source.size());
 }
 
-/// Nothing for words that change nothing.
+/// Empty for keywords that change nothing.
 std::string_view token(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 17> words{{
         {"if", "I"},

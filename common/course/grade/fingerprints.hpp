@@ -1,4 +1,4 @@
-// What stays of a C++ file when its comments, names, numbers and layout are taken away.
+// The structure of a C++ file, without its comments, names, numbers and layout.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,16 @@
 
 namespace rt::grade {
 
-/// The file's tokens, a character each: every name is "n", every number "0", every text "t", the
-/// words of control flow a capital each. Braces, const, namespaces and #-lines are left out.
+/// The file's tokens, one character each: a name is "n", a number "0", a text "t", each
+/// control-flow keyword a capital letter. Braces, const, namespaces and preprocessor lines are left
+/// out.
 [[nodiscard]] std::string normalised(std::string_view source);
 
-/// Hashes of some of the passages of 16 tokens, in order, each once: of any 23 tokens that two
-/// files share, both have one (Schleimer, Wilkerson and Aiken's winnowing).
+/// Hashes of some of the passages of 16 tokens, sorted and without duplicates: two files that share
+/// any 23 tokens share at least one hash (winnowing: Schleimer, Wilkerson and Aiken).
 [[nodiscard]] std::vector<std::uint64_t> fingerprints(const std::string& tokens);
 
-/// The hashes of all passages, in order, each once.
+/// The hashes of all passages, sorted and without duplicates.
 [[nodiscard]] std::vector<std::uint64_t> passages(const std::string& tokens);
 
 }  // namespace rt::grade

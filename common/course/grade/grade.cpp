@@ -46,8 +46,7 @@ void check_seal() {
     const std::vector<Layer> all = layers();
     std::fputs(text_of(all).c_str(), stderr);
     if (!hold(all))
-        throw ProgramError(
-            "error: strangers' code is not run without these. docs/instructors.md\n");
+        throw ProgramError("error: submissions are not run without these. docs/instructors.md\n");
 }
 
 /// The results are one run's at a time, or one part's.
@@ -58,7 +57,7 @@ public:
           descriptor_(open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
         if (descriptor_ != -1 && flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && is_there()) return;
         if (descriptor_ != -1) close(descriptor_);
-        throw InputError({results}, "another run writes there, or nobody may");
+        throw InputError({results}, "is in use by another run, or not writable");
     }
     ~Lock() {
         unlink(file_.c_str());
@@ -80,8 +79,9 @@ private:
     int descriptor_;
 };
 
-/// The lecturer's alone, and root's builders': these are nobody in particular. Of a name that says
-/// whose it is, so that what a killed run has left is gone with the next, and of letters at random.
+/// Accessible to the lecturer only, and to root's builders, who are unprivileged users. Its name
+/// contains the results' name, so that the next run removes the folder of a killed run, and random
+/// letters.
 fs::path workshop_folder(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
     const std::string start =
@@ -90,10 +90,10 @@ fs::path workshop_folder(const Order& order) {
     for (const auto& each : fs::directory_iterator(fs::temp_directory_path(), none))
         if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
     std::string folder = fs::temp_directory_path() / (start + "XXXXXX");
-    if (mkdtemp(folder.data()) == nullptr) throw InputError({folder}, "cannot be made");
+    if (mkdtemp(folder.data()) == nullptr) throw InputError({folder}, "cannot be created");
     if (geteuid() == 0 && (lchown(folder.c_str(), 0, builders_group) != 0 ||
                            chmod(folder.c_str(), S_IRWXU | S_IXGRP) != 0))
-        throw InputError({folder}, "cannot be opened to compilers");
+        throw InputError({folder}, "cannot be made accessible to compilers");
     return folder;
 }
 
@@ -119,14 +119,14 @@ std::set<int> stages_of(const Order& order) {
         if (fs::exists(order.build / "seats" / (name_of(stage) + ".o")) &&
             (order.stages.empty() || order.stages.count(stage) == 1))
             stages.insert(stage);
-    if (stages.empty()) throw InputError({}, "none of these stages is built");
+    if (stages.empty()) throw InputError({}, "no stage among these is built");
     return stages;
 }
 
 /// Before anything is written.
 void check_places(const Order& order) {
     for (const fs::path& place : order.places)
-        if (!fs::exists(place)) throw InputError({place}, "is not there");
+        if (!fs::exists(place)) throw InputError({place}, "does not exist");
 }
 
 /// Those of this part, of the students that were named.
@@ -143,7 +143,7 @@ std::vector<Envelope> chosen(const std::vector<Envelope>& all, const Order& orde
     return mine;
 }
 
-/// What is nobody's is told, and kept for the class report.
+/// Prints the files that belong to no submission, and stores them for the class report.
 void report_left_over(const fs::path& results, const std::vector<std::string>& left_over) {
     std::string text;
     for (const std::string& each : left_over) text += each + "\n";
@@ -157,8 +157,8 @@ void precompile_headers(const Order& order, const Grading& grading) {
                 [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
 }
 
-/// Each alone; of few submissions one of them, since a compile takes seconds: what keeps a compiler
-/// from its headers keeps it from all.
+/// Compiles each reference alone; for few submissions only one, since a compile takes seconds: a
+/// compiler that cannot read its headers fails for all of them.
 void compile_references(const Order& order, const Grading& grading, std::size_t submissions) {
     std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     if (submissions < headers_pay_from) stages.erase(stages.begin(), stages.end() - 1);
@@ -189,7 +189,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     const ClassFolder found = order.one ? one_submission(order.places)
                                         : find_class(grading.workshop, order.places, order.results);
     const std::vector<Envelope> envelopes = chosen(found.envelopes, order);
-    // One student graded again leaves what was said of the class.
+    // Grading one student again keeps the report on the class.
     const bool is_class = found.envelopes.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())
         report_left_over(order.results, found.left_over);
@@ -197,7 +197,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     compile_references(order, grading, envelopes.size());
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
-    std::fprintf(stderr, "%zu submissions, %zu stages, seed known as %s\n", envelopes.size(),
+    std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", envelopes.size(),
                  grading.stages.size(), grading.seed.c_str());
     Progress progress(errors_on_terminal(), int(envelopes.size()));
     std::atomic<bool> failed = false;
@@ -205,7 +205,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
         const std::string why = judge.judge(envelopes[i]);
         if (!why.empty()) {
             failed = true;
-            std::fprintf(stderr, "error: %s could not be judged: %s\n",
+            std::fprintf(stderr, "error: %s could not be graded: %s\n",
                          envelopes[i].student.c_str(), why.c_str());
         }
         progress.advance();
@@ -233,7 +233,7 @@ Outcome grade(const Order& order) {
 
 namespace {
 
-/// The day; as reproducible builds have it, where two runs must be the same bytes.
+/// The date; from SOURCE_DATE_EPOCH (reproducible builds) if two runs must have equal bytes.
 std::string today() {
     const char* given = std::getenv("SOURCE_DATE_EPOCH");
     const std::time_t now = given == nullptr ? std::time(nullptr) : std::atoll(given);
@@ -244,25 +244,25 @@ std::string today() {
     return text;
 }
 
-/// The project's commit, if git knows it.
+/// The project's commit, if it is a git clone.
 std::string version_of(const fs::path& project) {
     const Ending told = listen_to({"git", "-c", "safe.directory=" + project.string(), "-C",
                                    project.string(), "rev-parse", "--short=10", "HEAD"},
                                   std::chrono::seconds(10));
-    return told.status == 0 ? lines_of(told.output).at(0) : "of no known commit";
+    return told.status == 0 ? lines_of(told.output).at(0) : "unknown commit";
 }
 
 std::string edition_of(const fs::path& results, const fs::path& project) {
     const bool seeded = fs::exists(seed_file(results));
     return today() + ", Raysteps " + version_of(project) +
-           (seeded ? ", seed known as " + seed_identifier(read_seed(seed_file(results))) : "");
+           (seeded ? ", seed " + seed_identifier(read_seed(seed_file(results))) : "");
 }
 
 }  // namespace
 
 void write_reports(const fs::path& results, const fs::path& project) {
     const std::vector<Mark> marks = read_marks(results);
-    if (marks.empty()) throw InputError({results}, "holds no marks");
+    if (marks.empty()) throw InputError({results}, "contains no marks");
     Term term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());

@@ -1,4 +1,4 @@
-// A class, graded.
+// The grading of a class.
 #pragma once
 
 #include <filesystem>
@@ -8,34 +8,35 @@
 
 namespace rt::grade {
 
-/// What the command line asks for.
+/// The options of the command line.
 struct Order {
     std::filesystem::path project;
     std::filesystem::path build;
     std::vector<std::filesystem::path> places;  ///< submissions, or folders of submissions
     std::filesystem::path results;
     std::optional<std::filesystem::path>
-        seed_file;         ///< else the seed of the run before, or a new one
-    std::set<int> stages;  ///< all that are built, if it is empty
+        seed_file;         ///< if empty, the seed of the previous run, or a new one
+    std::set<int> stages;  ///< all built stages if empty
     int jobs = 1;
-    int part = 1;  ///< of so many that grade the class together, in one folder of results
+    int part = 1;  ///< this process is one of `parts` that grade the class together, in one folder
+                   ///< of results
     int parts = 1;
-    bool one = false;                ///< the places are one submission, whatever is in them
-    std::set<std::string> students;  ///< all, if it is empty
+    bool one = false;                ///< the places are one submission, whatever they contain
+    std::set<std::string> students;  ///< all students if empty
 };
 
-/// What came of it.
+/// The outcome of a run.
 enum class Outcome {
-    judged,       ///< all
+    judged,       ///< all submissions
     interrupted,  ///< by Ctrl-C or SIGTERM
-    failed,       ///< at some submissions, which standard error has named
+    failed,       ///< at some submissions, which standard error lists
 };
 
-/// Judges what there is no mark for yet, on so many threads. Throws InputError for what is wrong
-/// with the order; ProgramError if the seal does not hold, or the references fail.
+/// Grades the submissions without marks, on `jobs` threads. Throws InputError for a wrong order;
+/// ProgramError if the sandbox does not work, or the references fail.
 [[nodiscard]] Outcome grade(const Order& order);
 
-/// Writes the reports of all marks that there are. Throws InputError.
+/// Writes the reports of all existing marks. Throws InputError.
 void write_reports(const std::filesystem::path& results, const std::filesystem::path& project);
 
 }  // namespace rt::grade

@@ -11,7 +11,7 @@ namespace rt::grade {
 
 namespace {
 
-constexpr const char* end_of_line = "\r\n";  // RFC 4180 has it so
+constexpr const char* end_of_line = "\r\n";  // required by RFC 4180
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The grade book: a line a student, for any spreadsheet.
+// The grade book for spreadsheets: one line per student.
 #pragma once
 
 #include "common/course/grade/results.hpp"
@@ -6,8 +6,8 @@
 
 namespace rt::grade {
 
-/// Writes results/grades.csv: student, the points of each stage, total, of, and what the term has
-/// to remark on a student. Throws InputError.
+/// Writes results/grades.csv: student, the points of each stage, total, maximum, and the term's
+/// remarks on the student. Throws InputError.
 void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
                       const Term& term = {});
 

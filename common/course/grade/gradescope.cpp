@@ -26,17 +26,17 @@ std::string told(const CaseMark& each) {
 void append_tests(Json& tests, const Mark& mark) {
     const std::string title = stage_title(mark.stage);
     if (mark.verdict == Verdict::missing)
-        tests.push_back(test(title, false, mark.most, "No file was handed in.\n" + mark.words));
+        tests.push_back(test(title, false, mark.most, "No file was submitted.\n" + mark.words));
     if (mark.verdict == Verdict::refused)
         tests.push_back(
-            test(title, false, mark.most, "Your file cannot be judged:\n" + mark.words));
+            test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
     for (const CaseMark& each : mark.cases) {
         tests.push_back(test(title + ": " + each.name, each.passed, each.points, told(each)));
-        if (mark.points() == 0) tests.back()["score"] = 0;  // what the starter passes too
+        if (mark.points() == 0) tests.back()["score"] = 0;  // cases that the starter passes too
     }
 }
 
-/// What no single case knows.
+/// The diagnosis, which belongs to no single case.
 std::string diagnosis(const Mark& mark) {
     const std::string& words = mark.mistake.empty() ? mark.smallest : mark.mistake;
     return words.empty() ? "" : stage_title(mark.stage) + ": " + words + "\n\n";

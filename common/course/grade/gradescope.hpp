@@ -1,4 +1,4 @@
-// For Gradescope, which shows a student what its autograder leaves in results.json:
+// Results for Gradescope, which shows a student the contents of the autograder's results.json:
 // https://gradescope-autograders.readthedocs.io/en/latest/specs/
 #pragma once
 

@@ -165,7 +165,7 @@ std::string address(std::string_view name) {
 }
 
 std::string page(std::string_view title, std::string_view body) {
-    // Nothing in it runs, even if something of a stranger's came through.
+    // The page can run no script, even if untrusted text escaped the escaping.
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"script-src 'none'; "

@@ -1,4 +1,4 @@
-// Tables of our pages. Texts are escaped here; rows are HTML.
+// Tables of the HTML pages. Texts are escaped here; rows are HTML.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace rt::grade {
 
 [[nodiscard]] std::string text_cell(const std::string& text);
 
-/// The part of a whole as a colour ("share") or as a bar ("bar"), and in words, which are HTML.
+/// A fraction as a color ("share") or as a bar ("bar"), and its text, which is HTML.
 [[nodiscard]] std::string share_cell(const std::string& kind, int part, int whole,
                                      const std::string& words);
 
@@ -16,7 +16,7 @@ namespace rt::grade {
 
 [[nodiscard]] std::string table(const std::string& kind, const std::string& rows);
 
-/// Where to look first: some rows under their head, and others folded away.
+/// The first rows under their headings, with the other rows folded away.
 [[nodiscard]] std::string first_rows(const std::string& head, const std::vector<std::string>& rows);
 
 }  // namespace rt::grade

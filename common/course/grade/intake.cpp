@@ -20,25 +20,25 @@ namespace fs = std::filesystem;
 constexpr int most_entries = 1000000;
 constexpr int deepest = 60;
 constexpr int most_archives = 10;
-constexpr int most_megabytes = 32;  // of what is taken out of an archive
+constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
 constexpr int deepest_archive = 3;
 constexpr std::size_t most_told = 6;
 
-/// A file of a student's whose name is a stage's, or nearly.
+/// A student's file whose name is a stage's, or nearly.
 struct Found {
-    fs::path path;  ///< as the student knows it
+    fs::path path;  ///< the path that the student used
     Fit fit = Fit::none;
     std::optional<std::string> text;
-    std::string why_not;  ///< if there is none: "a link"
+    std::string why_not;  ///< the reason without a text: "a link"
 };
 
-/// Whether a folder on the way has this name.
+/// True if a folder of the path has this name.
 bool is_below(const fs::path& file, const std::string& folder) {
     const fs::path parent = file.parent_path();
     return std::find(parent.begin(), parent.end(), folder) != parent.end();
 }
 
-/// What comes with the project is not the student's.
+/// True for files of the project, which are not the student's.
 bool is_ours(const fs::path& file) {
     return is_below(file, "reference") || is_below(file, "starter");
 }
@@ -60,7 +60,7 @@ std::string enumerated(const std::vector<std::string>& names) {
     return all;
 }
 
-/// Looks through all that a student handed in.
+/// Searches everything that a student submitted.
 class Search {
 public:
     explicit Search(const Workshop& workshop) : workshop_(workshop) {}
@@ -75,7 +75,7 @@ public:
         else
             add_file(name, source_text(place),
                      type == fs::file_type::regular ? "more than 256 KiB, or not readable"
-                                                    : "a link, or no file");
+                                                    : "a link, or not a regular file");
     }
 
     [[nodiscard]] HandedIn chosen() {
@@ -104,11 +104,11 @@ private:
             if (is_folder && each.depth() >= deepest) words_ += "Folders are too deep.\n";
             if (!is_folder && !litter) files.push_back(each->path());
             if (++entries_ > most_entries) {
-                words_ += "There are more than a million files; not all were looked at.\n";
+                words_ += "There are more than a million files; not all were searched.\n";
                 break;
             }
         }
-        if (failed) words_ += name.string() + ": not all of it can be read.\n";
+        if (failed) words_ += name.string() + ": part of it cannot be read.\n";
         std::sort(files.begin(), files.end());
         for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
     }
@@ -125,7 +125,7 @@ private:
             unpack(workshop_, archive, taken_out_.back().path(), most_megabytes);
         if (!unpacked) {
             words_ += "The archive " + called +
-                      " cannot be opened: it is damaged, or not of a kind that is read (zip, tar, "
+                      " cannot be opened: it is damaged, or not of a supported kind (zip, tar, "
                       "7z).\n";
             return;
         }
@@ -175,13 +175,13 @@ private:
         if (fit == Fit::suspect && name.parent_path().filename() == stage_name(stage)) return;
         Found found{.path = name, .fit = fit, .why_not = std::move(why_not)};
         if (is_ours(name))
-            found.why_not = "the project's, not yours";
+            found.why_not = "a file of the project, not yours";
         else if (fit == Fit::suspect)
-            found.why_not = "not a name that is taken";
+            found.why_not = "its name is not a stage's";
         else
             found.text = std::move(text);
         std::vector<Found>& all = found_[stage];
-        // An archive may have a name twice: what is last counts, as for whoever unpacks it.
+        // An archive may contain a name twice: the last entry counts, as in every unpacker.
         const auto twice = std::find_if(all.begin(), all.end(), [&](const Found& other) {
             return other.path == found.path && other.text && found.text;
         });
@@ -204,18 +204,17 @@ private:
             for (const Found& each : found)
                 not_taken.push_back(each.path.string() + " (" + each.why_not + ")");
             handed_in.words[stage] =
-                "There is no " + name + ". Found, but not taken: " + enumerated(not_taken) + ".\n";
+                "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
             return;
         }
         handed_in.files[stage] = *best->text;
-        if (best->fit != Fit::exact)
-            words += best->path.string() + " was taken for " + name + ".\n";
+        if (best->fit != Fit::exact) words += best->path.string() + " was used as " + name + ".\n";
         std::vector<std::string> differ;
         for (const Found& each : found)
             if (each.text && each.text != best->text) differ.push_back(each.path.string());
         if (!differ.empty())
             words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
-                     " that differ; " + best->path.string() + " was taken, and not " +
+                     " that differ; " + best->path.string() + " was used, and not " +
                      enumerated(differ) + ".\n";
         if (!words.empty()) handed_in.words[stage] = words;
     }
@@ -235,7 +234,8 @@ private:
 HandedIn take_in(const Workshop& workshop, const Envelope& envelope) {
     Search search(workshop);
     for (const Piece& piece : envelope.pieces) {
-        // A folder's own name says nothing to the student. What the lecturer named may be a link.
+        // The folder's own name means nothing to the student. A place that the lecturer named may
+        // be a link.
         if (fs::is_directory(piece.place))
             search.add(fs::canonical(piece.place), "", 0);
         else

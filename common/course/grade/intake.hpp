@@ -1,4 +1,4 @@
-// What was handed in: folders and archives, of strangers.
+// The files of a submission: untrusted folders and archives.
 #pragma once
 
 #include "common/course/grade/compile.hpp"
@@ -10,31 +10,30 @@
 
 namespace rt::grade {
 
-/// A file, a folder or an archive of one student's.
+/// A file, a folder or an archive of one student.
 struct Piece {
     std::filesystem::path place;
-    std::string
-        name;  ///< as the student called it, without what a learning platform puts before it
+    std::string name;  ///< the student's file name, without a learning platform's prefix
 };
 
-/// All of a student's, unopened.
+/// All of a student's files, unopened.
 struct Envelope {
-    std::string student;  ///< fit to be a folder's name
+    std::string student;  ///< safe as the name of a folder
     std::vector<Piece> pieces;
 };
 
-/// What a submission holds, by stage.
+/// The contents of a submission, by stage.
 struct HandedIn {
     std::map<int, std::string> files;
-    std::map<int, std::string> words;  ///< of two files for one stage, of names that nearly fit
-    std::string words_on_all;          ///< of an archive that cannot be opened
+    std::map<int, std::string> words;  ///< notes: two files for one stage, names that nearly match
+    std::string words_on_all;          ///< notes on archives that cannot be opened
 };
 
-/// The files of the thirteen names, wherever they are, in archives too. Of several, those whose
-/// name is near go last ("Sphere.cpp"), and before them those in a folder "tests" or "build"; else
-/// the one in a folder "student" goes first, else the one least deep. No link is followed, no
-/// archive opened but by a sealed tool. Throws ProgramError or filesystem_error if it is we who
-/// fail.
+/// Collects the files with the thirteen names, in any folder or archive. If a stage has several
+/// files, these come last: files with a similar name ("Sphere.cpp"), and, before those, files in a
+/// folder "tests" or "build"; otherwise a file in a folder "student" is preferred, then the least
+/// deep one. Links are not followed, and archives are opened only in the sandbox. Throws
+/// ProgramError or filesystem_error if the grader itself fails.
 [[nodiscard]] HandedIn take_in(const Workshop& workshop, const Envelope& envelope);
 
 }  // namespace rt::grade

@@ -17,18 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a worker may use. Right answers use a tenth of this at most. A case has less than the seal
-// gives a process, so that it is always we who end it.
+// The limits of a worker. Right answers use at most a tenth of them. A case has less than the
+// sandbox allows for a process, so that the client always ends it.
 constexpr int answer_seconds = 5;
 constexpr int case_seconds = 8;
 constexpr int suite_seconds = 20;
-// By the clock, in case that nothing else ends it: suite, diagnosis and picture of a stage, on a
-// machine that has nothing else to do.
+// A wall-clock limit as a fallback: suite, diagnosis and picture of a stage, on an idle machine.
 constexpr std::chrono::seconds longest_asking{60};
-// A stage may take so many times as long as its reference took here, beside others.
+// A stage may take this many times as long as its reference took on this machine, under the same
+// load.
 constexpr int times_of_reference = 30;
 constexpr std::chrono::seconds longest_of_all{900};
-// What a suite says of a case that was not reached in time (tests/contract/suite_link.cpp), and we.
+// The message for a case that was not reached in time, here and in tests/contract/suite_link.cpp.
 constexpr const char* too_long_a_suite = "took longer than all cases may take";
 constexpr const char* not_reached = "was not reached: the cases before it took too long\n";
 
@@ -38,7 +38,8 @@ std::string name_of(int stage) {
     return std::string(stage_name(stage));
 }
 
-/// One of our programs that asks a stranger's worker, which the launcher seals. Throws Interrupted.
+/// Runs one of the project's programs with an untrusted worker, which the launcher seals. Throws
+/// Interrupted.
 Ending run_asking(const Grading& grading, int stage, const Command& program,
                   const Command& variables, Clock::time_point until) {
     Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
@@ -61,8 +62,8 @@ std::set<std::string> given_cases(const Grading& grading, int stage) {
     return {lines.begin(), lines.end()};
 }
 
-/// What the stage's suite says of the worker, asked with these variables as well. The cases that
-/// were reached.
+/// The report of the stage's suite on the worker, run with these additional variables. Contains the
+/// cases that were reached.
 std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
                                 Clock::time_point until, const Command& more_variables = {}) {
     const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
@@ -97,8 +98,8 @@ bool was_waited_for(const CaseMark& each) {
                             each.words.find("took longer than") != std::string::npos);
 }
 
-/// Which cases pass is decided. What fails as well where it is asked as it stands in the suite is
-/// told as `./course check` tells it: with questions that a student can repeat.
+/// The passing cases are known. A case that also fails with the suite's own inputs is reported as
+/// by `./course check`, with inputs that a student can repeat.
 void retell(std::vector<CaseMark>& cases, const Grading& grading, int stage, const fs::path& worker,
             Clock::time_point until) {
     const auto fails = [](const CaseMark& each) { return !each.passed; };
@@ -112,7 +113,7 @@ void retell(std::vector<CaseMark>& cases, const Grading& grading, int stage, con
             }
 }
 
-/// As there would be marks for, had all cases been reached.
+/// The same marks as if all cases had been reached.
 std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
     for (std::size_t i = cases.size(); i < all.size(); ++i)
         cases.push_back({.name = all[i].name,
@@ -122,15 +123,15 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
     return cases;
 }
 
-/// Whether a limit of all its cases has ended the suite. Who was asked in vain for so long is not
-/// asked any more.
+/// True if the suite ended by the limit of all its cases. A worker without an answer for that long
+/// gets no more queries.
 bool is_out_of_time(const Mark& mark) {
     return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
         return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
     });
 }
 
-/// Until when a stage may be asked that begins now.
+/// The time limit of a stage that starts now.
 Clock::time_point end_of_asking(const Yardstick& yardstick) {
     const std::chrono::duration<double> seconds = std::max<std::chrono::duration<double>>(
         busy() * longest_asking, times_of_reference * yardstick.took);
@@ -138,7 +139,7 @@ Clock::time_point end_of_asking(const Yardstick& yardstick) {
                               std::min<std::chrono::duration<double>>(seconds, longest_of_all));
 }
 
-/// Whether every function is: what stands in for one may look like a known mistake.
+/// True if every function is written: the result of a stub may look like a known mistake.
 bool is_written(const std::string& text) {
     for (const std::string& line : lines_of(text)) {
         const std::size_t start = line.find_first_not_of(" \t");
@@ -147,7 +148,7 @@ bool is_written(const std::string& text) {
     return true;
 }
 
-/// What the program `diagnose` says, by the word that its lines start with.
+/// Parses the output of the program `diagnose`, by the first word of each line.
 void read_diagnosis(const std::string& output, Mark& mark) {
     std::string* part = nullptr;
     for (const std::string& line : lines_of(output)) {
@@ -172,11 +173,10 @@ void compile_reference(const Grading& grading, int stage) {
     const Made made = compile_submission(grading.workshop, stage, read_text(files.at(0)),
                                          scratch.path() / "reference.o");
     if (!made.succeeded)
-        throw ProgramError(
-            "error: not even the reference of " + name_of(stage) +
-            " compiles in the seal, so no submission would. Is the compiler, or GLM, "
-            "where others may not read it?\n" +
-            made.words + "\n");
+        throw ProgramError("error: even the reference of " + name_of(stage) +
+                           " does not compile in the sandbox. Is the compiler, or GLM, "
+                           "in a folder that other users cannot read?\n" +
+                           made.words + "\n");
 }
 
 Yardstick judge_reference(const Grading& grading, int stage, const fs::path& folder) {
@@ -204,7 +204,7 @@ public:
           student_(envelope.student),
           handed_in_(take_in(grading.workshop, envelope)),
           scratch_(grading.workshop.folder) {
-        // The workers here are for anybody to run.
+        // The workers in this folder are run by unprivileged users.
         fs::permissions(scratch_.path(), fs::perms(0755));
         fs::create_directories(student_folder(grading_.results, student_) / "submitted");
         for (const auto& [stage, text] : handed_in_.files)
@@ -222,14 +222,14 @@ public:
         return found == handed_in_.words.end() ? handed_in_.words_on_all : found->second;
     }
 
-    /// Of his files up to a stage.
+    /// The hash of the student's files up to a stage.
     [[nodiscard]] std::string chain(int stage) const {
         std::string all;
         for (int each = 1; each <= stage; ++each) all += has(each) ? sha256(text(each)) : "-";
         return sha256(all);
     }
 
-    /// Of all that decides the mark of a stage.
+    /// The hash of everything that decides the mark of a stage.
     [[nodiscard]] std::string key(int stage, const Yardstick& yardstick) const {
         return sha256_of_all(yardstick.key, words(stage), chain(stage));
     }
@@ -245,7 +245,7 @@ public:
     /// The worker of the student's stage, among the references.
     Made link(int stage) { return link(stage, {{stage, object(stage)}}); }
 
-    /// The worker of his own stages up to this one.
+    /// The worker of the student's own stages up to this one.
     Made link_chain(int stage, Clock::time_point until) {
         std::map<int, fs::path> objects;
         for (int each = 1; each <= stage; ++each) {
@@ -285,7 +285,7 @@ private:
 
 namespace {
 
-/// Of what the picture shows of the student's own stages.
+/// The part of the picture that the student's own stages draw.
 std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
                                       const fs::path& file, Clock::time_point until) {
     const Ending ending = run_asking(
@@ -324,9 +324,10 @@ Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
         retell(mark.cases, grading_, stage, desk.worker(), until);
         mark.cases = completed(mark.cases, yardstick.cases);
         if (mark.points() < mark.most && !is_written(desk.text(stage))) {
-            mark.words += "RT_TODO still stands in your file: no known mistake was looked for.\n";
+            mark.words +=
+                "Your file still contains RT_TODO: it was not compared with known mistakes.\n";
         } else if (is_out_of_time(mark)) {
-            mark.words += "Your file took too long: no known mistake was looked for.\n";
+            mark.words += "Your file took too long: it was not compared with known mistakes.\n";
         } else if (mark.points() < mark.most) {
             const std::string probes =
                 grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
@@ -395,13 +396,14 @@ std::string Judge::judge(const Envelope& envelope) {
                       .stage = next->first,
                       .verdict = Verdict::refused,
                       .words =
-                          "Your file could not be judged, for no fault of yours. It will be "
+                          "Your file could not be graded, through no fault of yours. It will be "
                           "judged again.\n"};
             for (const CaseMark& each : next->second.cases) mark.most += each.points;
             try {
                 write_mark(grading_.results, mark);
             } catch (const std::exception&) {
-                break;  // why this student has no line in the grade book is told already
+                // the report already gives the reason why this student is missing in the grade book
+                break;
             }
         }
         return why;

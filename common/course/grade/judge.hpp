@@ -1,4 +1,4 @@
-// One submission, judged.
+// The grading of one submission.
 #pragma once
 
 #include "common/course/grade/intake.hpp"
@@ -11,42 +11,43 @@
 
 namespace rt::grade {
 
-/// Where a class is graded, and by what.
+/// The settings for grading a class.
 struct Grading {
     std::filesystem::path project;
     std::filesystem::path build;
     std::filesystem::path results;
     Workshop workshop;
-    std::string seed;  ///< by its identifier
+    std::string seed;  ///< its identifier
     std::set<int> stages;
 };
 
-/// What judging the references gave: what each stage's cases are worth.
+/// The reference's result: the points of each case of a stage.
 struct Yardstick {
-    std::filesystem::path worker;  ///< of the references alone
-    std::string key;               ///< of what decides a mark, apart from the student's files
-    std::vector<CaseMark> cases;   ///< all passed
+    std::filesystem::path worker;  ///< built from the references alone
+    std::string key;               ///< hash of everything that decides a mark, apart from the
+                                   ///< student's files
+    std::vector<CaseMark> cases;   ///< all of them pass
     std::chrono::milliseconds took{0};
 };
 
-/// Compiles the reference of a stage as if it were handed in. Throws ProgramError if it does not
-/// compile: then nothing would, whatever may be wrong with this machine.
+/// Compiles the reference of a stage as a submission. Throws ProgramError if it does not compile:
+/// then no submission would, for a reason of this machine.
 void compile_reference(const Grading& grading, int stage);
 
-/// Judges the reference of a stage, whose worker goes to the folder. Throws ProgramError if it has
-/// not all the points: then nobody could.
+/// Grades the reference of a stage, and leaves its worker in the folder. Throws ProgramError if it
+/// does not get all points: then nobody could.
 [[nodiscard]] Yardstick judge_reference(const Grading& grading, int stage,
                                         const std::filesystem::path& folder);
 
-/// Judges submissions, on several threads.
+/// Grades submissions, on several threads.
 class Judge {
 public:
     Judge(const Grading& grading, std::map<int, Yardstick> yardsticks)
         : grading_(grading), yardsticks_(std::move(yardsticks)) {}
 
-    /// Writes a mark for each stage, unless there is one already that the same would come of. If it
-    /// is we who fail, says why, and the marks that are left say so; the next run judges them
-    /// again. Throws Interrupted once the workshop is stopped.
+    /// Writes a mark for each stage, unless an up-to-date mark exists. If the grader itself fails,
+    /// returns the reason and writes it into the remaining marks, which the next run grades again.
+    /// Throws Interrupted when the workshop is stopped.
     [[nodiscard]] std::string judge(const Envelope& envelope);
 
 private:
@@ -55,16 +56,17 @@ private:
     using Time = std::chrono::steady_clock::time_point;
 
     void judge(Desk& desk, int stage);
-    // Nobody is asked anything after the time.
+    // No worker gets a query after `until`.
     [[nodiscard]] Mark mark(Desk& desk, int stage, Time until);
     [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage, Time until);
 
     const Grading& grading_;
     const std::map<int, Yardstick> yardsticks_;
     std::mutex mutex_;
-    // What came of files alike, in this run, and the student who was first.
+    // The results of identical files in this run, with the first student who submitted them.
     std::map<std::string, Mark> known_;                                 ///< by stage and file
-    std::map<std::string, std::pair<std::string, PictureMark>> drawn_;  ///< by the chain's files
+    std::map<std::string, std::pair<std::string, PictureMark>> drawn_;  ///< by the files of the
+                                                                        ///< chain of stages
 };
 
 }  // namespace rt::grade

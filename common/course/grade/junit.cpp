@@ -37,9 +37,9 @@ std::string suite(const Mark& mark) {
     const bool refused = mark.verdict == Verdict::refused;
     if (missing)
         cases +=
-            test_case(name, "is handed in", "<skipped" + attribute("message", mark.words) + "/>");
+            test_case(name, "is submitted", "<skipped" + attribute("message", mark.words) + "/>");
     if (refused)
-        cases += test_case(name, "can be judged", "<error>" + escaped(mark.words) + "</error>");
+        cases += test_case(name, "can be graded", "<error>" + escaped(mark.words) + "</error>");
     const auto count = [&](const std::string& what, std::size_t value) {
         return attribute(what, std::to_string(value));
     };

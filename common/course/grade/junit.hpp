@@ -1,11 +1,11 @@
-// For whatever reads JUnit's XML.
+// A report in JUnit's XML.
 #pragma once
 
 #include "common/course/grade/results.hpp"
 
 namespace rt::grade {
 
-/// Writes results/junit.xml: a testsuite a student and stage. Throws InputError.
+/// Writes results/junit.xml: one testsuite per student and stage. Throws InputError.
 void write_junit(const std::filesystem::path& results, const std::vector<Mark>& marks);
 
 }  // namespace rt::grade

@@ -13,7 +13,7 @@ namespace rt::grade {
 
 namespace {
 
-// The kernel's newer words, for headers that are older than it.
+// Newer constants of the kernel, for older headers.
 struct Attributes {
     std::uint64_t files = 0;
     std::uint64_t network = 0;  ///< since version 4
@@ -33,7 +33,7 @@ constexpr unsigned long reading =
 constexpr unsigned long writing = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR |
                                   LANDLOCK_ACCESS_FS_WRITE_FILE | truncate_file |
                                   LANDLOCK_ACCESS_FS_MAKE_REG | LANDLOCK_ACCESS_FS_MAKE_DIR |
-                                  LANDLOCK_ACCESS_FS_REMOVE_FILE;  // and nothing of it is run
+                                  LANDLOCK_ACCESS_FS_REMOVE_FILE;  // without the right to execute
 
 unsigned long rights_of(int version) {
     unsigned long rights = rights_of_version_1;

@@ -1,15 +1,15 @@
-// Which files are within reach (Landlock).
+// The files that a process may access (Landlock).
 #pragma once
 
 #include <string>
 
 namespace rt::grade {
 
-/// The rules of a process that knows no file but these. Where the kernel has no Landlock, they
-/// keep nothing out.
+/// Rules that make only the listed files accessible to a process. They have no effect on a kernel
+/// without Landlock.
 class Landlock {
 public:
-    /// The kernel's version of it, 0 if it has none.
+    /// The kernel's version of Landlock, 0 without Landlock.
     [[nodiscard]] static int version();
 
     Landlock();
@@ -17,12 +17,12 @@ public:
     Landlock(const Landlock&) = delete;
     Landlock& operator=(const Landlock&) = delete;
 
-    /// Folders with all that is in them, or files. What is not there needs no rule.
+    /// Files, or folders with their whole contents. A missing file needs no rule.
     void let_read(const std::string& path);
     void let_write(const std::string& path);
     void let_run(int program);
 
-    /// From here on, for good. Returns whether it is so.
+    /// Applies the rules permanently. Returns true if they are in force.
     [[nodiscard]] bool put_on() const;
 
 private:

@@ -21,7 +21,7 @@ namespace rt::grade {
 
 namespace {
 
-/// Whether it is so in a process that is thrown away afterwards.
+/// Returns the result of a trial in a separate process.
 template <class Trial>
 bool holds(Trial trial) {
     const pid_t process = fork();
@@ -69,8 +69,8 @@ bool processes_are_limited() {
     return false;
 }
 
-/// What root needs to be somebody else for each process, and to end that: none in a container that
-/// has "dropped" them.
+/// The capabilities that root needs to run each process as another user, and to end it: missing in
+/// a container that has "dropped" them.
 std::string missing_capabilities() {
     constexpr std::array<std::pair<int, const char*>, 5> needed = {
         {{CAP_CHOWN, "CAP_CHOWN"},

@@ -1,4 +1,4 @@
-// Which layers of the seal hold on this machine.
+// The layers of the sandbox that work on this machine.
 #pragma once
 
 #include <string>
@@ -9,16 +9,16 @@ namespace rt::grade {
 struct Layer {
     std::string name;
     bool holds = false;
-    bool needed = false;  ///< without it nothing is graded
+    bool needed = false;  ///< nothing is graded without it
 };
 
-/// Found by trying each on a process of its own, from the strongest to the least.
+/// Tries each layer in a process of its own, from the strongest to the weakest.
 [[nodiscard]] std::vector<Layer> layers();
 
-/// Whether all that is needed holds.
+/// True if all needed layers work.
 [[nodiscard]] bool hold(const std::vector<Layer>& layers);
 
-/// A line for each, to be printed: "✓ system calls are filtered (seccomp)".
+/// One line per layer, to be printed: "✓ system calls are filtered (seccomp)".
 [[nodiscard]] std::string text_of(const std::vector<Layer>& layers);
 
 }  // namespace rt::grade

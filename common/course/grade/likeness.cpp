@@ -25,14 +25,14 @@ struct Passage {
     double weight = 0;
 };
 
-/// A file of a stage, without what is in the starter.
+/// A file of a stage, without passages of the starter.
 struct Text {
     const Mark* mark = nullptr;
-    std::vector<Passage> passages;  ///< by hash
+    std::vector<Passage> passages;  ///< sorted by hash
     double weight = 0;
 };
 
-/// Nothing of what is no file, or none of a size that a person writes.
+/// Empty for anything but a regular file of the size of a handwritten source.
 std::string source_text(const fs::path& file) {
     std::error_code none;
     const bool is_file = fs::symlink_status(file, none).type() == fs::file_type::regular;
@@ -49,7 +49,7 @@ Text read(const Mark& mark, const fs::path& file, const std::vector<std::uint64_
     return text;
 }
 
-/// A passage that few have weighs most: what the course suggests, many write alike.
+/// Rare passages weigh most: many students write the passages that the course suggests.
 void weigh(std::vector<Text>& texts) {
     std::unordered_map<std::uint64_t, int> having;
     for (const Text& text : texts)
@@ -123,7 +123,7 @@ void compare_all(const std::vector<Text>& texts, int stage, Pairs& pairs) {
     }
 }
 
-/// How much a pair says: in how many stages, and how much in all.
+/// The strength of the evidence: the number of stages, and the total.
 std::pair<std::size_t, int> strength(const NearFiles& near) {
     int sum = 0;
     for (const auto& [stage, percent] : near.percent) sum += percent;

@@ -1,4 +1,4 @@
-// Who handed in what somebody else did.
+// Similar submissions of different students.
 #pragma once
 
 #include "common/course/grade/results.hpp"
@@ -9,17 +9,18 @@
 
 namespace rt::grade {
 
-/// Students who handed in the same file.
+/// Students with the same file.
 struct SameFile {
     int stage = 1;
     std::vector<std::string> students;
 };
 
-/// Two students whose files are near, if not the same.
+/// Two students with similar files.
 struct NearFiles {
     std::string one;
     std::string other;
-    std::map<int, int> percent;  ///< by stage: how much of the shorter file is in the longer
+    std::map<int, int> percent;  ///< by stage: the percentage of the shorter file that the longer
+                                 ///< one contains
 };
 
 struct Likeness {
@@ -27,14 +28,14 @@ struct Likeness {
     std::vector<NearFiles> near;  ///< most stages first
 };
 
-/// From here on, files are near. Right answers that were written apart, the references and those in
-/// tests/alternatives, have 31 percent in common at most; a file that is renamed and edited here
-/// and there keeps more.
+/// The threshold of similarity. Independent right answers (the references and those in
+/// tests/alternatives) share at most 31 percent; a file that is renamed and slightly edited shares
+/// more than this threshold.
 inline constexpr int near_percent = 60;
 
-/// Compares the files in results/students/<student>/submitted/, stage by stage. What stands in the
-/// project's starter does not count, and what many students have counts little. Nothing is said of
-/// a file that is too short to tell.
+/// Compares the files in results/students/<student>/submitted/, stage by stage. Passages of the
+/// project's starter do not count, and passages of many students count little. Files that are too
+/// short to compare are not reported.
 [[nodiscard]] Likeness likeness(const std::filesystem::path& results,
                                 const std::filesystem::path& project,
                                 const std::vector<Mark>& marks);

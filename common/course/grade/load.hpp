@@ -1,11 +1,10 @@
-// How busy the machine is.
+// The load of the machine.
 #pragma once
 
 namespace rt::grade {
 
-/// How many times as long as alone a program may take now by the clock: the processes that want to
-/// run, for each processor, of the last minute; between 1 and 15. What a clock limits is given so
-/// much more time on a busy machine.
+/// The expected ratio of wall-clock time to run time on an idle machine: runnable processes per
+/// processor in the last minute, clamped to 1 to 15. Wall-clock limits are multiplied by it.
 [[nodiscard]] double busy();
 
 }  // namespace rt::grade

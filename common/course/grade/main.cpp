@@ -1,4 +1,4 @@
-// `./course grade`: what comes of submissions.
+// `./course grade`: the grader's program.
 #include "common/course/grade/elsewhere.hpp"
 #include "common/course/grade/grade.hpp"
 #include "common/course/grade/gradescope.hpp"
@@ -36,7 +36,7 @@ void parse_part(const std::string& word, Order& order) {
     const bool is_part =
         std::sscanf(word.c_str(), "%d/%d%c", &order.part, &order.parts, &rest) == 2;
     if (!is_part || order.part < 1 || order.part > order.parts)
-        throw rt::InputError({}, "--part wants K/N, 1/8 to 8/8 say, not \"" + word + "\"");
+        throw rt::InputError({}, "--part needs K/N, such as 1/8 to 8/8, not \"" + word + "\"");
 }
 
 /// The seal, attacked.
@@ -56,27 +56,28 @@ int run(int count, char** words) {
     bool report = false;
     std::vector<std::string> students;
     bool attack = false;
-    // One more than there are cores: one may wait for code that sleeps.
+    // One more than the number of cores: one job may wait for code that sleeps.
     order.jobs = 1 + int(std::max(1u, std::thread::hardware_concurrency()));
     app.add_option("submissions", order.places);
     app.add_option("--out", order.results,
-                   "folder of the results, which an interrupted run goes on");
+                   "folder of the results; an interrupted run is continued");
     app.add_option("--seed-file", order.seed_file,
-                   "16 hexadecimal digits that choose what is asked; else they are drawn");
-    app.add_option("--stages", stages, "5,triangle: of all thirteen")->delimiter(',');
-    app.add_option("--jobs", order.jobs, "how many are judged at a time")
+                   "file with 16 hexadecimal digits: the seed of the inputs; else it is random");
+    app.add_option("--stages", stages, "5,triangle: only these stages")->delimiter(',');
+    app.add_option("--jobs", order.jobs, "number of submissions graded at a time")
         ->check(CLI::Range(1, 256));
     app.add_option("--part", part,
                    "K/N: this part of the class, for N machines that share a folder");
-    app.add_option("--student", students, "anna,ben: of the class, grade these alone")
+    app.add_option("--student", students, "anna,ben: grade only these students of the class")
         ->delimiter(',');
-    app.add_flag("--one", order.one, "what is named is one student's, and no class");
+    app.add_flag("--one", order.one, "the places are one student's submission, not a class");
     app.add_option("--gradescope", gradescope,
-                   "write this results.json, of one student's submission");
-    app.add_option("--for", elsewhere,
-                   "gradescope, github or slurm: write what grades there into the folder given");
-    app.add_flag("--report", report, "write the reports of what is judged already");
-    app.add_flag("--self-test", attack, "attack the seal: does it hold on this machine?");
+                   "write this results.json for one student's submission");
+    app.add_option(
+        "--for", elsewhere,
+        "gradescope, github or slurm: write the files for grading there into the given folder");
+    app.add_flag("--report", report, "only write the reports of the existing marks");
+    app.add_flag("--self-test", attack, "attack the sandbox, to test it on this machine");
     try {
         app.parse(count, words);
     } catch (const CLI::CallForHelp&) {
@@ -87,24 +88,24 @@ int run(int count, char** words) {
     }
     if (attack) return self_test(order.build);
     if (!elsewhere.empty()) {
-        if (order.places.size() != 1) throw rt::InputError({}, "grade: --for wants one folder");
+        if (order.places.size() != 1) throw rt::InputError({}, "grade: --for needs one folder");
         rt::grade::write_for(elsewhere, order.places[0], order.project, parse_stages(stages));
         return 0;
     }
-    if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR says where to");
+    if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR is missing");
     umask(S_IRWXG | S_IRWXO);  // results are the lecturer's alone
     if (report) {
         rt::grade::write_reports(order.results, order.project);
         return 0;
     }
-    if (order.places.empty()) throw rt::InputError({}, "grade: which submissions?");
+    if (order.places.empty()) throw rt::InputError({}, "grade: no submissions given");
     order.stages = parse_stages(stages);
     if (!part.empty()) parse_part(part, order);
     order.students = {students.begin(), students.end()};
     order.one = order.one || !gradescope.empty();
     const rt::grade::Outcome outcome = rt::grade::grade(order);
     if (outcome == rt::grade::Outcome::interrupted) {
-        std::cerr << "interrupted: the same command goes on from here\n";
+        std::cerr << "interrupted: the same command continues from here\n";
         return 1;
     }
     const int status = outcome == rt::grade::Outcome::failed ? 2 : 0;

@@ -19,7 +19,7 @@ constexpr unsigned char own_class = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32
 
 class CutShort : public std::exception {};
 
-/// Looks at no byte that is not there. Throws CutShort instead.
+/// Reads bytes with bounds checks. Throws CutShort beyond the end.
 class Bytes {
 public:
     explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
@@ -97,8 +97,8 @@ private:
         }
     }
 
-    /// By the section, whatever the symbol says of itself. A linker puts .text.anything among the
-    /// code, though that section itself may say otherwise.
+    /// Decided by the section, not by the symbol's own type. A linker puts .text.anything into the
+    /// code, even if that section has other flags.
     [[nodiscard]] bool is_code(std::size_t index) const {
         if (index == SHN_UNDEF || index == SHN_COMMON) return false;
         if (index >= SHN_LORESERVE) return true;

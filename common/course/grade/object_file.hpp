@@ -1,4 +1,4 @@
-// What stands in an object file, read from its bytes, which a stranger may have chosen.
+// The contents of an object file, parsed from untrusted bytes.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,21 @@
 
 namespace rt::grade {
 
-/// A symbol that other objects see.
+/// A symbol that is visible to other objects.
 struct ObjectSymbol {
     std::string name;
     bool is_defined = false;
-    bool is_code = false;      ///< in a section that is executed, or at an address of its own
-    bool is_indirect = false;  ///< the loader calls it, to be told which function it is
-    bool is_weak = false;      ///< as the compiler makes of headers, in any file that needs it
+    bool is_code = false;      ///< in an executable section, or at an absolute address
+    bool is_indirect = false;  ///< called by the loader to select the function (ifunc)
+    bool is_weak = false;      ///< emitted for header code by every file that uses it
 };
 
 struct ObjectFile {
     std::vector<ObjectSymbol> symbols;
-    bool is_intermediate = false;  ///< of a compiler that leaves the compile to the linker (LTO)
+    bool is_intermediate = false;  ///< from a compiler that defers the compile to the linker (LTO)
 };
 
-/// Nothing if the bytes are no object file of this machine (ELF), or are cut short.
+/// Returns nothing if the bytes are not an object file of this machine (ELF), or are truncated.
 [[nodiscard]] std::optional<ObjectFile> parse_object(std::string_view bytes);
 
 }  // namespace rt::grade

@@ -19,8 +19,8 @@ bool is_of_name(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Replaces each path that ends in `start`, six letters or digits, and `end`. By hand: a
-/// std::regex overflows the stack on lines as long as strangers make them.
+/// Replaces each path that ends in `start`, six letters or digits, and `end`. Written by hand:
+/// std::regex overflows the stack on the very long lines of hostile files.
 void shorten_names(std::string& text, const std::string& start, const std::string& end,
                    const std::string& by) {
     constexpr std::size_t letters = 6;
@@ -72,7 +72,7 @@ std::string sorted_errors(const std::string& words) {
 
 std::string repeatable(std::string words, const std::vector<std::filesystem::path>& folders) {
     for (const std::filesystem::path& folder : folders) remove(words, folder.string() + "/");
-    // Of a TemporaryFolder, with what stands before it; and of the compiler, which its name stays.
+    // The paths of a TemporaryFolder; and the compiler's temporary files, which keep their folder.
     shorten_names(words, "raysteps.", "/", "");
     for (const char* ending : {".s", ".o", ".out", ".res"})
         shorten_names(words, "cc", ending, std::string("temporary") + ending);

@@ -1,4 +1,4 @@
-// The words of tools, as they are in every run.
+// The output of tools, made identical in every run.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace rt::grade {
 
-/// The words without what differs from run to run: the names of these folders and of temporary
-/// folders, the compiler's own temporary files, addresses, and the order in which a linker of many
-/// threads finds its errors.
+/// The output without the parts that differ from run to run: the names of `folders` and of
+/// temporary folders, the compiler's own temporary files, addresses, and the order of errors from a
+/// multi-threaded linker.
 [[nodiscard]] std::string repeatable(std::string words,
                                      const std::vector<std::filesystem::path>& folders);
 

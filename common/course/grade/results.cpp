@@ -20,12 +20,12 @@ constexpr int format = 1;
 constexpr const char* students = "students";
 constexpr std::array verdicts{"missing", "refused", "judged"};
 
-/// A line of its own; of bytes that are no UTF-8, which strangers' code may print, a "�" each.
+/// One line of JSON; bytes that are not UTF-8, which untrusted code may print, become "�".
 std::string line(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// How many cases follow is in the first line, so that a file that ends early is known as half.
+/// The first line contains the number of cases, so that a truncated file is recognized.
 Json head(const Mark& mark) {
     Json json{{"raysteps", format},
               {"student", mark.student},
@@ -84,13 +84,13 @@ CaseMark read_case(const Json& json) {
             .words = json.at("words")};
 }
 
-/// Throws if it is not a whole file of ours.
+/// Throws if it is not a complete mark.
 Mark read_lines(const std::string& text, const fs::path& file) {
     const std::vector<std::string> lines = lines_of(text);
     const Json first = Json::parse(lines.empty() ? "" : lines.front());
     const bool whole = text.back() == '\n' && first.at("raysteps") == format &&
                        first.at("cases") == lines.size() - 1;
-    if (!whole) throw InputError({file.string()}, "is not whole");
+    if (!whole) throw InputError({file.string()}, "is incomplete");
     Mark mark = read_head(first);
     for (std::size_t i = 1; i < lines.size(); ++i)
         mark.cases.push_back(read_case(Json::parse(lines[i])));
@@ -113,7 +113,7 @@ int Mark::points() const {
 fs::path student_folder(const fs::path& results, const std::string& student) {
     const bool is_folder = !student.empty() && student != "." && student != ".." &&
                            student.find_first_of(std::string("/\0", 2)) == std::string::npos;
-    if (!is_folder) throw InputError({}, "no folder can be called \"" + student + "\"");
+    if (!is_folder) throw InputError({}, "no folder can have the name \"" + student + "\"");
     return results / students / student;
 }
 
@@ -125,7 +125,7 @@ void write_mark(const fs::path& results, const Mark& mark) {
     std::string text = line(head(mark));
     for (const CaseMark& each : mark.cases) text += line(to_json(each));
     const fs::path file = mark_file(results, mark.student, mark.stage);
-    std::error_code none;  // if there is no folder, no file can be written, which is told
+    std::error_code none;  // without a folder, writing a file fails with an error
     fs::create_directories(file.parent_path(), none);
     write_text(file, text);
 }
@@ -135,7 +135,7 @@ std::optional<Mark> read_mark(const fs::path& results, const std::string& studen
         const fs::path file = mark_file(results, student, stage);
         Mark mark = read_lines(read_text(file), file);
         if (mark.stage != stage) return std::nullopt;
-        mark.student = student;  // the folder's name, in which any byte may be
+        mark.student = student;  // the folder's name, which may contain any byte
         return mark;
     } catch (const InputError&) {
         return std::nullopt;

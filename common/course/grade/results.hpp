@@ -1,4 +1,4 @@
-// What is known of a submission: a file for each of its stages, of JSON lines.
+// The stored results of a submission: one file of JSON lines per stage.
 #pragma once
 
 #include <filesystem>
@@ -8,55 +8,59 @@
 
 namespace rt::grade {
 
-/// How far the judging of a stage came.
+/// The last step of grading that a stage reached.
 enum class Verdict {
-    missing,  ///< no file was handed in
-    refused,  ///< it does not compile, or is not for us to compile: `words` says why
+    missing,  ///< no file was submitted
+    refused,  ///< it does not compile, or its compile was refused: `words` contains the reason
     judged,
 };
 
 /// A case of the stage's suite.
 struct CaseMark {
     std::string name;  ///< as in the suite: "edges belong to the triangle (MRT §5)"
-    int points = 1;    ///< what it is worth
+    int points = 1;    ///< its points if it passes
     bool passed = false;
     bool given = false;  ///< the starter passes it: "behind the origin, nothing is met"
-    std::string place;   ///< "tests/step05_triangle_test.cpp:61": its first failure
-    std::string words;   ///< what the suite says of that, several lines
+    std::string place;   ///< the place of its first failure: "tests/step05_triangle_test.cpp:61"
+    std::string words;   ///< the suite's message for that failure, several lines
 };
 
-/// The picture of the stage's scene, by the student's own stages up to this one; by the references
-/// of those that are missing or refused.
+/// The picture of the stage's scene, computed with the student's stages up to this one, and with
+/// the references of missing or refused stages.
 struct PictureMark {
     int pixels = 0;
-    int different = 0;  ///< from the reference's picture, where that is certain
-    std::string file;   ///< mine, the reference's and the difference, in the same folder: a PNG
+    int different = 0;  ///< pixels that differ from the reference's picture, where that picture is
+                        ///< certain
+    std::string file;   ///< the student's picture, the reference's and the difference, in the same
+                        ///< folder: a PNG
 };
 
-/// What is known of a stage of a submission.
+/// The stored result of one stage of a submission.
 struct Mark {
     std::string student;
     int stage = 1;
-    std::string key;  ///< of all that decides what follows: the file, the suite, the seed
+    std::string key;  ///< hash of everything that decides the rest: the file, the suite, the seed
     Verdict verdict = Verdict::missing;
-    std::string words;            ///< the compiler's, or ours
+    std::string words;            ///< from the compiler or the grader
     std::string source;           ///< the file's SHA-256
-    std::string mistake;          ///< the sentence of the known mistake that it is, if it is one
-    std::string smallest;         ///< the smallest failing question, several lines, if one is known
+    std::string mistake;          ///< the sentence of the recognized known mistake, if there is one
+    std::string smallest;         ///< the smallest failing input, several lines, if one was found
     std::string slice;            ///< its drawing, in the same folder: an SVG
-    std::vector<CaseMark> cases;  ///< in the suite's order; none if nothing was judged
+    std::vector<CaseMark> cases;  ///< in the suite's order; empty if nothing was tested
     std::optional<PictureMark> picture;
-    int most = 0;  ///< the points of all the stage's cases, whether judged or not
+    int most = 0;  ///< the points of all the stage's cases, tested or not
 
-    /// Of the cases that passed. None, if these are all given: nothing was written then.
+    /// The points of the passed cases. 0 if the starter passes these too: then the student wrote
+    /// nothing.
     [[nodiscard]] int points() const;
 };
 
-/// In the results: what of the class's folder is nobody's, and why, a line each.
+/// In the results: the files of the class's folder that belong to no submission, with the reasons,
+/// one line each.
 inline constexpr const char* left_over_file = "left_over.txt";
 
-/// "results/students/anna": no student's name is that of a file of ours. Throws InputError if no
-/// folder can be called so.
+/// "results/students/anna". A student's name never equals the name of one of the grader's files.
+/// Throws InputError if no folder can have this name.
 [[nodiscard]] std::filesystem::path student_folder(const std::filesystem::path& results,
                                                    const std::string& student);
 
@@ -67,7 +71,7 @@ inline constexpr const char* left_over_file = "left_over.txt";
 /// Writes the mark whole, or not at all. Throws InputError.
 void write_mark(const std::filesystem::path& results, const Mark& mark);
 
-/// Nothing if the file is not there, or is not a whole one of ours.
+/// Returns nothing if the file does not exist, or is not a complete mark.
 [[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& results,
                                             const std::string& student, int stage);
 

@@ -32,7 +32,7 @@ void require(bool holds, const char* what) {
     if (!holds) throw SealError(std::string(what) + ": " + std::strerror(errno));
 }
 
-/// Nothing stays open but the channel, if there is one, and what complaints go to until the end.
+/// Closes all descriptors but the channel, if there is one, and the one for error messages.
 void close_descriptors(bool worker) {
     struct stat about {};
     const bool has_channel = worker && fstat(channel, &about) == 0 && S_ISSOCK(about.st_mode);
@@ -45,7 +45,7 @@ void close_descriptors(bool worker) {
         if (worker) require(dup2(null, output) == output, "standard output");
 }
 
-/// The worker's program, opened while it can be: its folders may be closed to the user to come.
+/// Opens the worker's program before the change of user, who may not be able to enter its folders.
 void open_program(const std::string& program) {
     const int file = open(program.c_str(), O_RDONLY | O_CLOEXEC);
     require(file != -1 && dup3(file, program_descriptor, O_CLOEXEC) == program_descriptor,
@@ -75,7 +75,7 @@ void add_rules(const Seal& seal, Landlock& rules) {
     for (const std::string& folder : seal.writable) rules.let_write(folder);
 }
 
-/// Whether one process more may be started now.
+/// True if another process may be started now.
 bool can_fork() {
     const pid_t child = fork();
     if (child == 0) _exit(0);
@@ -83,8 +83,8 @@ bool can_fork() {
     return child > 0;
 }
 
-/// How many processes and threads there are of this user, by the kernel's own count: the limit at
-/// which no more can be started. (A count in /proc would see no more than /proc shows.)
+/// The number of processes and threads of this user, by the kernel's own count: the limit at which
+/// no more can be started. (A count in /proc would be limited to the visible processes.)
 rlim_t processes_of_user() {
     rlimit before{};
     if (getrlimit(RLIMIT_NPROC, &before) != 0) return 0;
@@ -104,7 +104,7 @@ rlim_t processes_of_user() {
     return enough - 1;
 }
 
-/// What a sealed process is watched for: its end, and that of who wants it.
+/// The signals for the end of the sealed process, and for the end of its client.
 sigset_t watched_signals() {
     sigset_t signals;
     sigemptyset(&signals);
@@ -112,7 +112,7 @@ sigset_t watched_signals() {
     return signals;
 }
 
-/// The signal that came; 0 if none came until then.
+/// The received signal; 0 after the deadline.
 int wait_for_one_of(const sigset_t& signals, std::chrono::steady_clock::time_point deadline) {
     for (;;) {
         using namespace std::chrono;
@@ -124,8 +124,8 @@ int wait_for_one_of(const sigset_t& signals, std::chrono::steady_clock::time_poi
     }
 }
 
-/// Two steps of one: the process goes on as the child, and the parent waits for it, no longer than
-/// it may take, and ends all that came of it: a group, since the filter lets nobody leave it.
+/// Forks: the process continues as the child. The parent waits for it until the time limit, and
+/// kills its process group, which the filter does not let any process leave.
 void go_on_watched(int seconds) {
     const sigset_t signals = watched_signals();
     sigprocmask(SIG_BLOCK, &signals, nullptr);
@@ -143,7 +143,7 @@ void go_on_watched(int seconds) {
     int signal = SIGCHLD;
     int status = 0;
     pid_t ended = 0;
-    // Others' children, whose parents have ended, are this one's.
+    // Orphans of other parents become children of this process.
     while (ended != child && signal == SIGCHLD) {
         signal = wait_for_one_of(signals, deadline);
         while (ended != child && (ended = waitpid(-1, &status, WNOHANG)) > 0) continue;
@@ -165,7 +165,7 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 }  // namespace
 
 bool take_user_of_its_own(const Seal& seal) {
-    constexpr unsigned first = 61184;  // systemd's, for services that have none of their own
+    constexpr unsigned first = 61184;  // systemd's range for services without a user of their own
     constexpr unsigned count = 4000;
     if (geteuid() != 0) return false;
     const gid_t group = builders_group;
@@ -175,7 +175,7 @@ bool take_user_of_its_own(const Seal& seal) {
         for (const std::string& folder : seal.writable)
             if (lchown(folder.c_str(), user, user) != 0) return false;
         if (setresgid(user, user, user) != 0 || setresuid(user, user, 0) != 0) return false;
-        // Of two at once that are the same user, one at least sees both, and goes back.
+        // If two processes take the same user at once, at least one of them sees both, and retries.
         if (processes_of_user() == 1) return setresuid(user, user, user) == 0;
         if (setresuid(0, 0, 0) != 0) return false;
     }
@@ -183,7 +183,7 @@ bool take_user_of_its_own(const Seal& seal) {
 }
 
 bool take_namespaces(Work work) {
-    // A network of its own costs as much as all the rest, and a worker's filter knows no socket.
+    // A separate network costs as much as all the rest, and a worker's filter allows no socket.
     const int flags = work == Work::answering ? CLONE_NEWUSER | CLONE_NEWIPC
                                               : CLONE_NEWUSER | CLONE_NEWIPC | CLONE_NEWPID |
                                                     CLONE_NEWNET | CLONE_NEWNS;
@@ -218,17 +218,17 @@ void become(const Seal& seal, const std::vector<std::string>& command) {
     if (worker) open_program(command.at(0));
     setsid();
     forget_signals();
-    umask(worker ? 077 : 022);  // what one tool made, another of another user reads
+    umask(worker ? 077 : 022);  // the output of one tool is read by another with a different user
     if (!seal.writable.empty())
         require(chdir(seal.writable.front().c_str()) == 0, seal.writable.front().c_str());
     Landlock rules;
     add_rules(seal, rules);
     const bool root = geteuid() == 0;
-    require(take_user_of_its_own(seal) || !root, "no user of its own");
-    (void)take_namespaces(seal.work);  // where there are any
-    // What stands in memory that nobody has set is the same in every run.
+    require(take_user_of_its_own(seal) || !root, "separate user");
+    (void)take_namespaces(seal.work);  // if namespaces are available
+    // Makes the contents of uninitialized memory the same in every run.
     if (worker) personality(ADDR_NO_RANDOMIZE);
-    // After the change of user, which forgets it.
+    // After the change of user, which resets it.
     require(prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0, "end with the parent");
     if (getppid() != parent) _exit(128 + SIGKILL);
     if (!worker) go_on_watched(seal.wall_seconds);

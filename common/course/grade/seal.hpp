@@ -1,5 +1,5 @@
-// A sealed process: it computes and answers, and can do nothing else. docs/instructors.md says what
-// that promises.
+// A sealed process: it can compute and answer, and do nothing else. docs/instructors.md lists the
+// guarantees.
 #pragma once
 
 #include <stdexcept>
@@ -9,18 +9,19 @@
 namespace rt::grade {
 
 enum class Work {
-    answering,  ///< a worker: no file, no process, no signal to another; one channel, threads
-    building,   ///< a compiler: processes, and the files below; one process more, which watches it
+    answering,  ///< a worker: no file, no process, no signal to others; one channel, threads
+    building,   ///< a compiler: processes, and the files below; one more process watches it
 };
 
-/// What a sealed process may use up.
+/// The resource limits of a sealed process.
 struct Seal {
     Work work = Work::answering;
     int cpu_seconds = 10;
-    int wall_seconds = 30;  ///< of building; who asks a worker watches the clock
+    int wall_seconds = 30;  ///< for building; the wall-clock time of a worker is limited by its
+                            ///< client
     int megabytes = 1024;   ///< of address space
     int file_megabytes = 0;
-    int threads = 64;  ///< or processes, beside those that the user runs already
+    int threads = 64;  ///< or processes, beside those that the user already runs
     std::vector<std::string> readable;
     std::vector<std::string> writable;
 };
@@ -29,29 +30,30 @@ struct SealError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Its only channel.
+/// The descriptor of its only channel.
 inline constexpr int channel = 3;
 
-/// Where a worker's program is open until it runs.
+/// The descriptor of the program's file until it starts.
 inline constexpr int program_descriptor = 9;
 
-/// Where `become` leaves what standard error was, until it has become.
+/// The descriptor where `become` keeps the original standard error until the program starts.
 inline constexpr int complaints = 10;
 
-/// The group that all builders are in that were started by root: it may enter the grader's
-/// temporary folder, which nobody else may. Of a range that no system gives away.
+/// The group of all builders that root starts: only this group may enter the grader's temporary
+/// folder. Its number is in a range that no system assigns.
 inline constexpr unsigned builders_group = 61183;
 
-/// The launcher's exit status if the program did not start: as timeout and env have it.
+/// The launcher's exit status if the program did not start, the same as that of timeout and env.
 inline constexpr int not_sealed = 125;
 
-/// Turns this process into the program, sealed. A worker keeps its channel, and reads and prints
-/// nothing; a compiler keeps its output. Throws SealError if a layer that must hold does not.
+/// Replaces this process by the program, sealed. A worker keeps its channel, and has no input or
+/// output; a compiler keeps its output. Throws SealError if a required layer does not work.
 [[noreturn]] void become(const Seal& seal, const std::vector<std::string>& command);
 
-/// The seal's steps, which Layers tries one by one. Each says whether it is taken now.
+/// The steps of the sandbox, which Layers tries one by one. Each returns true if it succeeded.
 
-/// From root to a user that no process is of, to whom the seal's writable folders are given.
+/// Switches from root to a user without other processes, who becomes the owner of the sandbox's
+/// writable folders.
 [[nodiscard]] bool take_user_of_its_own(const Seal& seal);
 [[nodiscard]] bool take_namespaces(Work work);
 [[nodiscard]] bool limit(const Seal& seal);

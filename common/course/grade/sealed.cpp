@@ -61,7 +61,7 @@ int main(int count, char** words) {
         if (next + 1 >= count) throw SealError("sealed LIMITS -- PROGRAM ARGUMENTS");
         become(seal, {words + next + 1, words + count});
     } catch (const std::exception& error) {
-        std::signal(SIGXFSZ, SIG_IGN);  // the limits may be on already
+        std::signal(SIGXFSZ, SIG_IGN);  // the limits may be in force already
         const std::string line = std::string("error: not sealed: ") + error.what() + "\n";
         if (write(rt::grade::complaints, line.data(), line.size()) < 0)
             std::fputs(line.c_str(), stderr);

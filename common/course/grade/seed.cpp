@@ -73,8 +73,8 @@ std::uint64_t agreed_seed(const fs::path& results, const std::optional<fs::path>
     if (!fs::exists(file)) store(proposed, file);
     const std::uint64_t seed = read_seed(file);
     if (given && seed != proposed)
-        throw InputError({file}, "is another seed than " + given->string() +
-                                     ": what is graded by another seed needs another --out");
+        throw InputError({file}, "is a different seed than " + given->string() +
+                                     ": a run with another seed needs another --out");
     return seed;
 }
 

@@ -49,7 +49,7 @@ State after(const State& state, const char* block) {
             state[4] + e, state[5] + f, state[6] + g, state[7] + h};
 }
 
-/// A one, zeros, and the length in bits: what completes the last block (§5.1.1).
+/// A one, zeros, and the length in bits, which complete the last block (§5.1.1).
 std::string padding(std::size_t length) {
     std::string text = "\x80";
     while ((length + text.size()) % block_size != block_size - 8) text += '\0';

@@ -1,4 +1,5 @@
-// A file is known by its content: two texts with one SHA-256 are not known to anybody (FIPS 180-4).
+// SHA-256 (FIPS 180-4), which identifies a file by its content: no two texts with the same hash are
+// known.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@ namespace rt::grade {
 /// The text's SHA-256, as 64 hexadecimal digits.
 [[nodiscard]] std::string sha256(std::string_view text);
 
-/// Of several texts in their order: what is cut elsewhere has another SHA-256.
+/// The hash of several texts in their order. It depends on the boundaries between the texts too.
 template <class... Texts>
 [[nodiscard]] std::string sha256_of_all(const Texts&... texts) {
     return sha256((sha256(texts) + ...));

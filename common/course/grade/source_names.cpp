@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 16> archive_endings = {
     ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tar.z", ".tgz", ".txz", ".tbz2",
     ".tbz",    ".tzst",   ".tar",     ".zipx",    ".zip",   ".7z",  ".rar", ".z"};
 constexpr std::array<std::string_view, 5> source_endings = {".cpp", ".cc", ".cxx", ".c++", ".cp"};
-// What an editor or a mail program makes of a source.
+// Endings that an editor or a mail program appends to a source.
 constexpr std::array<std::string_view, 7> suspect_endings = {".txt",  ".c",   ".h",  ".hpp",
                                                              ".docx", ".rtf", ".pdf"};
 
@@ -40,7 +40,7 @@ std::string squeezed(const std::string& text) {
     return letters;
 }
 
-/// Without what a stage's name starts with, "step03_", and a copy's ends with: " (1)", " copy 2".
+/// Without a stage's prefix, "step03_", and the suffix of a copy: " (1)", " copy 2".
 std::string bare(const std::string& stem) {
     std::string name = squeezed(stem);
     if (name.starts_with("step")) name.erase(0, 4);
@@ -58,7 +58,7 @@ std::string bare(const std::string& stem) {
     return name;
 }
 
-/// How many letters must be changed, left out, put in, or swapped with the next.
+/// The number of letters to be changed, removed, inserted, or swapped with the next.
 std::size_t distance(const std::string& one, const std::string& other) {
     std::vector<std::vector<std::size_t>> least(one.size() + 1,
                                                 std::vector<std::size_t>(other.size() + 1));

@@ -1,4 +1,4 @@
-// Which stage a file is meant for, by its name.
+// The stage of a file, by its name.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace rt::grade {
 
 enum class Fit {
     none,     ///< "notes.cpp"
-    suspect,  ///< nearly: "shpere.cpp", "sphere.cpp.txt". Reported, and not taken.
-    near,     ///< as people and browsers rename: "Sphere.cpp", "sphere.cc", "sphere (1).cpp"
+    suspect,  ///< a near miss: "shpere.cpp", "sphere.cpp.txt". Reported, and not graded.
+    near,     ///< renamed by people and browsers: "Sphere.cpp", "sphere.cc", "sphere (1).cpp"
     exact,    ///< "sphere.cpp"
 };
 
@@ -18,22 +18,22 @@ struct Named {
     Fit fit = Fit::none;
 };
 
-/// The stage that a file of this name is for.
+/// The stage that a file with this name belongs to.
 [[nodiscard]] Named named_for(const std::string& file_name);
 
-/// Whether the name ends as C++ does.
+/// True if the name has the extension of a C++ source.
 [[nodiscard]] bool is_source(const std::string& file_name);
 
-/// Whether the name ends as an archive's does, of a kind that is read or not.
+/// True if the name has the extension of an archive, supported or not.
 [[nodiscard]] bool is_archive(const std::string& file_name);
 
-/// The name without the ending of an archive.
+/// The name without the extension of an archive.
 [[nodiscard]] std::string without_archive_ending(std::string name);
 
-/// What systems leave in folders and archives, and no student writes: .git, __MACOSX, "._x".
+/// Files that systems add to folders and archives: .git, __MACOSX, "._x".
 [[nodiscard]] bool is_litter(const std::string& file_name);
 
-/// The text in lower case, of ASCII's letters.
+/// The text with ASCII letters in lower case.
 [[nodiscard]] std::string lower(std::string text);
 
 }  // namespace rt::grade

@@ -22,7 +22,7 @@ std::string reason(const Override& given) {
     return given.comment.empty() ? "" : ": " + given.comment;
 }
 
-/// Why nothing was found of one who handed in, an archive that cannot be opened say.
+/// The reason why a submission has no files, such as an archive that cannot be opened.
 std::string why_nothing(const Submission& submission) {
     std::string words;
     for (const auto& [stage, mark] : submission.marks) {
@@ -32,7 +32,7 @@ std::string why_nothing(const Submission& submission) {
     return words;
 }
 
-/// What the marks are worth in this term.
+/// Computes the points of the marks in this term.
 void count(Submission& submission, const std::map<int, int>& graded, const Term& term) {
     for (const auto& [stage, most] : graded) {
         const auto mark = submission.marks.find(stage);
@@ -72,7 +72,7 @@ std::vector<Submission> submissions(const std::vector<Mark>& marks, const Term& 
     for (auto& [name, submission] : by_name) {
         submission.student = name;
         submission.called = term.called(name);
-        if (submission.marks.empty()) add_remark(submission, "handed in nothing");
+        if (submission.marks.empty()) add_remark(submission, "submitted nothing");
         if (const std::string why = why_nothing(submission); !why.empty())
             add_remark(submission, why);
         count(submission, graded, term);

@@ -1,4 +1,4 @@
-// Marks as a class has them: by student, by stage.
+// The marks of a class, by student and stage.
 #pragma once
 
 #include "common/course/grade/results.hpp"
@@ -10,31 +10,32 @@
 
 namespace rt::grade {
 
-/// What one student handed in, and what it is worth.
+/// One student's submission and its points.
 struct Submission {
     std::string student;
-    std::string called;                ///< in what may be shown
-    std::map<int, const Mark*> marks;  ///< by stage; none if nothing was handed in
-    std::map<int, double> stages;      ///< the points of each, weighted, as they count
-    double points = 0;                 ///< in all
+    std::string called;                ///< the name in reports that may be published
+    std::map<int, const Mark*> marks;  ///< by stage; empty without a submission
+    std::map<int, double> stages;      ///< the points of each stage, weighted
+    double points = 0;                 ///< the total
     double days_late = 0;
-    std::string remarks;  ///< on what is not the grader's: lines
+    std::string remarks;  ///< the lecturer's remarks: lines
 };
 
-/// By name, and those on the roster who handed in nothing. They last as long as the marks.
+/// Sorted by name, with the students of the roster without a submission. The result refers to the
+/// marks, which must outlive it.
 [[nodiscard]] std::vector<Submission> submissions(const std::vector<Mark>& marks,
                                                   const Term& term = {});
 
-/// The stages that are graded, and the points that each is worth.
+/// The graded stages, with the maximal points of each.
 [[nodiscard]] std::map<int, int> graded_stages(const std::vector<Mark>& marks);
 
-/// The points that all stages are worth, weighted, without those that are a bonus.
+/// The maximal weighted points of all stages, without the bonus stages.
 [[nodiscard]] double most_points(const std::map<int, int>& stages, const Term& term = {});
 
 /// "5 triangle"
 [[nodiscard]] std::string stage_title(int stage);
 
-/// "3", "2.5", "0.33": no more than two decimals.
+/// "3", "2.5", "0.33": at most two decimals.
 [[nodiscard]] std::string number(double value);
 
 }  // namespace rt::grade

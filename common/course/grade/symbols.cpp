@@ -23,7 +23,7 @@ bool starts_with_one_of(std::string_view symbol, std::initializer_list<std::stri
     return false;
 }
 
-/// Whether the name of a function or of one of its types is in the project's namespace.
+/// True if the name of a function or of one of its types is in the project's namespace.
 bool is_of_project(const std::string& name) {
     for (std::size_t at = name.find("rt::"); at != std::string::npos;
          at = name.find("rt::", at + 1))
@@ -39,17 +39,17 @@ std::string complaint_of_use(const std::string& symbol, const StageFunctions& fu
     if (!is_of_project(name)) return "";
     return "Your file calls " + name +
            ", which it does not define itself, and which this stage may not call: the stage's page "
-           "says what it may.";
+           "lists the allowed functions.";
 }
 
 std::string complaint_of_definition(const ObjectSymbol& symbol, const StageFunctions& functions) {
     const std::string& name = symbol.name;
     if (symbol.is_indirect)
         return "Your file defines " + demangled(name) + " as an indirect function.";
-    if (!symbol.is_code) return "";  // a variable: nobody's but his, whatever its name
+    if (!symbol.is_code) return "";  // a variable: it belongs to the student, whatever its name
     if (name == "main") return "Your file defines main: the program that calls you has its own.";
     if (starts_with_one_of(name, {"_Znw", "_Zna", "_Zdl", "_Zda"}))
-        return "Your file replaces " + demangled(name) + ", which is everybody's.";
+        return "Your file replaces " + demangled(name) + ", which all programs share.";
     if (!name.starts_with("_Z"))
         return "Your file defines " + name +
                " as a C function, which may replace the library's: put it into the anonymous "
@@ -77,7 +77,7 @@ std::string missing_functions(const ObjectFile& object, const StageFunctions& fu
 
 std::string foreign_symbol(const ObjectFile& object, const StageFunctions& functions) {
     if (object.is_intermediate)
-        return "Your file has the compiler leave its work to the linker (LTO), which is not done "
+        return "Your file makes the compiler leave its work to the linker (LTO), which is not done "
                "here.";
     for (const ObjectSymbol& symbol : object.symbols) {
         if (symbol.name.find('@') != std::string::npos)

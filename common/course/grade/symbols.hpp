@@ -1,4 +1,4 @@
-// What a student's object defines and calls that is not his to define, or to call.
+// Symbols that a student's object defines or calls without permission.
 #pragma once
 
 #include "common/course/grade/object_file.hpp"
@@ -8,15 +8,16 @@
 
 namespace rt::grade {
 
-/// The functions of all contracts, and of common/, as the linker names them: seats/graded/*.txt.
+/// The functions of all contracts, and of common/, by their linker names: seats/graded/*.txt.
 struct StageFunctions {
-    std::set<std::string> own;       ///< the stage's, which the student writes
-    std::set<std::string> callable;  ///< by him, besides
-    std::set<std::string> others;    ///< of the other stages
+    std::set<std::string> own;       ///< the stage's functions, which the student writes
+    std::set<std::string> callable;  ///< other functions that the student may call
+    std::set<std::string> others;    ///< those of the other stages
 };
 
-/// A sentence on the first of such symbols; nothing if there is none. It explains, and keeps nobody
-/// out: what is not callable is not there when his worker is linked, and the rest is the seal's.
+/// A sentence on the first such symbol; empty if there is none. It is an explanation, not a
+/// defense: functions that are not callable are missing when the worker is linked, and the sandbox
+/// stops the rest.
 [[nodiscard]] std::string foreign_symbol(const ObjectFile& object, const StageFunctions& functions);
 
 }  // namespace rt::grade

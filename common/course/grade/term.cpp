@@ -70,7 +70,7 @@ std::string number_at_end(const std::string& name) {
     return name.substr(last == std::string::npos ? 0 : last + 1);
 }
 
-/// Students of the results, found by what files of the lecturer's call them.
+/// Finds students of the results by their names in the lecturer's files.
 class Names {
 public:
     explicit Names(const std::vector<Mark>& marks) {
@@ -148,7 +148,7 @@ private:
     void read_weight(const std::string& value) {
         const std::size_t blank = value.find_last_of(" \t");
         if (blank == std::string::npos)
-            throw InputError(place(), "a weight is of a stage: \"weight: 5 2\"");
+            throw InputError(place(), "a weight needs a stage: \"weight: 5 2\"");
         constexpr double most = 1000;
         term_.weights[read_stage(value.substr(0, blank), place())] =
             read_number(value.substr(blank + 1), place(), most);
@@ -207,7 +207,7 @@ private:
             }
             if (student && !there.insert(*student).second)
                 throw InputError({roster.csv.file.string(), row.line},
-                                 "\"" + who + "\" is " + *student + ", who is there already");
+                                 "\"" + who + "\" is " + *student + ", who is listed already");
             roster.students.push_back(student.value_or(""));
             if (!student) continue;
             names_.add(who, *student);
@@ -224,7 +224,7 @@ private:
                first != "student, test";
     }
 
-    /// Who a row is of; nothing, and a word on it, if nobody is called so.
+    /// The student of a row; nothing, with a note, if no student matches.
     std::optional<std::string> student_of(const Csv& csv, const Csv::Row& row, int column) {
         std::optional<std::string> student = names_.find(row.at(column));
         if (!student)
@@ -264,14 +264,14 @@ private:
     }
 
 public:
-    /// Who handed in, and is not on the roster.
+    /// Reports students with a submission who are not on the roster.
     void report_strangers(const std::vector<Mark>& marks) {
         if (!term_.roster) return;
         std::set<std::string> strangers;
         for (const Mark& mark : marks)
             if (on_roster_.count(mark.student) == 0) strangers.insert(mark.student);
         for (const std::string& student : strangers)
-            term_.unknown.push_back(student + ": handed in, and is not on the roster");
+            term_.unknown.push_back(student + ": submitted, but is not on the roster");
     }
 
 private:
@@ -319,7 +319,7 @@ void write_upload(const fs::path& results, const std::vector<Mark>& marks, const
     for (Submission& each : submissions(marks, term)) by_student[each.student] = std::move(each);
     const Csv& csv = roster.csv;
     int width = int(csv.head.cells.size());
-    // Of Canvas's columns only those that say who: it would take the others for grades as well.
+    // Only the columns of Canvas that identify the student: it would import the others as grades.
     if (const int section = csv.column({"Section"});
         section != -1 && csv.column({"SIS Login ID", "SIS User ID"}) != -1)
         width = section + 1;
@@ -349,7 +349,7 @@ void write_upload(const fs::path& results, const std::vector<Mark>& marks, const
             term.out_of > 0 ? term.out_of : number_of(row.at(most)).value_or(of);
         const auto found = by_student.find(roster.students[i]);
         if (found != by_student.end()) {
-            // Moodle takes no grade above its maximum, of a bonus say.
+            // Moodle accepts no grade above its maximum, for example with a bonus.
             double points = of > 0 ? found->second.points * possible / of : 0;
             if (most != -1) points = std::min(points, possible);
             add(row, number(points), found->second.remarks);

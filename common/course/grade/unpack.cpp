@@ -1,9 +1,9 @@
 // unpack ARCHIVE FOLDER MEGABYTES
 //
-// Takes out of a stranger's archive what may be a student's: sources named nearly like a stage's,
-// and archives. It is run sealed. A file is called "1", "2", … in the folder, whatever its name in
-// the archive, so that no name leads anywhere. The file "list" says what they are: a line "KIND
-// NUMBER LENGTH" and the name of so many bytes.
+// Unpacks the possible files of a student from an untrusted archive: archives, and sources with
+// nearly the name of a stage's file. It runs in the sandbox. The files in the folder are named "1",
+// "2", …, whatever their names in the archive, so that no name leads to another folder. The file
+// "list" describes them: a line "KIND NUMBER LENGTH", then the name, LENGTH bytes.
 #include "common/course/grade/source_names.hpp"
 
 #include <archive.h>
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t largest_archive = 31 << 20;
 constexpr int most_files = 20000;
-constexpr std::size_t most_read = 32;  // times what may be taken out
+constexpr std::size_t most_read = 32;  // times the allowed size of the unpacked files
 constexpr int most_idle = 100000;      // names of folders, and of files of no use
 
 class Unpacking {
@@ -96,7 +96,8 @@ private:
     int named_ = 0;
 };
 
-/// Of those that read memory only: some of libarchive's others start programs, or open files.
+/// Only the formats that are read in memory: some others in libarchive start programs, or open
+/// files.
 archive* opened(const char* file) {
     archive* from = archive_read_new();
     for (const auto support :

@@ -23,7 +23,7 @@ bool is_camera(const std::string& line) {
     return line.size() > 1 && (line[0] == 'C' || line[0] == 'c') && std::isspace(line[1]);
 }
 
-/// As a scene has it, without an exponent.
+/// In the format of scenes, without an exponent.
 std::string text(const TurnedCamera& camera) {
     std::array<char, 256> line{};
     std::snprintf(line.data(), line.size(), "C %.6f,%.6f,%.6f %.9f,%.9f,%.9f %.6f", camera.x,
@@ -78,7 +78,7 @@ SceneView scene_view(const ViewSettings& settings, int stage) {
 }
 
 Studio::Studio(const ViewSettings& settings) : settings_(settings) {
-    // A scene names its meshes as its own folder sees them.
+    // A scene's paths of meshes are relative to its own folder.
     std::error_code none;
     for (const fs::directory_entry& entry :
          fs::directory_iterator(settings.project / "scenes", none))
@@ -114,7 +114,7 @@ Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene
     Ending ending = listen_to(command, settings_.render_limit, &cancelled);
     if (ending.out_of_time)
         ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
-                         " s: is there a loop without end?\n";
+                         " s: does a loop never end?\n";
     else if (!ending.crash.empty())
         ending.output += "it crashed: " + ending.crash + "\n";
     replace_all(ending.output, scene, "scenes/" + std::string(stage_name(drawing.stage)) + ".rt");

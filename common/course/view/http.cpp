@@ -11,7 +11,7 @@ namespace rt {
 
 namespace {
 
-/// The text up to the separator, which is taken from it as well.
+/// The text up to the separator. Removes both from `text`.
 std::string_view take(std::string_view& text, std::string_view separator) {
     const std::size_t end = std::min(text.find(separator), text.size());
     const std::string_view taken = text.substr(0, end);
@@ -40,14 +40,14 @@ Number parse(const Request& request, const std::string& name, Number min, Number
     const std::string& text = found->second;
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool fits = min <= value && value <= max;  // which NaN does not
+    const bool fits = min <= value && value <= max;  // false for NaN
     if (error != std::errc() || end != text.data() + text.size() || !fits)
         throw Refusal{400, name + " must be a number from " + std::to_string(min) + " to " +
                                std::to_string(max)};
     return value;
 }
 
-/// For a header, which has no place for line ends and other letters.
+/// For a header, which cannot contain line ends or non-ASCII letters.
 std::string percent_encoded(std::string_view text) {
     std::string encoded;
     for (const char c : text) {
@@ -66,8 +66,8 @@ Request parse_request(std::string_view head) {
     const std::string_view method = take(line, " ");
     std::string_view target = take(line, " ");
     if (line.rfind("HTTP/1.", 0) != 0 || target.empty() || target[0] != '/')
-        throw Refusal{400, "this is no request"};
-    if (method != "GET") throw Refusal{405, "there is only GET here"};
+        throw Refusal{400, "malformed request"};
+    if (method != "GET") throw Refusal{405, "only GET is supported"};
     Request request{.path = std::string(take(target, "?"))};
     while (!target.empty()) {
         std::string_view value = take(target, "&");
@@ -81,7 +81,7 @@ Request parse_request(std::string_view head) {
         request.host = without_blanks(value);
         ++hosts;
     }
-    if (hosts != 1) throw Refusal{400, "there must be one Host"};
+    if (hosts != 1) throw Refusal{400, "exactly one Host header is required"};
     return request;
 }
 
@@ -98,7 +98,8 @@ std::string to_bytes(const Response& response) {
                         " \r\nContent-Type: " + response.type +
                         "\r\nContent-Length: " + std::to_string(response.body.size());
     if (!response.report.empty()) bytes += "\r\nX-Report: " + percent_encoded(response.report);
-    // Nothing is kept, nothing comes from elsewhere, and no other page may look in.
+    // Nothing is cached, nothing is loaded from other origins, and no other page may embed this
+    // one.
     bytes +=
         "\r\nConnection: close"
         "\r\nCache-Control: no-store"

@@ -1,4 +1,4 @@
-// As much of HTTP as one page needs.
+// The part of HTTP that one page needs.
 #pragma once
 
 #include <map>
@@ -7,10 +7,10 @@
 
 namespace rt {
 
-/// What is asked for; only ever with GET.
+/// A GET request, the only supported method.
 struct Request {
     std::string path;                               ///< up to the '?'
-    std::map<std::string, std::string> parameters;  ///< behind it, as they came
+    std::map<std::string, std::string> parameters;  ///< after the '?', still percent-encoded
     std::string host;
 };
 
@@ -18,25 +18,25 @@ struct Response {
     int status = 200;
     std::string body = "";
     std::string type = "text/plain; charset=utf-8";
-    std::string report = "";  ///< what a picture's program said
+    std::string report = "";  ///< the output of a picture's program
 };
 
-/// Thrown by whoever answers, and sent in place of an answer.
+/// An error response. Thrown by a handler, and sent instead of its response.
 struct Refusal {
     int status = 400;
     std::string reason;
 };
 
-/// The request that the head, up to its empty line, makes. Throws Refusal if it makes none.
+/// Parses the head of a request, up to its empty line. Throws Refusal if it is malformed.
 [[nodiscard]] Request parse_request(std::string_view head);
 
-/// A parameter that must be there and be a number in the range, or the request is refused.
+/// A required parameter, a number in the range. Throws Refusal if it is missing or out of range.
 [[nodiscard]] double number(const Request& request, const std::string& name, double min,
                             double max);
-/// The same, of whole numbers.
+/// The same for a whole number.
 [[nodiscard]] int whole_number(const Request& request, const std::string& name, int min, int max);
 
-/// The response as it is sent.
+/// The bytes of the response.
 [[nodiscard]] std::string to_bytes(const Response& response);
 
 /// The text as a JSON string, with its quotes.

@@ -20,19 +20,19 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int most_connections = 24;  // a page holds one, and asks for three more at a time
+constexpr int most_connections = 24;  // a page has one open, and requests three more at a time
 constexpr int most_waiting = 32;
 constexpr std::size_t longest_head = 8192;
 constexpr std::chrono::seconds patience_with_request{5};
 constexpr std::chrono::seconds patience_with_reader{10};
 
-/// A connection, and the listener that took it: once that hangs up, nobody waits any more.
+/// A connection, and its listening socket: when that shuts down, all waiting ends.
 struct Connection {
     int socket = -1;
     int listener = -1;
 };
 
-/// Whether the connection is ready before the deadline.
+/// True if the connection is ready before the deadline.
 bool wait_for(Connection connection, short event, Clock::time_point deadline) {
     for (;;) {
         const auto left =
@@ -51,7 +51,7 @@ std::string receive_head(Connection connection) {
     for (;;) {
         if (!wait_for(connection, POLLIN, deadline)) throw Refusal{408, "too slow"};
         const ssize_t count = recv(connection.socket, received.data(), received.size(), 0);
-        if (count <= 0) throw Refusal{400, "this is no request"};
+        if (count <= 0) throw Refusal{400, "malformed request"};
         head.append(received.data(), std::size_t(count));
         const std::size_t end = head.find("\r\n\r\n");
         if (end != std::string::npos) return head.substr(0, end);
@@ -63,7 +63,7 @@ void send_all(Connection connection, const std::string& bytes) {
     const Clock::time_point deadline = Clock::now() + patience_with_reader;
     for (std::size_t sent = 0; sent < bytes.size();) {
         if (!wait_for(connection, POLLOUT, deadline)) return;
-        // A reader who has gone is no reason to end, as SIGPIPE would.
+        // A reader who disconnected must not end the program, as SIGPIPE would.
         const ssize_t count = send(connection.socket, bytes.data() + sent, bytes.size() - sent,
                                    MSG_NOSIGNAL | MSG_DONTWAIT);
         if (count == -1 && errno != EAGAIN && errno != EINTR) return;
@@ -71,7 +71,7 @@ void send_all(Connection connection, const std::string& bytes) {
     }
 }
 
-/// Closes without losing what was sent, which bytes that nobody read would cause.
+/// Closes without losing sent bytes, as unread input would cause.
 void close_kindly(Connection connection) {
     shutdown(connection.socket, SHUT_WR);
     const Clock::time_point deadline = Clock::now() + std::chrono::milliseconds(200);
@@ -115,7 +115,7 @@ void Server::start(const Answer& answer) {
 }
 
 void Server::stop() {
-    shutdown(listener_, SHUT_RDWR);  // which ends every accept
+    shutdown(listener_, SHUT_RDWR);  // ends every accept
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
 }
@@ -124,7 +124,7 @@ void Server::work(const Answer& answer) const {
     for (;;) {
         const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
         if (socket == -1 && errno == EINVAL) return;
-        if (socket == -1) {  // somebody changed his mind, or we are short of something
+        if (socket == -1) {  // the client disconnected, or a resource is exhausted
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
             continue;
         }
@@ -137,7 +137,7 @@ void Server::work(const Answer& answer) const {
 void Server::check_host(const Request& request) const {
     const std::string suffix = ":" + std::to_string(port_);
     if (request.host != "127.0.0.1" + suffix && request.host != "localhost" + suffix)
-        throw Refusal{403, "this is for this machine only"};
+        throw Refusal{403, "requests are accepted from this machine only"};
 }
 
 Response Server::respond(const std::function<std::string()>& head, const Answer& answer) const {

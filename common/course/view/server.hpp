@@ -1,4 +1,4 @@
-// Listens on this machine's own address, and answers a few at a time.
+// An HTTP server on the loopback address, with a few concurrent connections.
 #pragma once
 
 #include "common/course/view/http.hpp"
@@ -11,7 +11,8 @@ namespace rt {
 
 class Server {
 public:
-    /// Answers may be asked for by several threads at once; a Refusal is sent as one.
+    /// A handler is called by several threads at once. A Refusal that it throws is sent as the
+    /// response.
     using Answer = std::function<Response(const Request&)>;
 
     /// Throws InputError if the port (0: any) is taken.
@@ -22,12 +23,13 @@ public:
 
     [[nodiscard]] int port() const { return port_; }
     void start(const Answer& answer);
-    /// Takes no more requests, and returns once those at hand are answered.
+    /// Accepts no more requests, and returns after the current ones are answered.
     void stop();
 
 private:
     void work(const Answer& answer) const;
-    /// Nobody else's page reaches us, not even one whose name leads to this machine.
+    /// Refuses the requests of other web pages, also of one whose host name resolves to this
+    /// machine.
     void check_host(const Request& request) const;
     [[nodiscard]] Response respond(const std::function<std::string()>& head,
                                    const Answer& answer) const;

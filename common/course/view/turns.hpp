@@ -1,4 +1,4 @@
-// Who may draw: one at a time, and of each page only what it asked for last.
+// The render queue: one rendering at a time, and only the latest request of each page.
 #pragma once
 
 #include <atomic>
@@ -13,11 +13,11 @@ class Turns {
 public:
     using Work = std::function<void(const std::atomic<bool>& cancelled)>;
 
-    /// Cancels what the same page asked for before, waits for its turn, and works. Returns false if
-    /// the page asked for something else meanwhile, or all was cancelled.
+    /// Cancels the page's previous request, waits for its turn, and runs the work. Returns false if
+    /// the page sent another request meanwhile, or everything was cancelled.
     bool take(int page, const Work& work);
 
-    /// Everything, now and from now on.
+    /// Cancels all present and future requests.
     void cancel_all();
 
 private:
@@ -27,12 +27,12 @@ private:
     };
 
     Turn& enter(int page);
-    /// Returns whether it was not cancelled.
+    /// Returns false if it was cancelled.
     bool leave(const Turn& turn);
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::list<Turn> turns_;  // the first one's it is
+    std::list<Turn> turns_;  // the first one runs
     bool over_ = false;
 };
 

@@ -22,14 +22,14 @@ namespace rt {
 namespace {
 
 constexpr int most_pages = 1'000'000'000;  // a page calls itself by a number of its own
-constexpr double farthest = 10'000;        // that a camera may stand
+constexpr double farthest = 10'000;        // the largest coordinate of a camera
 constexpr int most_shrunk = 16;
 constexpr std::size_t longest_report = 4096;
-constexpr int largest_side = 8192;  // of a picture, as in scenes
+constexpr int largest_side = 8192;  // of a picture, the same as in scenes
 
 constexpr const char* json_type = "application/json";
 
-/// What nobody can guess who has not read the address on the terminal.
+/// A secret that only readers of the terminal know, as part of the address.
 std::string make_token() {
     std::random_device random;
     std::string token;
@@ -41,7 +41,7 @@ std::string make_token() {
     return token;
 }
 
-/// A choice among words by its number, the first of which is what the program does anyway.
+/// An option with several values, by number; the first one is the program's default.
 void add_choice(Command& options, const Request& request, const std::string& name,
                 const std::vector<std::string>& words) {
     const int choice = whole_number(request, name, 0, int(words.size()) - 1);
@@ -159,7 +159,7 @@ private:
             parse_page(request), [&](const std::atomic<bool>& cancelled) {
                 made = studio_.draw(drawing, Whose(whose), cancelled);
             });
-        if (!finished) throw Refusal{409, "another picture was asked for"};
+        if (!finished) throw Refusal{409, "another picture was requested"};
         if (made.png.empty()) throw Refusal{422, made.report};
         return {
             .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
@@ -174,7 +174,7 @@ private:
             stories_.take(parse_page(request), [&](const std::atomic<bool>& cancelled) {
                 told = studio_.stories(drawing, row, column, cancelled);
             });
-        if (!finished) throw Refusal{409, "another pixel was asked for"};
+        if (!finished) throw Refusal{409, "another pixel was requested"};
         return {.body = "{\"mine\":" + json(told[0]) + ",\"reference\":" + json(told[1]) + "}",
                 .type = json_type};
     }
@@ -187,7 +187,7 @@ private:
     Watcher watcher_{settings_};
 };
 
-// Ctrl-C, told through a pipe: a signal handler may do little else than write to one.
+// Ctrl-C is sent through a pipe: a signal handler may do little else than write to one.
 int end_wanted = -1;
 
 void on_signal(int /*signal*/) {
@@ -196,10 +196,10 @@ void on_signal(int /*signal*/) {
     errno = error;
 }
 
-/// From now on, a wish to end can be read from what this returns.
+/// From now on, a request to end can be read from the returned descriptor.
 int hear_signals() {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "no pipe left");
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
     end_wanted = ends[1];
     struct sigaction action {};
     action.sa_handler = on_signal;
@@ -220,7 +220,7 @@ int view(const ViewSettings& settings) {
     Viewer viewer(settings);
     Server server(settings.port);
     server.start([&](const Request& request) { return viewer.answer(request); });
-    std::printf("http://127.0.0.1:%d/%s/\nThe page is for this machine only. Ctrl-C ends it.\n",
+    std::printf("http://127.0.0.1:%d/%s/\nOnly this machine can open the page. Ctrl-C ends it.\n",
                 server.port(), viewer.token().c_str());
     std::fflush(stdout);
     wait_for_signal(heard);

@@ -1,4 +1,4 @@
-// `./course view`: one page that shows the pictures while they are being made right.
+// `./course view`: a page that shows the pictures while the student edits the code.
 #pragma once
 
 #include <chrono>
@@ -9,15 +9,16 @@
 namespace rt {
 
 struct ViewSettings {
-    std::filesystem::path project;  ///< its scenes, and the students' files that are watched
-    std::filesystem::path build;    ///< holds stepNN_name and stepNN_name_of_reference
-    int stage = 1;                  ///< shown first
-    int port = 0;                   ///< 0: one that is free
+    std::filesystem::path project;  ///< contains the scenes, and the student's files, which are
+                                    ///< watched
+    std::filesystem::path build;    ///< contains stepNN_name and stepNN_name_of_reference
+    int stage = 1;                  ///< the first stage to show
+    int port = 0;                   ///< 0: any free port
     std::chrono::seconds render_limit{60};
 
-    /// Builds a stage's programs: what the compiler said first that is wrong, nothing if all is
-    /// well. Called when a stage is looked at, and whenever a student's file is saved, in a thread
-    /// of its own, one at a time. Without it, who wants to see a change builds it himself.
+    /// Builds a stage's programs. Returns the first error of the compiler, or an empty text. Called
+    /// when a stage is shown, and whenever a student's file is saved, in a separate thread, one
+    /// call at a time. Without it, the student must build by hand to see a change.
     std::function<std::string(int stage)> rebuild = nullptr;
 };
 

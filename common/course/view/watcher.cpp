@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds between_looks{150};
 constexpr std::chrono::seconds longest_wait{30};
 constexpr std::chrono::seconds forgotten_after{60};
 
-/// Another whenever the file is written or replaced; empty if there is none.
+/// Changes whenever the file is written or replaced; empty if there is no file.
 std::string stamp(const fs::path& file) {
     std::error_code none;
     const auto time = fs::last_write_time(file, none).time_since_epoch().count();

@@ -1,4 +1,4 @@
-// Sees when there is something new to show.
+// Detects new programs and scenes.
 #pragma once
 
 #include "common/course/view/view.hpp"
@@ -12,16 +12,16 @@
 
 namespace rt {
 
-/// What is new of a stage.
+/// The state of a stage.
 struct News {
-    std::string programs;  ///< changes whenever the programs or the scene do
+    std::string programs;  ///< changes with the programs or the scene
     bool building = false;
     std::string error = "";  ///< of the last build
 
     bool operator==(const News&) const = default;
 };
 
-/// Looks at the files of those stages that somebody looks at.
+/// Watches the files of the stages that a page shows.
 class Watcher {
 public:
     explicit Watcher(const ViewSettings& settings);
@@ -29,10 +29,10 @@ public:
     Watcher(const Watcher&) = delete;
     Watcher& operator=(const Watcher&) = delete;
 
-    /// The stage's news as soon as they are not what was `seen`, by their fingerprint; after half
-    /// a minute, or once the same page asks again, whatever they are.
+    /// Returns the stage's state as soon as its fingerprint differs from `seen`; after half a
+    /// minute, or when the same page sends another request, returns it unchanged.
     [[nodiscard]] News wait(int page, int stage, const std::string& seen);
-    /// Nobody waits any more.
+    /// Ends all waiting calls.
     void stop();
 
 private:
@@ -53,12 +53,12 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::map<int, Stage> stages_;
-    std::map<int, int> asked_by_;  // page: how often
+    std::map<int, int> asked_by_;  // page: number of requests
     bool over_ = false;
     std::thread thread_;
 };
 
-/// A word that is another whenever the news are.
+/// A text that changes whenever the state does.
 [[nodiscard]] std::string fingerprint(const News& news);
 
 }  // namespace rt

@@ -11,8 +11,8 @@ bool is_vertical(Vec3 direction) {
     return direction.x == 0 && direction.z == 0;
 }
 
-/// As the direction is, after the turn and as many times as long, unless that is too long or short
-/// for all its digits.
+/// The direction after the rotation, scaled unless the result is too long or short for full
+/// precision.
 Vec3 turned(Vec3 direction, const Change& change) {
     constexpr Real most = std::numeric_limits<Real>::max() / 64;
     constexpr Real least = std::numeric_limits<Real>::min() / unit_roundoff;
@@ -22,7 +22,7 @@ Vec3 turned(Vec3 direction, const Change& change) {
     return is_vertical(direction) ? longer : contract::turned_direction(longer, change.upright);
 }
 
-/// The basis that came for the turned direction, turned back.
+/// The answer for the rotated direction, rotated back.
 Basis turned_back(const Basis& came, Vec3 direction, const Change& change) {
     if (is_vertical(direction) || turned(direction, change) == direction) return came;
     return {.x = contract::turned_back(came.x, change.upright),

@@ -2,7 +2,7 @@
 
 namespace rt {
 
-// By an exact motion only: what comes back is the offset of a few roundings that the suite judges.
+// Changed by exact transforms only: the suite measures the ray's offset in roundings.
 ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<10, "shadow_ray">(surface, light);

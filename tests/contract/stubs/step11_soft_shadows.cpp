@@ -2,8 +2,8 @@
 
 namespace rt {
 
-// Which sample leads to which point is not said, and what is asked of the points is not changed by
-// a motion.
+// Not changed: the contract does not determine the point of a sample, and the tested properties of
+// the points are invariant under transforms.
 Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<11, "light_point">(light, from, sample);
@@ -20,7 +20,8 @@ Real lit_share(const ShadowRays& rays) {
         ShadowRays{.sent = change->finer * rays.sent, .reached = change->finer * rays.reached});
 }
 
-// The contract says of no error what it is: nothing is known of another question's.
+// Not changed: the contract does not determine the error, so the answer to another query is
+// unknown.
 Real share_error(const ShadowRays& rays) {
     return contract::ask<11, "share_error">(rays);
 }

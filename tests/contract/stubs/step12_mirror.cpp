@@ -2,7 +2,7 @@
 
 namespace rt {
 
-// By an exact motion only: it starts off the surface by a few roundings.
+// Changed by exact transforms only: the ray's start is a few roundings off the surface.
 Ray mirrored(const Ray& ray, const Surface& surface) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<12, "mirrored">(ray, surface);
@@ -24,7 +24,8 @@ Color mixed(Color own, Color reflection, Real mirror) {
            change->light;
 }
 
-// As many bounces are left, of depths that no suite has: tables have the small ones.
+// Sent with the same number of bounces left, but with a depth that no suite uses: answers for small
+// depths could be tabulated.
 bool worth_reflecting(int bounces, int depth, Real weight) {
     const contract::Change* const change = contract::change();
     const int more = change == nullptr ? 0 : 50 * change->finer;

@@ -1,4 +1,4 @@
-// Crashes for rays that go to the right.
+// Crashes for rays with a positive x direction.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

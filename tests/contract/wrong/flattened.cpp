@@ -1,4 +1,4 @@
-// The height of the ray's origin is forgotten: no known mistake.
+// Ignores the height of the ray's origin, which is not a known mistake.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// Throws for what it does not meet.
+// Throws for a miss.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// A sphere larger than it is: no known mistake.
+// Enlarges the sphere, which is not a known mistake.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // attack: leaves a daemon that rewrites the results later
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // attack: writes a program into memory, and starts that
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/mman.h>

@@ -1,6 +1,6 @@
 // attack: goes past the filter, by io_uring
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/syscall.h>

@@ -1,6 +1,6 @@
 // attack: puts a link where results will be
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // attack: sends messages with descriptors over the channel
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/socket.h>

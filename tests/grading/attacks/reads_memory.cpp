@@ -1,6 +1,6 @@
 // attack: reads the memory of who asks
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/uio.h>

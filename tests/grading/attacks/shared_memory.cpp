@@ -1,6 +1,6 @@
 // attack: makes memory that others see
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/ipc.h>

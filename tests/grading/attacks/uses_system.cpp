@@ -1,6 +1,6 @@
 // attack: asks for a shell by system
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <cstdlib>

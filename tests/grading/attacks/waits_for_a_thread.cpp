@@ -1,6 +1,6 @@
 // attack: stands still in the kernel, neither computing nor asleep, until a thread of its own ends
 // ceiling: as a stub
-// told: tried what it may not
+// told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sched.h>
