@@ -36,6 +36,6 @@ namespace rt {
 [[nodiscard]] Real distance(Vec3 point, const Cylinder& cylinder);
 [[nodiscard]] Real distance(Vec3 point, const Cone& cone);
 [[nodiscard]] Real distance(Vec3 point, const OrientedBox& box);
-[[nodiscard]] Real distance(Vec3 point, const PlacedMesh& placed);  ///< infinite: not looked at
+[[nodiscard]] Real distance(Vec3 point, const PlacedMesh& placed);  ///< infinite: not computed
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Stage 2: a camera with any direction (MRT §2; M1's view matrix).
+// Stage 2: the camera in any direction (MRT §2; M1's view matrix).
 //
 //   MRT      here
 //   o_C, c   the camera's position and direction

@@ -1,4 +1,4 @@
-// A camera with any direction; the sky has lines of latitude and longitude that show it.
+// The camera in any direction; the sky has lines of latitude and longitude that show it.
 #include "common/stage.hpp"
 #include "common/vector.hpp"
 

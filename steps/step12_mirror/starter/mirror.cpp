@@ -27,7 +27,7 @@ Color mixed(Color own, Color reflection, Real mirror) {
 }
 
 bool worth_reflecting(int bounces, int depth, Real weight) {
-    // Whether one more reflection is allowed and visible.
+    // True if one more reflection is allowed and visible.
     RT_TODO(bounces, depth, weight);
     return false;
 }
