@@ -129,10 +129,20 @@ std::vector<File> chosen(const std::vector<std::string>& names) {
     return found;
 }
 
+/// Whether the program is there, and succeeds.
+bool can_run(const Command& command) {
+    try {
+        return listen_to(command, std::chrono::minutes(1)).status == 0;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 int measure(const std::vector<std::string>& names) {
     const std::vector<File> studied = chosen(names);
+    const std::filesystem::path docs = project_folder / "docs";
     const auto needs_meshes = [](const File& file) { return file.meshes; };
     if (!has_oracle)
         throw InputError({}, "measure needs Boost: libboost-dev, or what your system calls it");
@@ -140,8 +150,12 @@ int measure(const std::vector<std::string>& names) {
         throw InputError({},
                          "measure needs OpenMesh: libopenmesh-dev; without it there are shapes, "
                          "contact, penumbra and hierarchy");
+    const std::string draw = (docs / "accuracy/plots/draw.py").string();
+    if (!can_run({"python3", draw, "ready"}))
+        throw InputError(
+            {}, "measure needs matplotlib: python3-matplotlib, or what your system calls it");
     choose_reference("");
-    std::vector<std::string> targets = {"accuracy_page"};
+    std::vector<std::string> targets;
     double seconds = 0;
     for (const File& file : studied) {
         for (const std::string& program : file.programs) targets.push_back("measure_" + program);
@@ -149,13 +163,12 @@ int measure(const std::vector<std::string>& names) {
     }
     build(targets);
 
-    const std::filesystem::path docs = project_folder / "docs";
     {
         Meter meter(seconds);
         for (const File& file : studied)
             write_text(docs / "accuracy" / (file.name + ".csv"), measured(file, meter));
     }
-    const int status = run_process({(build_folder / "accuracy_page").string(), docs.string()});
+    const int status = run_process({"python3", draw});
     if (status == 0) std::puts("measured: read docs/accuracy.md");
     return status;
 }

@@ -7,8 +7,8 @@
 namespace rt {
 
 /// Runs the studies with these names, or all, and writes docs/accuracy/*.csv, the plots beside them
-/// and the tables of docs/accuracy.md. Throws InputError for an unknown name, and without Boost;
-/// ProgramError if something fails.
+/// and the tables of docs/accuracy.md. Throws InputError for an unknown name, and without Boost or
+/// matplotlib; ProgramError if something fails.
 int measure(const std::vector<std::string>& names);
 
 }  // namespace rt

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""The tables of accuracy.md and the plots beside them, from the CSV of `./course measure`.
+
+draw.py                writes them
+draw.py ready          fails if matplotlib is missing
+draw.py check-tables   fails if the page's are not what the CSV gives
+draw.py check-plots    the same of the plots: by their words and points, since every version of
+                       matplotlib draws with other bytes; 77 if matplotlib is missing
+
+A plot is a module of one function, plots(), which yields names, titles and figures.
+"""
+import importlib.util
+import os
+import re
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from data import FOLDER  # noqa: E402
+from tables import tables  # noqa: E402
+
+PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hierarchy", "decimation",
+         "input_rounding"]
+MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
+SYSTEM = "/usr/bin/python3"  # which has the system's packages; the first in the PATH may have none
+
+
+def has_matplotlib():
+    return importlib.util.find_spec("matplotlib") is not None
+
+
+def page():
+    """Wherever among the pages it is."""
+    return next(FOLDER.parent.rglob("accuracy.md"))
+
+
+def page_with_tables(text):
+    for name, table in tables().items():
+        begin, end = f"<!-- table {name} -->\n", f"<!-- end of {name} -->\n"
+        if begin not in text or end not in text:
+            sys.exit(f"error: accuracy.md has no place for the table {name}")
+        text = text[:text.index(begin) + len(begin)] + table + text[text.index(end):]
+    return text
+
+
+def plots():
+    """Names, titles and figures."""
+    for module in PLOTS:
+        yield from importlib.import_module(module).plots()
+
+
+def content_of(source):
+    return "".join(re.findall(r"<!-- content (\w+) -->", source))
+
+
+def write():
+    page().write_text(page_with_tables(page().read_text("utf-8")), "utf-8")
+    from style import svg
+    for name, title, figure in plots():
+        (FOLDER / f"{name}.svg").write_text(svg(title, figure), "utf-8")
+
+
+def check_tables():
+    text = page().read_text("utf-8")
+    if page_with_tables(text) != text:
+        sys.exit(f"{page()} has other tables than the CSV files give: run {__file__}")
+
+
+def check_plots():
+    from style import content
+    committed = {file.stem: content_of(file.read_text("utf-8")) for file in FOLDER.glob("*.svg")}
+    drawn = {name: content(title, figure) for name, title, figure in plots()}
+    stale = [name for name in {**drawn, **committed} if drawn.get(name) != committed.get(name)]
+    if stale:
+        sys.exit(f"not what the CSV files give: {', '.join(stale)}: run {__file__}")
+
+
+def main(command):
+    if command == "check-tables":
+        return check_tables()
+    if not has_matplotlib():
+        if Path(SYSTEM).exists() and not os.path.samefile(SYSTEM, sys.executable):
+            os.execv(SYSTEM, [SYSTEM, *sys.argv])
+        print(MISSING, file=sys.stderr)
+        return 77 if command == "check-plots" else 2
+    commands = {"": write, "ready": lambda: None, "check-plots": check_plots}
+    return commands[command]()
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1] if len(sys.argv) > 1 else ""))
