@@ -386,7 +386,7 @@ Knowledge stage11() {
         if (row.look.shadow_error > 0) all.push_back({row.option, row.look.shadow_error});
     }
 
-    // "The same error for nine tenths of the rays at 2.5, and for seven tenths at 0.5."
+    // "The same error with nine tenths of the rays at 2.5, and with seven tenths at 0.5."
     const auto errors_alike = [&table](std::size_t i, std::size_t k) {
         return std::abs(table[i].errors.root_mean_square / table[k].errors.root_mean_square - 1) <
                0.1;
@@ -406,6 +406,9 @@ Knowledge stage11() {
     const double one_in = 10 * std::round(double(off.size()) / double(beyond(limit)) / 10);
     CHECK(says("step11_soft_shadows", "one pixel in " + decimals(one_in, 0) +
                                           " is off by more than $E$, and none by more than $3E$"));
+
+    const double quarter = 4 / 16.0;
+    all.push_back({"the standard error of 4 of 16 rays", std::sqrt(quarter * (1 - quarter) / 16)});
 
     // A light so small that floats are too coarse for its cosine.
     const double sine = 0.001;
