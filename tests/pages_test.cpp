@@ -212,7 +212,7 @@ Knowledge stage9() {
 Knowledge stage10() {
     const std::string source = "common/projection.hpp";
     const double flat_is_off =
-        said_in("steps/step10_shadows/reference/shadows.cpp", "is met up to ", " units off");
+        said_in("steps/step10_shadows/reference/shadows.cpp", "is hit up to ", " units off");
     // The ray's end before a light at distance 1, in units of u.
     const Surface floor{.point = {0, 0, 0}, .normal = {0, 1, 0}, .side = {0, 1, 0}};
     const double before =
@@ -220,7 +220,7 @@ Knowledge stage10() {
     const double too_large = said_in("tests/contact_test.cpp", "{\"0", " along the normal\"");
     return {
         {"the least t (CR §3.2)", cr_shadow_start},
-        {"u by which a point is off", said_in(source, "point is off by ", " at most")},
+        {"u by which a point is off", said_in(source, "error of a point is at most ", ",")},
         {"where the ray ends before the ceiling", std::asin(flat_is_off / before) / degree, "°"},
         {"the largest of the constants", too_large},
         {"half of it", too_large / 2}};
