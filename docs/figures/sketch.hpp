@@ -9,9 +9,9 @@
 
 namespace rt::figures {
 
-/// Where the points of space stand on the page. Depth is dropped.
+/// A projection of points in space onto the page. Depth is dropped.
 struct View {
-    Vec2 place;           ///< of `center` on the page
+    Vec2 place;           ///< the position of `center` on the page
     Real scale = 100;     ///< pixels a unit
     Vec3 right{1, 0, 0};  ///< the page's own directions, unit length
     Vec3 up{0, 1, 0};
@@ -23,18 +23,18 @@ struct View {
     }
 };
 
-/// The view of somebody who looks along the direction, upright as stage 2 is.
+/// The view along a direction, with stage 2's up direction.
 [[nodiscard]] View looking_along(Vec3 direction, Vec2 place, Real scale);
 
-/// What a point is.
+/// The meaning of a point.
 enum class Mark {
     hit,      ///< the smallest t strictly inside the interval
     refused,  ///< a solution that is not it
-    given,    ///< an origin, a centre, a vertex
+    given,    ///< an origin, a center, a vertex
     foot,     ///< construction
 };
 
-/// Draws on a page what stands in space.
+/// Draws objects in space on a page.
 class Sketch {
 public:
     Sketch(Svg& svg, const View& view) : svg_(svg), view_(view) {}
@@ -43,7 +43,7 @@ public:
     void arrow(Vec3 from, Vec3 to, const Pen& pen = {});
     void polygon(const std::vector<Vec3>& points, std::string_view fill, const Pen& pen = {});
     void mark(Vec3 point, Mark what);
-    /// The label's base line begins, is centred or ends so far from the point, in pixels.
+    /// The label's base line starts, is centered or ends at this offset from the point, in pixels.
     void label(Vec3 point, Vec2 offset, std::string_view text, const TextStyle& style = {});
 
     /// The part of the ray from t = 0 on, with an arrow head at the end.
@@ -55,7 +55,7 @@ public:
 
     /// A line with two heads beside the line from one point to the other, `shift` pixels away.
     void measure(Vec3 from, Vec3 to, Vec2 shift, const Pen& pen = thin);
-    /// The angle at the corner between what leads to the two points.
+    /// The angle at the corner between the lines to the two points.
     void angle(Vec3 corner, Vec3 from, Vec3 to, Real radius, const Pen& pen = thin);
     void right_angle(Vec3 corner, Vec3 from, Vec3 to);
 
@@ -66,8 +66,8 @@ private:
     View view_;
 };
 
-/// Every t, of either sign, at which the line meets the shape: `intersect`, asked again from
-/// behind each answer.
+/// Every t, of either sign, of an intersection of the line with the shape: `intersect`, called
+/// again after each answer.
 template <class Shape>
 [[nodiscard]] std::vector<Real> all_roots(const Ray& ray, const Shape& shape) {
     std::vector<Real> roots;

@@ -68,7 +68,7 @@ struct Ruler {
     Real left;
     Real right;
     int ends;      ///< decimals at its ends
-    int decimals;  ///< and elsewhere
+    int decimals;  ///< and the other numbers
 };
 
 /// The ruler as a line so far below the grid, with the place of a pixel on it.
@@ -130,7 +130,7 @@ std::string pixel_grid() {
 
 namespace {
 
-/// The ray of a row's pixels, which stand one behind the other when seen from the side.
+/// The ray of a row's pixels, which coincide in the view from the side.
 void draw_row(Sketch& sketch, int row) {
     Ray ray = camera_ray({row, 0}, resolution, fov);
     ray.direction.x = 0;

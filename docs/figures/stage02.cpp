@@ -20,7 +20,7 @@ void draw_ground(Sketch& sketch, Vec2 from, Vec2 to) {
     for (Real z = from.y; z <= to.y; ++z) sketch.line({from.x, 0, z}, {to.x, 0, z}, pen);
 }
 
-/// The screen's pixels, one step along the rays, and what they see of the ground.
+/// The screen's pixels, one unit along the rays, and the ground that they show.
 void draw_screen(Sketch& sketch, const Basis& basis, Vec3 position) {
     constexpr Resolution resolution{.width = 6, .height = 4};
     const auto ray = [&](int row, int column) {

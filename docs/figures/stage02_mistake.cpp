@@ -1,4 +1,4 @@
-// Stage 2: what an X that is not normalised does to the picture.
+// Stage 2: the effect of an X that is not normalized on the picture.
 #include "docs/figures/figures.hpp"
 #include "docs/figures/screen.hpp"
 #include "docs/figures/sketch.hpp"
@@ -29,7 +29,7 @@ constexpr std::array balls = {
     Ball{.sphere = {.center = {1.1, 0.35, -2.5}, .radius = 0.35}, .color = "#7fa9cf"},
     Ball{.sphere = {.center = {-1.2, 0.35, -1.2}, .radius = 0.35}, .color = "#e5bf6e"}};
 
-/// What the ray sees of a chequered ground and three balls on it.
+/// The color seen by the ray, of a checkered ground and three spheres on it.
 std::string_view seen_color(const Ray& ray) {
     for (const Ball& ball : balls)
         if (intersect(ray, ball.sphere, {})) return ball.color;
@@ -68,7 +68,7 @@ Vec3 pitched(Real degrees) {
     return {0, std::sin(angle), -std::cos(angle)};
 }
 
-/// The corners of the printed basis' screen as the right camera sees them, on its picture.
+/// The corners of the printed basis' screen as seen by the right camera, on its picture.
 std::vector<Vec2> printed_frame(Vec2 corner, Vec3 direction) {
     const Mat4 to_camera = view_matrix(camera_basis(direction), {0, 0, 0});
     const auto [width, height] = small;
@@ -83,7 +83,7 @@ std::vector<Vec2> printed_frame(Vec2 corner, Vec3 direction) {
     return frame;
 }
 
-/// The length of the printed X, and of the normalised one, over the camera's pitch.
+/// The length of the printed X, and of the normalized one, over the camera's pitch.
 void draw_lengths(Svg& svg, Vec2 corner, Vec2 size) {
     const auto place = [=](Real degrees, Real length) {
         return corner + Vec2((degrees + 90) / 180 * size.x, (1 - length) * size.y);

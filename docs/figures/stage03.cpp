@@ -15,7 +15,7 @@ void draw_sphere(Svg& svg, const Sketch& sketch) {
     svg.circle(center, distance(center, sketch(sphere.center + Vec3(sphere.radius, 0, 0))), tint);
 }
 
-/// One way for a ray to meet the sphere: what is met, what is refused, and what that means.
+/// One case of a ray and the sphere: the hit, the rejected roots, and the meaning.
 void draw_case(Sketch& sketch, Vec3 origin, std::string_view meaning) {
     constexpr Real left = -1.75;
     constexpr Real right = 2;

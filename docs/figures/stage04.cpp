@@ -10,7 +10,7 @@ namespace rt::figures {
 
 namespace {
 
-/// Where the perpendicular from the point meets the plane.
+/// The foot of the perpendicular from the point to the plane.
 Vec3 foot_of(Vec3 point, const Plane& plane) {
     const Ray line{.origin = point, .direction = -normal(plane, point)};
     return at(line, all_roots(line, plane).front());
@@ -27,7 +27,7 @@ const Plane slope{.point = {0, 0, 0}, .normal = unit(Vec3(-0.18, 1, 0))};
 const Vec3 along(slope.normal.y, -slope.normal.x, 0);
 const Ray sinking{.origin = Real(-4.4) * along + Real(2) * slope.normal,
                   .direction = Real(1.2) * along - Real(0.8) * slope.normal};
-/// Through the ray's origin, across the slope: what stands on it is measured along n.
+/// Through the ray's origin, across the slope: distances on it are measured along n.
 const Plane upright{.point = sinking.origin, .normal = along};
 
 void draw_steps(Sketch& sketch) {

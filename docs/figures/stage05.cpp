@@ -43,7 +43,7 @@ std::vector<Vec3> half_plane(const std::vector<Vec3>& polygon, int vertex) {
     return kept;
 }
 
-/// Points all over the box, filled where `in` says so.
+/// Points all over the box, filled if `in` is true.
 template <class In>
 void draw_samples(Svg& svg, Sketch& sketch, std::string_view color, In in) {
     for (int row = 0; row < 7; ++row)
@@ -92,7 +92,7 @@ std::string triangle_half_planes() {
 
 namespace {
 
-/// The three triangles that a point makes with the sides, each with its share of the whole.
+/// The three triangles between a point and the sides, each with its share of the area.
 void draw_shares(Sketch& sketch, Vec3 p) {
     const auto& [a, b, c] = triangle;
     const Vec3 weights = barycentric(triangle, p);
@@ -136,11 +136,11 @@ namespace {
 constexpr Resolution picture{.width = 10, .height = 10};
 constexpr Real pixel_size = 24;
 const Real fov = 2 * std::atan(Real(0.625));
-/// A square of side 2 at z = −2, cut along a diagonal on which pixel centres lie.
+/// A square of side 2 at z = −2, cut along a diagonal that contains pixel centers.
 constexpr std::array quad = {Triangle{{-1, 1, -2}, {-1, -1, -2}, {1, -1, -2}},
                              Triangle{{-1, 1, -2}, {1, -1, -2}, {1, 1, -2}}};
 
-/// Whether the ray meets the triangle, with MRT's strict inequalities or without.
+/// True if the ray hits the triangle, with MRT's strict inequalities or without.
 bool meets(const Ray& ray, const Triangle& half, bool strict) {
     const std::optional<Real> t = intersect(ray, half, {});
     if (!t) return false;
@@ -156,7 +156,7 @@ void draw_quad_outline(Svg& svg, Vec2 corner) {
         sketch.polygon({a / -a.z, b / -b.z, c / -c.z}, none, {.width = 1.2});
 }
 
-/// Which triangle each pixel shows, and a ring where none is met though the ray meets both.
+/// The triangle of each pixel, and a ring at a pixel without one although its ray hits both.
 void draw_quad(Svg& svg, Vec2 corner, bool strict, std::string_view title) {
     std::array<std::vector<Cell>, 2> met;
     std::vector<Vec2> lost;

@@ -47,7 +47,7 @@ void draw_in_space(Svg& svg, Vec2 place, const Square& square, const Ray& ray) {
     sketch.label(p, {12, -6}, "$p$", {.color = red});
 }
 
-/// Face to face: x and y from the centre, u and v from the corner C.
+/// Seen from the front: x and y from the center, u and v from the corner C.
 void draw_face(Svg& svg, Vec2 place, const Square& square, Vec3 p) {
     Sketch sketch(svg,
                   {.place = place, .scale = 105, .right = square.basis.x, .up = square.basis.y});
@@ -105,7 +105,7 @@ std::string square_frame() {
 
 namespace {
 
-/// The scene's walls that stand upright, which a level cut shows as lines.
+/// The scene's upright walls, which a level cut shows as lines.
 std::vector<Square> upright_walls(const Scene& scene) {
     std::vector<Square> walls;
     for (const Item<Square>& item : scene.squares)

@@ -9,19 +9,19 @@ namespace rt::figures {
 
 namespace {
 
-/// The same tube without an end, whose roots are those of the quadratic.
+/// The same tube without ends, whose roots are those of the quadratic.
 Cylinder endless(Cylinder cylinder) {
     cylinder.height = 100;
     return cylinder;
 }
 
-/// The point of the side at a height z, found from the axis in a direction across it.
+/// The point of the side at a height z, in a direction across the axis.
 Vec3 side_point(const Cylinder& cylinder, Real z, Vec3 across) {
     const Ray ray{.origin = cylinder.center + z * cylinder.axis, .direction = across};
     return first_hit(ray, endless(cylinder));
 }
 
-/// The outline seen across the axis, and what it would be without ends.
+/// The outline seen across the axis, and its extension without ends.
 void draw_side(Sketch& sketch, const Cylinder& cylinder, Vec3 x, Real reach) {
     const Real half = cylinder.height / 2;
     const auto left = [&](Real z) { return side_point(cylinder, z, -x); };
@@ -35,7 +35,7 @@ void draw_side(Sketch& sketch, const Cylinder& cylinder, Vec3 x, Real reach) {
     sketch.line(left(-half), right(-half), {.color = gray, .width = 1});
 }
 
-/// Marks the roots of the endless tube: the hit of the real one, and what it refuses.
+/// Marks the roots of the endless tube: the hit of the real one, and the rejected roots.
 void mark_roots(Sketch& sketch, const Ray& ray, const Cylinder& cylinder) {
     const std::optional<Real> hit = intersect(ray, cylinder, {});
     for (const Real t : all_roots(ray, endless(cylinder)))
@@ -129,7 +129,7 @@ void draw_case(Sketch& sketch, std::string_view letter, Vec3 origin, Vec3 direct
     sketch.label(origin, {-14, 5}, letter, {.color = blue, .bold = true});
 }
 
-/// A line of the key: a letter, and what becomes of its ray.
+/// A line of the key: a letter, and the result of its ray.
 void draw_key(Svg& svg, Vec2 place, std::string_view letter, std::string_view meaning) {
     svg.text(place, letter, {.color = blue, .bold = true});
     svg.text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});

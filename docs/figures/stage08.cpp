@@ -34,7 +34,7 @@ std::vector<Real> double_cone_roots(const Ray& ray, const Cone& cone) {
     return roots;
 }
 
-/// The point of the side at a height z, found from the axis in a direction across it.
+/// The point of the side at a height z, in a direction across the axis.
 Vec3 side_point(const Cone& cone, Real z, Vec3 direction) {
     const Ray ray{.origin = cone.apex + z * cone.axis, .direction = direction};
     return first_hit(ray, endless(cone));

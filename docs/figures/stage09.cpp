@@ -1,4 +1,5 @@
-// Stage 9: the vectors of Phong's model, a light behind the surface, and what the exponent does.
+// Stage 9: the vectors of Phong's model, a light behind the surface, and the effect of the
+// exponent.
 #include "docs/figures/figures.hpp"
 #include "docs/figures/sketch.hpp"
 

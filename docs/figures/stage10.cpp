@@ -1,4 +1,4 @@
-// Stage 10: the part of the way in which something throws a shadow, and where the way starts.
+// Stage 10: the part of a shadow ray in which an occluder counts, and the start of the ray.
 #include "docs/figures/figures.hpp"
 #include "docs/figures/sketch.hpp"
 
@@ -25,7 +25,7 @@ void draw_ball(Svg& svg, const Sketch& sketch, const Sphere& ball) {
     svg.circle(center, distance(center, sketch(ball.center + Vec3(ball.radius, 0, 0))), tint);
 }
 
-/// The way from a point of the floor, and what becomes of each ball on its line.
+/// The ray from a point of the floor, and the result for each sphere on its line.
 void draw_way(Sketch& sketch, Vec3 point, Vec3 light, const Sphere& ball, Real beyond) {
     const auto [ray, interval] = shadow_ray(surface_of(point, up, 0), light);
     const bool blocked = intersect(ray, ball, interval).has_value();
@@ -73,7 +73,7 @@ namespace {
 
 /// Much of a ball, so close that its surface is almost flat.
 constexpr Sphere ground{.center = {0, -4, 0}, .radius = 4};
-/// What stands on it, as close as an error.
+/// An object on it, as close as an error.
 constexpr Sphere crumb{.center = {0.72, 0.24, 0}, .radius = 0.17};
 constexpr Vec3 light_of_ground(4, 0.75, 0);
 

@@ -1,4 +1,4 @@
-// Stage 11: umbra and penumbra, points spread evenly, and a penumbra off centre.
+// Stage 11: umbra and penumbra, evenly spread points, and a penumbra off center.
 #include "docs/figures/figures.hpp"
 #include "docs/figures/sketch.hpp"
 
@@ -21,7 +21,7 @@ const Square plate{.center = {Real(-0.9), Real(2.3), 0},
                    .basis = {.x = {0, 0, 1}, .y = {1, 0, 0}, .z = {0, 1, 0}},
                    .side = Real(1.7)};
 
-/// Where a line through the plate's edge that touches the lamp meets the ground.
+/// The intersection with the ground of a line through the plate's edge that touches the lamp.
 Vec3 shadow_end(Vec3 edge, Real side) {
     const Vec3 way = lamp.position - edge;
     const Real half_angle = std::asin(lamp.radius / length(way));
@@ -113,7 +113,7 @@ void draw_panel(Svg& svg, Vec2 corner, const std::vector<Vec2>& points) {
     for (const Vec2& point : points) svg.circle(place(point.x, point.y), 2.6, blue, no_pen);
 }
 
-/// The light as it is seen from the point, and where the samples' points are on it.
+/// The light as seen from the point, and the samples' points on it.
 void draw_light(Svg& svg, Vec2 corner, const std::vector<Vec2>& samples) {
     const Light light{.position = {0, 0, -20}, .radius = 1};
     const View view{.place = corner + Vec2(panel / 2), .scale = panel / 2 - 2};
@@ -130,7 +130,7 @@ void draw_light(Svg& svg, Vec2 corner, const std::vector<Vec2>& samples) {
         svg.circle(view(light_point(light, {0, 0, 0}, sample)), 2.6, blue, no_pen);
 }
 
-/// Numbers such as rand() gives, the same on every machine.
+/// Random numbers such as those of rand(), but the same on every machine.
 std::vector<Vec2> independent_points() {
     std::uint32_t state = 2021;
     const auto next = [&state] {

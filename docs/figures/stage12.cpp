@@ -32,7 +32,7 @@ std::string mirror_direction() {
     const Ray ray{.origin = {Real(-1.9), Real(1.4), 0}, .direction = {Real(1.9), Real(-1.4), 0}};
     const Surface surface = ground(ray, {0, 1, 0});
     const Vec3 p = surface.point;
-    const Vec3 on = p + ray.direction;  // where d leads, drawn from p
+    const Vec3 on = p + ray.direction;  // the end of d, drawn from p
     const Vec3 reflected = p + mirrored(ray, surface).direction;
     const Vec3 half = (on + reflected) / Real(2);
     const TextStyle of_part{.anchor = Anchor::start, .size = 13};

@@ -64,7 +64,7 @@ void draw_case(Sketch& sketch, const Case& shown) {
     sketch.label(ray.origin, {-10, 17}, letter, {.color = blue, .bold = true});
 }
 
-/// The two intervals above each other, over t, and what they share.
+/// The two intervals above each other, over t, and their intersection.
 void draw_intervals(Svg& svg, Vec2 place, const Case& shown) {
     constexpr Real unit = 44;
     const auto at_t = [&](Real t) {
@@ -125,7 +125,7 @@ std::string box_slabs() {
 
 namespace {
 
-/// The outline of a small house: which way up it is can be seen.
+/// The outline of a small house, whose orientation is visible.
 const std::vector<Vec3> house = {{-0.5, -0.5, 0}, {0.5, -0.5, 0},  {0.5, 0.25, 0},
                                  {0.28, 0.47, 0}, {0.28, 0.72, 0}, {0.13, 0.72, 0},
                                  {0.13, 0.62, 0}, {0, 0.75, 0},    {-0.5, 0.25, 0}};
@@ -160,7 +160,7 @@ std::string mesh_frame() {
     const Ray seen = into_frame(ray, placement);
     std::vector<Vec3> moved_house;
     for (const Vec3& corner : house) moved_house.push_back(moved(corner, placement));
-    // Its left wall, which reaches towards the reader and away.
+    // Its left wall, which extends towards the reader and away.
     const Mesh wall{.vertices = {house[0], house[8], {-0.5, 0, 1}, {-0.5, 0, -1}},
                     .triangles = {{0, 1, 2}, {0, 3, 1}}};
     const Real hit = intersect(seen, wall, {}).value().t;
@@ -218,7 +218,7 @@ Box box_around(const Polygon& polygon) {
     return box;
 }
 
-/// Those that face whoever looks along −z, the far ones first.
+/// The polygons that face a viewer along −z, the far ones first.
 void draw_polygons(Sketch& sketch, std::vector<Polygon> polygons) {
     const auto depth = [](const Polygon& polygon) { return box_around(polygon).max.z; };
     std::ranges::sort(polygons, {}, depth);
@@ -233,7 +233,7 @@ void draw_box(Sketch& sketch, const Box& box, const Pen& pen) {
                    none, pen);
 }
 
-/// Around each run of so many leaves.
+/// The boxes of each run of `size` leaves.
 std::vector<Box> boxes_of_leaves(const Hierarchy& hierarchy, const std::vector<Box>& boxes,
                                  std::size_t run) {
     std::vector<Box> around;

@@ -9,8 +9,8 @@ namespace rt::figures {
 
 namespace {
 
-/// The value with so many decimals. An exact half goes up even if the last bit says otherwise, so
-/// that every compiler and mathematical library writes the same file.
+/// The value with this many decimals. An exact half is rounded up even if the last bit is too low,
+/// so that every compiler and mathematical library writes the same file.
 std::string rounded(Real value, int decimals) {
     const Real unit = std::pow(Real(10), -decimals);
     const Real units = std::floor(value / unit + Real(0.5) + Real(1e-6));
@@ -63,7 +63,7 @@ Svg::Svg(Vec2 size, std::string_view title)
           " xml:space=\"preserve\" role=\"img\" font-family=\"sans-serif\" stroke-linecap=\"round\""
           " stroke-linejoin=\"round\">\n<title>" +
           escaped(title) + "</title>\n") {
-    // A page of its own, for readers whose own is dark.
+    // A white page, for readers with a dark one.
     shapes_ = "<rect" + attribute("width", size.x) + attribute("height", size.y) +
               attribute("rx", 8) + attribute("fill", white) + "/>\n";
 }

@@ -9,17 +9,17 @@
 
 namespace rt::figures {
 
-// Colours that a reader tells apart on white, in every figure with the same meaning.
+// Colors that a reader can distinguish on white, with the same meaning in every figure.
 inline constexpr std::string_view none = "none";
 inline constexpr std::string_view white = "#ffffff";
-inline constexpr std::string_view ink = "#24292f";    ///< shapes, words
-inline constexpr std::string_view gray = "#68707a";   ///< construction, what is refused
+inline constexpr std::string_view ink = "#24292f";    ///< shapes, text
+inline constexpr std::string_view gray = "#68707a";   ///< construction lines, rejected parts
 inline constexpr std::string_view faint = "#d3d9e0";  ///< grids, grounds
 inline constexpr std::string_view tint = "#edf2f7";   ///< the inside of a shape
 inline constexpr std::string_view blue = "#1f6bad";   ///< rays
 inline constexpr std::string_view red = "#c23b22";    ///< hits
 inline constexpr std::string_view green = "#35784a";  ///< normals, bases
-inline constexpr std::string_view amber = "#a86500";  ///< what a document prints by mistake
+inline constexpr std::string_view amber = "#a86500";  ///< misprints of a document
 
 struct Pen {
     std::string_view color = ink;
@@ -48,7 +48,7 @@ struct Cell {
 /// Points are pixels from the page's top left corner, y down.
 class Svg {
 public:
-    /// The title is what somebody hears who cannot see the figure.
+    /// The title is for readers who cannot see the figure.
     Svg(Vec2 size, std::string_view title);
 
     void line(Vec2 from, Vec2 to, const Pen& pen = {});
@@ -56,12 +56,12 @@ public:
     void polyline(const std::vector<Vec2>& points, const Pen& pen = {});
     void polygon(const std::vector<Vec2>& points, std::string_view fill, const Pen& pen = {});
     void circle(Vec2 center, Real radius, std::string_view fill, const Pen& pen = {});
-    /// Rectangles of one colour, without a seam between neighbours.
+    /// Rectangles of one color, without a seam between neighbors.
     void cells(const std::vector<Cell>& cells, std::string_view fill);
 
     /// The label with its base line at the point, over everything else. Between two $ it is set as
-    /// mathematics: "_" lowers and "^" raises the next letter or {group}, and a letter that stands
-    /// alone is italic.
+    /// mathematics: "_" lowers and "^" raises the next letter or {group}, and a single letter is
+    /// italic.
     void text(Vec2 point, std::string_view label, const TextStyle& style = {});
 
     [[nodiscard]] std::string source() const;
@@ -72,7 +72,7 @@ private:
     std::string labels_;
 };
 
-/// The value with so many decimals, as print sets it: "−0.50".
+/// The value with this many decimals, in print: "−0.50".
 [[nodiscard]] std::string decimal(Real value, int decimals);
 
 }  // namespace rt::figures

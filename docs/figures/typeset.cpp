@@ -17,7 +17,7 @@ bool is_letter(std::string_view character) {
     return character >= "α" && character <= "ω";
 }
 
-/// As many letters as the text begins with, else its first character.
+/// The letters at the beginning of the text, or else its first character.
 std::string_view first_word(std::string_view text) {
     std::size_t size = 0;
     while (size < text.size() && is_letter(first_character(text.substr(size))))
@@ -46,7 +46,7 @@ void set_mathematics(std::string_view text, int script, std::vector<Run>& runs) 
     }
 }
 
-/// Neighbours that look alike, as one.
+/// Joins neighbors with the same style.
 std::vector<Run> joined(const std::vector<Run>& runs) {
     std::vector<Run> result;
     for (const Run& run : runs) {

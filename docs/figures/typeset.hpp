@@ -1,4 +1,4 @@
-// Labels in which the symbols of the course look as the course prints them.
+// Labels with the course's mathematical notation.
 #pragma once
 
 #include <string>
@@ -15,10 +15,10 @@ struct Run {
 };
 
 /// The label cut into runs. Between two $, "_" lowers and "^" raises the next letter or {group},
-/// and a letter that stands alone is italic: "$o_r$", "$t_{min}$ > 0".
+/// and a single letter is italic: "$o_r$", "$t_{min}$ > 0".
 [[nodiscard]] std::vector<Run> typeset(std::string_view label);
 
-/// The text with what XML takes for its own written as entities.
+/// The text with the special characters of XML as entities.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace rt::figures

@@ -1,5 +1,5 @@
-// Reads every scene of the corpus, strict and lenient, in both precisions, and compares what
-// becomes of it with what the published format says.
+// Reads every scene of the corpus, strict and lenient, in both precisions, and compares the result
+// with the published format.
 
 #include "tests/corpus/outcome.hpp"
 #include "tests/corpus/verdicts.hpp"
@@ -14,9 +14,10 @@
 
 namespace {
 
-/// Of the files whose verdict is clear, strict reading agrees on these many in a hundred.
+/// The required percentage of agreement of strict reading, for files with a clear verdict.
 constexpr double strict_bar = 99;
-/// Of the files that are not meant to be wrong, lenient reading reads these many in a hundred.
+/// The required percentage of accepted files in lenient reading, for files that are not wrong on
+/// purpose.
 constexpr double lenient_bar = 90;
 
 struct Count {
@@ -31,7 +32,7 @@ double percent(int part, int whole) {
     return whole == 0 ? 100 : 100.0 * part / whole;
 }
 
-/// What one precision makes of the corpus.
+/// The result of one precision.
 struct Tally {
     std::map<std::string, Count> strict;   ///< by class
     std::map<std::string, Count> lenient;  ///< by class
@@ -42,7 +43,7 @@ struct Tally {
 
 using Reader = rt::Outcome (*)(const std::string&, bool);
 
-/// Whether strict reading does what the verdict says; whatever it does with an extended file.
+/// True if strict reading agrees with the verdict; any result is accepted for an extended file.
 bool agrees(const rt::Verdict& verdict, const rt::Outcome& strict) {
     if (verdict.kind == "extended") return true;
     return strict.accepted == (verdict.kind != "invalid");

@@ -1,6 +1,6 @@
-// Draws every scene of the corpus that lenient reading accepts, in both precisions: the valid ones
-// are among them, and no pixel may be without a colour. Says which scenes took long, and keeps the
-// pictures for the eye if it is told where.
+// Renders every scene of the corpus that lenient reading accepts, in both precisions. The valid
+// scenes must be among them, and no pixel may be NaN. Lists the slow scenes, and stores the
+// pictures for a manual review if a folder is given.
 
 #include "tests/corpus/drawing.hpp"
 #include "tests/corpus/verdicts.hpp"
@@ -18,20 +18,20 @@
 namespace {
 
 constexpr rt::Resolution size{.width = 160, .height = 120};
-/// Of a processor. Nobody waits longer for so small a picture without wondering.
+/// Processor time; longer is suspicious for so small a picture.
 constexpr double long_time = 2;
 
 using Draw = rt::Drawing (*)(const std::string&, rt::Resolution);
 
-/// What one precision makes of the corpus.
+/// The result of one precision.
 struct Tally {
     int drawn = 0;
-    int valid = 0;  ///< of these
+    int valid = 0;  ///< among these
     int wrong = 0;  ///< valid but refused or slow, or with a pixel that is not a number
     double seconds = 0;
 };
 
-/// The scene's path with "__" for "/": one folder holds them all.
+/// The scene's path with "__" for "/": one folder contains all pictures.
 std::string picture_name(std::string file, const std::string& precision) {
     for (std::size_t slash = file.find('/'); slash != std::string::npos; slash = file.find('/'))
         file.replace(slash, 1, "__");

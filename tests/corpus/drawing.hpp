@@ -1,4 +1,4 @@
-// The picture of a scene file, in either precision, and what it took.
+// The picture of a scene file, in either precision, and its cost.
 #pragma once
 
 #include "common/image.hpp"
@@ -11,8 +11,8 @@ namespace rt {
 struct Drawing {
     std::string refusal;  ///< the reader's, if it refuses the file
     Image image;
-    std::int64_t not_a_number = 0;  ///< pixels without a colour
-    double seconds = 0;             ///< of a processor, the reading included
+    std::int64_t not_a_number = 0;  ///< pixels that are NaN
+    double seconds = 0;             ///< processor time, including reading
 };
 
 /// Compiled twice, as all that reads scenes.

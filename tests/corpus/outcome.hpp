@@ -1,4 +1,4 @@
-// What becomes of a scene file that is read, in either precision.
+// The result of reading a scene file, in either precision.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace rt {
 
 struct Outcome {
     bool accepted = false;
-    std::string message;  ///< of the error, if it is refused
+    std::string message;  ///< the error message if it is refused
 };
 
 /// Compiled twice, as all that reads scenes.

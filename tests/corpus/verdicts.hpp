@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// What a reading of the published format by its letter says of a file.
+/// The verdict on a file by the letter of the published format.
 struct Verdict {
     std::string file;  ///< from the folder of the corpus
     std::string kind;  ///< valid-old, valid-new, extended or invalid

@@ -1,5 +1,5 @@
-// libFuzzer's way into the mesh reader, in each of the four formats. docs/meshes.md says how to run
-// it.
+// libFuzzer's entry into the mesh reader, for each of the four formats. docs/meshes.md explains how
+// to run it.
 
 #include "common/input_error.hpp"
 #include "common/mesh_file.hpp"
@@ -49,7 +49,7 @@ void check_message(const std::string& message) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    // char may look at any object's bytes.
+    // char may alias any object's bytes.
     const std::string content(reinterpret_cast<const char*>(data), size);
     for (const char* file : {"fuzz.off", "fuzz.obj", "fuzz.ply", "fuzz.stl"}) {
         try {

@@ -118,7 +118,7 @@ void add(Numbers& numbers, const Material& material) {
 void add(Numbers& numbers, const NamedMesh& mesh) {
     require(!mesh.file.empty() && mesh.place.line > 0, "a mesh has a file, and its place");
     require(mesh.placement.scale > 0, "a mesh's scale is positive");
-    add_axes(numbers, mesh.placement.rotation);  // left-handed in a scene whose axes are
+    add_axes(numbers, mesh.placement.rotation);  // left-handed in a left-handed scene
     add(numbers, mesh.placement.translation);
     add(numbers, mesh.material);
     numbers.insert(numbers.end(), {mesh.placement.scale, Real(mesh.smooth)});

@@ -1,4 +1,4 @@
-// What must hold whatever a scene's text is. Aborts, saying why, if it does not.
+// Invariants of every parsed scene. Aborts with a message if one is violated.
 #pragma once
 
 #include <string_view>

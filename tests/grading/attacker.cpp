@@ -1,5 +1,6 @@
-// Tries what a sealed process may not do: `attacker WHAT [PATH]` ends with status 0 if it could.
-// `attacker --no-namespaces PROGRAM ARGUMENTS…` becomes a program to which the kernel gives none.
+// Tries forbidden operations of a sealed process: `attacker WHAT [PATH]` ends with status 0 if it
+// succeeded. `attacker --no-namespaces PROGRAM ARGUMENTS…` becomes a program that cannot create
+// namespaces.
 #include <fcntl.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -64,7 +65,7 @@ bool finds_the_environment() {
     return false;
 }
 
-/// A thread whose creator stands still in the kernel until it ends.
+/// A thread whose creator is blocked in the kernel until it ends.
 bool waits_for_a_thread() {
     static char stack[65536];
     const auto thread = [](void*) -> int {
@@ -75,7 +76,7 @@ bool waits_for_a_thread() {
                  CLONE_VM | CLONE_SIGHAND | CLONE_THREAD | CLONE_VFORK, nullptr) != -1;
 }
 
-/// By the worker's own descriptor, beside which an absolute path is all that counts.
+/// By the worker's own descriptor, which an absolute path makes irrelevant.
 bool executes_beside_the_descriptor() {
     constexpr int own_program = 9;
     return syscall(SYS_execveat, own_program, path.c_str(), nullptr, environ, AT_EMPTY_PATH) == 0;
@@ -106,7 +107,7 @@ bool prints_its_user() {
     return std::printf("%u\n", getuid()) > 0 && std::fflush(stdout) == 0;
 }
 
-/// A core that is piped to a program is made with the limit 0, too, but not with 1: core(5).
+/// A core that is piped to a program is written even with the limit 0, but not with 1: core(5).
 bool pipes_its_core() {
     rlimit core{};
     return getrlimit(RLIMIT_CORE, &core) != 0 || core.rlim_cur != 1 || core.rlim_max != 1;

@@ -1,7 +1,7 @@
 // Submissions that mean no good, graded: none has more cases than it honestly earns, and none does
 // any harm. An attack says what it may have and what it tries:
 //
-//   // attack: leaves with status 0 before the first question
+//   // attack: exits with status 0 before the first query
 //   // ceiling: as a stub             or the number of cases that it answers rightly
 //   // stage: step05_triangle         step03_sphere if it is not said
 //   // compiles: no                  or: perhaps
@@ -49,7 +49,7 @@ struct Attack {
     std::string name;
     std::string text;
 
-    /// What stands after "// <word>: " at the start of a line.
+    /// The text after "// <word>: " at the start of a line.
     [[nodiscard]] std::string said(const std::string& word, const std::string& otherwise) const {
         const std::string start = "\n// " + word + ": ";
         const std::string lines = "\n" + text;
@@ -61,7 +61,7 @@ struct Attack {
     [[nodiscard]] std::string stage() const { return said("stage", "step03_sphere"); }
 };
 
-/// What came of a submission.
+/// The result of a submission.
 struct Grade {
     std::set<std::string> passed;
     std::string told;
@@ -76,7 +76,7 @@ std::set<std::string> passed_cases(const std::string& report) {
     return passed;
 }
 
-/// Where submissions are graded, as the grader will have it: results of others lie about.
+/// A class folder as in a real run: with other students' results in it.
 class Grader {
 public:
     Grader() {

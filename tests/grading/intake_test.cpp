@@ -1,4 +1,4 @@
-// Folders and archives of strangers, some of whom mean no good.
+// Untrusted folders and archives, some of them hostile.
 #include "common/course/files.hpp"
 #include "common/course/grade/class_folder.hpp"
 #include "common/in_parallel.hpp"
@@ -33,7 +33,7 @@ public:
         std::ofstream(place(name)) << text;
     }
 
-    /// An archive of what stands in one of the folders.
+    /// An archive of the contents of one of the folders.
     void pack(const std::string& archive, const std::string& from, const Command& words) const {
         Command tar{"tar", "-C", place(from), "-cf", place(archive)};
         tar.insert(tar.end(), words.begin(), words.end());
@@ -57,7 +57,7 @@ public:
         return find_class(workshop_, places, results);
     }
 
-    /// By student: what is handed in, of whom only these are.
+    /// By student: the submissions of a class that consists of these only.
     [[nodiscard]] std::map<std::string, HandedIn> take_class() const {
         std::map<std::string, HandedIn> all;
         for (const Envelope& each : find({folder_ / "class"}).envelopes)
@@ -211,7 +211,7 @@ TEST_CASE("one submission is no class, and nothing is none") {
 
 namespace {
 
-/// A zip of what stands in a folder, as it is.
+/// A zip of a folder's contents, unchanged.
 void zip(const Ground& ground, const std::string& from, const std::string& archive) {
     const fs::path to = ground.place(archive);
     fs::create_directories(to.parent_path());
@@ -309,7 +309,7 @@ TEST_CASE("the sum of what an archive holds is limited") {
     CHECK(taken.files.at(4) == "four");
     CHECK(taken.files.count(8) == 0);
     CHECK(taken.words.at(8).find("z/cone.cpp (too large)") != std::string::npos);
-    // What is left out is told where nothing else of the stage is there.
+    // Ignored files are reported if the stage has no other file.
     ground.write("work/sphere.cpp", "");
     fs::resize_file(ground.place("work/sphere.cpp"), 40 << 20);
     ground.pack("large.tar.gz", "work", {"--gzip", "sphere.cpp"});
@@ -385,7 +385,7 @@ TEST_CASE("a class in one archive is a class, and a student's own archive is non
         REQUIRE(found.left_over.size() == 1);
         CHECK(found.left_over[0].find("list.txt: ") == 0);
     }
-    // Beside others it is one student's, whatever names he puts in it.
+    // Beside others it belongs to one student, whatever names it contains.
     ground.write("work/doezoe_123_4567_sphere.cpp", "a trap");
     ground.write("work/doezoe_124_4567_sphere.cpp", "a trap");
     zip(ground, "work", "eve.zip");

@@ -43,7 +43,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
-/// Tokens that nobody else has.
+/// Tokens that no other file contains.
 std::string noise(int count, unsigned seed) {
     std::mt19937 random(seed);
     std::string tokens;

@@ -1,4 +1,4 @@
-// A class made by hand, whose marks are known.
+// A handmade class with known marks.
 #pragma once
 
 #include "common/course/files.hpp"
@@ -10,10 +10,10 @@
 
 namespace rt::grade {
 
-/// A folder name that a stranger may choose: a formula, a tag, quotes, a line of its own.
+/// A possible folder name in an untrusted archive: a formula, a tag, quotes, a line end.
 inline const std::string odd = "=cmd|\"<b>&\n";
 
-/// What a stranger's code may print: it is no UTF-8.
+/// Output of untrusted code that is not UTF-8.
 inline const std::string no_utf8 = "came: \xff\xc3(";
 
 /// A folder of results that is gone with its scope.

@@ -1,4 +1,4 @@
-// What is made of a class's marks, its numbers worked out by hand.
+// The reports on a class's marks, with numbers computed by hand.
 #include "common/course/files.hpp"
 #include "common/course/grade/class_report.hpp"
 #include "common/course/grade/csv.hpp"
@@ -33,7 +33,7 @@ bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-/// Whether each tag that opens is closed, in order, and what is not a tag has no bare "<" or "&".
+/// True if the tags are balanced, and the text contains no bare "<" or "&".
 bool well_formed(const std::string& xml) {
     static const std::regex token(
         R"(<(/?)([A-Za-z0-9]+)((?: [a-z-]+="[^"<]*")*)(/?)>|<[!?][^<>]*>|)"
@@ -62,10 +62,10 @@ TEST_CASE("text that everybody can read is UTF-8 without control characters") {
     CHECK(readable("a\x01\x7f\rb") == "a���b");
     CHECK(readable("\xff") == "�");
     CHECK(readable("\xc3") == "�");
-    CHECK(readable("\xc0\x80") == "��");  // too long for what it says
+    CHECK(readable("\xc0\x80") == "��");  // overlong encoding
     CHECK(readable("\xe0\x80\xaf") == "���");
     CHECK(readable("\xed\xa0\x80") == "���");              // half a pair of UTF-16
-    CHECK(readable("\xf8\x90\x80\x80") == "����");         // beyond Unicode
+    CHECK(readable("\xf8\x90\x80\x80") == "����");         // above Unicode's maximum
     CHECK(readable("\xef\xbf\xbf") == "���");              // not in XML
     CHECK(readable("1\xe2\x80\xae of 9") == "1��� of 9");  // turns the direction of writing
     CHECK(readable("\xf0\x9f\x8e\xa8") == "\xf0\x9f\x8e\xa8");
@@ -242,7 +242,8 @@ TEST_CASE("a starter that is handed in has no points, and is told why") {
 
 TEST_CASE("the class report has every mark, and where to look first") {
     Class two;
-    std::vector<Mark> more = two.marks;  // zoe's stage 5, by two others, one of whom has it all
+    // zoe's stage 5, submitted by two others, one of them with all points
+    std::vector<Mark> more = two.marks;
     for (const std::string student : {"ben", "carl"}) {
         Mark mark = two.marks[3];
         mark.student = student;
@@ -264,7 +265,7 @@ TEST_CASE("the class report has every mark, and where to look first") {
               "zoe</a></th><td class=\"soft\" title=\"not submitted\">–</td>"
               "<td class=\"share\" style=\"--share: 75%\">75</td>"
               "<td class=\"share\" style=\"--share: 50%\">3</td>"));
-    // Of stage 5, 0 + 3 + 3 + 4 of 16 points were won.
+    // In stage 5, 0 + 3 + 3 + 4 of 16 points were reached.
     CHECK(has(page,
               "mean of submissions</th><td class=\"share\" style=\"--share: 50%\">50</td>"
               "<td class=\"share\" style=\"--share: 62%\">62</td>"));

@@ -1,5 +1,5 @@
-// Each layer of the seal, attacked: by whoever runs the test, and, if that is root, by an ordinary
-// user too.
+// Attacks on each layer of the sandbox: by the user of the test, and, if that is root, by an
+// ordinary user too.
 #include "common/course/grade/seal.hpp"
 #include "common/course/files.hpp"
 #include "common/course/grade/layers.hpp"
@@ -35,7 +35,7 @@ constexpr int ended = 128 + SIGSYS;
 
 using Words = std::vector<std::string>;
 
-/// A folder that everybody may enter, with the programs in it.
+/// A folder that everyone may enter, with the programs in it.
 struct Ground {
     Ground() {
         fs::permissions(folder, fs::perms(0755));
@@ -99,7 +99,7 @@ int status(const Ground& ground, const Who& who, const Words& limits, const Word
     return run(ground, who, limits, attack).status;
 }
 
-/// How many processes there are of a program.
+/// The number of processes of a program.
 int processes_of(const fs::path& program) {
     int count = 0;
     for (const auto& each : fs::directory_iterator("/proc")) {
@@ -136,7 +136,7 @@ int without(long call, int error, Function function) {
     return exit_status(answer);
 }
 
-/// The same in a process that lacks what makes root the root.
+/// The same in a process without root's capabilities.
 template <class Function>
 int without_capability(unsigned capability, Function function) {
     const pid_t process = fork();
@@ -223,7 +223,7 @@ TEST_CASE("a compiler reads and writes where it is told to, and leaves nobody be
                        "read=" + (ground.folder / "attacker").string()};
     const std::string me = std::to_string(getpid());
     for (const Who& who : everybody(ground)) {
-        // As root the folder is given to the user that the compiler becomes.
+        // As root, the folder is owned by the compiler's user.
         if (geteuid() == 0 && is_ordinary(who))
             REQUIRE(chown(scratch.c_str(), ordinary_user, ordinary_user) == 0);
         INFO(who.name);
@@ -263,7 +263,8 @@ TEST_CASE("whoever is ended, however, ends all that came of him") {
     const Words building{"work=building", "wall=60", "write=" + scratch,
                          "read=" + (ground.folder / "attacker").string()};
     const std::string attacker = ground.folder / "attacker";
-    // The attacks sleep for a minute: what holds well before that is not due to their own end.
+    // The attacks sleep for a minute: a condition that becomes true much earlier is not due to
+    // their own end.
     const auto soon = [](auto holds) {
         const auto start = std::chrono::steady_clock::now();
         while (!holds()) {
@@ -286,7 +287,7 @@ TEST_CASE("whoever is ended, however, ends all that came of him") {
             kill(grader, SIGKILL);
             waitpid(grader, nullptr, 0);
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
-            // It has come to its limit, and it is told to stop.
+            // It has reached its limit, and is stopped.
             CHECK(listen_to(command, std::chrono::seconds(1)).out_of_time);
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
             const std::atomic<bool> stop = true;
@@ -311,7 +312,7 @@ TEST_CASE("of those that root starts, no two at once are the same user") {
         const uid_t user = getuid();
         _exit(write(answer[1], &user, sizeof user) == sizeof user ? 0 : 1);
     }
-    // The user whose turn it would be is somebody already.
+    // The next user id in turn already has processes.
     const uid_t taken = 61184 + uid_t(process) % 4000;
     const pid_t other = fork();
     if (other == 0) {

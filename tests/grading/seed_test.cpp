@@ -1,4 +1,4 @@
-// The seed of a graded run: agreed on once, read by nobody else, in no report.
+// The seed of a graded run: agreed on once, readable by nobody else, in no report.
 #include "common/course/grade/seed.hpp"
 #include "common/course/files.hpp"
 #include "common/course/process.hpp"
@@ -109,6 +109,6 @@ TEST_CASE("a graded suite says of no question what it was drawn from") {
     // A student's run is for repeating.
     CHECK(reported("RAYSTEPS_SEED=857578").find("random:   RAYSTEPS_SEED=857578, case ") !=
           std::string::npos);
-    // Without its seed nothing is asked.
+    // Without its seed no input is generated.
     CHECK(reported("RAYSTEPS_SEED_FILE=/none").empty());
 }

@@ -1,4 +1,4 @@
-// What a stranger's file is known by.
+// The hash that identifies a submitted file.
 #include "common/course/grade/sha256.hpp"
 
 #include "tests/kit/catch.hpp"

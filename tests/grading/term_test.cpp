@@ -1,4 +1,4 @@
-// A lecturer's settings: what they make of marks, worked out by hand, and how they may be wrong.
+// A lecturer's settings: their effect on marks, computed by hand, and their errors.
 #include "common/course/files.hpp"
 #include "common/course/grade/class_report.hpp"
 #include "common/course/grade/feedback.hpp"
@@ -43,7 +43,7 @@ struct Small : Results {
         return read_text(folder / "grades.csv");
     }
 
-    /// What is said of the settings.
+    /// The error message about the settings.
     [[nodiscard]] std::string error() const {
         try {
             (void)term();

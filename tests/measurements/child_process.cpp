@@ -36,7 +36,7 @@ Usage used() {
 }
 
 pid_t forked() {
-    std::fflush(nullptr);  // else the child would print what is waiting once more
+    std::fflush(nullptr);  // otherwise the child would print the buffered output again
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no process left to measure in");
     return child;

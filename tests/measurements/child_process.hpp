@@ -1,4 +1,4 @@
-// Processes and what they cost. POSIX: nothing a student builds needs it.
+// Child processes and their cost. POSIX: students' builds do not need it.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,13 @@ struct Usage {
     double wall = 0;  ///< seconds
 };
 
-/// Runs a program to its end and says what all of it took; what it prints is thrown away. Throws
+/// Runs a program to its end and returns the cost of all of it; its output is discarded. Throws
 /// std::runtime_error if it cannot be run or fails.
 [[nodiscard]] Usage run(const std::vector<std::string>& words);
 
-/// Calls the work in a process of its own, so that it starts with nothing built and nothing cached,
-/// and says what each step of it took: a step ends where the work calls its argument. Throws
-/// std::runtime_error if the work does, or ends in another way.
+/// Calls the work in a separate process, so that it starts with nothing built and nothing cached,
+/// and returns the cost of each step: a step ends when the work calls its argument. Throws
+/// std::runtime_error if the work throws, or ends in another way.
 [[nodiscard]] std::vector<Usage> run_apart(
     const std::function<void(const std::function<void()>& step_done)>& work);
 

@@ -7,11 +7,11 @@
 
 namespace measurements {
 
-/// Ours in both precisions.
+/// Raysteps in both precisions.
 [[nodiscard]] std::unique_ptr<Engine> float_engine();
 [[nodiscard]] std::unique_ptr<Engine> double_engine();
 
-/// Embree 3, one ray at a time, as it is by default; null if it was not found when CMake looked.
+/// Embree 3, one ray at a time, with its defaults; null if CMake did not find it.
 [[nodiscard]] std::unique_ptr<Engine> embree_engine();
 
 }  // namespace measurements

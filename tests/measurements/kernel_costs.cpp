@@ -1,5 +1,5 @@
-// What one intersection test costs with the kernels that it is linked to: nanoseconds a ray, shape
-// by shape, in the moderate sweep of tests/stability.
+// The cost of one intersection test with the linked kernels: nanoseconds per ray, shape by shape,
+// in the moderate sweep of tests/stability.
 #include "tests/stability/sweeps.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace rt;
 
-constexpr int rays = 16'384;  // more than a processor learns by heart where they branch
+constexpr int rays = 16'384;  // too many for branch prediction to memorize
 constexpr int rounds = 20;
 
 template <class Shape>
@@ -30,7 +30,7 @@ void tell_cost(const char* shape) {
         draw(random, Sweep::moderate, asked[std::size_t(i)]);
     }
     double best = std::numeric_limits<double>::infinity();
-    Real sum = 0;  // so that nothing can be left out
+    Real sum = 0;  // keeps the compiler from removing code
     for (int round = 0; round < rounds; ++round) {
         const auto start = std::chrono::steady_clock::now();
         for (const auto& [ray, one] : asked) sum += intersect(ray, one, {}).value_or(0);

@@ -1,5 +1,5 @@
-// Makes the scenes on which Raysteps, POV-Ray and Tachyon are compared, or makes any scene one that
-// all three read:
+// Makes the scenes on which Raysteps, POV-Ray and Tachyon are compared, or converts any scene for
+// the peers:
 //
 //     make_peer_scenes FOLDER              the eight as .rt, .pov and .dat, and their meshes
 //     make_peer_scenes FOLDER scene.rt     that scene as .pov and .dat

@@ -1,4 +1,4 @@
-// Ours, in the precision this is compiled in.
+// The Raysteps engine, in the precision of this compilation.
 #include "common/packed_mesh.hpp"
 
 #include "tests/measurements/engines.hpp"

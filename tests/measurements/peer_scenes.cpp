@@ -14,7 +14,7 @@ namespace {
 
 using rt::Vec3;
 
-/// Numbers that are the same everywhere: no library's distribution makes them.
+/// Random numbers that are the same everywhere: library distributions differ.
 class Draw {
 public:
     explicit Draw(unsigned seed) : engine_(seed) {}
@@ -29,7 +29,7 @@ public:
         return {x, y, between(-size, size)};
     }
 
-    /// A colour that is neither dark nor white.
+    /// A color that is neither dark nor white.
     std::string color() {
         const auto part = [this] { return std::to_string(int(between(50, 230))); };
         const std::string red = part();
@@ -41,7 +41,7 @@ private:
     std::mt19937 engine_;
 };
 
-/// Without an exponent, which `.rt` has not.
+/// Without an exponent, which `.rt` does not support.
 std::string number(double value) {
     std::array<char, 32> text{};
     const auto fixed = std::chars_format::fixed;

@@ -1,4 +1,4 @@
-// Whole pictures on which Raysteps is compared with its peers, POV-Ray and Tachyon.
+// Whole pictures for the comparison of Raysteps with its peers, POV-Ray and Tachyon.
 #pragma once
 
 #include "common/scene.hpp"
@@ -9,7 +9,7 @@
 
 namespace measurements {
 
-/// What a picture is drawn with and no scene says.
+/// The render settings of a picture, which a scene file does not contain.
 struct Effort {
     int depth = 8;  ///< mirror upon mirror
     int shadow_samples = 16;
@@ -21,8 +21,8 @@ struct PeerScene {
     std::string what;
     rt::Resolution size{.width = 1920, .height = 1440};
     Effort effort;
-    double tachyon_bar = 1;  ///< our time over Tachyon's, at most
-    std::string (*text)();   ///< as `.rt`, but for the size
+    double tachyon_bar = 1;  ///< the largest accepted ratio of the time to Tachyon's
+    std::string (*text)();   ///< as `.rt`, without the size
 };
 
 [[nodiscard]] std::span<const PeerScene> peer_scenes();
@@ -33,8 +33,8 @@ struct PeerScene {
 /// The scene, its meshes loaded, as a file for POV-Ray.
 void write_povray(std::ostream& out, const rt::Scene& scene, const Effort& effort);
 
-/// The same as a file for Tachyon, which has neither cones nor lights with a size: such a light
-/// becomes as many points as there would be shadow rays. Throws InputError if there is a cone.
+/// The same as a file for Tachyon, which has neither cones nor area lights: such a light becomes as
+/// many points as there would be shadow rays. Throws InputError if there is a cone.
 void write_tachyon(std::ostream& out, const rt::Scene& scene, const Effort& effort);
 
 }  // namespace measurements

@@ -72,7 +72,7 @@ private:
              << material.shininess << " reflection { " << material.mirror << " } } } }\n";
     }
 
-    /// Each kind of shape by the words with which its line begins.
+    /// Each kind of shape, by the keyword of its line.
     void write_shapes() const {
         for (const auto& [sphere, material] : scene_.spheres) {
             out_ << "sphere { " << vector(sphere.center) << ", " << sphere.radius;
@@ -116,7 +116,7 @@ private:
         }
     }
 
-    /// The items of a list in POV-Ray's way: how many, then each.
+    /// The items of a list in POV-Ray's format: the count, then each item.
     template <class List, class ToVector>
     void write_list(std::string_view name, const List& list, ToVector to_vector) const {
         out_ << name << " { " << list.size();

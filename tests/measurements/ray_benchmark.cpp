@@ -19,7 +19,7 @@ namespace {
 
 constexpr int repetitions = 7;
 
-/// One engine, with what is measured of it outside Google Benchmark.
+/// One engine, with measurements from outside Google Benchmark.
 struct Contender {
     std::string name;
     std::unique_ptr<Engine> engine;
@@ -27,7 +27,7 @@ struct Contender {
     std::size_t lost = 0;
 };
 
-/// A mesh, the engines that have it built, and the rays.
+/// A mesh, the engines that have built it, and the rays.
 struct Contest {
     TriangleMesh mesh;
     std::vector<Contender> contenders;
@@ -85,7 +85,7 @@ void enter(const Contest& contest, const RaySet& set, const Contender& contender
     }
 }
 
-/// Keeps what came of each turn, and writes nothing.
+/// Collects the result of each turn, and writes nothing.
 class Results : public benchmark::BenchmarkReporter {
 public:
     bool ReportContext(const Context& /*context*/) override { return true; }
@@ -93,7 +93,7 @@ public:
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs)
             if (run.run_type == Run::RT_Iteration)
-                // Per second of processor time, which does not count what else runs.
+                // Per second of processor time, which is independent of other processes.
                 rates_[run.run_name.function_name].push_back(
                     double(run.threads) * run.counters.at("items_per_second").value);
     }

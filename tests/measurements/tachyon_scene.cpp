@@ -18,7 +18,8 @@ namespace {
 
 using namespace rt;
 
-/// Tachyon's x points to the left of ours: z is turned round, so that both see the same picture.
+/// Tachyon's x axis is mirrored relative to Raysteps': z is negated, so that both render the same
+/// picture.
 std::string vector(Vec3 v) {
     return text(v.x) + " " + text(v.y) + " " + text(-v.z);
 }

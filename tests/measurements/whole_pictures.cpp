@@ -31,12 +31,12 @@ using namespace measurements;
 using Seconds = std::vector<double>;
 
 constexpr rt::Resolution tiny{.width = 16, .height = 12};
-constexpr double povray_bar = 0.4;  // ours over POV-Ray's, at most
+constexpr double povray_bar = 0.4;  // the largest accepted ratio to POV-Ray's time
 constexpr double mean_povray_bar = 0.3;
 constexpr double thread_bar = 1.8;  // one thread's time over two threads', at least
 constexpr double no_bar = 1e300;
 
-/// A picture and what it took, round by round. Tachyon's are empty if it cannot draw the scene.
+/// A picture and its costs, round by round. Tachyon's are empty if it cannot render the scene.
 struct Picture {
     PeerScene scene;
     std::string stem;  ///< of its files
@@ -149,8 +149,8 @@ void print_setups(const std::vector<Picture>& pictures) {
     }
 }
 
-/// Two threads finish in half the time only if both processors are free. What they cost says on a
-/// busy machine too whether they are in each other's way.
+/// Two threads finish in half the time only if both processors are free. Their total cost shows
+/// contention on a busy machine too.
 void print_threads(const std::vector<Picture>& pictures) {
     std::printf("\nOurs, one thread's time over two threads': wall, best | median; * is below\n");
     std::printf("%-42s  %-14s %s\n", "", "", "CPU time, two threads' over one's, best");

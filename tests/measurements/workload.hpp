@@ -1,4 +1,4 @@
-// What the engines are measured on: meshes and rays, the same for all, in float.
+// The workload of the engines: meshes and rays, the same for all, in float.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct RayQuery {
     float max;
 };
 
-/// Rays of one kind. Shadow rays ask whether anything is in the way, the others what is nearest.
+/// Rays of one kind. Shadow rays test for any hit, the others for the closest.
 struct RaySet {
     std::string name;
     bool shadow = false;
@@ -38,19 +38,20 @@ struct NearestHit {
     std::uint32_t triangle = none;
 };
 
-/// One way to trace rays.
+/// One implementation of ray tracing.
 class Engine {
 public:
     virtual ~Engine() = default;
     virtual void build(const TriangleMesh& mesh) = 0;
     [[nodiscard]] virtual NearestHit nearest(const RayQuery& ray) const = 0;
-    /// How many of the rays hit anything; all in one call, so that the call costs nothing.
+    /// The number of rays that hit anything; all in one call, so that the call's overhead is
+    /// negligible.
     [[nodiscard]] virtual std::size_t count_nearest(const RayQuery* rays, std::size_t n) const = 0;
     [[nodiscard]] virtual std::size_t count_blocked(const RayQuery* rays, std::size_t n) const = 0;
 };
 
-/// Primary rays of a picture, diffuse rays from what they hit, random rays through the mesh, and
-/// shadow rays to a light. `engine` has the mesh built.
+/// Primary rays of a picture, diffuse rays from their hits, random rays through the mesh, and
+/// shadow rays to a light. `engine` must have built the mesh.
 [[nodiscard]] std::vector<RaySet> ray_sets(const TriangleMesh& mesh, const Engine& engine);
 
 /// From inside, at every vertex and at two points of every edge: each must hit.

@@ -1,4 +1,4 @@
-// What may stand in the place of a token, and which tokens end an operand.
+// Possible replacements of a token, and the tokens that end an operand.
 #pragma once
 
 #include "tests/mutation/tokens.hpp"
@@ -17,10 +17,11 @@ using Words = std::vector<std::string_view>;
 [[nodiscard]] const Words& instead_of_name(std::string_view text);
 [[nodiscard]] std::vector<std::string> instead_of_number(std::string_view text);
 
-/// How strongly an operator binds; 0 of what is none, or binds less than any that is exchanged.
+/// Operator precedence; 0 for anything that is not a mutated operator, or binds less than all of
+/// them.
 [[nodiscard]] int binding(const Token& token);
 
-/// Whether no operand goes on beyond it, at either end.
+/// True if no operand extends past this token, in either direction.
 [[nodiscard]] bool ends_operand(const Token& token);
 
 [[nodiscard]] bool opens(const Token& token);

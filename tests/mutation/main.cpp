@@ -1,8 +1,8 @@
 // mutate [STAGE...]
 //
-// Changes a stage's reference in one place at a time and has the stage's suite judge it. A mutant
-// that passes shows what the suite does not look at, unless survivors.txt says why it is as good.
-// Exit status 1 if one passes that is not listed, or one is listed that does not.
+// Changes a stage's reference in one place at a time and runs the stage's suite on it. A surviving
+// mutant shows an untested property, unless survivors.txt explains why it is equivalent. Exit
+// status 1 if an unlisted mutant survives, or a listed one does not.
 #include "tests/mutation/files.hpp"
 #include "tests/mutation/mutants.hpp"
 #include "tests/mutation/survivors.hpp"
@@ -38,13 +38,13 @@ struct Tally {
     int wrongly_listed = 0;  ///< killed, of the same code, or gone
 };
 
-/// Of all that change the code and are not as right as the reference, those that are killed.
+/// The fraction of killed mutants, of those that are not equivalent to the reference.
 double score(const Tally& tally) {
     const int wrong = tally.killed + tally.accuracy + tally.unexplained;
     return wrong == 0 ? 100 : 100.0 * tally.killed / wrong;
 }
 
-/// Of all that change the code.
+/// The fraction of all mutants that change the code.
 double raw_score(const Tally& tally) {
     const int all = tally.killed + tally.accuracy + tally.unexplained + tally.equivalent;
     return all == 0 ? 100 : 100.0 * tally.killed / all;
@@ -58,10 +58,10 @@ void print_survivor(const std::string& stage, const Mutant& mutant, const std::s
 
 struct Kills {
     int all = 0;
-    int alone = 0;  ///< where no other case failed
+    int alone = 0;  ///< no other case failed
 };
 
-/// With the first case that fails alone, a case that others precede may have killed none.
+/// In a run that stops at the first failure, a case after others may have killed none.
 void print_cases(const std::map<std::string, Kills>& cases, bool every_case) {
     std::printf(every_case ? "  kills  alone\n" : "  kills first\n");
     for (const auto& [name, kills] : cases) {
@@ -78,7 +78,7 @@ std::filesystem::path reference_of(const std::string& stage) {
     return std::filesystem::path(RAYSTEPS_ROOT) / "steps" / stage / "reference" / name;
 }
 
-/// Mutants that are listed for the stage and that its reference does not make any more.
+/// Mutants in the stage's list that its reference no longer generates.
 int print_gone(const std::string& stage, const std::vector<Mutant>& mutants,
                const std::vector<Survivor>& listed) {
     int gone = 0;

@@ -23,7 +23,7 @@ public:
                 if (text(i + 1) != "{") continue;
                 mutate(i + 2, tokens_[i + 1].partner);
                 i = tokens_[i + 1].partner;
-            } else if (text(i) == "=") {  // of a constant outside of functions
+            } else if (text(i) == "=") {  // of a constant at namespace scope
                 function_ = text(i - 1);
                 const int first = i + 1;
                 while (text(i) != ";") ++i;
@@ -115,7 +115,7 @@ private:
         put(i, last, ";");
     }
 
-    /// Whether the name stands as in {.name = …}.
+    /// True for a name in a designator, {.name = …}.
     [[nodiscard]] bool designates(int i) const {
         return text(i - 1) == "." && text(i + 1) == "=" &&
                (opens(tokens_[i - 2]) || text(i - 2) == ",");
@@ -127,7 +127,7 @@ private:
         return i - 1;
     }
 
-    /// Where the operand before an operator starts, of all that binds as strongly or more.
+    /// The start of the operand before an operator, with everything that binds as strongly or more.
     [[nodiscard]] int left_operand(int i, int bound) const {
         int first = i;
         while (true) {
@@ -138,7 +138,7 @@ private:
         }
     }
 
-    /// Where the operand behind an operator ends, of all that binds more strongly.
+    /// The end of the operand after an operator, with everything that binds more strongly.
     [[nodiscard]] int right_operand(int i, int bound) const {
         int last = i;
         while (true) {

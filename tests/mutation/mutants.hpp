@@ -1,4 +1,4 @@
-// What a slip of the hand makes of a source: one change each.
+// Typical slips in a source: mutants with one change each.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace mutation {
 
 struct Mutant {
     std::string source;    ///< all of it, with the change
-    int line = 0;          ///< where it was changed
-    std::string function;  ///< in which it is, or the constant's name
+    int line = 0;          ///< of the change
+    std::string function;  ///< the function that contains it, or the constant's name
     std::string before;    ///< the changed lines as they were, on one line, without comments
-    std::string after;     ///< and as they are
+    std::string after;     ///< the unchanged line
 };
 
 /// Every change to the bodies of functions and to constants that reads as another program:

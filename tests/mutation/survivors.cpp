@@ -10,7 +10,7 @@ namespace mutation {
 
 namespace {
 
-/// What stands before the first occurrence of a mark, and what behind it.
+/// The texts before and after the first occurrence of a mark.
 std::pair<std::string, std::string> parted(const std::string& line, const std::string& mark) {
     const std::size_t at = line.find(mark);
     if (at == std::string::npos) return {line, ""};

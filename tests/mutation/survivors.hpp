@@ -1,4 +1,4 @@
-// The mutants that are known to survive, and why.
+// The known surviving mutants, and the reasons.
 #pragma once
 
 #include "tests/mutation/mutants.hpp"
@@ -25,7 +25,7 @@ struct Survivor {
 ///     + the changed line
 ///     equivalent: the reason, for all the changes above it
 ///
-/// Throws std::runtime_error for what is none of these.
+/// Throws std::runtime_error for anything else.
 [[nodiscard]] std::vector<Survivor> read_survivors(const std::filesystem::path& file);
 
 /// The one that a mutant is, or null.

@@ -21,7 +21,7 @@ bool is_space(char c) {
     return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-/// How many characters are no code here: a space, a comment, a line of the preprocessor.
+/// The length of a non-code prefix: a space, a comment, a preprocessor line.
 std::size_t skipped(std::string_view rest) {
     if (is_space(rest[0])) return 1;
     if (rest[0] == '#' || rest.starts_with("//")) return std::min(rest.find('\n'), rest.size());

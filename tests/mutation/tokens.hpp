@@ -8,8 +8,8 @@ namespace mutation {
 
 struct Token {
     std::string_view text;
-    bool binary = false;  ///< between two spaces, as clang-format sets what takes two operands
-    int partner = -1;     ///< of a bracket: where the other one is
+    bool binary = false;  ///< between two spaces, as clang-format formats binary operators
+    int partner = -1;     ///< for a bracket: the index of the matching one
 };
 
 /// Without comments and preprocessor's lines. They point into the source.

@@ -33,7 +33,7 @@ namespace {
 
 struct Run {
     bool succeeded = false;
-    double seconds = 0;  ///< of the processor
+    double seconds = 0;  ///< of processor time
 };
 
 Run run(const std::vector<std::string>& words, int seconds) {
@@ -85,7 +85,8 @@ Workshop::Workshop(const std::string& stage, const std::string& reference, bool 
     report_ = work_ / "report";
     if (!every_case) suite_options_ = {"--abort"};
     setenv("RAYSTEPS_REPORT", report_.c_str(), 1);
-    setenv("LD_LIBRARY_PATH", work_.c_str(), 1);  // found before the reference's, which is built in
+    // found before the reference's library, whose path is built in
+    setenv("LD_LIBRARY_PATH", work_.c_str(), 1);
     for (const auto& [word, name] :
          {std::pair<std::string, std::string>{"double", "f64"}, {"float", "f32"}}) {
         precisions_.push_back({.options = folder / (stage + "_" + name + ".options"),

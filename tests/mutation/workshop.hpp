@@ -1,4 +1,4 @@
-// Where mutants of a stage are compiled and judged by its suite. POSIX.
+// The folder where mutants of a stage are compiled and tested by its suite. POSIX.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct Outcome {
     std::vector<std::string> killers;  ///< the cases that failed: the first one, or all
 };
 
-/// A stage's suites stand ready, linked but for the stage's library. Each mutant becomes that
+/// The stage's suites are linked in advance, without the stage's library. Each mutant becomes that
 /// library.
 class Workshop {
 public:
@@ -29,7 +29,7 @@ public:
     Workshop& operator=(const Workshop&) = delete;
     ~Workshop();
 
-    /// What the suite of double makes of a source and, where it finds nothing, the one of float.
+    /// The result of the double suite on a source and, if it finds nothing, of the float suite.
     [[nodiscard]] Outcome judge(const std::string& source) const;
 
     /// The suite's cases, by name.
@@ -38,8 +38,8 @@ public:
 private:
     struct Precision {
         std::filesystem::path options;    ///< the compiler's
-        std::filesystem::path prelude;    ///< what the source includes, compiled once
-        std::filesystem::path library;    ///< what is judged
+        std::filesystem::path prelude;    ///< the includes of the source, precompiled
+        std::filesystem::path library;    ///< the tested library
         std::filesystem::path suite;      ///< the program that judges it
         std::string code_of_reference{};  ///< the library's
     };
@@ -54,7 +54,7 @@ private:
     std::vector<Precision> precisions_;
     std::vector<std::string> suite_options_;
     std::vector<std::string> cases_;
-    int seconds_ = 60;  ///< of the processor that a suite may take
+    int seconds_ = 60;  ///< processor time limit of a suite
 };
 
 }  // namespace mutation

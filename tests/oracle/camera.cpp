@@ -4,7 +4,7 @@ namespace rt::oracle {
 
 namespace {
 
-/// Of the matrix' product with the point, divided by its w.
+/// The product of the matrix and the point, divided by its w.
 NumberVector projected(const Matrix& matrix, const std::array<Exact, 4>& point) {
     std::array<Exact, 4> product;
     for (std::size_t row = 0; row < 4; ++row)
@@ -18,7 +18,7 @@ NumberVector projected(const Matrix& matrix, const std::array<Exact, 4>& point) 
 
 std::array<Number, 2> pixel_on_screen(Pixel pixel, Resolution resolution,
                                       const Exact& vertical_fov) {
-    // A pixel's side on the screen, from the height of the whole; the centre is half-way.
+    // A pixel's side on the screen, from the height of the whole; the center is half-way.
     const Number half = vertical_fov.number() / 2;
     const Number side = 2 * sin(half) / cos(half) / resolution.height;
     const Number from_middle_x = pixel.column + Number(0.5) - Number(resolution.width) / 2;
@@ -44,7 +44,7 @@ Basis<Number> basis_around(const ExactVector& z) {
         const Number up = z.y.sign();
         return {.x = {1, 0, 0}, .y = {0, 0, -up}, .z = {0, up, 0}};
     }
-    // y is what z leaves of the vertical: z² (0, 1, 0) − z_y z.
+    // y is the component of the vertical orthogonal to z: z² (0, 1, 0) − z_y z.
     const ExactVector vertical{0, 1, 0};
     return {.x = unit(cross(vertical, z)), .y = unit(dot(z, z) * vertical - z.y * z), .z = unit(z)};
 }

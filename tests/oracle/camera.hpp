@@ -1,4 +1,4 @@
-// What the contracts of stages 1 and 2 promise, to a hundred digits.
+// The contracts of stages 1 and 2, evaluated to a hundred digits.
 #pragma once
 
 #include "common/pixel.hpp"
@@ -13,7 +13,7 @@ struct NumberRay {
     NumberVector direction;
 };
 
-/// A basis whose vectors are unit length to a hundred digits, or one given by floats.
+/// A basis whose vectors have unit length to a hundred digits, or one given by floats.
 template <class T>
 struct Basis {
     Vector<T> x;
@@ -36,7 +36,7 @@ using Matrix = std::array<std::array<Exact, 4>, 4>;
 /// A vector of the basis' frame, in the world's.
 [[nodiscard]] ExactVector turned(const ExactVector& v, const Basis<Exact>& basis);
 
-/// Where `view_matrix` takes a point: its coordinates along the basis, from the position.
+/// The result of `view_matrix` for a point: its coordinates in the basis, relative to the position.
 [[nodiscard]] ExactVector seen(const ExactVector& point, const Basis<Exact>& basis,
                                const ExactVector& position);
 

@@ -26,7 +26,7 @@ Number distance(const NumberVector& p, const NumberVector& q) {
 /// From the ray to the segment from p to q.
 Number distance(const NumberVector& o, const NumberVector& d, const NumberVector& p,
                 const NumberVector& q) {
-    // The nearest points s along the segment and t along the ray, each where it may be.
+    // The closest points, s along the segment and t along the ray, each in its range.
     const NumberVector e = q - p;
     const NumberVector w = p - o;
     const Number dd = dot(d, d);
@@ -123,7 +123,7 @@ Number gap(const Ray& /*ray*/, const ExactVector& near, const Cone& cone) {
     const auto [radius, height] = section(near - cone.apex, cone.axis);
     const Number r = cone.radius.number();
     const Number h = cone.height.number();
-    // The nearest point of the side, seen edge-on: share of the way from apex to rim.
+    // The closest point of the side, seen edge-on: a fraction of the way from apex to rim.
     const Number share =
         std::clamp(Number((radius * r + height * h) / (r * r + h * h)), Number(0), Number(1));
     const Number across = radius - share * r;

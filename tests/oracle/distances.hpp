@@ -1,12 +1,12 @@
-// How far a point is from a surface, and from the part of it that is the shape.
+// The distance of a point from a surface, and from the part of it that is the shape.
 #pragma once
 
 #include "tests/oracle/shapes.hpp"
 
 namespace rt::oracle {
 
-/// The point's distance from the whole sphere, plane, tube or double cone of which the shape is a
-/// part. Of a double cone, that from the nearest of its lines.
+/// The point's distance from the whole sphere, plane, tube or double cone that contains the shape.
+/// For a double cone, the distance from the closest of its lines.
 [[nodiscard]] Number off_surface(const ExactVector& point, const Sphere& sphere);
 [[nodiscard]] Number off_surface(const ExactVector& point, const Plane& plane);
 [[nodiscard]] Number off_surface(const ExactVector& point, const Triangle& triangle);
@@ -14,8 +14,8 @@ namespace rt::oracle {
 [[nodiscard]] Number off_surface(const ExactVector& point, const Cylinder& cylinder);
 [[nodiscard]] Number off_surface(const ExactVector& point, const Cone& cone);
 
-/// How far a ray that misses the shape must be moved, at most, to meet it, if a point of the ray is
-/// known that is near the shape.
+/// An upper bound of the distance by which a ray that misses the shape must be moved to hit it,
+/// given a point of the ray near the shape.
 [[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Sphere& sphere);
 [[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Plane& plane);
 [[nodiscard]] Number gap(const Ray& ray, const ExactVector& near, const Triangle& triangle);

@@ -8,7 +8,7 @@
 
 namespace rt::oracle {
 
-/// A hundred decimal digits, and exponents that no float's reach: for what is no whole fraction.
+/// A hundred decimal digits, and a larger exponent range than any float: for irrational values.
 using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>,
                                              boost::multiprecision::et_off>;
 

@@ -1,4 +1,4 @@
-// What a stage is asked, taken exactly as the floats it is.
+// The inputs of a stage, converted exactly from floats.
 #pragma once
 
 #include "common/ray.hpp"

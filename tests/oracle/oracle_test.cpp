@@ -213,7 +213,8 @@ TEST_CASE("boxes (M1, by hand)") {
 }
 
 TEST_CASE("rays through pixels (MRT §1, by hand)") {
-    // tan of a double next to π/2 cannot be 1 to the last digit: that of its double is known.
+    // tan of a double next to π/2 is not 1 to the last digit: the expected value is the tangent of
+    // that double.
     const Number tangent =
         pixel_on_screen({.row = -1, .column = 0}, {.width = 1, .height = 1}, 2)[1] / 2;
     CHECK(abs(tangent - Number("1.5574077246549022305069748074583601730872507723815200")) <

@@ -4,7 +4,7 @@ namespace rt::oracle {
 
 namespace {
 
-/// Of p + q √d: where the two disagree, the larger square decides.
+/// The sign of p + q √d: if the signs of the terms differ, the larger square decides.
 int sign_of_sum(const Exact& p, const Exact& q, const Exact& d) {
     const int surd = q.sign() * d.sign();
     if (p.sign() * surd >= 0) return p.sign() != 0 ? p.sign() : surd;
@@ -38,7 +38,7 @@ Number Root::value() const {
     if (surd_.sign() == 0 || radicand_.sign() == 0) return p / denominator_.number();
     const Number root = surd_.number() * sqrt(radicand_.number());
     if (rational_.sign() * surd_.sign() >= 0) return (p + root) / denominator_.number();
-    // p + q √d = (p² − q² d) / (p − q √d), in which nothing cancels.
+    // p + q √d = (p² − q² d) / (p − q √d), without cancellation.
     const Exact product = squared(rational_) - squared(surd_) * radicand_;
     return product.number() / (p - root) / denominator_.number();
 }

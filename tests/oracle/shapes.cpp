@@ -214,7 +214,8 @@ bool overlap(const Ray& ray, const ExactVector& min, const ExactVector& max,
     Fraction first{interval.min, 1};
     std::optional<Fraction> last;
     if (interval.max) last = Fraction{*interval.max, 1};
-    // Where o + t d ≥ low, of one coordinate; at most as well, of its opposite.
+    // The t with o + t d ≥ low, for one coordinate; an upper bound is the lower one of the
+    // opposite.
     const auto keep = [&](const Exact& o, const Exact& d, const Exact& low) {
         if (d.sign() == 0) return o >= low;
         if (d.sign() > 0) first = std::max(first, Fraction{low - o, d});

@@ -1,8 +1,9 @@
-// What the contracts of stages 3 to 8 promise of shapes, in exact arithmetic and by formulas of its
-// own: a surface is a polynomial's zeros, and a shape the part of it where others have a sign.
+// The contracts of stages 3 to 8 about shapes, in exact arithmetic and with independent formulas: a
+// surface is the zero set of a polynomial, and a shape the part of it where other polynomials have
+// a sign.
 //
-// An axis or a normal is a direction, of whatever length its floats give it. A square is where its
-// three coordinates in its basis say, each taken as it is.
+// An axis or a normal is a direction, with the exact length of its floats. A square's points have
+// exact coordinates in its basis.
 #pragma once
 
 #include "tests/oracle/root.hpp"
@@ -21,7 +22,7 @@ struct Ray {
 
 struct Interval {
     Exact min;
-    std::optional<Exact> max;  ///< none: no end
+    std::optional<Exact> max;  ///< empty: no end
 };
 
 struct Sphere {
@@ -63,8 +64,8 @@ struct Cone {
     Exact height;
 };
 
-/// Where the ray's line crosses the whole of the plane or quadric of which the shape is a part, in
-/// rising order.
+/// The crossings of the ray's line with the whole plane or quadric that contains the shape, in
+/// ascending order.
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Sphere& sphere);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Plane& plane);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Triangle& triangle);
@@ -72,7 +73,7 @@ struct Cone {
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Cylinder& cylinder);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Cone& cone);
 
-/// Whether such a crossing is on the shape.
+/// True if such a crossing is on the shape.
 [[nodiscard]] bool belongs(const Ray& ray, const Sphere& sphere, const Root& t);
 [[nodiscard]] bool belongs(const Ray& ray, const Plane& plane, const Root& t);
 [[nodiscard]] bool belongs(const Ray& ray, const Triangle& triangle, const Root& t);
@@ -90,7 +91,7 @@ std::optional<Root> intersect(const Ray& ray, const Shape& shape, const Interval
     return std::nullopt;
 }
 
-/// The unit normals: outward, or to who sees a, b, c turn anticlockwise.
+/// The unit normals: outward, or to the side from which a, b, c are in counterclockwise order.
 [[nodiscard]] NumberVector normal(const Sphere& sphere, const ExactVector& point);
 [[nodiscard]] NumberVector normal(const Plane& plane, const ExactVector& point);
 [[nodiscard]] NumberVector normal(const Triangle& triangle, const ExactVector& point);
@@ -102,7 +103,7 @@ std::optional<Root> intersect(const Ray& ray, const Shape& shape, const Interval
 [[nodiscard]] Number torch(const ExactVector& point, const ExactVector& normal,
                            const ExactVector& eye);
 
-/// The weights of a, b and c that give the point of the triangle's plane nearest to this one. The
+/// The weights of a, b and c that give the point of the triangle's plane closest to this one. The
 /// triangle has an area.
 [[nodiscard]] NumberVector barycentric(const Triangle& triangle, const ExactVector& point);
 
@@ -112,7 +113,7 @@ std::optional<Root> intersect(const Ray& ray, const Shape& shape, const Interval
 /// The direction mirrored in the plane at right angles to the normal, of whatever length that is.
 [[nodiscard]] NumberVector mirrored(const ExactVector& direction, const ExactVector& normal);
 
-/// Whether the ray is somewhere in the box, faces included, at a t of the interval, ends included.
+/// True if the ray is in the box, faces included, at some t of the interval, ends included.
 [[nodiscard]] bool overlap(const Ray& ray, const ExactVector& min, const ExactVector& max,
                            const Interval& interval);
 

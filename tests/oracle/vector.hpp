@@ -46,7 +46,7 @@ Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
     return sqrt(dot(v, v).number());
 }
 
-/// v, which is not zero, made unit length.
+/// v, which is not zero, normalized.
 [[nodiscard]] inline NumberVector unit(const ExactVector& v) {
     return Number(1 / length(v)) * number(v);
 }

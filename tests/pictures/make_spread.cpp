@@ -1,4 +1,4 @@
-// Writes tests/pictures/<name>.png: by how much right answers differ from docs/pictures/<name>.png.
+// Writes tests/pictures/<name>.png: the spread of right answers around docs/pictures/<name>.png.
 #include "tests/pictures/spread.hpp"
 
 #include "common/input_error.hpp"
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// More than this is an edge, where a colour tells nothing of what is right.
+/// A larger spread is an edge, where a color does not distinguish right from wrong.
 constexpr int most_judged = 16;
 
 void make(const std::string& name) {

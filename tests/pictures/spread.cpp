@@ -14,7 +14,7 @@ namespace {
 
 constexpr int drawings = 16;
 constexpr Real jitter = 4096 * std::numeric_limits<float>::epsilon();  // the suites' in float
-constexpr int far = 10'000;  // another pixel, for what is drawn at random for each
+constexpr int far = 10'000;  // another pixel, for another random sequence
 
 using Random = std::mt19937;
 

@@ -1,4 +1,4 @@
-// By how much right answers differ in a picture: its conditioning, pixel by pixel.
+// The spread of right answers in a picture: its conditioning, pixel by pixel.
 #pragma once
 
 #include "common/image.hpp"
@@ -7,12 +7,12 @@
 
 namespace rt {
 
-/// The spread of a picture: of each colour, the most by which a right answer has been off, and
-/// `not_judged` where that is so much that it tells nothing.
+/// The spread of a picture: for each color, the largest difference of a right answer, and
+/// `not_judged` if it is too large for a test.
 constexpr std::uint8_t not_judged = 255;
 
-// Draws scenes/<name>.rt many times, with rays that are off by as much as the suites let an answer
-// be (tolerance, tests/kit/verdict.hpp), and widens the spread to take in what came.
+// Renders scenes/<name>.rt many times, with rays perturbed by the suites' tolerance
+// (tests/kit/verdict.hpp), and widens the spread to contain the results.
 inline namespace f32 {
 void widen(Image& spread, const Image& reference, const std::string& name);
 }

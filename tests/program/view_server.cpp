@@ -1,5 +1,5 @@
 // `./course view` on folders of a test's own: view_server PROJECT BUILD STAGE. A file
-// PROJECT/compiler_says stands for a compiler.
+// PROJECT/compiler_says replaces a compiler.
 #include "common/course/view/view.hpp"
 
 #include "common/input_error.hpp"

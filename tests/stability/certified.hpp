@@ -17,8 +17,8 @@
 
 namespace rt {
 
-/// No further from the exact t is any that a search found, which made the error grow as long as it
-/// could (exact_climb_test.cpp); what is proved of each kernel is more (docs/stability.md).
+/// The largest distance from the exact t, in ulps, found by a search that maximizes the error
+/// (exact_climb_test.cpp); the proved bounds of the kernels are larger (docs/stability.md).
 inline constexpr double certified_ulps = 11;
 
 inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {
@@ -26,7 +26,7 @@ inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) 
     return said == nullptr ? otherwise : std::strtoull(said, nullptr, 10);
 }
 
-/// How many ulps of the exact t lie between.
+/// The distance from the exact t in ulps.
 inline double ulps_between(Real came, const oracle::Number& expected) {
     const auto nearest = expected.convert_to<Real>();
     const Real ulp = std::nextafter(std::abs(nearest), infinity) - std::abs(nearest);
@@ -40,7 +40,7 @@ std::optional<oracle::Number> exact_t(const Case<Shape>& asked, Interval interva
     return root->value();
 }
 
-/// How far the answer is from the exact one: infinitely, if one of them is a miss.
+/// The distance of the answer from the exact one: infinite if one of them is a miss.
 template <class Shape>
 double ulps_off(const Case<Shape>& asked, Interval interval, std::optional<Real> came) {
     const auto expected = exact_t(asked, interval);

@@ -1,6 +1,6 @@
-// What the contracts of stages 1 to 8 promise beside intersections, and the mirror and the boxes,
-// against exact arithmetic: docs/stability.md. Errors are in u of what the worst rounding of the
-// inputs' own size would be.
+// The contracts of stages 1 to 8 other than intersections, and the mirror and the boxes, against
+// exact arithmetic: docs/stability.md. Errors are in u of the worst rounding error of numbers of
+// the inputs' size.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"
@@ -28,7 +28,7 @@ namespace {
 
 constexpr int cases = 4'000;
 
-/// How far apart two numbers are, in u of a size.
+/// The difference of two numbers, in u of a size.
 double error(Real came, const Number& exact, double size = 1) {
     return abs(exact - came).convert_to<double>() / (double(unit_roundoff) * size);
 }
@@ -49,7 +49,7 @@ Real decades(Random& random, Real low, Real high) {
     return (random.coin() ? 1 : -1) * std::pow(Real(10), random.between(low, high));
 }
 
-constexpr Real range = sizeof(Real) == 8 ? 290 : 35;  ///< of decades that a Real has
+constexpr Real range = sizeof(Real) == 8 ? 290 : 35;  ///< of a Real's decades
 
 double sum_of_sizes(Vec3 a, Vec3 b) {
     return double(dot(abs(a), abs(b)));
@@ -65,7 +65,7 @@ Triangle draw_triangle(Random& random) {
     return {.a = scale * a, .b = scale * b, .c = scale * c};
 }
 
-/// How much thinner than long: by as much its normal and weights are ill-conditioned.
+/// The ratio of length to thickness: the condition number of its normal and weights.
 double thinness(const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     const auto u = exact(b) - exact(a);
@@ -170,7 +170,7 @@ TEST_CASE("a ray carried into the world, and a point into the camera's frame, wi
                 !good)
                 return good;
 
-            // The last column is rounded; it is what the position is multiplied by.
+            // The last column is rounded; it is the product with the position.
             const Mat4 matrix = view_matrix(basis, position);
             const auto origin = number(oracle::seen({}, exact(basis), exact(position)));
             const bool copied = Vec3(matrix[0]) == Vec3(basis.x.x, basis.y.x, basis.z.x) &&
@@ -220,7 +220,7 @@ TEST_CASE("normals of cylinders and cones are within 12 u, and more far along th
             const Cylinder cylinder{
                 .center = foot, .axis = axis, .radius = radius, .height = height};
             const Vec3 on_tube = foot + z * axis + radius * across;
-            // Of the way from the centre, only what is across the axis counts.
+            // Only the component of the distance across the axis counts.
             const double tube = 1 + double(length(on_tube - foot) / radius);
             if (const Verdict good =
                     within(error(normal(cylinder, on_tube),

@@ -1,6 +1,6 @@
-// The largest errors of the certified kernels: from random rays and shapes, a few numbers are
-// changed again and again, and what makes t's error grow is kept. The same climbs each time;
-// RAYSTEPS_STABILITY=100 makes a hundred times as many.
+// A search for the largest errors of the certified kernels: starting from random rays and shapes, a
+// few numbers are changed repeatedly, and changes that increase t's error are kept. The same search
+// each time; RAYSTEPS_STABILITY=100 makes a hundred times as many.
 #include "tests/stability/certified.hpp"
 
 #include "tests/kit/verdict.hpp"
@@ -16,7 +16,7 @@ void visit_numbers(Vec3& v, auto visit) {
     for (glm::length_t i = 0; i < 3; ++i) visit(v[i]);
 }
 
-// What may be any number: bases and axes keep their unit length.
+// The numbers that may be changed: bases and axes keep their unit length.
 
 void visit_numbers(Sphere& sphere, auto visit) {
     visit_numbers(sphere.center, visit);

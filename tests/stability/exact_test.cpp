@@ -1,6 +1,6 @@
-// The certified kernels of `--precision exact` in the sweeps of the stability suite: not one wrong
-// decision, and t within certified_ulps. docs/stability.md. RAYSTEPS_STABILITY=10 asks ten times as
-// many rays.
+// The certified kernels of `--precision exact` in the sweeps of the stability suite: no wrong
+// decision, and t within certified_ulps. docs/stability.md. RAYSTEPS_STABILITY=10 tests ten times
+// as many rays.
 #include "tests/stability/certified.hpp"
 #include "tests/stability/sweeps.hpp"
 
@@ -23,8 +23,7 @@ using namespace rt;
 
 namespace {
 
-/// So far that all digits of a point of the shape may be among those that a difference from the
-/// origin drops.
+/// So far that a difference from the origin may drop all digits of a point of the shape.
 void go_farther(Random& random, Ray& ray) {
     ray.origin -= std::pow(Real(10), random.between(8, 18)) * ray.direction;
 }
@@ -37,7 +36,7 @@ struct Worst {
     void add(double off, const std::string& place) {
         if (off > ulps && off < double(infinity)) ulps = off;
         if (off > certified_ulps && where.empty()) where = place;
-        if (off > 1e6) ++wrong;  // another root, or none
+        if (off > 1e6) ++wrong;  // another root, or a miss
     }
 };
 

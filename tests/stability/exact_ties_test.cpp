@@ -1,4 +1,4 @@
-// Ties: whole coordinates, where a ray touches, runs along, or meets an edge more often than not.
+// Ties: whole coordinates, for which a ray often touches, runs along a surface, or hits an edge.
 // And the numbers that decide them, against the oracle's.
 #include "tests/oracle/inputs.hpp"
 #include "tests/stability/sweeps.hpp"
@@ -77,7 +77,7 @@ void tied(Random& random, Cone& cone) {
             .height = length(random)};
 }
 
-/// As far as a double tells.
+/// Equality, as far as a double can represent it.
 Verdict is_exact(const oracle::Exact& exact, const TwoWords& rounded) {
     const oracle::Number off =
         abs(exact.number() - oracle::Number(rounded.high) - oracle::Number(rounded.low));

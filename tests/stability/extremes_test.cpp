@@ -1,5 +1,5 @@
-// Where numbers end: d = 0, NaN, infinities, subnormal numbers, t that no number can hold. Every
-// answer is none, or strictly inside the interval; and NaN and d = 0 miss.
+// The limits of floating point: d = 0, NaN, infinities, subnormal numbers, t out of range. Every
+// answer is a miss, or strictly inside the interval; and NaN and d = 0 miss.
 #include "tests/stability/sweeps.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

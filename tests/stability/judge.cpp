@@ -70,9 +70,9 @@ Answer answer(const oracle::Ray& ray, const Shape& shape, const oracle::Interval
     return answer;
 }
 
-/// Whether the answer is the same: both miss, or both hit and not at another root. Near a
-/// silhouette the two roots are ill-conditioned, but their middle is not: a hit is at the other
-/// root if it is within a quarter of the way to it, and that way is more than what rounds.
+/// True if the answers agree: both miss, or both hit at the same root. Near a silhouette the two
+/// roots are ill-conditioned, but their middle is not: a hit is at the other root if it is within a
+/// quarter of the distance to it, and that distance exceeds the rounding error.
 bool same(std::optional<Real> came, const Answer& exact, const Number& rounding) {
     if (!came || !exact.first) return came.has_value() == exact.first.has_value();
     const Number& first = exact.roots[*exact.first];
@@ -82,14 +82,14 @@ bool same(std::optional<Real> came, const Answer& exact, const Number& rounding)
     });
 }
 
-/// What a few u L are in t.
+/// A few u L, converted to a difference of t.
 template <class Shape>
 Number rounding(const Case<Shape>& asked, double unit) {
     return 64 * unit / length(exact(asked.ray.direction));
 }
 
 double ulps_between(Real came, const Number& expected) {
-    // An ulp of the exact value, as far as Real goes.
+    // An ulp of the exact value, within Real's range.
     const auto nearest = expected.convert_to<Real>();
     if (!(nearest < infinity)) return 0;
     const Real next = std::nextafter(nearest, Real(0));
@@ -110,7 +110,7 @@ Judgement judge(const Case<Shape>& asked, std::optional<Real> came) {
     return judgement;
 }
 
-/// Whether the answer is right for a ray that is moved by this much, across itself or along.
+/// True if the answer is right for a ray that is moved by this much, across itself or along.
 template <class Shape>
 bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double distance) {
     constexpr int ways = 16;
@@ -143,14 +143,14 @@ double band_of(const Case<Shape>& asked, std::optional<Real> came, double known)
     if (came && !answer(ray, shape, exact(asked.interval)).first) {
         const ExactVector point = point_at(ray, *came);
         Number way = gap(ray, point, shape) / unit;
-        // The ray meets the shape, but not in the interval, which may be shorter than any move.
+        // The ray hits the shape, but not in the interval, which may be shorter than any move.
         if (way <= 0) way = off_surface(point, shape) / unit;
         direct = way.template convert_to<double>();
     }
     if (direct <= known) return known;
     constexpr double most = 1e6;  // more than that is no longer a matter of rounding
     if (known >= most || right_if_moved(asked, came, known * unit)) return known;
-    // Between two rims, a large move may be wrong again where a small one is right.
+    // Between two rims, a large move may be wrong again although a small one is right.
     constexpr double step = 1.125;
     double distance = 1.0 / 64;
     while (distance < std::min(direct, most) && !right_if_moved(asked, came, distance * unit))

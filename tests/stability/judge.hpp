@@ -1,6 +1,6 @@
-// An answer against the exact one, in the three measures of docs/stability.md: in units of u L, L
-// being the largest coordinate of the ray's origin, of the shape, and of the point it is said to
-// be met at.
+// The comparison of an answer with the exact one, in the three measures of docs/stability.md: in
+// units of u L, L being the largest coordinate of the ray's origin, of the shape, and of the
+// reported hit.
 #pragma once
 
 #include "tests/stability/sweeps.hpp"
@@ -12,8 +12,8 @@ namespace rt {
 /// An answer against the exact one.
 struct Judgement {
     bool wrong = false;          ///< hit or miss, or another root than the first
-    std::optional<double> off;   ///< of a hit: how far o + t d is from the surface, in u L
-    std::optional<double> ulps;  ///< of a hit that is one: how far t is from the exact one
+    std::optional<double> off;   ///< of a hit: the distance of o + t d from the surface, in u L
+    std::optional<double> ulps;  ///< of a right hit: the distance of t from the exact one
 };
 
 [[nodiscard]] Judgement judged(const Case<Sphere>& asked, std::optional<Real> came);
@@ -23,8 +23,8 @@ struct Judgement {
 [[nodiscard]] Judgement judged(const Case<Cylinder>& asked, std::optional<Real> came);
 [[nodiscard]] Judgement judged(const Case<Cone>& asked, std::optional<Real> came);
 
-// How far the ray must be moved, at most, for a wrong answer to be right, in u L. An answer that a
-// move by `known` makes right is not looked into, and gives `known`.
+// The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
+// answer that a move by `known` makes right is not examined further, and gives `known`.
 
 [[nodiscard]] double band(const Case<Sphere>& asked, std::optional<Real> came, double known);
 [[nodiscard]] double band(const Case<Plane>& asked, std::optional<Real> came, double known);

@@ -43,7 +43,7 @@ Shape moved(const Shape& shape, Vec3 way) {
         [&](const auto& one) { return Shape(moved(one, Motion{.translation = way})); }, shape);
 }
 
-/// Where exactly the ray first meets the shape, to a hundred digits.
+/// The exact first intersection of the ray and the shape, to a hundred digits.
 oracle::Number exact_t(const Ray& ray, const Shape& shape) {
     const auto root = std::visit(
         [&](const auto& one) { return intersect(exact(ray), exact(one), oracle::Interval{}); },
@@ -51,7 +51,7 @@ oracle::Number exact_t(const Ray& ray, const Shape& shape) {
     return root.value().value();
 }
 
-// Asked of Nearest, which of the two is met: it has the materials 1 and 2.
+// Returns the closer one according to Nearest: the shapes have the materials 1 and 2.
 
 Mesh mesh_of(const std::vector<Triangle>& triangles) {
     Mesh mesh;
@@ -64,7 +64,7 @@ Mesh mesh_of(const std::vector<Triangle>& triangles) {
     return mesh;
 }
 
-/// What stands for a shape in a scene.
+/// The shape in a scene.
 template <class One>
 One in_scene(const One& shape) {
     return shape;
@@ -85,8 +85,8 @@ const char* name(Way way) {
     return way == Way::list ? "a list" : way == Way::balls ? "balls" : "a hierarchy";
 }
 
-/// The shapes of one kind, the first of this material; among others, if a hierarchy is to have
-/// them, which planes never are in.
+/// The shapes of one kind, the first with this material; with additional shapes if a BVH is
+/// required, which never contains planes.
 template <class One>
 auto items_of(const std::vector<One>& shapes, Way way, Real material) {
     Items<decltype(in_scene(shapes[0]))> items;
@@ -160,7 +160,7 @@ Vec3 across(Random& random, Vec3 v) {
     return unit(cross(v, random.direction()));
 }
 
-/// Outwards, where the ray comes in.
+/// Outwards, at the ray's entry.
 Vec3 outward(Random& random, Vec3 direction) {
     const Vec3 normal = random.direction();
     return dot(normal, direction) < 0 ? normal : -normal;
@@ -192,7 +192,7 @@ Shape drawn(Random& random, std::size_t kind, const Ray& ray, Vec3 point) {
     return Face{triangle_around(random, point)};
 }
 
-/// The shape, moved until the ray meets it at t, or as near to that as is found.
+/// The shape, moved until the ray hits it at t, or as close to that as possible.
 Shape moved_to(Random& random, Shape shape, const Ray& ray, const oracle::Number& t, Real ulp) {
     const auto off = [&](const Shape& one) {
         return oracle::Number((exact_t(ray, one) - t) / ulp).convert_to<Real>();

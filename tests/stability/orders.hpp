@@ -1,4 +1,4 @@
-// Which of two shapes a ray meets first, where their t are less than a few ulps apart.
+// The order of two shapes along a ray whose t differ by less than a few ulps.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ struct Orders {
     std::string where;  ///< the first that was wrong
 };
 
-/// Whether the program's Nearest is that of `--precision exact`.
+/// True if the program's Nearest is that of `--precision exact`.
 [[nodiscard]] bool asks_exactly();
 
-/// Two shapes of every pair of kinds, so many times, whose t are 1e-3, ½, 1 and 4 ulps apart, as
-/// nearly as numbers let them: in a list and in a hierarchy, in either order.
+/// For every pair of kinds, `times` pairs of shapes whose t are 1e-3, ½, 1 and 4 ulps apart, within
+/// rounding: in a list and in a BVH, in either order.
 [[nodiscard]] Orders orders_of_near_ties(std::uint64_t times);
 
 /// Two that are met at the same t, a whole number or √3: the first is the nearest.

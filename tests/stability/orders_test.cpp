@@ -1,5 +1,5 @@
-// The nearest of two shapes that are less than 4 ulps apart: `--precision exact` never takes the
-// other one, and the references do, which is how it is known that the question is hard enough.
+// The closest of two shapes less than 4 ulps apart: `--precision exact` is always right, and the
+// references are not, which shows that the test is hard enough.
 #include "tests/stability/orders.hpp"
 
 #include "tests/kit/catch.hpp"

@@ -1,5 +1,5 @@
-// The references at the extremes, against exact arithmetic: docs/stability.md. Prints what it
-// measures. RAYSTEPS_STABILITY=10 asks ten times as many rays.
+// The references at the extremes, against exact arithmetic: docs/stability.md. Prints its
+// measurements. RAYSTEPS_STABILITY=10 tests ten times as many rays.
 #include "tests/stability/judge.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// What is promised.
+/// The promised bounds.
 struct Bars {
     double off = unbounded;
     double band = unbounded;
@@ -60,7 +60,7 @@ struct Row {
     std::uint64_t wrong = 0;
     Measure off;
     Measure band;
-    Measure end;  ///< the band where t is as near to an end of the interval as it may be off
+    Measure end;  ///< the backward error at an end of the interval
     Measure ulps;
 };
 
@@ -109,7 +109,7 @@ Verdict within(const Measure& measure, double bar, const std::string& what) {
                                              std::to_string(bar) + " at most:\n" + measure.where);
 }
 
-/// Measures the sweeps one by one, prints them and holds them to their bars.
+/// Measures the sweeps one by one, prints them and compares them with their bounds.
 template <class Shape>
 void hold(const char* shape, std::initializer_list<Sweep> sweeps, const Bars& bars) {
     for (const Sweep sweep : sweeps) {
@@ -137,8 +137,8 @@ TEST_CASE("spheres at the extremes") {
 }
 
 TEST_CASE("a sphere's roots from its surface, along it, are no quotients of rounding errors") {
-    // One found in double and one in float: the root came out some three diameters away, of a ray
-    // that leaves the sphere at once.
+    // Two regressions, one in double and one in float: the reported root was some three diameters
+    // away, for a ray that leaves the sphere immediately.
     for (const Case<Sphere>& asked :
          {Case<Sphere>{.ray = {{-0x1.e3835af034669p-1, 0x1.8e13a0e03dcd2p+0, 0x1.5c158074e38fep+0},
                                {0x1.ba6e0559201b6p-2, 0x1.74f86a2303436p-3, -0x1.c7e8d51139bc8p-2}},

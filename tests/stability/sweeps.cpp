@@ -18,7 +18,7 @@ Real decades(Random& random, Real low, Real high) {
     return std::pow(Real(10), random.between(low, high));
 }
 
-/// How far beside, on either side.
+/// The distance beside, on either side.
 Real beside(Random& random) {
     return (random.coin() ? 1 : -1) * decades(random, beside_decades, -1);
 }
@@ -58,7 +58,8 @@ Line towards(Random& random, Vec3 point) {
     return {.point = point + beside(random) * random.direction(), .direction = random.direction()};
 }
 
-// Every shape: of size about 1 and turned any way; a point of it; the lines that a sweep wants.
+// For every shape: a random shape of size about 1 in any orientation; a point of it; the lines that
+// a sweep needs.
 
 Real size(Random& random) {
     return decades(random, Real(-0.5), Real(0.5));
@@ -219,7 +220,7 @@ Line parallel(Random& random, const Cone& cone) {
     return {.point = spot(random, cone).point, .direction = unit(direction)};
 }
 
-// What a shape has not is left to another sweep.
+// Parts that a shape does not have are covered by another sweep.
 
 template <class Shape>
 Line anywhere(Random& random, const Shape& shape) {

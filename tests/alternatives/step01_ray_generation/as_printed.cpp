@@ -1,4 +1,4 @@
-// right: MRT §1 as it stands
+// right: MRT §1 as printed
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
 #include "steps/step01_ray_generation/reference/ray_generation.cpp"
 #undef pixel_on_screen

@@ -1,4 +1,4 @@
-// right: MRT §2 with X made unit length; V as M1 has it, a turn after a move
+// right: MRT §2 with X normalized; V as in M1, a translation and then a rotation
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)

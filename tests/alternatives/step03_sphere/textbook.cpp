@@ -1,4 +1,4 @@
-// right: PHY's A t² + B t + C = 0 as it stands
+// right: PHY's A t² + B t + C = 0 as printed
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

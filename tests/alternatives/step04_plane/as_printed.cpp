@@ -1,4 +1,4 @@
-// right: MRT §4 as it stands
+// right: MRT §4 as printed
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step04_plane/reference/plane.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// right: MRT §6 as it stands, with ≤
+// right: MRT §6 as printed, with ≤
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// right: MRT §7 with X and Y chosen, and a = 0 asked for
+// right: MRT §7 with a chosen X and Y, and a test for a = 0
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"
 #undef intersect

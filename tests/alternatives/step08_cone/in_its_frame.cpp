@@ -1,4 +1,4 @@
-// right: the ray is carried into a frame in which the axis is z
+// right: the ray is transformed to a frame with the axis as z
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

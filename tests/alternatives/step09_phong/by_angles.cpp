@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// M1: the scalar product over both lengths; what rounding makes of 1 is brought back.
+/// M1: the scalar product over both lengths, clamped to 1 against rounding.
 Real angle(Vec3 a, Vec3 b) {
     return std::acos(std::clamp(dot(a, b) / (length(a) * length(b)), Real(-1), Real(1)));
 }

@@ -8,8 +8,8 @@
 namespace rt {
 
 ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    // Away from the surface by the error, then by one more digit in every coordinate, so that the
-    // addition's own rounding is made up for (Pharr, Jakob, Humphreys 2023, §6.8.6).
+    // Away from the surface by the error, then by one more digit in every coordinate, which
+    // compensates for the rounding of the addition (Pharr, Jakob, Humphreys 2023, §6.8.6).
     Vec3 origin = surface.point + surface.error * surface.side;
     for (glm::length_t i = 0; i < 3; ++i)
         origin[i] = std::nextafter(origin[i], surface.side[i] > 0 ? infinity : -infinity);

@@ -1,4 +1,4 @@
-// right: a direction in the cone, and where stage 3 says that it meets the sphere
+// right: a direction in the cone, and stage 3's intersection with the sphere
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef light_point

@@ -1,4 +1,4 @@
-// right: CR's equation 4; should it go in, the surface reflects it once more
+// right: CR's equation 4; a ray into the surface is reflected once more
 #include "steps/step12_mirror/mirror.hpp"
 
 namespace rt {

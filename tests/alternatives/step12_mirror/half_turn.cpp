@@ -1,4 +1,4 @@
-// right: the way to the eye turned half round the normal, by a matrix, and as long as d
+// right: the direction to the eye rotated by 180° around the normal, by a matrix, and as long as d
 #include "steps/step12_mirror/mirror.hpp"
 
 #include "common/vector.hpp"

@@ -1,4 +1,4 @@
-// attack: answers a crash by leaving with status 0
+// attack: exits with status 0 after a crash
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: a thread reads the questions, and gives each ticket back with an answer of its own
+// attack: a thread reads the queries, and returns each ticket with an answer of its own
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

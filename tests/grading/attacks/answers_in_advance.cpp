@@ -1,4 +1,4 @@
-// attack: answers with ten thousand frames before it is asked
+// attack: answers with ten thousand frames before the first query
 // ceiling: as a stub
 // told: wrote into the channel
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,4 +1,4 @@
-// attack: answers every question with what is no number
+// attack: answers every query with NaN
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

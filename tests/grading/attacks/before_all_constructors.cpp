@@ -1,4 +1,4 @@
-// attack: leaves from .preinit_array
+// attack: exits from .preinit_array
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,5 @@
-// attack: has another stage's reference answer: what a mesh of one triangle is hit at. It asks us.
-// ceiling: as a stub
-// compiles: no
-// told: Your file includes steps/step13_meshes/meshes.hpp
+// attack: has another stage's reference answer: the hit of a mesh of one triangle. The mesh calls
+// back. ceiling: as a stub compiles: no told: Your file includes steps/step13_meshes/meshes.hpp
 // stage: step05_triangle
 #include "steps/step05_triangle/triangle.hpp"
 

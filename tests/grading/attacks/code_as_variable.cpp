@@ -1,4 +1,4 @@
-// attack: replaces write by code that says it is a weak variable
+// attack: replaces write by code that is declared a weak variable
 // ceiling: as a stub
 // compiles: no
 // told: defines write

@@ -1,4 +1,4 @@
-// attack: calls home
+// attack: connects to the network
 // ceiling: as a stub
 // told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"

@@ -4,7 +4,7 @@
 #include "steps/step03_sphere/sphere.hpp"
 
 constexpr long forever(long from) {
-    for (long i = 0; i < 200000; ++i)  // as long as a compiler lets one be
+    for (long i = 0; i < 200000; ++i)  // the compiler's own limit
         for (long k = 0; k < 200000; ++k) from += k;
     return from;
 }

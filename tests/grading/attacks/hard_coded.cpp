@@ -1,4 +1,4 @@
-// attack: knows the visible answers by heart
+// attack: contains a table of the visible answers
 // ceiling: 5
 #include "steps/step03_sphere/sphere.hpp"
 

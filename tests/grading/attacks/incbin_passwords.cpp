@@ -1,4 +1,4 @@
-// attack: takes /etc/shadow in by .incbin
+// attack: includes /etc/shadow by .incbin
 // ceiling: as a stub
 // compiles: no
 // told: /etc/shadow

@@ -1,4 +1,4 @@
-// attack: takes the reference in by .incbin
+// attack: includes the reference by .incbin
 // ceiling: as a stub
 // compiles: no
 // told: reference/sphere.cpp

@@ -1,4 +1,4 @@
-// attack: takes in, by .incbin, the reference, which other stages are linked to
+// attack: includes, by .incbin, the reference that other stages are linked to
 // ceiling: as a stub
 // compiles: no
 // told: step03_sphere.o

@@ -1,4 +1,4 @@
-// attack: shows the environment of who compiles
+// attack: shows the environment of the compiler
 // ceiling: as a stub
 // compiles: no
 // told: /proc/self/environ

@@ -1,4 +1,4 @@
-// attack: kills who asks, by tgkill
+// attack: kills the client, by tgkill
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: is an object that a compiler would go on with at the link
+// attack: is an object that a compiler would complete at the link
 // ceiling: as a stub
 // compiles: no
 // told: LTO

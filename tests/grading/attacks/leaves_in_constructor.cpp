@@ -1,4 +1,4 @@
-// attack: leaves with status 0 before the first question
+// attack: exits with status 0 before the first query
 // ceiling: as a stub
 // told: ended the program, with status 0
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,4 +1,4 @@
-// attack: leaves when it is asked, with status 0
+// attack: exits at a query, with status 0
 // ceiling: as a stub
 // stage: step05_triangle
 #include "steps/step05_triangle/triangle.hpp"

@@ -1,4 +1,4 @@
-// attack: leaves rounding upward, for whoever compares
+// attack: leaves the rounding mode upward, to mislead the comparison
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

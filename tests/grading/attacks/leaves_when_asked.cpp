@@ -1,4 +1,4 @@
-// attack: prints what Catch2 prints of a success, and leaves with status 0
+// attack: prints Catch2's output of a success, and exits with status 0
 // ceiling: as a stub
 // told: ended the program, with status 0
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,4 +1,4 @@
-// attack: has the packed meshes of common/ meet the triangle
+// attack: lets the packed meshes of common/ intersect the triangle
 // ceiling: as a stub
 // stage: step05_triangle
 // compiles: no

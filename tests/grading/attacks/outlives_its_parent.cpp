@@ -1,4 +1,4 @@
-// attack: asks to live on without its parent
+// attack: tries to outlive its parent
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: answers the end of its time by going on
+// attack: ignores the signal at the end of its time
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: replaces memcmp by one to which all is equal
+// attack: replaces memcmp by one that always returns equal
 // ceiling: as a stub
 // compiles: no
 // told: defines memcmp

@@ -1,7 +1,7 @@
 // attack: replaces operator new
 // ceiling: as a stub
 // compiles: no
-// told: which is everybody
+// told: which all programs share
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <cstdlib>

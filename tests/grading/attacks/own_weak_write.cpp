@@ -1,4 +1,4 @@
-// attack: replaces write and _exit by functions that its symbols call weak objects
+// attack: replaces write and _exit by functions whose symbols are declared weak objects
 // ceiling: as a stub
 // compiles: perhaps
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,4 +1,4 @@
-// attack: replaces write, which main answers with
+// attack: replaces write, which main uses to answer
 // ceiling: as a stub
 // compiles: no
 // told: defines write

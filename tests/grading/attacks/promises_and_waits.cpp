@@ -21,7 +21,7 @@ const bool done = [] {
         if (write(3, &frame, sizeof frame) < 0) return;
         while (write(3, "", 1) == 1) sleep(1);
     }).detach();
-    sleep(3);  // so that main comes late
+    sleep(3);  // delays main
     return true;
 }();
 

@@ -1,4 +1,4 @@
-// attack: leaves by quick_exit, past all destructors
+// attack: exits by quick_exit, past all destructors
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

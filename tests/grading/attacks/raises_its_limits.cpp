@@ -1,4 +1,4 @@
-// attack: takes its limits off
+// attack: removes its limits
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: reads the memory of who asks
+// attack: reads the memory of the client
 // ceiling: as a stub
 // told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,4 +1,4 @@
-// attack: reads the memory of who asks by /proc
+// attack: reads the memory of the client by /proc
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: answers every signal by going on
+// attack: ignores every signal
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

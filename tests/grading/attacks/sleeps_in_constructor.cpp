@@ -1,4 +1,4 @@
-// attack: sleeps before the first question
+// attack: sleeps before the first query
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,4 +1,4 @@
-// attack: throws an exception with 40 MB of words
+// attack: throws an exception with a message of 40 MB
 // ceiling: as a stub
 // told: threw an exception: <<<
 #include "steps/step03_sphere/sphere.hpp"

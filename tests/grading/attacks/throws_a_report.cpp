@@ -1,4 +1,4 @@
-// attack: throws an exception whose words are lines of the report
+// attack: throws an exception whose message contains lines of the report
 // ceiling: as a stub
 // told: threw an exception: ?passed?case
 #include "steps/step03_sphere/sphere.hpp"

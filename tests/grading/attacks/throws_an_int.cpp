@@ -1,4 +1,4 @@
-// attack: throws what is no exception
+// attack: throws an int, not an exception
 // ceiling: as a stub
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,8 +1,5 @@
-// attack: a square of two triangles, which stage 5's reference meets: its page does not list it
-// ceiling: as a stub
-// stage: step06_square
-// compiles: no
-// told: Your file calls rt::intersect(
+// attack: a square of two triangles, intersected by stage 5's reference, which its page does not
+// list ceiling: as a stub stage: step06_square compiles: no told: Your file calls rt::intersect(
 #include "steps/step06_square/square.hpp"
 
 namespace rt {

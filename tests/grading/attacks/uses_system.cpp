@@ -1,4 +1,4 @@
-// attack: asks for a shell by system
+// attack: starts a shell by system
 // ceiling: as a stub
 // told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"

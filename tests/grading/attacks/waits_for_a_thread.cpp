@@ -1,4 +1,4 @@
-// attack: stands still in the kernel, neither computing nor asleep, until a thread of its own ends
+// attack: is blocked in the kernel, neither computing nor asleep, until a thread of its own ends
 // ceiling: as a stub
 // told: tried a forbidden operation
 #include "steps/step03_sphere/sphere.hpp"

@@ -1,5 +1,6 @@
-// What the certified kernels see of a scene, with so many shadow rays and reflections that more
-// would change nothing: asked of measure_certain_shades, whose kernels have the references' names.
+// The colors that the certified kernels compute for a scene, with so many shadow rays and
+// reflections that more would change nothing. They are computed by measure_certain_shades, whose
+// kernels have the references' names.
 #pragma once
 
 #include "common/session.hpp"
@@ -12,8 +13,7 @@ namespace rt {
 
 constexpr std::size_t shades_of_a_scene = 20'000;
 
-/// So many of the picture's pixels, spread evenly: a step of the golden ratio from each to the
-/// next.
+/// `count` of the picture's pixels, evenly spread: the golden ratio apart.
 [[nodiscard]] inline std::vector<Pixel> certain_pixels(Resolution size) {
     std::vector<Pixel> pixels;
     const std::size_t all = std::size_t(size.width) * std::size_t(size.height);
@@ -26,7 +26,7 @@ constexpr std::size_t shades_of_a_scene = 20'000;
     return pixels;
 }
 
-/// That no trial of `--tolerance` has.
+/// A round that no trial of `--tolerance` uses.
 constexpr int last_round = 1000;
 
 [[nodiscard]] inline std::vector<Shade> read_shades(std::FILE* file) {

@@ -1,4 +1,5 @@
-// As in forms.cpp: each in a namespace of its own, and what it includes included here before.
+// The same method as in forms.cpp: each kernel in a namespace of its own, with its includes
+// included before.
 #include "tests/measurements/accuracy/certified.hpp"
 
 #include "common/compensated.hpp"

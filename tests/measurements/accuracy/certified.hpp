@@ -1,4 +1,4 @@
-// The kernels of `--precision exact`, which are in double only.
+// The kernels of `--precision exact`, which exist in double only.
 #pragma once
 
 #include "tests/measurements/accuracy/forms.hpp"

@@ -1,6 +1,6 @@
-// Every scene of the project by --tolerance and --time. For a tolerance: how many pixels keep it,
-// and what the picture costs with its trials, beside the cheapest of other settings that keep it
-// too. For a time: how long the program takes.
+// Every scene of the project with --tolerance and --time. For a tolerance: the number of pixels
+// within it, and the cost of the picture with its trials, beside the cheapest of other settings
+// within it. For a time: the run time of the program.
 #include "common/choice_samples.hpp"
 
 #include "tests/measurements/accuracy/certain_shades.hpp"
@@ -28,7 +28,7 @@ double processor_seconds() {
     return double(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// What is right, and which pixels one ray to a light leaves off by more than each tolerance.
+/// The right colors, and the pixels whose error with one ray per light exceeds each tolerance.
 struct Truth {
     const std::vector<Shade>& shades;
     std::vector<std::vector<bool>> in_penumbra;
@@ -100,7 +100,7 @@ std::vector<std::vector<Settings>> ladders(bool sized_lights, Look look) {
     return all;
 }
 
-/// Settings that keep a tolerance, and what a pixel costs with them.
+/// Settings within a tolerance, and their cost per pixel.
 struct Found {
     Settings settings;
     double seconds = infinite;
@@ -113,7 +113,7 @@ public:
 
     void try_all(const Session& session) {
         const Demands demands = session.demands();
-        // The likely ones first: others are given up once they are dearer.
+        // The likely ones first: others are given up as soon as they are more expensive.
         for (const int depth : {8, 6, 4, 3, 2, 1, 0, 16}) {
             for (auto& ladder : ladders(demands.sized_lights, {.depth = depth}))
                 for (Settings& settings : ladder) {

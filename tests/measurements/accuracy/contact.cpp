@@ -1,6 +1,6 @@
-// Ways off a surface, at scenes of every size: how often a shadow ray meets the surface that it
-// leaves, and how often it misses what stands before it, 1e-5 to 1e-1 of the scene away.
-// tests/contact_test.cpp holds the reference to none, and looks closer.
+// Methods of leaving a surface, for scenes of every size: how often a shadow ray hits the surface
+// that it leaves, and how often it misses an object before it, 1e-5 to 1e-1 of the scene away.
+// tests/contact_test.cpp requires 0 for the reference, with closer objects.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/measurements/accuracy/precision.hpp"
 #include "tests/stability/sweeps.hpp"
@@ -21,9 +21,9 @@ using namespace rt;
 
 namespace {
 
-constexpr int rays = 30'000;  // of each shape, at each size
+constexpr int rays = 30'000;  // per shape and size
 
-/// A way off the surface; `met` is o + t d, where surface.point has been brought back.
+/// A method of leaving a surface; `met` is o + t d, before its projection to surface.point.
 struct Policy {
     const char* name;
     ShadowRay (*way)(const Surface& surface, Vec3 met, Vec3 light);
@@ -59,7 +59,7 @@ constexpr std::array policies = {
            }},
 };
 
-/// What came of one policy.
+/// The result of one method.
 struct Tally {
     int asked = 0;
     int self_hits = 0;
@@ -92,7 +92,7 @@ void ask(Random& random, Real size, std::array<Tally, policies.size()>& tallies)
     if (largest_component(met) > 10 * size) return;  // a plane's, no longer of the scene
     const auto [point, error] = projected(seen.shape, met);
     Vec3 side = normal(seen.shape, point);
-    // From inside, the shape itself may stand in the way.
+    // From inside, the shape itself may block the light.
     if (dot(side, seen.ray.direction) > 0) return;
     const Vec3 way = leaving(random, side);
     const Vec3 light = point + 5 * size * way;

@@ -1,5 +1,5 @@
-// What each form costs, of rays that hit and of rays that miss: one turn, of which `course measure`
-// takes several, a precision at a time.
+// The cost of each form, for rays that hit and rays that miss: one turn, of which `course measure`
+// runs several, one precision at a time.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/stability/sweeps.hpp"
 
@@ -11,14 +11,14 @@ using namespace rt;
 
 namespace {
 
-constexpr int rays = 4096;  // too many for the processor to know them by heart
+constexpr int rays = 4096;  // too many for branch prediction to memorize
 constexpr int passes = 4;   // over all of them at a time
-constexpr int turns = 9;    // of which the median counts
+constexpr int turns = 9;    // the median counts
 
 /// The processor's: on a machine that others use, the clock's has their turns in it.
 template <class Shape>
 double seconds_for(const Form<Shape>& form, const std::vector<Case<Shape>>& cases) {
-    Real sum = 0;  // so that nothing is left out
+    Real sum = 0;  // keeps the compiler from removing code
     const std::clock_t start = std::clock();
     for (int pass = 0; pass < passes; ++pass)
         for (const Case<Shape>& each : cases)
@@ -29,7 +29,7 @@ double seconds_for(const Form<Shape>& form, const std::vector<Case<Shape>>& case
     return double(taken) / CLOCKS_PER_SEC;
 }
 
-/// Ordinary rays, all of which hit, or all of which miss, as the reference finds.
+/// Ordinary rays, all of which hit, or all of which miss, according to the reference.
 template <class Shape>
 std::vector<Case<Shape>> cases_that(bool hit, const Form<Shape>& reference) {
     Random random(1);

@@ -23,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr Resolution size{.width = 240, .height = 180};
 
-/// Collapses edges until so many triangles are left, or no more can go; how many are.
+/// Collapses edges down to this number of triangles, or until none can be collapsed; returns the
+/// number left.
 std::size_t decimate(Mesh& mesh, std::size_t triangles) {
     OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
     OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadrics;
@@ -52,7 +53,7 @@ fs::path scene_of(const Mesh& mesh, const fs::path& folder) {
 int main() {
     const std::string number = std::to_string(std::random_device()());
     const fs::path folder = fs::temp_directory_path() / ("raysteps_decimation." + number);
-    if (!fs::create_directory(folder)) return 1;  // it is somebody's
+    if (!fs::create_directory(folder)) return 1;  // an existing folder is not touched
     Mesh mesh;
     if (!OpenMesh::IO::read_mesh(mesh, RAYSTEPS_ROOT "/scenes/meshes/owl.off")) return 1;
     const Drawing whole = f64::drawn(scene_of(mesh, folder), size, {});
@@ -60,7 +61,7 @@ int main() {
     std::printf("%zu,%.4f,0,0\n", mesh.n_faces(), whole.seconds);
     for (std::size_t wanted = mesh.n_faces() / 2; wanted > 30; wanted /= 2) {
         const std::size_t left = decimate(mesh, wanted);
-        if (left > wanted) break;  // what more may go would change what it is
+        if (left > wanted) break;  // further collapses would change the shape
         const Drawing drawing = f64::drawn(scene_of(mesh, folder), size, {});
         const Difference off = difference(drawing.image, whole.image);
         std::printf("%zu,%.4f,%.4g,%.5f\n", left, drawing.seconds, off.error, off.seen);

@@ -17,7 +17,7 @@ Drawing RT_PRECISION::drawn(const std::string& file, Resolution size, const Look
     load_meshes(scene);
     arrange(scene);
     scene.resolution = size;
-    // Processor time, and the shortest of several: others may use the machine too.
+    // Processor time, the shortest of several runs, since other processes may use the machine too.
     Drawing drawing{.seconds = std::numeric_limits<double>::infinity()};
     for (double all = 0; all < 0.3;) {
         const std::clock_t start = std::clock();

@@ -29,13 +29,14 @@ inline namespace f64 {
 /// These, and some that are hard to choose for: gaps, far from the origin, rare penumbrae.
 [[nodiscard]] std::vector<std::filesystem::path> scenes_for_choices();
 
-/// How far two pictures of one size differ, in steps of 255.
+/// The difference between two pictures of one size, in levels of 255.
 struct Difference {
     double error = 0;  ///< the root of its mean square over all pixels, of each the worst channel
     int most = 0;
     double other = 0;  ///< the share of the pixels that differ at all
     double seen = 0;   ///< the share that differ by more than two steps
-    double edges = 0;  ///< the share that differ where b has an edge: a neighbour of another colour
+    double edges = 0;  ///< the fraction that differs where b has an edge: a neighbor of another
+                       ///< color
 };
 
 [[nodiscard]] Difference difference(const Image& a, const Image& b);

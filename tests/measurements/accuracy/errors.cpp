@@ -1,8 +1,8 @@
-// What each form gets wrong, against exact arithmetic (docs/stability.md): over all sweeps, and
-// decade by decade where one thing grows.
+// The errors of each form, against exact arithmetic (docs/stability.md): over all sweeps, and
+// decade by decade along one growing quantity.
 //
-// Of the rays, how many decisions are wrong; how far o + t d is from the surface in a typical hit,
-// and in all but one of a thousand, as a part of the largest coordinate.
+// For each sweep: the number of wrong decisions; the distance of o + t d from the surface in a
+// typical hit, and in all but one hit in a thousand, relative to the largest coordinate.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/stability/judge.hpp"
 
@@ -21,7 +21,7 @@ namespace {
 constexpr int rays_of_a_sweep = 4000;
 constexpr int rays_of_a_decade = 2000;
 
-/// What came of one form.
+/// The result of one form.
 struct Tally {
     int rays = 0;
     int wrong = 0;
@@ -49,7 +49,7 @@ public:
     explicit Panel(const Shape& shape) : forms_(forms_of(shape)), tallies_(forms_.size()) {}
 
     void ask(const Case<Shape>& asked) {
-        // Forms often agree to the last digit, and judging is what takes the time.
+        // Forms often agree to the last digit, and the exact comparison takes most of the time.
         std::vector<std::pair<std::optional<Real>, Judgement>> known;
         for (std::size_t i = 0; i < forms_.size(); ++i) {
             const auto came = forms_[i].intersect(asked.ray, asked.shape, {});
@@ -83,7 +83,7 @@ Case<Shape> from_afar(Random& random, Real distance) {
     return asked;
 }
 
-/// An ordinary ray, with everything moved by so much.
+/// An ordinary ray, with everything moved by this distance.
 template <class Shape>
 Case<Shape> moved_away(Random& random, Real distance) {
     Case<Shape> asked;
@@ -126,7 +126,7 @@ void measure_decades(const char* name, const Shape& shape) {
 template <class Shape>
 void measure_grazing(const char* name, const Shape& shape) {
     Random random(3);
-    constexpr int first = sizeof(Real) == 8 ? -18 : -12;  // as far as the sweep goes
+    constexpr int first = sizeof(Real) == 8 ? -18 : -12;  // the sweep's extent
     constexpr int decades = -1 - first;
     std::vector<Panel<Shape>> panels(decades, Panel<Shape>(shape));
     for (int i = 0; i < decades * rays_of_a_decade; ++i) {

@@ -1,5 +1,5 @@
-// Draws every scene by the certified kernels, for measure_pictures: of each, the seconds, a double,
-// and the pixels, three bytes each.
+// Renders every scene with the certified kernels, for measure_pictures. Output for each: the
+// seconds, a double, and the pixels, three bytes each.
 #include "tests/measurements/accuracy/drawing.hpp"
 
 #include <cstdio>

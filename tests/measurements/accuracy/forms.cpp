@@ -1,5 +1,5 @@
-// Every form stands in a namespace of its own, so that one program has them all. What a form
-// includes is included here before: inside the namespace it would be another thing.
+// Every form is in a namespace of its own, so that one program can contain all of them. The
+// includes of a form are included before: inside the namespace they would declare different things.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/measurements/accuracy/certified.hpp"
 
@@ -21,8 +21,8 @@
 #include <array>
 #include <cmath>
 
-// A form brings its stage's other functions with it, and calls some of them: its own, and not the
-// program's, which would be as good a match.
+// A form defines its stage's other functions too, and calls some of them: its own, not the
+// program's, which would be an equally good match.
 #define barycentric own_barycentric
 #define square_uv own_square_uv
 

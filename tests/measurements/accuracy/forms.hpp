@@ -1,4 +1,4 @@
-// The same question put to many formulas: every way of meeting a shape that this repository has.
+// All forms of intersecting each shape in this repository, with one signature.
 #pragma once
 
 #include "common/ray.hpp"
@@ -10,7 +10,7 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A formula, and what plots and tables call it: without a comma.
+/// A formula, and its name in plots and tables, without a comma.
 template <class Shape>
 struct Form {
     const char* name;
@@ -22,8 +22,8 @@ struct Form {
 
 namespace rt {
 
-// Of a shape, any: the reference first, then the textbook's form, which costs are ratios to, then
-// the others.
+// For each shape: the reference first, then the textbook's form, the unit of costs, then the
+// others.
 
 [[nodiscard]] std::vector<Form<Sphere>> forms_of(const Sphere& shape);
 [[nodiscard]] std::vector<Form<Plane>> forms_of(const Plane& shape);

@@ -1,5 +1,5 @@
-// The nearest of 1 to 512 spheres, for rays among them: each asked, those whose balls the ray comes
-// near, and those in a hierarchy's boxes that it meets.
+// The closest of 1 to 512 spheres, for rays among them: in a plain list, in a list with bounding
+// spheres, and in a BVH.
 #include "common/bounds.hpp"
 #include "common/items.hpp"
 
@@ -28,7 +28,7 @@ std::vector<Sphere> drawn(Random& random, int count) {
     return spheres;
 }
 
-/// In nanoseconds a ray; `ask` makes the interval of a ray end at the nearest hit.
+/// In nanoseconds per ray; `ask` shortens the interval of a ray to the closest hit.
 template <class Ask>
 double time_of(const std::vector<Ray>& all, const Ask& ask) {
     const auto start = std::chrono::steady_clock::now();
@@ -44,7 +44,7 @@ double time_of(const std::vector<Ray>& all, const Ask& ask) {
     return taken.count() / double(all.size());
 }
 
-/// The times of a few turns, the median of which counts.
+/// The times of a few turns; the median counts.
 class Turns {
 public:
     void add(double time) { times_.push_back(time); }

@@ -1,5 +1,5 @@
-// One scene, moved away from 0, scaled, and with a gap between two surfaces that becomes smaller:
-// how many pixels float and double lose by it. What is drawn should not change at all.
+// One scene, moved away from 0, scaled, and with a shrinking gap between two surfaces: the number
+// of pixels that change in float and double. The exact picture does not change at all.
 #include "tests/measurements/accuracy/drawing.hpp"
 
 #include <unistd.h>
@@ -82,7 +82,7 @@ void print(const Change& change, const char* precision, const Drawing& drawing,
 
 int main() {
     const Drawing unchanged = picture_of({}, f64::drawn);
-    // So thin that it moves no edge of the picture, and nothing that is hard for double.
+    // So thin that it moves no edge of the picture, and easy for double.
     const Drawing thin = picture_of({.gap = 1e-9}, f64::drawn);
     constexpr double visible = 2e-5;
     std::puts("change,at,precision,error,most,other,seen");

@@ -1,5 +1,5 @@
-// The share of a light with a size that reaches a surface: how far off it is, and how long it
-// takes, for 1 to 1024 shadow rays that are spread in four ways. In stage 11's own scene.
+// The visible share of an area light: its error and its time, for 1 to 1024 shadow rays that are
+// spread by four methods. In stage 11's own scene.
 #include "common/nearest.hpp"
 #include "common/projection.hpp"
 #include "common/sampling.hpp"
@@ -22,13 +22,13 @@ namespace {
 constexpr Resolution size{.width = 80, .height = 60};
 constexpr int rays_for_truth = 8192;
 
-/// A surface that a light with a size may light.
+/// A surface that an area light may light.
 struct Lit {
     Surface surface;
     Light light;
-    Color color;  ///< what the light adds if all of it comes
+    Color color;  ///< the contribution of the whole light
     Pixel pixel;
-    Real truth = 0;  ///< the share that comes
+    Real truth = 0;  ///< the visible share
 };
 
 bool is_blocked(const Scene& scene, const ShadowRay& way) {
@@ -47,13 +47,13 @@ std::uint32_t seed_of(const Lit& lit, int number) {
     return sample_seed(lit.pixel, 1, std::uint32_t(number));
 }
 
-// The ways of spreading: each returns the rays it has sent. `rays` is their number; the adaptive
-// one sends up to 1024, until the colour is estimated to be off by less than 1 / rays.
+// The methods of spreading: each returns the rays that it sent. `rays` is their number; the
+// adaptive one sends up to 1024, until the estimated error of the color is below 1 / rays.
 
 ShadowRays independent(const Scene& scene, const Lit& lit, int rays) {
     ShadowRays sent;
     for (; sent.sent < rays;
-         ++sent.sent)  // of each sequence the first: one knows nothing of another
+         ++sent.sent)  // the first of each sequence: the sequences are independent
         sent.reached += reaches(scene, lit, spread_sample(0, seed_of(lit, sent.sent)));
     return sent;
 }

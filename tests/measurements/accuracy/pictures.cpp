@@ -11,8 +11,8 @@ namespace {
 
 constexpr Resolution size{.width = 240, .height = 180};
 
-/// What measure_exact_pictures, beside this program, draws next: its kernels have the names of the
-/// references.
+/// The next picture from measure_exact_pictures, a separate program: its kernels have the names of
+/// the references.
 Drawing certified(std::FILE* other) {
     Drawing drawing{.image = Image(size)};
     auto& pixels = drawing.image.pixels;

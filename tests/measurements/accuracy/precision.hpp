@@ -1,4 +1,4 @@
-// What a program of one precision writes in its lines.
+// The name of a program's precision in its output.
 #pragma once
 
 #include "common/real.hpp"
