@@ -1,8 +1,9 @@
-# Every link of a page leads to a file, and a name in backticks that leads to a header stands in it.
+# Every link of a page leads to a file, and every name in backticks with a link to a header is in
+# that header.
 #
 # cmake -DROOT=<project> -P docs_links.cmake
 
-# A list of CMake is cut by brackets and semicolons: these stand for them.
+# Brackets and semicolons split a CMake list, so they are replaced.
 string(ASCII 1 opening)
 string(ASCII 2 closing)
 

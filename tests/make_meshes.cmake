@@ -1,5 +1,5 @@
-# The meshes in MESHES are what the program MAKE_MESHES makes, byte for byte, and it refuses what it
-# does not know. FOLDER is for what it writes.
+# The meshes in MESHES equal the output of the program MAKE_MESHES, byte for byte, and the program
+# refuses unknown names. FOLDER is for its output.
 
 file(GLOB meshes ${MESHES}/*.off ${MESHES}/*.obj ${MESHES}/*.ply ${MESHES}/*.stl)
 foreach(mesh IN LISTS meshes)

@@ -1,6 +1,7 @@
 #!/bin/sh
-# matrix.sh [stage] [build folder]: runs every known mistake of a stage, or of all, and prints which
-# case of the stage's suite catches it in which precision. All must be built (RAYSTEPS_MISTAKES).
+# matrix.sh [stage] [build folder]: runs every known mistake of a stage, or of all, and prints the
+# case of the stage's suite that catches it, for each precision. All must be built
+# (RAYSTEPS_MISTAKES).
 set -u
 root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
 build=${2-$root/build}

@@ -1,7 +1,8 @@
 # cmake -DROOT=<project> -P may_include.cmake
 #
-# What steps/may_include.txt lets a graded file of a stage include is what the stage's page says, in
-# the paragraph "A graded file may include …"; each such header is there, and none is of a later stage.
+# The headers that steps/may_include.txt allows for a graded file of a stage are those in the
+# stage's page, in the paragraph "A graded file may include …"; each such header exists, and none
+# belongs to a later stage.
 cmake_minimum_required(VERSION 3.25)
 file(STRINGS ${ROOT}/steps/may_include.txt lines REGEX "^[^#]")
 file(GLOB folders RELATIVE ${ROOT}/steps ${ROOT}/steps/step*)

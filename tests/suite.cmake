@@ -1,7 +1,7 @@
 # raysteps_suite(<name> <source>...)
 #
-# The suite <name>_float and <name>_double: the sources, with Real as it is, in a program of one
-# precision, linked to the stages that STAGES names (chosen or _reference) and to what they need.
+# The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
+# each, linked to the stages in STAGES (chosen or _reference) and to their dependencies.
 function(raysteps_suite name)
     cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL" "STAGES;SOURCES")
     foreach(precision IN ITEMS f32 f64)
@@ -30,7 +30,7 @@ endfunction()
 
 # raysteps_stage_suite(<stage>)
 #
-# The suite of a stage, and the student's own tests: the chosen one, on the reference of all the
+# The suite of a stage, and the student's own tests: the chosen file, with the references of all
 # others.
 function(raysteps_stage_suite stage)
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
@@ -61,8 +61,8 @@ endfunction()
 
 # raysteps_starter(<stage> <other stages>...)
 #
-# <stage>_starter_test_float and _double: the stage's suite, linked to its starter, for
-# `./course audit`.
+# <stage>_starter_test_float and _double: the stage's suite, linked to its starter, for `./course
+# audit`.
 function(raysteps_starter stage)
     file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
     raysteps_compile_twice(${stage}_starter ${starter})
@@ -84,7 +84,7 @@ function(raysteps_alternative stage file)
     raysteps_compile_twice(${stage}_${alternative} ${file})
     raysteps_start_from_common(${stage}_${alternative})
     foreach(precision IN ITEMS f32 f64)
-        target_compile_options(${stage}_${alternative}_${precision} PRIVATE -w)  # of its renaming
+        target_compile_options(${stage}_${alternative}_${precision} PRIVATE -w)  # from its renaming
         set(word_f32 float)
         set(word_f64 double)
         set(word ${word_${precision}})
@@ -108,10 +108,11 @@ function(raysteps_mistake stage file)
     if(case STREQUAL "")
         message(FATAL_ERROR "${file} does not say \"// caught by: <test case>\"")
     endif()
-    string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")  # for Catch2, and no ";" for CMake
+    # escaped for Catch2, and no ";" for CMake
+    string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")
     raysteps_compile_twice(${stage}_${mistake} ${file})
     raysteps_start_from_common(${stage}_${mistake})
-    target_compile_options(${stage}_${mistake}_f32 PRIVATE -w)  # it is meant to be wrong
+    target_compile_options(${stage}_${mistake}_f32 PRIVATE -w)  # it is wrong on purpose
     target_compile_options(${stage}_${mistake}_f64 PRIVATE -w)
     foreach(precision IN ITEMS f32 f64)
         set(word_f32 float)
@@ -123,7 +124,7 @@ function(raysteps_mistake stage file)
         set_target_properties(${name} PROPERTIES
             RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mistakes)
         add_test(NAME ${name} COMMAND ${name} "${case}")
-        # By failing an assertion: a case that is not there, or a crash, is not what is meant.
+        # By failing an assertion: a missing case, or a crash, does not count.
         set_tests_properties(${name} PROPERTIES
             LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: +1 \\| 1 failed")
     endforeach()

@@ -1,7 +1,7 @@
 # cmake -D PROGRAM=… -D WRITTEN=… -D COMMITTED=… -P are_current.cmake
 #
-# Fails, and names the figures, unless PROGRAM writes just the *.svg that stand in COMMITTED. What it
-# writes stays in WRITTEN, to be looked at.
+# Fails, and names the figures, unless PROGRAM writes exactly the *.svg files in COMMITTED. Its
+# output stays in WRITTEN for inspection.
 
 file(REMOVE_RECURSE ${WRITTEN})
 execute_process(COMMAND ${PROGRAM} ${WRITTEN} COMMAND_ERROR_IS_FATAL ANY)

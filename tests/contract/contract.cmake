@@ -1,9 +1,9 @@
-# A stage's contract, asked from another process: workers that answer, and the suites linked to
-# stubs that ask. What has no precision in its name is of double.
+# A stage's contract, called in another process: the workers, and the suites linked to stubs that
+# call them. Targets without a precision in the name are in double.
 
 # raysteps_worker(<program> <folder> <precision> <stage>...)
 #
-# Answers with the objects of these stages.
+# A worker linked to the objects of these stages.
 function(raysteps_worker program folder precision)
     add_executable(${program})
     target_link_libraries(${program} PRIVATE
@@ -19,7 +19,7 @@ endfunction()
 #
 # <stage>_worker_float, _double      the chosen one
 # <stage>_reference_worker           the reference
-# <stage>_asked_test_float, _double  the suite, which asks a worker
+# <stage>_asked_test_float, _double  the suite with a worker
 function(raysteps_contract stage)
     raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_picture ${ARGN})
     foreach(precision IN ITEMS f32 f64)
@@ -39,7 +39,7 @@ function(raysteps_contract stage)
         foreach(other IN ITEMS ${stage}_picture ${ARGN})
             target_link_libraries(${program} PRIVATE ${other}_${precision})
         endforeach()
-        if(precision STREQUAL "f32")  # of which one precision is proof enough
+        if(precision STREQUAL "f32")  # tested in one precision only
             set_target_properties(${program} ${stage}_worker_${word} ${stage}_stubs_${precision}
                 PROPERTIES EXCLUDE_FROM_ALL ON)
             continue()
@@ -52,8 +52,8 @@ endfunction()
 
 # raysteps_recognition(<stage> <mistakes> <alternatives> <other stages>...)
 #
-# A worker of each known mistake and each other right answer; the test that the first are recognised
-# by the stage's probes.txt and the second are not; and the target <stage>_probes, which writes it.
+# A worker of each known mistake and each other right answer; the test that the stage's probes.txt
+# recognizes the former and not the latter; and the target <stage>_probes, which writes it.
 function(raysteps_recognition stage mistakes alternatives)
     set(folder ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
     set(words)

@@ -1,14 +1,14 @@
-// Submissions that mean no good, graded: none has more cases than it honestly earns, and none does
-// any harm. An attack says what it may have and what it tries:
+// Hostile submissions in a graded run: none gets more cases than it honestly earns, and none does
+// any harm. An attack's comment contains its limit and its description:
 //
 //   // attack: exits with status 0 before the first query
-//   // ceiling: as a stub             or the number of cases that it answers rightly
-//   // stage: step05_triangle         step03_sphere if it is not said
+//   // ceiling: as a stub             or the number of cases with right answers
+//   // stage: step05_triangle         default: step03_sphere
 //   // compiles: no                  or: perhaps
-//   // told: defines main             is in what the student is told
-//   // untold: root:                  is not
+//   // told: defines main             the student's message contains it
+//   // untold: root:                  the message does not contain it
 //
-// @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: who attacks may know
+// @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
 // them.
 #include "common/course/files.hpp"
 #include "common/course/grade/compile.hpp"

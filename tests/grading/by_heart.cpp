@@ -1,10 +1,10 @@
-// A worker that computes nothing: it looks the question up, by its bytes, in a table of questions
-// and right answers. What is not in the table, the starter answers. Pictures and the many points of
-// a light are left out: no file of 256 KiB has room for them.
+// A worker that computes nothing: it looks each query up, by its bytes, in a table of queries and
+// right answers. The starter answers queries that are not in the table. Pictures and batches of
+// light points are left out: a file of 256 KiB has no room for them.
 //
-// RAYSTEPS_TABLE    the table: questions and answers, each behind its size
-// RAYSTEPS_LEARNS   a worker that knows: its answers are written to the table, and given
-// RAYSTEPS_STARTER  a worker of the starter, where RAYSTEPS_LEARNS is not set
+// RAYSTEPS_TABLE    the table: queries and answers, each after its size
+// RAYSTEPS_LEARNS   a right worker: its answers are written to the table, and returned
+// RAYSTEPS_STARTER  a worker of the starter, if RAYSTEPS_LEARNS is not set
 #include "tests/contract/asking.hpp"
 #include "tests/contract/contracts.hpp"
 #include "tests/contract/frame.hpp"

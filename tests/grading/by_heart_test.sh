@@ -1,9 +1,9 @@
 #!/bin/sh
-# What the public answers are worth: by_heart_test.sh BUILD PROJECT STAGE…
+# The value of a table of public answers: by_heart_test.sh BUILD PROJECT STAGE…
 #
-# Of each stage, every question that its suite asks a student, with the right answer, goes into a table;
-# then a graded run, of a seed that nobody knows, asks who has nothing but the table. Of all the points he
-# may have a tenth, and of a stage a quarter.
+# For each stage, every query that its suite sends to a student's file is stored in a table, with
+# the right answer; then a graded run with an unknown seed tests a worker that has nothing but the
+# table. It may get a tenth of all points, and a quarter of a stage's.
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
 shift 2
@@ -19,7 +19,7 @@ fail() {
     failed=1
 }
 
-# points REPORT STAGE: "7 21". Nothing, if only what the starter passes.
+# points REPORT STAGE: "7 21". 0 points if only the starter's cases pass.
 points() {
     awk -v given="$project/steps/$2/starter/passes.txt" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
@@ -35,7 +35,7 @@ for stage in "$@"; do
     RAYSTEPS_WORKER=$build/by_heart RAYSTEPS_TABLE=$folder/$stage \
         RAYSTEPS_LEARNS=$build/${stage}_reference_worker \
         "$suite" > /dev/null || fail "$stage: the reference, while it is learned"
-    # So that it is the change that keeps him out, and not the table that is empty.
+    # Tests that the change keeps the table out, and that the table is not empty.
     ask() {
         env "$1" RAYSTEPS_WORKER="$build/by_heart" RAYSTEPS_TABLE="$folder/$stage" \
             RAYSTEPS_STARTER="$build/starters/${stage}_starter_worker" \

@@ -1,16 +1,16 @@
 #!/bin/sh
-# A class of a known quality, graded: class_test.sh BUILD PROJECT [STUDENTS [KILLS [STAGES]]]
+# The grading of a class with known results: class_test.sh BUILD PROJECT [STUDENTS [KILLS [STAGES]]]
 #
-# Right, untouched, mistaken, empty, uncompilable and hostile submissions, as folders and archives. The
-# grader is killed on its way; the grade book must then be the one that was known beforehand, and a
-# second run with the same seed must write the same marks, byte for byte. What a mistake is worth is
-# known from the same suites, asked without the grader and its seal.
+# Right, untouched, mistaken, empty, uncompilable and hostile submissions, as folders and archives.
+# The grader is killed during the run; the grade book must then equal the one known beforehand, and
+# a second run with the same seed must write the same marks, byte for byte. The points of a mistake
+# are those of the same suites, run without the grader and its sandbox.
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
 students=${3:-12}
 kills=${4:-3}
 only=${5:-}  # "step03_sphere step13_meshes"
-SOURCE_DATE_EPOCH=0  # the class report has its day
+SOURCE_DATE_EPOCH=0  # a fixed date for the class report
 export SOURCE_DATE_EPOCH
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -33,7 +33,7 @@ done
 listed=$(echo $stages | tr ' ' ,)
 file_of() { echo "${1#step??_}.cpp"; }
 
-# The n-th of some files, around and around.
+# The n-th of some files, cyclically.
 pick() {
     n=$1
     shift
@@ -41,7 +41,7 @@ pick() {
     echo "$1"
 }
 
-# A known mistake as a student would hand it in, who has nothing of ours to include but headers.
+# A known mistake as a student would submit it, without includes of the project other than headers.
 flattened() {
     awk -v project="$project" '
         /^#include "(steps\/.*\/reference|tests)\// {
@@ -52,7 +52,7 @@ flattened() {
         { print }' "$1"
 }
 
-# stage_points REPORT STAGE: what a suite's report is worth. Nothing, if only what the starter passes.
+# stage_points REPORT STAGE: the points of a suite's report. 0 if only the starter's cases pass.
 stage_points() {
     awk -v given="$project/steps/$2/starter/passes.txt" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
@@ -62,7 +62,7 @@ stage_points() {
         END { print own ? sum : 0 }' "$1"
 }
 
-# points_of WORKER STAGE: asked once, however many hand in what it is made of.
+# points_of WORKER STAGE: computed once, however many students submit the same.
 points_of() {
     report=$folder/reports/$(basename "$1")
     [ -e "$report" ] ||
@@ -71,7 +71,7 @@ points_of() {
     stage_points "$report" "$2"
 }
 
-# Attacks that may have no more than who wrote nothing.
+# Attacks that may get no more points than the starter.
 hostile=
 for attack in "$project"/tests/grading/attacks/*.cpp; do
     ! grep -q '^// ceiling: as a stub' "$attack" || grep -q '^// stage: ' "$attack" ||
@@ -103,7 +103,7 @@ submit() {
             broken) echo "int broken(" > "$file" ;;
             hostile) [ "$stage" != step03_sphere ] || cp "$(pick "$3" $hostile)" "$file" ;;
         esac
-        # Nobody's file is like another's, which would be judged once.
+        # Makes every file unique: identical files are graded once.
         [ ! -e "$file" ] || echo "// $1" >> "$file"
         line=$line,$points
         total=$((total + points))
@@ -122,14 +122,14 @@ while [ $number -lt "$students" ]; do
         0) submit "$name" right $number ;;
         1) submit "$name" untouched $number ;;
         2 | 3 | 4 | 5 | 8 | 9) submit "$name" mistaken $number ;;
-        6) submit "$name" empty 0 ;; # an archive of nothing is none
+        6) submit "$name" empty 0 ;; # an archive without files is empty
         7) submit "$name" broken $number ;;
         *) submit "$name" hostile $number ;;
     esac
     number=$((number + 1))
 done
 
-# What this shell's children have used, in seconds: $used.
+# The processor time of this shell's children, in seconds: $used.
 look_at_times() {
     times > "$folder/times"
     used=$(awk -F '[ms ]' 'END { printf "%d", $1 * 60 + $2 + $4 * 60 + $5 }' "$folder/times")
@@ -137,7 +137,7 @@ look_at_times() {
 
 grade() { "$build/grade" "$class" --out "$1" --seed-file "$seed" --stages "$listed" > "$folder/log" 2>&1; }
 
-# A third while the references are judged, the others soon after that.
+# A third while the references are graded, the others soon after that.
 while [ "$kills" -gt 0 ]; do
     kills=$((kills - 1))
     : > "$folder/log"
@@ -166,12 +166,12 @@ while read -r file; do
 done < "$folder/files"
 echo "$(wc -l < "$folder/files") files are the same again"
 
-# Told to stop, it does so within 2 s, and leaves nothing in the temporary folder.
+# After a signal, the grader ends within 2 s, and leaves nothing in the temporary folder.
 mkdir "$folder/tmp"
-chmod 711 "$folder"  # who compiles is nobody, and has to get there
+chmod 711 "$folder"  # the compiler runs as an unprivileged user, and must be able to enter it
 for signal in INT TERM; do
     : > "$folder/log"
-    # With its own handler: what a shell starts in the background ignores SIGINT otherwise.
+    # With its own handler: a background process of a shell ignores SIGINT otherwise.
     TMPDIR=$folder/tmp "$build/grade" "$class" --out "$folder/stopped_$signal" --seed-file "$seed" --stages "$listed" \
         > "$folder/log" 2>&1 &
     grader=$!
@@ -184,7 +184,7 @@ for signal in INT TERM; do
     [ -z "$(ls "$folder/tmp")" ] || fail "$signal leaves $(ls "$folder/tmp")"
 done
 
-# Where it is the grader that fails, one has a line that says so, and the next is graded.
+# If the grader itself fails for one student, the reason is reported, and the next one is graded.
 file=$(file_of "${stages##* }")
 mkdir -p "$folder/hindered/students/s000/submitted/$file/in_the_way"
 "$build/grade" "$class" --out "$folder/hindered" --seed-file "$seed" --stages "$listed" --student s000 \

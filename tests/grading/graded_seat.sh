@@ -1,11 +1,13 @@
 #!/bin/sh
-# graded_seat.sh OUT LIST COMPILER NM OBJCOPY PART... -- OWN... -- CALLABLE... -- ABSENT... -- OTHER...
+# graded_seat.sh OUT LIST COMPILER NM OBJCOPY PART... -- OWN... -- CALLABLE... -- ABSENT... --
+# OTHER...
 #
-# All of a stage's worker but the graded file, as one object OUT, in which that file finds `main` and
-# the functions of the parts called CALLABLE, todo.cpp.o for example, and nothing else: every other
-# function is local. So whatever the file defines replaces nothing of ours either. The functions of the
-# objects ABSENT, of later stages, which nothing calls, are at address 0. LIST says which functions of
-# the contracts are the stage's own (those of the objects OWN), callable, or another stage's.
+# Everything in a stage's worker but the graded file, as one object OUT, in which that file finds
+# `main` and the functions of the parts called CALLABLE, such as todo.cpp.o, and nothing else: every
+# other function is local. So a definition in the file replaces no function of the project. The
+# functions of the objects ABSENT, of later stages, which nothing calls, are at address 0. LIST
+# contains the functions of the contracts, each marked as the stage's own (those of the objects
+# OWN), callable, or another stage's.
 set -eu
 out=$1 list=$2 compiler=$3 nm=$4 objcopy=$5
 shift 5
@@ -26,7 +28,7 @@ done
 sed 's|.*|/&$|' "$work/callable" > "$work/endings"
 grep -f "$work/endings" "$work/parts" > "$work/callable"
 
-# The functions that the objects of a kind define for others.
+# The functions that the objects of a kind export.
 functions() {
     while read -r object; do "$nm" -g -P --defined-only "$object"; done < "$work/$1" |
         awk '$2 == "T" { print $1 }'
@@ -36,7 +38,7 @@ functions() {
 functions absent | sed 's/.*/--defsym=&=0/' > "$work/defined"
 "$compiler" -r -nostdlib -Wl,--force-group-allocation -Wl,@"$work/defined" -o "$work/all.o" \
     @"$work/parts"
-# What a compiler made unique in the program cannot be made local, but be called otherwise.
+# Symbols that the compiler made unique in the program cannot be made local, but can be renamed.
 "$nm" -P "$work/all.o" | awk '$2 == "u" { print $1, "raysteps_seat_" $1 }' > "$work/renamed"
 "$objcopy" --redefine-syms="$work/renamed" --keep-global-symbols="$work/kept" "$work/all.o" \
     "$work/graded.o"

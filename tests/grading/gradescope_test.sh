@@ -1,5 +1,6 @@
 #!/bin/sh
-# What Gradescope runs, with stand-ins for the grader and for an image's tools: gradescope_test.sh GRADE
+# The autograder for Gradescope, with stubs for the grader and for an image's tools:
+# gradescope_test.sh GRADE
 grade=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -27,7 +28,7 @@ for script in "$run" "$setup"; do
     ! command -v shellcheck > /dev/null || shellcheck -e SC2086 "$script" || fail "shellcheck $script"
 done
 
-# The grader, replaced: results.json is there whatever it does.
+# With a stub for the grader: results.json exists whatever it does.
 mkdir -p "$root/source/raysteps/build"
 stand_in() { printf '#!/bin/sh\n%s\n' "$1" > "$root/source/raysteps/build/grade"; }
 says() {
@@ -54,7 +55,7 @@ autograder
 rm "$root/source/raysteps/build/grade"
 autograder
 says 'The autograder itself failed.'
-# Stopped from outside, it answers at once.
+# After a signal from outside, it ends immediately.
 stand_in 'sleep 30'
 chmod +x "$root/source/raysteps/build/grade"
 AUTOGRADER=$root "$run" > out 2>&1 &
@@ -64,7 +65,7 @@ kill -TERM $runner
 wait $runner
 says 'The autograder itself failed.'
 
-# An image with an old CMake and an old g++: newer ones are fetched, and used.
+# On an image with an old CMake and an old g++, newer ones are fetched and used.
 tool() {
     printf '#!/bin/sh\n%s\n' "$2" > "$folder/bin/$1"
     chmod +x "$folder/bin/$1"

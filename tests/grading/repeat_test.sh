@@ -1,9 +1,9 @@
 #!/bin/sh
 # Two runs give the same bytes: repeat_test.sh BUILD PROJECT
 #
-# Files whose compile, link or answers a tool or a run might tell in its own way, graded twice: into
-# folders of different names, with temporary files elsewhere, on one thread and on several. All that is
-# written must be the same, and name no folder of either run.
+# Files whose compile, link or answers might differ between tools or runs, graded twice: into
+# folders of different names, with temporary files elsewhere, on one thread and on several. All
+# output must be the same, and contain no folder of either run.
 set -eu
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)

@@ -41,7 +41,7 @@ struct Ground {
         fs::permissions(folder, fs::perms(0755));
         fs::copy_file(RAYSTEPS_SEALED, folder / "sealed");
         fs::copy_file(RAYSTEPS_ATTACKER, folder / "attacker");
-        fs::copy_file(RAYSTEPS_ATTACKER, folder / "launcher");  // no attack, when they are counted
+        fs::copy_file(RAYSTEPS_ATTACKER, folder / "launcher");  // not counted as an attack
         fs::create_directory(folder / "scratch");
         fs::permissions(folder / "scratch", fs::perms(0777));
         std::ofstream(folder / "secret") << "expected values";
@@ -52,15 +52,15 @@ struct Ground {
     const fs::path& folder = temporary.path();
 };
 
-/// One who attacks: the same person as the grader, or an ordinary user; where the kernel has
-/// namespaces for him, and where it has none.
+/// An attacking user: the grader's own, or an ordinary one; with and without namespaces in the
+/// kernel.
 struct Who {
     std::string name;
     Words before;
 };
 
-/// A user who has no other processes: the limit on processes counts all that a user has, those of
-/// a test beside this one too.
+/// A user without other processes: the limit on processes counts all of a user's, also those of
+/// another test.
 const uid_t ordinary_user = 50000 + uid_t(getpid()) % 10000;
 
 bool is_ordinary(const Who& who) {
@@ -111,7 +111,7 @@ int processes_of(const fs::path& program) {
     return count;
 }
 
-/// What the function returns in a process to which the kernel refuses this system call, and
+/// The function's result in a process to which the kernel refuses this system call, and
 /// prctl(PR_SET_SECCOMP) with seccomp.
 template <class Function>
 int without(long call, int error, Function function) {

@@ -1,21 +1,21 @@
 # raysteps_seat(<stage>)
 #
-# What a graded worker of the stage is linked from, besides the student's own file, in double:
+# The link kit of a graded worker of the stage, for the student's own file, in double:
 #
-# seats/<stage>.o             all of it but the thirteen stages' own files, as one object
-# seats/references/<stage>.o  the stage's reference, for who is graded on another
-# seats/graded/<stage>.o      both of these for the file that is graded, of all other stages, with
-#                             nothing to be called but what steps/may_include.txt lists
-# seats/graded/<stage>.txt    the functions of all contracts, and what they are to that file
-# seats/<stage>.txt           how a file of the stage is compiled, and all of it linked: an option a
-#                             line
+# seats/<stage>.o             everything but the thirteen stages' own files, as one object
+# seats/references/<stage>.o  the stage's reference, for grading another stage
+# seats/graded/<stage>.o      both of these for the graded file, with all other stages; the file can
+#                             call only the functions in steps/may_include.txt
+# seats/graded/<stage>.txt    the functions of all contracts, and their status for that file
+# seats/<stage>.txt           the options for compiling a file of the stage, and for linking all of
+#                             it: one option per line
 #
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
     set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_neutral)
     set(objects $<TARGET_PROPERTY:${stage}_picture_f64,INTERFACE_SOURCES>)
-    # A worker gets its meshes with the questions, and reads no file.
+    # A worker gets its meshes with the queries, and reads no file.
     set(objects "$<FILTER:${objects},EXCLUDE,raysteps_meshes_f64|raysteps_without_meshes_f64>")
     list(APPEND objects $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
     foreach(part IN LISTS parts)
@@ -42,7 +42,7 @@ function(raysteps_seat stage)
         "compile -std=c++20" "compile -O2"
         "compile $<JOIN:$<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>,\ncompile >"
         "compile ${few_errors}"
-        "compile -w"  # they are told to who writes the file, not to who grades it
+        "compile -w"  # warnings are for the author of the file, not for the grader
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
         "link -static"
@@ -54,7 +54,7 @@ endfunction()
 
 # raysteps_may_include(<stage>)
 #
-# Sets may_include to what a graded file of the stage may include beside its own header.
+# Sets may_include to the headers that a graded file of the stage may include beside its own.
 function(raysteps_may_include stage)
     set(list ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
@@ -65,8 +65,8 @@ endfunction()
 
 # raysteps_graded_seat(<stage> <objects> <headers>)
 #
-# seats/graded/<stage>.o and .txt, of the seat's objects and all other stages' references. The object
-# of a header's functions, if there is one, has its name: that of common/todo.hpp is a todo.cpp.o.
+# seats/graded/<stage>.o and .txt, from the seat's objects and all other stages' references. The
+# object with a header's functions, if there is one, has its name: todo.cpp.o for common/todo.hpp.
 function(raysteps_graded_seat stage objects headers)
     set(callable)
     foreach(header IN LISTS headers)
@@ -103,7 +103,7 @@ endfunction()
 
 # raysteps_one_object(<file> <objects>)
 function(raysteps_one_object file objects)
-    set(objects "$<FILTER:${objects},EXCLUDE,cmake_pch>")  # which CMake counts as one
+    set(objects "$<FILTER:${objects},EXCLUDE,cmake_pch>")  # for CMake a single object
     get_filename_component(folder ${file} DIRECTORY)
     add_custom_command(OUTPUT ${file}
         COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}

@@ -1,15 +1,16 @@
 #!/bin/sh
 # A class, graded by Slurm: slurm_test.sh BUILD PROJECT
 #
-# Starts a cluster of one node on this machine and grades a class of two stages there, in four tasks,
-# by the scripts that `./course grade --for slurm` writes. One task is cancelled on its way, and run
-# again alone; another is requeued. The results must be those of a run without Slurm, byte for byte.
-# Not among the tests of a build, as it wants Debian's slurm-wlm and munge:
+# Starts a cluster of one node on this machine and grades a class of two stages there, in four
+# tasks, by the scripts that `./course grade --for slurm` writes. One task is cancelled while it
+# runs, and run again alone; another is requeued. The results must equal those of a run without
+# Slurm, byte for byte. It is not among the tests of a build, since it needs Debian's slurm-wlm and
+# munge:
 #
 #     apt-get install --no-install-recommends slurm-wlm munge
 #     ./course grade --help && sh tests/grading/slurm_test.sh build .
 #
-# Whatever the cluster writes is in one temporary folder, and its three daemons end with this script.
+# All files of the cluster are in one temporary folder, and its three daemons end with this script.
 set -eu
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
@@ -72,18 +73,18 @@ SlurmctldPidFile=$folder/slurmctld.pid
 SlurmdPidFile=$folder/slurmd.pid
 SlurmctldLogFile=$folder/slurmctld.log
 SlurmdLogFile=$folder/slurmd.log
-# Of a machine without systemd, control groups and a database:
+# For a machine without systemd, control groups and a database:
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SwitchType=switch/none
 MpiDefault=none
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
-# Two tasks of two processors at a time, however many there are, and whatever memory they ask for:
+# Two tasks of two processors at a time, for any number of processors and any requested memory:
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SlurmdParameters=config_overrides
-# Not once a minute, which is the default:
+# More often than the default of once a minute:
 SchedulerParameters=sched_interval=1,bf_interval=1
 KillWait=5
 ReturnToService=2
@@ -108,7 +109,8 @@ done
 for student in cem dee gus hal ida; do cp "$class"/ann/*.cpp "$class/$student"; done
 sed -i 's/if (interval.contains(far)) return far;//' "$class/cem/sphere.cpp"
 echo 'int broken(' > "$class/dee/sphere.cpp"
-for student in ann cem dee gus hal ida; do # nobody's file is like another's, which is judged once
+# makes every file unique: identical files are graded once
+for student in ann cem dee gus hal ida; do
     for file in "$class/$student"/*.cpp; do echo "// $student" >> "$file"; done
 done
 (cd "$class/hal" && cmake -E tar czf ../fay.tar.gz -- *)
@@ -117,7 +119,7 @@ done
 "$build/grade" "$class" --out "$folder/local" --stages $stages > "$folder/log" 2>&1 ||
     { cat "$folder/log"; fail "graded without Slurm"; exit 1; }
 mkdir "$folder/results"
-cp "$folder/local/seed.txt" "$folder/results" # the same questions
+cp "$folder/local/seed.txt" "$folder/results" # the same inputs
 
 # ---- Graded by the cluster ----
 submit() { # OPTION...: $job and $report are its numbers
@@ -140,13 +142,14 @@ for task in 2 3 4; do is_in "${job}_$task" COMPLETED || fail "task $task is $(st
 is_in "$report" CANCELLED || fail "the reports of a part of a class: $(state "$report")"
 [ ! -e "$folder/results/grades.csv" ] || fail "a grade book of a part of a class"
 
-# The lost task alone, requeued on its way: that makes it wait for two minutes, if nobody minds.
+# The lost task alone, requeued while it runs: by default that delays it by two minutes.
 submit --tasks 1 --stages $stages
 until_true 300 judges "${job}_1" || fail "task 1 does not start alone: $(state "${job}_1")"
 scontrol requeue "${job}_1"
 until_true 60 is_in "${job}_1" PENDING || fail "task 1 was not requeued: $(state "${job}_1")"
 is_over() { ! pgrep -f -- "--out $folder/results .*--part 1/4" > /dev/null; }
-until_true 60 is_over || fail "what was requeued goes on" # else it is started beside itself
+# otherwise it would be started twice at the same time
+until_true 60 is_over || fail "what was requeued goes on"
 until_true 60 scontrol update JobId="${job}_1" StartTime=now || fail "StartTime"
 wait_for_all
 is_in "$report" COMPLETED || fail "no reports: $(state "$report")"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# kernel_costs.sh BUILD: nanoseconds of one intersection test, by three kinds of kernels in turn; the
-# median of seven, and times the textbook's.
+# kernel_costs.sh BUILD: nanoseconds of one intersection test, by three kinds of kernels in turn;
+# the median of seven, and the ratio to the textbook's.
 build=$1
 for round in 1 2 3 4 5 6 7; do
     for kernels in textbook references exact; do

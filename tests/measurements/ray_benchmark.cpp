@@ -1,9 +1,10 @@
-// Rays a second through a packed mesh in both precisions, and in the same run through Embree.
+// Rays per second through a packed mesh in both precisions, and in the same run through Embree.
 //
 //     ninja ray_benchmark && ./ray_benchmark
 //
-// Every engine takes every kind of ray several times, in a random order of turns, so that what else
-// the machine does falls on all alike. The table at the end gives medians, and ratios to Embree.
+// Every engine traces every kind of ray several times, in a random order of turns, so that other
+// load on the machine affects all alike. The table at the end contains medians, and ratios to
+// Embree.
 #include "tests/measurements/engines.hpp"
 
 #include <benchmark/benchmark.h>

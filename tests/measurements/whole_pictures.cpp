@@ -3,9 +3,9 @@
 //     make_peer_scenes FOLDER
 //     whole_pictures FOLDER [ROUNDS [SCENE...]]
 //
-// The three run in turn, so that a machine that others use as well is as busy for one as for
-// another: read the ratios. A peer's tracing is its CPU time less that of the same scene at 16 ×
-// 12, which has all of the reading and building; its picture goes nowhere. Ours is timed inside.
+// The three run in turn, so that other load on the machine affects all alike: read the ratios. A
+// peer's tracing time is its CPU time minus that of the same scene at 16 × 12, which contains all
+// of the reading and building; its picture is discarded. Raysteps' is measured inside the program.
 #include "common/mesh_loading.hpp"
 #include "common/render.hpp"
 #include "common/scene_reader.hpp"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # A student's way through stage 3, from the starter on: course_test.sh PROJECT_FOLDER
 #
-# In a copy of the project, since the student's files stand among the sources; what is needed of it is
-# built there once more, so that this is a part of .ci/run, and not of `./course test`.
+# It runs in a copy of the project, since the student's files are among the sources; the needed
+# parts are built there again, so that this is a part of .ci/run, and not of `./course test`.
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -19,7 +19,7 @@ fail() {
     failed=1
 }
 
-# course STATUS WORDS…: runs it; what it says is in the file out.
+# course STATUS WORDS…: runs it; its output is in the file out.
 course() {
     expected=$1
     shift
@@ -62,8 +62,8 @@ echo >> $mine
 course 0
 says "changed since it passed"
 
-# What a graded file may not include: it passes here, with a warning. What it may: its own header's
-# headers. A comment includes nothing.
+# A forbidden include in a graded file: it passes here, with a warning. An allowed one: the headers
+# of its own header. A comment includes nothing.
 echo "// of mine" > $stage/student/helpers.hpp
 {
     printf '#include "%s"\n' common/./ray.hpp common/scene.hpp helpers.hpp ../sphere.hpp
@@ -81,7 +81,7 @@ rm $stage/student/helpers.hpp
 cp $stage/reference/sphere.cpp $mine
 echo >> $mine
 
-# A syntax error: the compiler's words at the student's own line, and nothing else.
+# A syntax error: the compiler's message at the student's own line, and nothing else.
 printf 'int broken(\n' >> $mine
 lines=$(wc -l < $mine)
 course 1 check 3
@@ -94,7 +94,7 @@ says "--reference 3"
 course 0 run 4 --reference 3 -o picture.png
 [ -s picture.png ] || fail "a picture without that stage"
 
-# Something missing, something twice: the linker's words, made readable.
+# A missing and a duplicate symbol: the linker's message, made readable.
 sed 's/^Vec3 normal(/Vec3 normal_of(/' $stage/reference/sphere.cpp > $mine
 course 1 check 3
 says "nothing defines rt::normal("
@@ -102,7 +102,7 @@ sed 's/^}  \/\/ namespace rt$/float drawn_twice() { return 1; }\n&/' $stage/refe
 course 1 check 3
 says "anonymous namespace"
 
-# A wrong answer: the case, the question, the line to paste, and the pixels.
+# A wrong answer: the case, the call, the line to paste, and the pixels.
 cp tests/mistakes/step03_sphere/near_root_only.cpp $mine
 course 1 check 3
 says "inside"
@@ -119,7 +119,7 @@ course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
 
-# Nobody is there to read it; a file of somebody's where the picture would go.
+# The output cannot be written; a foreign file has the picture's name.
 ./course > /dev/full 2> out
 [ $? = 2 ] || fail "a full disk is told by the status"
 says "the standard output cannot be written"
@@ -128,7 +128,7 @@ course 2 compare 3
 cmp -s README.md renders/step03_sphere_compare.png || fail "what is no picture stays"
 rm renders/step03_sphere_compare.png
 
-# A crash, a loop.
+# A crash, an endless loop.
 printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s\n%s\n}\n' $stage \
     'std::optional<Real> intersect(const Ray&, const Sphere&, Interval) { std::raise(SIGSEGV); return {}; }' \
     'Vec3 normal(const Sphere&, Vec3 point) { return point; }' \
@@ -170,7 +170,7 @@ cp watched out
 says "cases pass, in float and double"
 says "error: "
 
-# Nothing is lost: not by a new start, not by a full disk. What is beside it is the student's too.
+# Nothing is lost: not by a new start, not by a full disk. Files beside it are the student's too.
 cp $mine kept
 mkdir $stage/student_new
 echo "mine" > $stage/student_new/notes.txt

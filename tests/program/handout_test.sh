@@ -1,8 +1,8 @@
 #!/bin/sh
-# What students get, and a newer one in its place: handout_test.sh PROJECT_FOLDER
+# A hand-out, and an update to a newer one: handout_test.sh PROJECT_FOLDER
 #
-# The hand-out is built as a student builds it, which takes two minutes: to be run by hand, before
-# one is made; it is no part of `./course test` nor of .ci/run.
+# The hand-out is built in the same way as by a student, which takes two minutes: run it by hand
+# before a hand-out is made; it is not a part of `./course test` nor of .ci/run.
 project=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -16,7 +16,7 @@ fail() {
     failed=1
 }
 
-# course STATUS WORDS…: runs the student's; what it says is in the file out.
+# course STATUS WORDS…: runs the student's; its output is in the file out.
 course() {
     expected=$1
     shift
@@ -27,8 +27,8 @@ course() {
 
 says() { grep -qF -- "$1" "$folder/out" || fail "it says \"$1\""; }
 
-# sealed FILE…: no hand-out has a quarter of the lines of any of them that are its own: long, and
-# inside of a function.
+# sealed FILE…: no hand-out contains a quarter of the characteristic lines of any of them: long
+# lines inside of a function.
 sealed() {
     for file in "$@"; do
         grep -E '^    ' "$file" | grep -E '^.{44,}' | sort -u > lines
@@ -86,8 +86,8 @@ course 2 handout ../another
 course 2 audit
 cd ..
 
-# An update: a reference, a page of another stage, something new, something gone. The manifest is a
-# title and what cksum prints.
+# An update: a reference, a page of another stage, a new file, a removed file. The manifest is a
+# title and the output of cksum.
 seal() {
     (cd "$1" && title=$(head -n 1 steps/handout.txt) && rm steps/handout.txt &&
         { echo "$title" && find . -type f | sed 's#^\./##' | LC_ALL=C sort | xargs cksum; } \
@@ -143,8 +143,8 @@ course 0 check 3
 course 0 update ../old.tar.gz
 says "new      scenes/one_sphere.rt"
 
-# Interrupted at any moment, it can be run again: here with 300 files to bring. What was there is
-# put back each time with its time, so that nothing is built twice.
+# After an interruption at any moment, it can be run again: here with 300 files to copy. The old
+# files are restored each time with their times, so that nothing is built twice.
 cp -r ../old ../many
 find ../many -name '*.md' -o -name '*.hpp' -o -name '*.svg' | while read -r file; do
     echo >> "$file"
@@ -171,7 +171,7 @@ for seconds in 0 0.02 0.05 0.1 0.15 0.2 0.3 0.4; do
 done
 [ $halves -gt 2 ] || fail "some of these were half-way: $halves"
 
-# What is half-way need not build: the program that began goes on.
+# A half-updated project need not build: the program that started the update completes it.
 echo "int broken(" >> common/course/update.cpp
 sed -i '1s/.*/Raysteps, half updated: run .\/course update again/' steps/handout.txt
 course 2 check 3
@@ -180,7 +180,7 @@ course 0 update ../old
 cmp -s ../old/common/course/update.cpp common/course/update.cpp || fail "it is mended"
 course 0 check 3
 
-# Where the references do not fit, that is what is said.
+# If the references cannot be linked, the error message is about that.
 cmake -S . -B other -G Ninja -DCMAKE_CXX_FLAGS=-D_GLIBCXX_USE_CXX11_ABI=0 > ../out 2>&1 &&
     fail "another library is refused"
 says "The references of this hand-out are built for"

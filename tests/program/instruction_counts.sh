@@ -1,11 +1,11 @@
 #!/bin/sh
-# What a scene does not require costs nothing: instruction_counts.sh BUILD_FOLDER PROJECT_FOLDER
+# Features that a scene does not use cost nothing: instruction_counts.sh BUILD_FOLDER PROJECT_FOLDER
 #
-# The same scene is drawn by a stage that has all it requires and by those after it, which know
-# more: lights with a size, mirrors, meshes. The instructions that the processor executes for the
-# picture may differ by 1 %. What a program does before its first pixel, reading its own options, is
-# taken off: it is what a picture of one pixel costs.
-# Needs valgrind; 77 says that it is not there.
+# The same scene is rendered by the first stage with all its features and by later stages, with more
+# features: area lights, mirrors, meshes. The number of executed instructions for the picture may
+# differ by 1 %. The instructions before the first pixel, such as for reading the options, are
+# subtracted: they are those for a picture of one pixel.
+# Needs valgrind; status 77 if it is not installed.
 build=$1
 scenes=$2/scenes
 if ! valgrind --version > /dev/null 2>&1; then
@@ -17,14 +17,14 @@ trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
 failed=0
 
-# instructions STAGE SCENE PRECISION SIZE: how many a picture takes; nothing if it is not made.
+# instructions STAGE SCENE PRECISION SIZE: the number for a picture; nothing if there is no picture.
 instructions() {
     valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/$1" "$scenes/$2.rt" \
         --precision "$3" --size "$4" --threads 1 --quiet -o picture.png > out 2>&1 &&
         sed -n 's/^==[0-9]*== Collected : *\([0-9]*\)$/\1/p' out
 }
 
-# same_cost SCENE STAGE…: each stage that is built with the first, in both precisions.
+# same_cost SCENE STAGE…: every built stage against the first, in both precisions.
 same_cost() {
     scene=$1
     shift
@@ -54,7 +54,7 @@ same_cost() {
 }
 
 printf '%-20s %-7s %-20s %s\n' scene numbers stage instructions
-same_cost step09_phong step10_shadows step11_soft_shadows step12_mirror  # no size, no mirror
+same_cost step09_phong step10_shadows step11_soft_shadows step12_mirror  # no area light, no mirror
 same_cost step09_phong step12_mirror step13_meshes                       # no mesh
 same_cost step10_shadows step10_shadows step11_soft_shadows step12_mirror
 same_cost step10_shadows step12_mirror step13_meshes

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Where pictures go, and where they do not: output_test.sh BUILD_FOLDER PROJECT_FOLDER
+# Destinations of pictures, allowed and refused: output_test.sh BUILD_FOLDER PROJECT_FOLDER
 build=$1
 project=$2
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ fail() {
     failed=1
 }
 
-# picture_of SIZE FILE: whether it is a PNG of this size, "width height" in hexadecimal.
+# picture_of SIZE FILE: true for a PNG of this size, "width height" in hexadecimal.
 picture_of() {
     [ "$(od -An -tx1 -N24 "$2" | tr -d ' \n')" = "89504e470d0a1a0a0000000d49484452$1" ]
 }
@@ -39,7 +39,7 @@ mkdir gone && cd gone && rmdir ../gone
 "$build/step03_sphere" --pixel 0,0 > "$folder/out" 2> "$folder/err" || fail "from a folder that is gone"
 cd "$folder" || exit 1
 
-# -o makes its folders. The last of two counts, and of two sizes.
+# -o creates the folders. The last of two -o counts, and of two sizes.
 "$build/step03_sphere" own.rt -o a.png -o "new/très bon/a b.png" --size 1x1 --size 3x2 > out 2> err
 picture_of 0000000300000002 "new/très bon/a b.png" || fail "-o makes folders"
 [ ! -e a.png ] || fail "the last -o counts"
@@ -49,7 +49,7 @@ for precision in float double; do
     picture_of 0000000300000002 $precision.png || fail "$precision makes a picture"
 done
 
-# What is no place for a picture is refused, before the work and without harm.
+# An invalid destination is refused, before the work and without harm.
 refused "a folder" new
 refused "a folder's name" other/
 refused "a file for a folder" own.rt/a.png
@@ -60,7 +60,7 @@ refused "the scene itself" ./own.rt
 refused "the scene by another name" linked.rt
 cmp -s own.rt "$project/scenes/one_sphere.rt" || fail "the scene is as it was"
 
-# A disk that is full, or as good as: the picture from before stays.
+# On a full disk, or at a size limit, the old picture stays.
 "$build/step03_sphere" own.rt -o old.png --size 8x6 --quiet
 cp old.png kept.png
 (
@@ -72,7 +72,7 @@ cp old.png kept.png
 cmp -s old.png kept.png || fail "no room for the picture: the old one stays"
 [ -z "$(find . -name '*.part')" ] || fail "no room for the picture: no part of it is left"
 (
-    ulimit -f 1  # which kills who does not ask otherwise
+    ulimit -f 1  # by default the signal kills the program
     "$build/step03_sphere" own.rt -o old.png --size 640x480 2> err > /dev/null
     [ $? = 2 ]
 ) || fail "a limit for files: the status is 2"
@@ -80,7 +80,7 @@ grep -q '^old.png: error: ' err || fail "a limit for files: it is told"
 cmp -s old.png kept.png || fail "a limit for files: the old picture stays"
 [ -z "$(find . -name '*.part')" ] || fail "a limit for files: no part of a picture is left"
 
-# What is printed arrives, or the status says that it has not.
+# Output that cannot be written changes the exit status.
 unheard() {
     "$build/step03_sphere" own.rt --size 64x48 "$@" > /dev/full 2> err
     [ $? = 2 ] || fail "$*: nobody heard it, and the status is 2"
@@ -96,13 +96,13 @@ fi
 "$build/step03_sphere" own.rt --pixel 0,0 >&- 2> err
 [ $? = 2 ] && [ -s err ] || fail "nobody is there to hear it"
 
-# A name that is empty is none.
+# An empty name is an error.
 "$build/step03_sphere" own.rt --size 64x48 -o "" > out 2> err
 [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] || fail "an output of an empty name"
 "$build/step03_sphere" "" -o nothing.png > out 2> err
 [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] && [ ! -e nothing.png ] || fail "a scene of an empty name"
 
-# What is not a picture's stays: sources, scenes, meshes, by whatever name.
+# Files other than pictures stay: sources, scenes, meshes, with any name.
 echo 'int main() {}' > triangle.cpp
 cp own.rt other.rt
 ln own.rt hard.rt
@@ -116,7 +116,7 @@ done
 "$build/step03_sphere" own.rt -o empty.png --size 3x2 --quiet || fail "an empty file is a place"
 picture_of 0000000300000002 empty.png || fail "an empty file becomes a picture"
 
-# Neighbours stay, a scene of that name and a link too.
+# Neighboring files stay, also a scene with that name and a link.
 cp own.rt neighbour.png.part
 cp own.rt precious
 ln -s precious linked.png.part
@@ -124,7 +124,7 @@ ln -s precious linked.png.part
 "$build/step03_sphere" own.rt -o linked.png --size 3x2 --quiet || fail "a link beside it"
 cmp -s own.rt neighbour.png.part && cmp -s own.rt precious || fail "neighbours are as they were"
 
-# Where nobody may write, nothing is written; a picture that is protected stays.
+# Without permission nothing is written; a write-protected picture stays.
 if [ "$(id -u)" != 0 ]; then
     mkdir locked
     chmod a-w locked old.png
@@ -161,7 +161,7 @@ if [ -x "$build/step13_meshes" ]; then
         [ $? = 2 ] && [ "$(wc -l < err)" = 1 ] || fail "a mesh of the scene: $file"
     done
     cmp -s meshes/cube.off "$project/scenes/meshes/cube.off" || fail "a mesh is as it was"
-    # A binary STL may begin as a PNG does: 80 bytes of anything, a number, one triangle.
+    # A binary STL may start like a PNG: 80 arbitrary bytes, a number, one triangle.
     { printf '\211PNG\r\n\032\n'; head -c 72 /dev/zero; printf '\001\000\000\000'; head -c 24 /dev/zero
         printf '\000\000\200\077'; head -c 12 /dev/zero; printf '\000\000\200\077'; head -c 6 /dev/zero; } > png.stl
     sed 's#meshes/cube.off#png.stl#' mesh.rt > stl.rt
@@ -170,7 +170,7 @@ if [ -x "$build/step13_meshes" ]; then
     [ $? = 2 ] && grep -q 'is a mesh of the scene' err || fail "a mesh that looks like a picture"
     cmp -s png.stl png.before || fail "that mesh is as it was"
 
-    # What has no end, or no beginning, is no mesh, and that is told at once.
+    # An endless or unreadable file is not a mesh, and the error is immediate.
     ln -s /dev/zero zero.off
     mkfifo pipe.off
     memory=400000
@@ -183,7 +183,7 @@ if [ -x "$build/step13_meshes" ]; then
     done
 fi
 
-# Ctrl-C is heard while a scene is read: here one that does not come.
+# Ctrl-C works while a scene is read: here from a pipe without data.
 mkfifo slow.rt
 "$build/step03_sphere" slow.rt -o slow.png > out 2> err &
 reader=$!
@@ -194,7 +194,7 @@ wait $reader
 [ $? = 130 ] || fail "Ctrl-C while a scene is read"
 [ ! -e slow.png ] || fail "Ctrl-C while a scene is read leaves no picture"
 
-# A system without threads to give makes the same picture. (Sanitizers need more memory.)
+# A system that cannot create threads makes the same picture. (Sanitizers need more memory.)
 if (ulimit -v 400000 && "$build/step03_sphere" --help) > /dev/null 2>&1; then
     (ulimit -v 400000 && "$build/step03_sphere" own.rt -o few.png --threads 1000 --quiet) 2> err ||
         fail "as many threads as there are"
@@ -202,7 +202,7 @@ if (ulimit -v 400000 && "$build/step03_sphere" --help) > /dev/null 2>&1; then
     cmp -s few.png one.png || fail "fewer threads make the same picture"
 fi
 
-# 11,000 shapes: a picture, and a story that somebody can read to its end.
+# 11,000 shapes: a picture, and a readable explanation.
 awk 'BEGIN {
     print "C 0,0,30 0,0,-1 60"
     for (i = 0; i < 11000; ++i)
@@ -213,7 +213,7 @@ awk 'BEGIN {
 grep -q 'more shapes were missed' out || fail "a story leaves misses out"
 [ "$(wc -l < out)" -lt 1000 ] || fail "a story ends"
 
-# Names are not obeyed.
+# Control characters in names are not interpreted.
 "$build/step03_sphere" "$(printf 'a\nb\033[31m.rt')" > out 2> err
 [ "$(cat err)" = 'a?b?[31m.rt: error: no such file' ] || fail "a name of several lines is one line"
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the programs do at the prompt: program_test.sh BUILD_FOLDER PROJECT_FOLDER
+# The programs at the prompt: program_test.sh BUILD_FOLDER PROJECT_FOLDER
 build=$1
 scenes=$2/scenes
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ fail() {
     failed=1
 }
 
-# refused WHAT MESSAGE PROGRAM ARGUMENTS…: one error with these words, status 2, no picture.
+# refused WHAT MESSAGE PROGRAM ARGUMENTS…: one error with this message, status 2, no picture.
 refused() {
     what=$1
     words=$2
@@ -82,7 +82,7 @@ grep -q '^a.png: 8 x 6 pixels, double, .* s, 48 rays$' out || fail "the report h
 "$build/step03_sphere" doubtful.rt --quiet -o a.png --size 8x6 > out 2>&1
 [ ! -s out ] || fail "--quiet says nothing"
 
-# The same bytes on any number of threads, others in another precision's text.
+# The same bytes on any number of threads; another precision has another text chunk.
 for threads in 1 2 5; do
     "$build/step08_cone" -o $threads.png --threads $threads --quiet --size 160x120
 done
@@ -98,14 +98,14 @@ refused_status=0
 [ $refused_status = 2 ] || fail "a picture does not overwrite its scene"
 cmp -s "$scenes/one_sphere.rt" own.rt || fail "the scene is as it was"
 
-# The story of a pixel has the course's symbols, and makes no picture.
+# The explanation of a pixel has the course's symbols, and makes no picture.
 "$build/step03_sphere" "$scenes/one_sphere.rt" --pixel 240,240 -o story.png > out
 for words in pixFinal 'tan(FOV / 2)' 'X = ' 'd_r = ' 'A, B, C' 'Δ = ' 'hit at t = 4.0' '8-bit = 214'; do
     grep -qF "$words" out || fail "the story tells $words"
 done
 [ ! -e story.png ] || fail "a story makes no picture"
 
-# What a scene requires, whichever stage is asked, and what it goes without; no picture.
+# The requirements of a scene, the same from every stage, and the unsupported ones; no picture.
 "$build/step05_triangle" "$scenes/step12_mirror.rt" --explain -o explained.png > out
 for words in requires step03_sphere step09_phong 'lights* with a size' step12_mirror 'goes without'; do
     grep -q "$words" out || fail "--explain tells $words"
@@ -115,7 +115,7 @@ done
 grep -q 'nothing is a mirror' out || fail "--explain tells what is left out"
 grep -q 'at risk' out && fail "no scene of scenes/ is at risk in float"
 
-# What float loses of a scene: sizes beside large coordinates, and gaps.
+# Losses of float in a scene: sizes beside large coordinates, and gaps.
 camera='A 0.2 255,255,255
 C 0,0,10 0,0,-1 60'
 printf '%s\nsp 0,0,0 2 9,9,9\nsp 0,0,0 2.00000002 9,9,9\n' "$camera" > gap.rt
@@ -130,7 +130,7 @@ for scene in gap far; do
 done
 "$build/step03_sphere" gap.rt --explain | grep -q 'only 1e-08 apart' || fail "how small the gap is"
 
-# Fewer rays by --shadow-error, which the report counts, and the same bytes on any number of threads.
+# Fewer rays by --shadow-error, counted in the report, and the same bytes on any number of threads.
 soft=$scenes/step11_soft_shadows.rt
 rays() { sed 's/.*rays, \([0-9]*\) of them to lights with a size/\1/' out; }
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --threads 1 --shadow-error 5 > out
@@ -140,12 +140,12 @@ few=$(rays)
 "$build/step11_soft_shadows" "$soft" -o 2.png --size 80x60 --shadow-samples 1024 > out
 [ "$few" -lt "$(rays)" ] || fail "--shadow-error spares rays: $few"
 
-# What --tolerance and --time choose is told, and what they say can be asked for.
+# The choices of --tolerance and --time are printed, and the printed options can be used.
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --precision double --tolerance 4 > out
 for words in hierarchy depth precision expected trials; do
     grep -q "^  $words  " out || fail "--tolerance tells of the $words"
 done
-# The same choice in the same bytes: again, and by the options that it says are equivalent.
+# The same choice gives the same bytes: again, and by the equivalent options that it printed.
 gap=${scenes%/scenes}/tests/measurements/accuracy/scenes/gap.rt
 for scene in "$soft" "$gap"; do
     "$build/step11_soft_shadows" "$scene" -o 1.png --size 80x60 --threads 1 --tolerance 4 > out
@@ -164,7 +164,7 @@ grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells 
 "$build/step05_triangle" --help > out
 grep -q -- '--pixel' out || fail "--help lists the options"
 
-# Far away, and enormous: a picture all the same.
+# Far away, and enormous: still a picture.
 printf 'C 1e18,0,5 0,0,-1 60\nsp 1e18,0,0 2 255,0,0\npl 0,-1e18,0 0,1,0 9,9,9\n' > far.rt
 holds "coordinates of 1e18" "$build/step04_plane" far.rt -o far.png --size 32x24 --quiet 2> err
 

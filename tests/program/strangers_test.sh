@@ -1,6 +1,6 @@
 #!/bin/sh
-# Scenes that strangers wrote: they look as meant, or somebody is told what to try:
-# strangers_test.sh BUILD_FOLDER PROJECT_FOLDER
+# Foreign scenes: they look as meant, or a warning contains a remedy: strangers_test.sh BUILD_FOLDER
+# PROJECT_FOLDER
 build=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -17,7 +17,7 @@ fail() {
     failed=1
 }
 
-# draw SCENE OPTIONS…: the scene's text as printf has it.
+# draw SCENE OPTIONS…: the scene's text in printf's format.
 draw() {
     printf "$1" > scene.rt
     shift
@@ -41,7 +41,7 @@ shows() {
     [ ! -s err ] || fail "nothing is wrong with it: $1"
 }
 
-# Why a picture shows nothing; what is said to try shows something.
+# The reason for an empty picture; the suggested remedy shows something.
 light='A 0.2 255,255,255\nL 0,9,0 0.5 255,255,255\n'
 ball='sp 0,0,-5 2 255,0,0\n'
 blank "no shape" "C 0,0,0 0,0,1 60\n$light"
@@ -60,7 +60,7 @@ blank "no light reaches" "C 0,0,0 0,0,-1 60\nL 0,0,-9 1 255,255,255\n$ball"
 blank "more than white" \
     "C 0,0,0 0,0,-1 60\nA 1 255,255,255\nL 0,0,0 1 255,255,255\npl 0,0,-1 0,0,1 255,255,255\n"
 blank "fills the picture" "C 0,0,0 0,0,-1 60\nA 0.5 255,255,255\nsp 0,0,0 2 0,255,0\n"
-# In the coordinates of the scene: here its z is up, and its left our right.
+# In the coordinates of the scene: here its z is up, and its left is right in the picture.
 axes='# rt: up=z hand=left\n'
 blank "try the direction 0,1,0 in" "$axes${light}C 0,0,0 0,0,1 60\nsp 0,5,0 2 255,0,0\n"
 shows "$axes${light}C 0,0,0 0,1,0 60\nsp 0,5,0 2 255,0,0\n"
@@ -76,7 +76,7 @@ draw "$cameras$light$ball" --camera 4
 draw "$cameras$light$ball" --camera 0
 [ $? = 2 ] || fail "cameras are counted from 1"
 
-# Mirrored and turned: the same bytes as the scene with other coordinates, a mesh among them.
+# Mirrored and rotated: the same bytes as the scene with other coordinates, including a mesh.
 printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 2 0\n0 0 3\n3 0 1 2\n3 0 1 3\n' > mesh.off
 mkdir words ours
 scene() { # NAME CAMERA LIGHT SPHERE AXIS MESH MESH_FILE
@@ -98,7 +98,7 @@ printf 'OFF\n4 2 0\n0 0 0\n1 0 0\n0 0 -2\n0 3 0\n3 0 1 2\n3 0 1 3\n' > upright.o
 scene ours '#' '1,2,9 -0.1,-0.1,-1' '3,5,4' '1,2,3' '2,0,0 0.6,0.8,0' '-1,0,2' upright.off
 same "up=z"
 
-# Many shapes in one place cost what one does. (A processor's seconds.)
+# Many shapes in one place cost as much as one. (In processor seconds.)
 awk 'BEGIN {
     print "C 0,0,5 0,0,-1 60\nA 0.5 255,255,255"
     for (i = 0; i < 100000; ++i) print "sp 0,0,0 4 255," i % 256 ",0"
@@ -113,7 +113,7 @@ printf 'C 0,0,5 0,0,-1 60\nA 0.5 255,255,255\nmesh copies.off 0,0,0 1 255,0,0\n'
 (ulimit -t 6 && "$build/step13_meshes" copies.rt -o copies.png --size 320x240 --quiet) ||
     fail "200,000 triangles in one place"
 
-# An error in a mesh names the scene's line, and so does a warning.
+# An error in a mesh contains the scene's line, and so does a warning.
 draw 'C 0,0,5 0,0,-1 60\n\nmesh none.off 0,0,0 1 255,0,0\n'
 [ $? = 2 ] && [ "$(cat err)" = 'none.off: error: no such file (the mesh of scene.rt:3:1)' ] ||
     fail "a mesh that is not there"

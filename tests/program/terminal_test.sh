@@ -1,6 +1,6 @@
 #!/bin/sh
-# What is seen on a terminal and not in a pipe: terminal_test.sh BUILD_FOLDER
-# Needs util-linux' script, which runs a program on a terminal; 77 says that it is not there.
+# Output on a terminal that a pipe does not get: terminal_test.sh BUILD_FOLDER
+# Needs util-linux' script, which runs a program on a terminal; status 77 if it is not installed.
 build=$1
 script --version 2> /dev/null | grep -q util-linux || exit 77
 folder=$(mktemp -d)
@@ -13,7 +13,7 @@ fail() {
     failed=1
 }
 
-# seen ARGUMENTS…: what a terminal shows of a picture that takes a second or so.
+# seen ARGUMENTS…: the terminal's output for a picture that takes about a second.
 seen() {
     script -qec "$build/step03_sphere -o a.png --size 2400x1800 --threads 1 $*" /dev/null < /dev/null
 }
@@ -23,7 +23,7 @@ seen | grep -Eq ' [0-9]+ %, [0-9]+ s left' || fail "progress is shown on a termi
 "$build/step03_sphere" -o a.png --size 2400x1800 --threads 1 2> err > out
 [ ! -s err ] || fail "progress is not shown in a pipe"
 
-# Two pixels a character, no wider than the terminal.
+# Two pixels per character, no wider than the terminal.
 COLUMNS=10 "$build/step03_sphere" -o a.png --preview --size 40x40 2> err > out
 [ "$(grep -c '▀' out)" = 5 ] || fail "--preview draws 10 x 10 pixels in 5 lines"
 [ "$(head -n 1 out | grep -o '▀' | wc -l)" = 10 ] || fail "--preview is 10 characters wide"

@@ -1,6 +1,7 @@
 #!/bin/sh
-# What the page of `./course view` shows, in Chromium: view_test.sh BUILD_FOLDER PROJECT_FOLDER
-# Needs chromium, driven through its own DevTools pipe, and curl; 77 says that they are not there.
+# The page of `./course view` in Chromium: view_test.sh BUILD_FOLDER PROJECT_FOLDER
+# Needs chromium, driven through its own DevTools pipe, and curl; status 77 if they are not
+# installed.
 build=$1
 project=$2
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || exit 77
@@ -25,7 +26,7 @@ fail() {
     failed=1
 }
 
-# A project of our own: a student who has started stage 5 and shows normals in place of colours.
+# A small project: a student has started stage 5, and shows normals in place of colors.
 mkdir -p project/common/course project/steps/step05_triangle/student built temporary
 ln -s "$project/scenes" project/scenes
 ln -s "$project/common/course/view" project/common/course/view
@@ -38,7 +39,7 @@ program() {
 program step05_triangle "--shade normal"
 program step05_triangle_of_reference
 
-# script COMMANDS: the student's program is these.
+# script COMMANDS: makes these the student's program.
 script() {
     printf '#!/bin/sh\n%s\n' "$1" > built/new
     chmod +x built/new
@@ -120,7 +121,7 @@ answers "slow ones"
 wait $slow
 [ "$(grep -l 408 slow? | wc -l)" = 8 ] || fail "slow ones are sent away"
 
-# A newer picture ends the older, and what draws it.
+# A newer picture ends the older one, and its program.
 endless='echo $$ > endless; sleep 301 & wait'
 began() {
     tries=0
@@ -150,7 +151,7 @@ stdbuf -o0 tr '\0' '\n' <&9 > answers &
 chromium="$chromium $!"
 question=0
 
-# ask METHOD PARAMETERS: what DevTools answer, in $answer.
+# ask METHOD PARAMETERS: the answer of DevTools, in $answer.
 ask() {
     question=$((question + 1))
     printf '{"id":%d,"method":"%s",%s"params":{%s}}\0' $question "$1" "$session" "$2" >&8
@@ -161,7 +162,7 @@ ask() {
     done
 }
 
-# value SCRIPT: what it comes to, as text, in $value. No double quotes in it.
+# value SCRIPT: its value, as text, in $value. No double quotes in it.
 value() {
     ask Runtime.evaluate "\"expression\":\"String($(echo "$1" | tr '\n' ' '))\""
     value=$(printf '%s' "$answer" | sed 's/.*"value":"\([^"]*\)".*/\1/')
@@ -192,14 +193,14 @@ shows "a picture that is not black" "images.mine.data.some((v, i) => v > 0 && i 
 
 shows "the style of page.css" \
     "getComputedStyle(document.getElementById('pictures')).display === 'grid'"
-# Nothing that gets into the page as text becomes a script or a style of it.
+# Text in the page never becomes a script or a style of it.
 value "document.body.append(
     Object.assign(document.createElement('script'), {textContent: 'window.inlineRan = 1'}),
     Object.assign(document.createElement('style'), {textContent: 'h1 { opacity: 0 }'}))"
 shows "no inline script and no inline style" "window.inlineRan === undefined &&
     getComputedStyle(document.querySelector('h1')).opacity === '1'"
 
-# A slider, by the keyboard: another picture, of the scene as the camera then sees it.
+# A slider, by the keyboard: another picture, of the scene from the new camera.
 sum="images.reference.data.reduce((a, v) => (a * 31 + v) % 1000003, 0)"
 value "$sum"
 before=$value
@@ -218,7 +219,7 @@ ask Runtime.evaluate '"expression":"document.getElementById(`reset`).click()"'
 shows "the scene's own camera again" "images.reference.width === 640 &&
     $sum === $before"
 
-# A click: both stories of the pixel under it, and the first line that differs.
+# A click: both explanations of the pixel under it, and the first line that differs.
 value "(b => Math.round(b.left + b.width / 2) + ' ' + Math.round(b.top + b.height / 2))(
     document.getElementById('mine').getBoundingClientRect())"
 box=$value
@@ -235,7 +236,7 @@ shows "one first line that differs, the colour" "document.querySelectorAll('.fir
     document.querySelector('.first .mine').textContent !==
     document.querySelector('.first .reference').textContent"
 
-# What the compiler says, and then a right program: told, and redrawn, without a click.
+# A compiler error, and then a right program: reported, and rendered again, without a click.
 echo "triangle.cpp:7:3: error: expected ';'" > project/compiler_says
 echo "a line" >> project/steps/step05_triangle/student/triangle.cpp
 shows "the compiler's error" "!document.querySelector('[data-of=mine] pre').hidden &&
@@ -250,14 +251,14 @@ shows "the same story" \
 program step05_triangle "--shade normal"
 shows "a program that is replaced is drawn anew" "/pixels differ/.test($caption)"
 
-# A program that crashes, and one without end: told, and the page goes on.
+# A program that crashes, and an endless one: reported, and the page still works.
 script 'kill -SEGV $$'
 shows "a crash" "document.querySelector('[data-of=mine] pre').textContent.includes('it crashed')"
 script "$endless"
 began || fail "a program without end is drawn"
 is "the reference does not wait for it" 200 "${address}picture?$drawing&whose=1"
 
-# Ctrl-C ends it at once, with what it runs, and leaves nothing.
+# Ctrl-C ends it immediately, with its programs, and leaves nothing.
 started=$(date +%s)
 kill -INT "$server"
 wait "$server"

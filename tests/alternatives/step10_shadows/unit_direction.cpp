@@ -1,4 +1,4 @@
-// right: CR §3.2's unit L and its distance, shortened by a ten-thousandth before the light
+// right: CR §3.2's unit L and its distance, shortened by 1/10000 before the light
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray
