@@ -1,6 +1,6 @@
-// origin: thought of: the angle taken for degrees
+// origin: invented: the angle taken for degrees
 // caught by: the field of view is vertical, and halved in the tangent (MRT §1)
-// sentence: You convert the field of view from degrees. It comes in radians.
+// sentence: You convert the field of view from degrees. It is in radians already.
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)
 #include "steps/step01_ray_generation/reference/ray_generation.cpp"

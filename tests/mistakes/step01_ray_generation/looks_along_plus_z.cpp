@@ -1,4 +1,4 @@
-// origin: thought of: +1 for −1
+// origin: invented: +1 for −1
 // caught by: the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)
 // sentence: Your camera looks backwards: the screen stands at z = −1.
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)

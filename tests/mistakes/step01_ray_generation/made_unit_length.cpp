@@ -1,6 +1,6 @@
-// origin: thought of: the direction normalised
+// origin: invented: the direction normalized
 // caught by: the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)
-// sentence: You normalise the direction. It ends on the plane z = −1, so that t is the depth.
+// sentence: You normalize the direction. It ends on the plane z = −1, so that t is the depth.
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)
 #include "steps/step01_ray_generation/reference/ray_generation.cpp"
 #undef camera_ray

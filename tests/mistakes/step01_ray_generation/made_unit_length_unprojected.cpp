@@ -1,6 +1,6 @@
-// origin: thought of: the direction normalised
+// origin: invented: the direction normalized
 // caught by: by inverse matrices the ray starts at the camera and ends on the far plane (M1)
-// sentence: You normalise the direction. t = 1 is the point on the far plane.
+// sentence: You normalize the direction. t = 1 is the point on the far plane.
 #define unprojected_ray(...) correct_unprojected_ray(__VA_ARGS__)
 #include "steps/step01_ray_generation/reference/ray_generation.cpp"
 #undef unprojected_ray

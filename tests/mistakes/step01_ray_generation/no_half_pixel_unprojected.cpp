@@ -1,6 +1,6 @@
-// origin: thought of: the pixel's corner
+// origin: invented: the pixel's corner
 // caught by: by inverse matrices the ray starts at the camera and ends on the far plane (M1)
-// sentence: You unproject the pixel's corner. Its centre is at + 0.5.
+// sentence: You unproject the pixel's corner. Its center is at + 0.5.
 #define unprojected_ray(...) correct_unprojected_ray(__VA_ARGS__)
 #include "steps/step01_ray_generation/reference/ray_generation.cpp"
 #undef unprojected_ray

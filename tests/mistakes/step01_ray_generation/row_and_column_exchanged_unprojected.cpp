@@ -1,4 +1,4 @@
-// origin: thought of: x the row, y the column
+// origin: invented: x the row, y the column
 // caught by: by inverse matrices the ray starts at the camera and ends on the far plane (M1)
 // sentence: You take the row for x and the column for y. x counts columns, y counts rows.
 #define unprojected_ray(...) correct_unprojected_ray(__VA_ARGS__)

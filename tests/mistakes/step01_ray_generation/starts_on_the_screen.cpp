@@ -1,4 +1,4 @@
-// origin: thought of: the point on the screen for the eye
+// origin: invented: the point on the screen for the eye
 // caught by: the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)
 // sentence: Your ray starts on the screen. It starts at the eye, and only passes there.
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)

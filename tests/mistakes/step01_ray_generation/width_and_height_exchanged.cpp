@@ -1,4 +1,4 @@
-// origin: thought of: j / H, i / W
+// origin: invented: j / H, i / W
 // caught by: the ratio W / H stretches x (MRT §1)
 // sentence: You divide the column by H and the row by W. Columns count to W, rows to H.
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)

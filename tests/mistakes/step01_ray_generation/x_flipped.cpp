@@ -1,4 +1,4 @@
-// origin: thought of: 1 − 2 pixNorm for both
+// origin: invented: 1 − 2 pixNorm for both
 // caught by: the row goes down, the column to the right (MRT §1, i and j)
 // sentence: Your picture is mirrored: only y is flipped.
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the position added to the direction
+// origin: invented: the position added to the direction
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You add the position to the direction. Only points move; directions turn.
 #define to_world(...) correct_to_world(__VA_ARGS__)

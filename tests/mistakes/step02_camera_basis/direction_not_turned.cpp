@@ -1,6 +1,6 @@
-// origin: thought of: the origin turned and moved, the direction left as it was
+// origin: invented: the origin turned and moved, the direction left as it was
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
-// sentence: You do not turn the direction: the camera looks along −z, whatever its basis.
+// sentence: You do not rotate the direction: the camera looks along −z, whatever its basis.
 #define to_world(...) correct_to_world(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
 #undef to_world

@@ -1,4 +1,4 @@
-// origin: thought of: a matrix of zeros, filled three rows down
+// origin: invented: a matrix of zeros, filled three rows down
 // caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
 // sentence: You leave the last row 0, 0, 0, 0: every point's w becomes 0. The row is 0, 0, 0, 1.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)

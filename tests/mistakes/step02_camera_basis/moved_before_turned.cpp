@@ -1,4 +1,4 @@
-// origin: thought of: the origin moved first, and turned with the position
+// origin: invented: the origin moved first, and turned with the position
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You add the position and turn the sum: the camera's place turns around the world's origin. Turn first, then move.
 #define to_world(...) correct_to_world(__VA_ARGS__)

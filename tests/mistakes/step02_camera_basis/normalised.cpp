@@ -1,6 +1,6 @@
-// origin: thought of: the direction made unit
+// origin: invented: the direction made unit
 // caught by: t keeps its meaning: a turned direction keeps its length (MRT §2)
-// sentence: You normalise the direction: t no longer means what it meant in the camera's frame.
+// sentence: You normalize the direction: t no longer means what it meant in the camera's frame.
 #define to_world(...) correct_to_world(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
 #undef to_world

@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: a vertical view takes X = (1, 0, 0) (MRT §2)
-// sentence: You nudge the direction off the vertical: the camera no longer looks where it is told.
+// sentence: You nudge the direction off the vertical: the camera no longer looks in the given direction.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

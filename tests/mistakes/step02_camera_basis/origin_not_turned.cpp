@@ -1,4 +1,4 @@
-// origin: thought of: only the direction turned
+// origin: invented: only the direction turned
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You add the origin without turning it. It stands in the camera's frame, like the direction.
 #define to_world(...) correct_to_world(__VA_ARGS__)

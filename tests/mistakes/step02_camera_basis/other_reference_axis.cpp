@@ -1,4 +1,4 @@
-// origin: thought of: (0, 0, 1) ∧ Z
+// origin: invented: (0, 0, 1) ∧ Z
 // caught by: the default camera has the world's axes (MRT §2)
 // sentence: You take another vector than (0, 1, 0) for v: the camera rolls to the side.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)

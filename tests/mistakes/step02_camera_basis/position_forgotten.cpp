@@ -1,4 +1,4 @@
-// origin: thought of: the ray turned and not moved
+// origin: invented: the ray turned and not moved
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You turn the ray and do not move it: its origin is the camera's position.
 #define to_world(...) correct_to_world(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the view matrix's sign
+// origin: invented: the view matrix's sign
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You subtract the position. That leads into the camera's frame; out of it the position is added.
 #define to_world(...) correct_to_world(__VA_ARGS__)

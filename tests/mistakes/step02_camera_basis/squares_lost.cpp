@@ -1,4 +1,4 @@
-// origin: thought of: v / √⟨v, v⟩ of a very short or very long v
+// origin: invented: v / √⟨v, v⟩ of a very short or very long v
 // caught by: the direction has any length but zero (MRT §2)
 // sentence: You square the direction's components: a very short one's squares are 0, a very long one's ∞. Divide by the largest component first.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: the turn alone
+// origin: invented: the turn alone
 // caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
-// sentence: Your view matrix only turns. It must take the camera's position to 0.
+// sentence: Your view matrix only rotates. It must move the camera's position to 0.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
 #undef view_matrix

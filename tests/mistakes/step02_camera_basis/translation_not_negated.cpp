@@ -1,4 +1,4 @@
-// origin: thought of: ⟨X, o_C⟩ for −⟨X, o_C⟩
+// origin: invented: ⟨X, o_C⟩ for −⟨X, o_C⟩
 // caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
 // sentence: Your view matrix moves the camera twice as far away. The last column is −⟨X, o_C⟩, −⟨Y, o_C⟩, −⟨Z, o_C⟩.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)

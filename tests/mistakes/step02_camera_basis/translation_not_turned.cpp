@@ -1,6 +1,6 @@
-// origin: thought of: −position in the last column
+// origin: invented: −position in the last column
 // caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
-// sentence: You put −o_C into the last column. The turn comes after the move: it is −⟨X, o_C⟩, −⟨Y, o_C⟩, −⟨Z, o_C⟩.
+// sentence: You put −o_C into the last column. The rotation follows the translation: it is −⟨X, o_C⟩, −⟨Y, o_C⟩, −⟨Z, o_C⟩.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
 #undef view_matrix

@@ -1,4 +1,4 @@
-// origin: thought of: ⟨v, X⟩ for v.x X + v.y Y + v.z Z
+// origin: invented: ⟨v, X⟩ for v.x X + v.y Y + v.z Z
 // caught by: a ray of the camera's frame is carried into the world (MRT §2)
 // sentence: You take ⟨v, X⟩, ⟨v, Y⟩, ⟨v, Z⟩: that leads from the world into the camera's frame, not out of it.
 #define to_world(...) correct_to_world(__VA_ARGS__)

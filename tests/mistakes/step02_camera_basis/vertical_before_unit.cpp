@@ -1,6 +1,6 @@
 // origin: seen in student repositories: c == (0, ±1, 0)
 // caught by: a vertical view takes X = (1, 0, 0) (MRT §2)
-// sentence: You ask whether the direction is (0, ±1, 0) before you made it unit length: (0, −0.125, 0) looks down as well.
+// sentence: You test whether the direction is (0, ±1, 0) before you normalize it: (0, −0.125, 0) points down as well.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

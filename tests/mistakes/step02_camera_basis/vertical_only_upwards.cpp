@@ -1,6 +1,6 @@
 // origin: seen in student repositories: z == (0, 1, 0)
 // caught by: a vertical view takes X = (1, 0, 0) (MRT §2)
-// sentence: Your rule holds for one of the two vertical views. Up and down both need it.
+// sentence: Your rule covers one of the two vertical views. Up and down both need it.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

@@ -1,4 +1,4 @@
-// origin: thought of: X = (−1, 0, 0)
+// origin: invented: X = (−1, 0, 0)
 // caught by: a vertical view takes X = (1, 0, 0) (MRT §2)
 // sentence: Looking straight up or down, your X is (−1, 0, 0): the picture is upside down. MRT §2 takes X = (1, 0, 0).
 #define basis_around(...) correct_basis_around(__VA_ARGS__)

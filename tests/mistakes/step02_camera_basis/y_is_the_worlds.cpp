@@ -1,4 +1,4 @@
-// origin: thought of: (0, 1, 0) kept for Y
+// origin: invented: (0, 1, 0) kept for Y
 // caught by: X is made unit length when the camera is pitched (erratum 3, MRT §2)
 // sentence: You keep (0, 1, 0) for Y. It must be at right angles to Z: Z ∧ X.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the direction not normalised
+// origin: invented: the direction not normalized
 // caught by: the direction has any length but zero (MRT §2)
 // sentence: Your Z is as long as the direction. Make it a unit vector.
 #define basis_around(...) correct_basis_around(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: CR §2.2 listing, erratum 12
 // caught by: behind the origin, nothing is met (CR §2.2, PHY)
-// sentence: When the smaller root is negative you return the larger without asking whether it is positive.
+// sentence: If the smaller root is negative, you return the larger one without testing that it is positive.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

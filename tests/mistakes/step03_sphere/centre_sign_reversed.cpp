@@ -1,6 +1,6 @@
-// origin: thought of: o − c where c − o is meant
+// origin: invented: o − c where c − o is meant
 // caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
-// sentence: The sign of b belongs to o_r − o, from the centre to the ray's origin: yours is the other one.
+// sentence: The sign of b belongs to o_r − o, from the center to the ray's origin: yours is the other one.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
-// origin: thought of: abs forgotten
+// origin: invented: abs forgotten
 // caught by: a normal's colour is the size of its coordinates (M1)
-// sentence: Your colour keeps the signs of the normal: half of the sphere comes out black.
+// sentence: Your color keeps the signs of the normal: half of the sphere is black.
 #define color_from_normal(...) correct_color_from_normal(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef color_from_normal

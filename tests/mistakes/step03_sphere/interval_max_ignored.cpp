@@ -1,6 +1,6 @@
-// origin: thought of: the nearest hit so far is not looked at
+// origin: invented: the nearest hit so far is ignored
 // caught by: only hits strictly inside the interval count (contract)
-// sentence: You compare t with 0 only. The interval says what counts: strictly between its min and its max.
+// sentence: You compare t with 0 only. Only hits strictly inside the interval count, between its min and its max.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
-// origin: thought of: o − p where p − o is meant
+// origin: invented: o − p where p − o is meant
 // caught by: the normal points away from the centre, with unit length (M1)
-// sentence: Your normal points to the centre. It is p − o, from the centre to the point.
+// sentence: Your normal points to the center. It is p − o, from the center to the point.
 #define normal(...) correct_normal(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef normal

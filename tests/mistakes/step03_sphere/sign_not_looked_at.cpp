@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: behind the origin, nothing is met (CR §2.2, PHY)
-// sentence: You return the smaller root whatever its sign: a negative t lies behind the ray's origin.
+// sentence: You return the smaller root with any sign: a negative t is behind the ray's origin.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: MRT §3, erratum 2
 // caught by: t counts in the length of the direction (PHY, any v)
-// sentence: Your t² has no ‖d‖² before it. MRT §3 drops it, which holds only for a direction of unit length.
+// sentence: Your t² has no ‖d‖² before it. MRT §3 drops it, which is right only for a direction of unit length.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: the comparison the wrong way round
+// origin: invented: the comparison the wrong way round
 // caught by: a plane is met from either side (MRT §4)
 // sentence: You see the plane only from behind. It has two sides.
 #define intersect(...) correct_intersect(__VA_ARGS__)

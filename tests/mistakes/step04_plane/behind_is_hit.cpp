@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: behind the origin, nothing is met (MRT §4, t positive)
-// sentence: You do not ask whether t is positive: the plane behind the eye is seen.
+// sentence: You do not test whether t is positive: the plane behind the eye is seen.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step04_plane/reference/plane.cpp"
 #undef intersect

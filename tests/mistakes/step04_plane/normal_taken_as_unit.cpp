@@ -1,4 +1,4 @@
-// origin: thought of: ⟨d, n⟩ divided by a length that is not 1
+// origin: invented: ⟨d, n⟩ divided by a length that is not 1
 // caught by: the length and the sign of the normal do not matter for t (PHY, N and n)
 // sentence: Your t depends on the length of the normal: it stands above and below the line, and cancels.
 #define intersect(...) correct_intersect(__VA_ARGS__)

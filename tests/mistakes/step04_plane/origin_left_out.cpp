@@ -1,4 +1,4 @@
-// origin: thought of: ⟨o, n⟩ for ⟨o − o_r, n⟩
+// origin: invented: ⟨o, n⟩ for ⟨o − o_r, n⟩
 // caught by: a plane is met from either side (MRT §4)
 // sentence: You forget the ray's origin: the distance is ⟨o − o_r, n⟩.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: 0 / 0 taken for a hit
+// origin: invented: 0 / 0 taken for a hit
 // caught by: a parallel ray misses, above the plane and in it (MRT §4)
 // sentence: A ray that runs in the plane has 0 / 0 for t. That is no hit.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the plane's equation with d = point.y
+// origin: invented: the plane's equation with d = point.y
 // caught by: any point of the plane will do (MRT §4)
 // sentence: You use one coordinate of the plane's point: the distance is ⟨o − o_r, n⟩, all three.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: CR eq. (2)-(3), erratum 11
 // caught by: situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)
-// sentence: Your t has the wrong sign: CR writes p = o − a where a − o is meant. What is ahead seems behind.
+// sentence: Your t has the wrong sign: CR writes p = o − a where a − o is meant. Points ahead seem behind.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step04_plane/reference/plane.cpp"
 #undef intersect

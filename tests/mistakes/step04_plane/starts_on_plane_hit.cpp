@@ -1,4 +1,4 @@
-// origin: thought of: t ≥ 0
+// origin: invented: t ≥ 0
 // caught by: a ray that starts on the plane does not meet it (PHY, t > 0)
 // sentence: You take t = 0 for a hit: a ray that leaves the plane meets it at once.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: the box around the corners for the triangle
+// origin: invented: the box around the corners for the triangle
 // caught by: a ray at the inside meets the triangle, beside it none does (MRT §5)
-// sentence: You ask whether p lies in the box around the corners. The triangle is half of it.
+// sentence: You test whether p lies in the box around the corners. The triangle is half of it.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-// origin: thought of: t in the length of a direction made unit
+// origin: invented: t in the length of a direction made unit
 // caught by: t counts in the length of the direction (PHY, any v)
-// sentence: You normalise the direction: t counts in the length that the direction has.
+// sentence: You normalize the direction: t counts in the length that the direction has.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

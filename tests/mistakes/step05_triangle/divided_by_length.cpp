@@ -1,6 +1,6 @@
-// origin: thought of: ‖n‖ for ‖n‖²
+// origin: invented: ‖n‖ for ‖n‖²
 // caught by: the weights give the point back, and sum to 1 (M1, CR §4.1)
-// sentence: You divide ⟨(c − b) ∧ (p − b), n⟩ by ‖n‖. It holds n twice: divide by ‖n‖².
+// sentence: You divide ⟨(c − b) ∧ (p − b), n⟩ by ‖n‖. It contains n twice: divide by ‖n‖².
 #define barycentric(...) correct_barycentric(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef barycentric

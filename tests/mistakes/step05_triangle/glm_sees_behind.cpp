@@ -1,6 +1,6 @@
 // origin: GLM's gtx/intersect, called in place of one's own
 // caught by: behind the origin, nothing is met (MRT §4–5, t positive)
-// sentence: GLM's intersectRayTriangle says yes for a triangle behind the ray as well: t must be positive.
+// sentence: GLM's intersectRayTriangle also returns true for a triangle behind the ray: t must be positive.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: (b − a) ∧ (c − a) as it is
+// origin: invented: (b − a) ∧ (c − a) as it is
 // caught by: the normal points to who sees a, b, c turn anticlockwise (MRT §5)
 // sentence: Your normal is as long as the parallelogram is large. Make it a unit vector.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the factors exchanged
+// origin: invented: the factors exchanged
 // caught by: the normal points to who sees a, b, c turn anticlockwise (MRT §5)
 // sentence: Your cross product has its factors exchanged: the normal points the other way.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: the third half-plane forgotten
+// origin: invented: the third half-plane forgotten
 // caught by: each half-plane is asked (MRT §5)
-// sentence: You ask two half-planes of three: the triangle goes on beyond one of its edges.
+// sentence: You test two half-planes of three: the triangle extends across one of its edges.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: MRT §5, erratum 5
 // caught by: edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)
-// sentence: You ask for > 0, as MRT §5 prints. On an edge it is 0: both neighbours miss, and a crack shows.
+// sentence: You test > 0, as MRT §5 prints. On an edge it is 0: both neighbors miss, and a crack shows.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

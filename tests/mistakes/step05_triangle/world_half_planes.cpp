@@ -1,4 +1,4 @@
-// origin: thought of: the sign of the z component for that of the scalar product
+// origin: invented: the sign of the z component for that of the scalar product
 // caught by: it is met from either side, whichever way its corners turn (MRT §5)
 // sentence: You look at one component of (b − a) ∧ (p − a). Its sign counts along n, whichever way n points.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: HAI: every square seen from its front only
 // caught by: it is met from either side, unless it is one-sided (HAI)
-// sentence: You see every square from its front only. Just those that say one_sided are.
+// sentence: You see every square from its front only. That is right only for squares with one_sided.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

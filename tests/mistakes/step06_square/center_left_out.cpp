@@ -1,6 +1,6 @@
-// origin: thought of: ⟨p, X⟩ for ⟨p − o, X⟩
+// origin: invented: ⟨p, X⟩ for ⟨p − o, X⟩
 // caught by: the centre counts (MRT §6)
-// sentence: You take ⟨p, X⟩. MRT §6 has ⟨p − o, X⟩: from the square's centre.
+// sentence: You take ⟨p, X⟩. MRT §6 has ⟨p − o, X⟩: from the square's center.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

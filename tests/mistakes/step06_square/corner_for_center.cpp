@@ -1,6 +1,6 @@
 // origin: HAI: the square from its corner C
 // caught by: the side is h, from -h/2 to h/2 (MRT §6)
-// sentence: You take the centre for a corner: x and y run from −h / 2 to h / 2, not from 0 to h.
+// sentence: You take the center for a corner: x and y run from −h / 2 to h / 2, not from 0 to h.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

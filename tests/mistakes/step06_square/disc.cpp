@@ -1,6 +1,6 @@
-// origin: thought of: the distance from the centre for |x| and |y|
+// origin: invented: the distance from the center for |x| and |y|
 // caught by: the side is h, from -h/2 to h/2 (MRT §6)
-// sentence: You compare the distance from the centre: that is a disc.
+// sentence: You compare the distance from the center: that is a disc.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: CR §2.3, erratum 23
 // caught by: a ray in the square's plane misses (MRT §6)
-// sentence: You ask whether four answers are the same, and not which. At a point that is not a number all four are no: ask for four times yes.
+// sentence: You test whether four answers are equal, not whether they are yes. At a point that is not a number all four are no: all four must be yes.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: HAI, CR §2.4: the option not looked at
 // caught by: it is met from either side, unless it is one-sided (HAI)
-// sentence: You do not look at one_sided: one cannot look into the Cornell box.
+// sentence: You ignore one_sided: the inside of the Cornell box is not visible.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

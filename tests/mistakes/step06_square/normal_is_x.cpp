@@ -1,4 +1,4 @@
-// origin: thought of: the wrong axis
+// origin: invented: the wrong axis
 // caught by: the normal is the square's Z (MRT §6)
 // sentence: Your normal lies in the square. It is Z.
 #define normal(...) correct_normal(__VA_ARGS__)

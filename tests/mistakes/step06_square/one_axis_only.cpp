@@ -1,6 +1,6 @@
-// origin: thought of: |y| forgotten
+// origin: invented: |y| forgotten
 // caught by: the side is h, from -h/2 to h/2 (MRT §6)
-// sentence: You ask for |x| only: your square is a band without end.
+// sentence: You test |x| only: your square is an endless band.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: the sign of ⟨d, n⟩ the wrong way round
+// origin: invented: the sign of ⟨d, n⟩ the wrong way round
 // caught by: it is met from either side, unless it is one-sided (HAI)
 // sentence: Your one-sided squares show their back. The front is where ⟨d, n⟩ < 0.
 #define intersect(...) correct_intersect(__VA_ARGS__)

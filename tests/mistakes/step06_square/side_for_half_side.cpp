@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: the side is h, from -h/2 to h/2 (MRT §6)
-// sentence: You compare |x| with h. The centre is in the middle: it is h / 2, and your square is twice as wide.
+// sentence: You compare |x| with h. The center is in the middle: it is h / 2, and your square is twice as wide.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

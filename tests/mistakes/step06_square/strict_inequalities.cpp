@@ -1,6 +1,6 @@
 // origin: MRT §6 and CR §2.3, erratum 5
 // caught by: edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)
-// sentence: You ask for < h / 2, as MRT §6 prints. Two squares that share an edge leave a crack there.
+// sentence: You test < h / 2, as MRT §6 prints. Two squares that share an edge leave a crack there.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: the centre for the corner
+// origin: invented: the center for the corner
 // caught by: u and v are 0 at the corner C and 1 at the ends of its edges (erratum 10, HAI)
 // sentence: Your u and v are 0 in the middle. They are measured from the corner C.
 #define square_uv(...) correct_square_uv(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: seen in student repositories: y for the axis
 // caught by: the axis may point anywhere (MRT §7)
-// sentence: You take y for the axis, whatever the scene says. Take ⟨p − o, Z⟩.
+// sentence: You take y for the axis of every shape. Take ⟨p − o, Z⟩.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"
 #undef intersect

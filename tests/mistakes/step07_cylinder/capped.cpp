@@ -1,4 +1,4 @@
-// origin: thought of: caps that MRT §7 does not have
+// origin: invented: caps that MRT §7 does not have
 // caught by: there are no caps (MRT §7)
 // sentence: Your cylinder has caps. The one of MRT §7 is an open tube.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the scene's diameter not halved
+// origin: invented: the scene's diameter not halved
 // caught by: a ray across meets the near side (MRT §7)
 // sentence: Your cylinder is twice as thick: r is the radius.
 #define intersect(...) correct_intersect(__VA_ARGS__)

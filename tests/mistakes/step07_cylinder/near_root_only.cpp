@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: into the open top, the far inside is met: both roots are tried (MRT §7)
-// sentence: You try the smaller root only. Where it lies beyond the rim, the larger one is the inside of the tube.
+// sentence: You try the smaller root only. If it lies outside the rim, the larger one is on the inside of the tube.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: o − p for p − o
+// origin: invented: o − p for p − o
 // caught by: the normal points away from the axis, with unit length (MRT §7)
 // sentence: Your normal points to the axis. Outward is away from it.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the division by the radius forgotten
+// origin: invented: the division by the radius forgotten
 // caught by: the normal points away from the axis, with unit length (MRT §7)
 // sentence: Your normal has the length of the radius. Divide by it, or make it a unit vector.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: < for ≤
+// origin: invented: < for ≤
 // caught by: both rims belong to the side (MRT §7)
-// sentence: You ask for |z| < h / 2. MRT §7 has ≤: the rims belong to the side.
+// sentence: You test |z| < h / 2. MRT §7 has ≤: the rims belong to the side.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
-// origin: thought of: the position taken for the base
+// origin: invented: the position taken for the base
 // caught by: at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)
-// sentence: You take the position for the base's centre. It is the apex, and the cone widens along the axis.
+// sentence: You take the position for the base's center. It is the apex, and the cone widens along the axis.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

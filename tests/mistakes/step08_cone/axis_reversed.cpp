@@ -1,4 +1,4 @@
-// origin: thought of: the axis from the base to the apex
+// origin: invented: the axis from the base to the apex
 // caught by: it opens along the axis, from the apex to the height (MRT §8)
 // sentence: Your cone opens against the axis. Z points from the apex into the cone.
 #define intersect(...) correct_intersect(__VA_ARGS__)

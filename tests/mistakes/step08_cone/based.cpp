@@ -1,4 +1,4 @@
-// origin: thought of: a base that MRT §8 does not have
+// origin: invented: a base that MRT §8 does not have
 // caught by: there is no base (MRT §8)
 // sentence: Your cone has a base. The one of MRT §8 is open.
 #define intersect(...) correct_intersect(__VA_ARGS__)

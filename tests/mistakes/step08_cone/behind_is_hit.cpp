@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: behind the origin, nothing is met (PHY, t positive)
-// sentence: You do not ask whether t is positive: what is behind the eye is seen.
+// sentence: You do not test whether t is positive: shapes behind the eye are visible.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: the scene's diameter not halved
+// origin: invented: the scene's diameter not halved
 // caught by: at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)
 // sentence: Your cone is twice as wide: r is the radius.
 #define intersect(...) correct_intersect(__VA_ARGS__)

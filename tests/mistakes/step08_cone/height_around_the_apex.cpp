@@ -1,4 +1,4 @@
-// origin: thought of: the cylinder's |z| ≤ h / 2
+// origin: invented: the cylinder's |z| ≤ h / 2
 // caught by: it opens along the axis, from the apex to the height (MRT §8)
 // sentence: You take |z_p| ≤ h / 2, the cylinder's rule. The cone's position is its apex: 0 ≤ z_p ≤ h.
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: there is one nappe, no hourglass (MRT §8, 0 ≤ z_p)
-// sentence: You keep the second nappe: your cone is an hourglass. Ask for 0 ≤ z_p.
+// sentence: You keep the second nappe: your cone is an hourglass. Test 0 ≤ z_p.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

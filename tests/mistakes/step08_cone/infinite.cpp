@@ -1,6 +1,6 @@
-// origin: thought of: z_p ≤ h forgotten
+// origin: invented: z_p ≤ h forgotten
 // caught by: it opens along the axis, from the apex to the height (MRT §8)
-// sentence: You never ask for z_p ≤ h: your cone has no end.
+// sentence: You never test z_p ≤ h: your cone is endless.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: into the open end, the far inside is met: both roots are tried (MRT §8)
-// sentence: You try the smaller root only. Where it lies beyond the rim, the larger one is the inside of the cone.
+// sentence: You try the smaller root only. If it lies outside the rim, the larger one is on the inside of the cone.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

@@ -1,4 +1,4 @@
-// origin: thought of: the sign at the apex
+// origin: invented: the sign at the apex
 // caught by: at the apex the normal is -axis (contract)
 // sentence: At the apex your normal points into the cone. Outward is −axis, away from where it opens.
 #define normal(...) correct_normal(__VA_ARGS__)

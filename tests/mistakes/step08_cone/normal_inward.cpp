@@ -1,4 +1,4 @@
-// origin: thought of: o − p for p − o
+// origin: invented: o − p for p − o
 // caught by: the normal leans back by the slope of the side (MRT §8)
 // sentence: Your normal points into the cone. Outward is away from the axis.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the sign of the slope
+// origin: invented: the sign of the slope
 // caught by: the normal leans back by the slope of the side (MRT §8)
 // sentence: Your normal leans the wrong way: it points back towards the apex's end, −Z times the slope.
 #define normal(...) correct_normal(__VA_ARGS__)

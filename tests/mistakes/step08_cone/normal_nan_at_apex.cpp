@@ -1,4 +1,4 @@
-// origin: thought of: 0 / 0
+// origin: invented: 0 / 0
 // caught by: at the apex the normal is -axis (contract)
 // sentence: At the apex nothing is left across the axis, and 0 / 0 is NaN. Every direction would do there: take −axis.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: r and h exchanged
+// origin: invented: r and h exchanged
 // caught by: the normal leans back by the slope of the side (MRT §8)
 // sentence: Your normal leans by h / r where r / h is meant: it is at right angles to the side.
 #define normal(...) correct_normal(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: a first root that is refused ends the search
+// origin: invented: a first root that is refused ends the search
 // caught by: the other nappe, crossed first, is not there (MRT §8, 0 ≤ z_p)
 // sentence: You give up where the first root is on the nappe that is not there. Behind it the ray may meet the one that is: go on to the second.
 #define intersect(...) correct_intersect(__VA_ARGS__)

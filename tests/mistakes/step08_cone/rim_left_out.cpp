@@ -1,6 +1,6 @@
-// origin: thought of: < for ≤
+// origin: invented: < for ≤
 // caught by: the rim belongs to the side (MRT §8, z_p ≤ h)
-// sentence: You ask for z_p < h. MRT §8 has ≤: the rim belongs to the side.
+// sentence: You test z_p < h. MRT §8 has ≤: the rim belongs to the side.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
-// origin: thought of: ambient light treated like a light at the eye
+// origin: invented: ambient light treated like a light at the eye
 // caught by: ambient light is the same wherever the surface is, faces, or is seen from (CR §3.1)
-// sentence: Your ambient term depends on where the surface faces. Ambient light comes from everywhere.
+// sentence: Your ambient term depends on the surface's direction. Ambient light is the same from all directions.
 #define ambient_term(...) correct_ambient_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef ambient_term

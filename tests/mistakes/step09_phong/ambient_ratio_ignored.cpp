@@ -1,6 +1,6 @@
 // origin: thought of
 // caught by: ambient light is its ratio, its colour and the surface's, multiplied (CR §3.1)
-// sentence: You leave out the ambient light's ratio: its colour is multiplied by it.
+// sentence: You leave out the ambient light's ratio: its color is multiplied by it.
 #define ambient_term(...) correct_ambient_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef ambient_term

@@ -1,6 +1,6 @@
-// origin: thought of: V for L
+// origin: invented: V for L
 // caught by: diffuse light does not depend on the eye or on the highlight (CR §3.1)
-// sentence: Your diffuse term asks where the eye is. A matt surface looks the same from everywhere.
+// sentence: Your diffuse term depends on the eye. A matt surface has the same color from everywhere.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef diffuse_term

@@ -1,4 +1,4 @@
-// origin: thought of: the light's position for its direction
+// origin: invented: the light's position for its direction
 // caught by: L leads from the point to the light, wherever both are (CR §3.1)
 // sentence: You take the light's position for the direction to it. L is light.position − surface.point.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)

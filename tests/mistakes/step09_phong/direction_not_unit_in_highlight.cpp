@@ -1,4 +1,4 @@
-// origin: thought of: L normalised for the diffuse term only
+// origin: invented: L normalized for the diffuse term only
 // caught by: where R points to the eye, the highlight is full (CR §3.1)
 // sentence: You do not make L unit length before you reflect it: R is as long as the light is far away.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)

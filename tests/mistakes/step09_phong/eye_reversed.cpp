@@ -1,4 +1,4 @@
-// origin: thought of: the ray's direction for V
+// origin: invented: the ray's direction for V
 // caught by: where R points to the eye, the highlight is full (CR §3.1)
 // sentence: You take the direction of the ray for V. V leads back to the eye.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: light that falls off with the square of its distance
+// origin: invented: light that falls off with the square of its distance
 // caught by: how far away the light is does not matter (CR §3.1)
 // sentence: Your light falls off with its distance. That of CR §3.1 does not.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: < 0 for ≤ 0
+// origin: invented: < 0 for ≤ 0
 // caught by: a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR §3.1)
 // sentence: You show a highlight where ⟨L, N⟩ is 0: the light only grazes the surface there.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: CR §3.1, erratum 14
 // caught by: without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 14, CR §3.1)
-// sentence: You show a highlight where no light falls: ask whether ⟨L, N⟩ is positive first.
+// sentence: You show a highlight without light: test first that ⟨L, N⟩ is positive.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef specular_term

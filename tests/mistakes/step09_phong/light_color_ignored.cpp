@@ -1,6 +1,6 @@
 // origin: seen in student repositories: lights are white
 // caught by: brightness and colour of the light multiply what it shows (CR §3.1)
-// sentence: You leave out the light's colour. A red light shows nothing of a green surface.
+// sentence: You leave out the light's color. A red light shows nothing of a green surface.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef diffuse_term

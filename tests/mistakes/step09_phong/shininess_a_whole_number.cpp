@@ -1,4 +1,4 @@
-// origin: thought of: pow by a loop
+// origin: invented: pow by a loop
 // caught by: the shininess need not be a whole number, nor small (CR §3.1)
 // sentence: You cut the shininess off to a whole number. std::pow takes any.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: shininess · α
+// origin: invented: shininess · α
 // caught by: where R points to the eye, the highlight is full (CR §3.1)
 // sentence: You multiply by the shininess. It is the exponent of ⟨R, V⟩.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)

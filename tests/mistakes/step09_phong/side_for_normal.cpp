@@ -1,4 +1,4 @@
-// origin: thought of: surface.side, which is for stage 10
+// origin: invented: surface.side, which is for stage 10
 // caught by: diffuse light is by the cosine between L and N (CR §3.1, M1)
 // sentence: You take surface.side for N. On a smooth mesh that is the flat face: N is surface.normal.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: material.specular never read
+// origin: invented: material.specular never read
 // caught by: a surface without a highlight has none (CR §3.1)
-// sentence: You do not ask how strong the highlight of the material is: a matt one has none.
+// sentence: You ignore the strength of the material's highlight: a matt one has no highlight.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef specular_term

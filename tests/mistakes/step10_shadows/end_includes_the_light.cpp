@@ -1,6 +1,6 @@
-// origin: thought of: t ≤ distance, and a little more
+// origin: invented: t ≤ distance, and a little more
 // caught by: a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.2)
-// sentence: Your range goes a little beyond the light, and what the lamp lies in shadows it. End a little before.
+// sentence: Your interval ends a little behind the light, so a surface around the lamp shadows it. End it a little before.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray

@@ -1,4 +1,4 @@
-// origin: thought of: p - l for l - p
+// origin: invented: p - l for l - p
 // caught by: the way leads from the point to the light (CR §3.2)
 // sentence: Your ray leads away from the light: the direction is the light's position less the point's.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: surface.normal for surface.side
+// origin: invented: surface.normal for surface.side
 // caught by: the offset is along the flat face, wherever an interpolated normal points (CR §6)
 // sentence: You move along the normal that the shading has, which may be interpolated and lean. The flat face's own is surface.side.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

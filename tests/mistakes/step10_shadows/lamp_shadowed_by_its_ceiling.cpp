@@ -1,4 +1,4 @@
-// origin: thought of: the range ends at the light, to the last digit
+// origin: invented: the range ends at the light, to the last digit
 // caught by: a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.2)
 // sentence: Your range ends at the light exactly, and by a rounding the ceiling that the lamp lies in is nearer. End a little before.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

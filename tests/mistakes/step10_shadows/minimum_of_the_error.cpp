@@ -1,4 +1,4 @@
-// origin: thought of: t > error in place of an offset
+// origin: invented: t > error in place of an offset
 // caught by: a point that is off its surface by its error still sees the light (contract)
 // sentence: You leave out the first part of the ray, but where it grazes the surface it is still inside by then. Move the origin along surface.side.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

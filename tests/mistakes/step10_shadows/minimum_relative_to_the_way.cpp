@@ -1,4 +1,4 @@
-// origin: thought of: t > 0.001 of a direction as long as the way
+// origin: invented: t > 0.001 of a direction as long as the way
 // caught by: a point that is off its surface by its error still sees the light (contract)
 // sentence: You leave out a thousandth of the way: near the surface, what stands there is lost, and where the ray grazes the surface it meets it even then. Move the origin by surface.error on surface.side.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: any hit counts, as for the camera
+// origin: invented: any hit counts, as for the camera
 // caught by: what is behind the light is not in the way (CR §3.2, maxDist)
 // sentence: You count what is behind the light. The range ends at the light (CR §3.2's maxDist).
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: an epsilon relative to the way
+// origin: invented: an epsilon relative to the way
 // caught by: the offset does not grow with the distance of the light (contract)
 // sentence: Your offset grows with the distance of the light, but what the point is off by does not. Take surface.error.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the subtraction forgotten
+// origin: invented: the subtraction forgotten
 // caught by: the way leads from the point to the light (CR §3.2)
 // sentence: You take the light's position for the direction to it. Subtract the point.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

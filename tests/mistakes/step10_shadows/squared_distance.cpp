@@ -1,4 +1,4 @@
-// origin: thought of: dot(L, L) for its root
+// origin: invented: dot(L, L) for its root
 // caught by: what is behind the light is not in the way (CR §3.2, maxDist)
 // sentence: You compare t with the square of the distance. Take its root: length(L).
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: the ray from the light, up to the point
+// origin: invented: the ray from the light, up to the point
 // caught by: a point that is off its surface by its error still sees the light (contract)
-// sentence: Your ray comes from the light and ends at the point, so the surface itself is in its way. Start at the point, off the surface by its error.
+// sentence: Your ray starts at the light and ends at the point, so the surface itself blocks it. Start at the point, off the surface by its error.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray

@@ -1,4 +1,4 @@
-// origin: thought of: to be on the safe side
+// origin: invented: to be on the safe side
 // caught by: the offset is no more than a little: ten errors above, all is met (contract)
 // sentence: You start a thousand errors above the surface, and what stands below throws no shadow. The error itself is enough.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: back along the camera ray
+// origin: invented: back along the camera ray
 // caught by: a point that is off its surface by its error still sees the light (contract)
 // sentence: You move towards the eye: where it grazes the surface, that hardly leaves it. Move along surface.side.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the sign of the offset
+// origin: invented: the sign of the offset
 // caught by: a point that is off its surface by its error still sees the light (contract)
 // sentence: You start on the far side of the surface, so it is in the way. surface.side points to where the eye is.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: stage 10 once more
+// origin: invented: stage 10 once more
 // caught by: another sample is another point (CR §3.3)
-// sentence: You aim at the light's centre, whatever the sample: the shadow stays hard.
+// sentence: You aim at the light's center, whatever the sample: the shadow stays hard.
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef light_point

@@ -1,4 +1,4 @@
-// origin: thought of: the angle even instead of its cosine
+// origin: invented: the angle even instead of its cosine
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: You take the angle θ evenly from 0 to its largest. Rings of equal θ are not of equal solid angle: take cos θ evenly.
 #define light_point(...) correct_light_point(__VA_ARGS__)

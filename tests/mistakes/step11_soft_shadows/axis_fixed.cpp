@@ -1,4 +1,4 @@
-// origin: thought of: the light's own frame left upright
+// origin: invented: the light's own frame left upright
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Your cone opens along y, whatever the direction to the light. Build a basis around that direction.
 #define light_point(...) correct_light_point(__VA_ARGS__)

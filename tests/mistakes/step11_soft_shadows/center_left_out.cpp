@@ -1,4 +1,4 @@
-// origin: thought of: the light's centre not added
+// origin: invented: the light's center not added
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Your points lie around the origin of the world. Add light.position.
 #define light_point(...) correct_light_point(__VA_ARGS__)

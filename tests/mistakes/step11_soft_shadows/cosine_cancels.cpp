@@ -1,4 +1,4 @@
-// origin: thought of: cos θ = 1 − x (1 − cos θ_max), sin θ = √(1 − cos² θ)
+// origin: invented: cos θ = 1 − x (1 − cos θ_max), sin θ = √(1 − cos² θ)
 // caught by: a light so small that sin² is less than a rounding is sampled all over (contract)
 // sentence: Of a small light cos θ_max rounds to 1, and all your points are one. 1 − cos θ_max is sin² / (1 + cos), and sin² is known.
 #define light_point(...) correct_light_point(__VA_ARGS__)

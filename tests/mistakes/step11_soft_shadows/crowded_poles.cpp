@@ -1,4 +1,4 @@
-// origin: thought of: two angles drawn evenly
+// origin: invented: two angles drawn evenly
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: You draw two angles evenly: points all over the sphere, also on its far side, and crowded at its poles.
 #define light_point(...) correct_light_point(__VA_ARGS__)

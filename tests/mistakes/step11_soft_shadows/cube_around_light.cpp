@@ -1,4 +1,4 @@
-// origin: thought of: CR §3.3 centred, erratum 16 half mended
+// origin: invented: CR §3.3 centerd, erratum 16 half mended
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: You draw x, y and z from minus the radius to the radius: a cube around the light, whose corners stand out. The light is a sphere.
 #define light_point(...) correct_light_point(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the radius taken for half of it
+// origin: invented: the radius taken for half of it
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Your light is twice as large: light.radius is the radius already.
 #define light_point(...) correct_light_point(__VA_ARGS__)

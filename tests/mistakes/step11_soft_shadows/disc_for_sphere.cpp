@@ -1,6 +1,6 @@
-// origin: thought of: a disc across the centre
+// origin: invented: a disc across the center
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
-// sentence: You aim at a disc through the light's centre: points inside the light, and from nearby its rim is not what is seen as the rim of the sphere.
+// sentence: You aim at a disc through the light's center: points inside the light, and from nearby its rim is not what is seen as the rim of the sphere.
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef light_point

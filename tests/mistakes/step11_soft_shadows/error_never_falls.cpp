@@ -1,4 +1,4 @@
-// origin: thought of: the division by the number of rays forgotten
+// origin: invented: the division by the number of rays forgotten
 // caught by: four times the rays halve the error at least, or nearly (contract)
 // sentence: Your error does not fall as rays are added: no tolerance is ever reached. The standard deviation of one ray must be divided.
 #define share_error(...) correct_share_error(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the area that is seen, instead of its solid angle
+// origin: invented: the area that is seen, instead of its solid angle
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: Your points are even over the area that is seen. Near its rim that area is seen aslant, and should have fewer: spread the directions.
 #define light_point(...) correct_light_point(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the radius even instead of the area
+// origin: invented: the radius even instead of the area
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: You take the distance from the middle evenly, so that as many points lie in the inner ring as in an outer one, which is larger: they crowd in the middle. Take its square evenly.
 #define light_point(...) correct_light_point(__VA_ARGS__)

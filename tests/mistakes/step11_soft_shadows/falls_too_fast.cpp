@@ -1,4 +1,4 @@
-// origin: thought of: the error divided by n
+// origin: invented: the error divided by n
 // caught by: the estimate is honest: the true error is about as large, and no larger (contract)
 // sentence: You divide by n: your error is less than the true one, and the sampling stops too soon. Even points gain n^(3/4), independent ones √n.
 #define share_error(...) correct_share_error(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: points all over the sphere
+// origin: invented: points all over the sphere
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Half of your points lie on the far side of the light, where they cannot be seen, and are counted free through the light itself. Take what is seen from the point.
 #define light_point(...) correct_light_point(__VA_ARGS__)

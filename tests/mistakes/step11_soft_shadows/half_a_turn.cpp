@@ -1,4 +1,4 @@
-// origin: thought of: π for 2 π
+// origin: invented: π for 2 π
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: Your angle around the axis goes half way round: half of the light is never aimed at.
 #define light_point(...) correct_light_point(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: int / int
+// origin: invented: int / int
 // caught by: the share is that of the rays that reach the light, not of the blocked ones (CR §3.3)
 // sentence: You divide whole numbers: 3 / 4 is 0, and only what sees all of the light is lit. Make them Real first.
 #define lit_share(...) correct_lit_share(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: the light larger than its distance
+// origin: invented: the light larger than its distance
 // caught by: from inside the light it is its centre (contract)
-// sentence: From inside the light the sine is more than 1, and the root of what is below 0 is NaN. Return the centre there.
+// sentence: From inside the light the sine is more than 1, and the root of what is below 0 is NaN. Return the center there.
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef light_point

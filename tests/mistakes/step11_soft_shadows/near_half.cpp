@@ -1,4 +1,4 @@
-// origin: thought of: the half of the sphere that faces the point
+// origin: invented: the half of the sphere that faces the point
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: You take all of the half that faces the point. From nearby less than half is seen: up to the circle where the tangents touch.
 #define light_point(...) correct_light_point(__VA_ARGS__)

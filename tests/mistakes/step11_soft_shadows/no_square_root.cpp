@@ -1,4 +1,4 @@
-// origin: thought of: the variance for its root
+// origin: invented: the variance for its root
 // caught by: the estimate is honest: the true error is about as large, and no larger (contract)
 // sentence: You return a variance. Its square root is the error.
 #define share_error(...) correct_share_error(__VA_ARGS__)

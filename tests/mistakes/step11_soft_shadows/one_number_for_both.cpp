@@ -1,4 +1,4 @@
-// origin: thought of: one coordinate of the sample used twice
+// origin: invented: one coordinate of the sample used twice
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: You use one number for the distance and for the turn: your points lie on a spiral.
 #define light_point(...) correct_light_point(__VA_ARGS__)

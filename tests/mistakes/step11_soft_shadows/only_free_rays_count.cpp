@@ -1,6 +1,6 @@
-// origin: thought of: √(p / n)
+// origin: invented: √(p / n)
 // caught by: the error is the same for free and blocked rays exchanged (contract)
-// sentence: Where all rays are free your error is largest, and where none is it is least. It is p (1 − p) that counts.
+// sentence: Your error is largest if all rays are free, and smallest if all are blocked. It must be computed from p (1 − p).
 #define share_error(...) correct_share_error(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef share_error

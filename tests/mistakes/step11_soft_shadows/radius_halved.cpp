@@ -1,4 +1,4 @@
-// origin: thought of: the radius taken for the diameter
+// origin: invented: the radius taken for the diameter
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Your light is half as large: light.radius is not the diameter.
 #define light_point(...) correct_light_point(__VA_ARGS__)

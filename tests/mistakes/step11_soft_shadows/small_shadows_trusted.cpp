@@ -1,4 +1,4 @@
-// origin: thought of: √(p (1 − p)) / n^(3/4), as of independent points
+// origin: invented: √(p (1 − p)) / n^(3/4), as of independent points
 // caught by: it is honest too where little of the light is hidden (contract)
 // sentence: Where little of the light is hidden your error is less than the true one: the edge of a share p is about √p long, and the error goes with p^(1/4), not with √p.
 #define share_error(...) correct_share_error(__VA_ARGS__)

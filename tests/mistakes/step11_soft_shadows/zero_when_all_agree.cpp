@@ -1,4 +1,4 @@
-// origin: thought of: √(p (1 − p) / n) with p as it came
+// origin: invented: √(p (1 − p) / n) with p unchanged
 // caught by: the error is positive even if all rays agree (contract)
 // sentence: If all rays agree your error is 0, and the sampling stops after the first few, whatever they overlooked. Count one more of each kind.
 #define share_error(...) correct_share_error(__VA_ARGS__)

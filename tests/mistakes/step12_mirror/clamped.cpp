@@ -1,6 +1,6 @@
-// origin: thought of: colours cut off at 1 on the way
+// origin: invented: colors cut off at 1 on the way
 // caught by: what is brighter than white is reflected as bright as it is (contract)
-// sentence: You cut colours off at 1 before the picture does: the image of a bright thing gets too dark.
+// sentence: You cut colors off at 1 before the picture does: the image of a bright thing gets too dark.
 #define mixed(...) correct_mixed(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"
 #undef mixed

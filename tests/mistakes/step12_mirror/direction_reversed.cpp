@@ -1,6 +1,6 @@
-// origin: thought of: −d for R
+// origin: invented: −d for R
 // caught by: the reflected ray stays in the plane of the ray and the normal (CR §5.1)
-// sentence: Your mirror sends every ray back where it came from: R = d − 2 n ⟨d, n⟩.
+// sentence: Your mirror reflects every ray back to its origin: R = d − 2 n ⟨d, n⟩.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"
 #undef mirrored

@@ -1,4 +1,4 @@
-// origin: thought of: d − n ⟨d, n⟩
+// origin: invented: d − n ⟨d, n⟩
 // caught by: the direction is d - 2 n times d.n (CR §5.1, equation 4)
 // sentence: Your ray runs along the mirror: d − n ⟨d, n⟩ only takes the part across it away. Take it twice.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: CR §5.1, whose listing normalises R
+// origin: CR §5.1, whose listing normalizes R
 // caught by: the direction is as long as d, whatever its length (contract, erratum 19)
 // sentence: You make the direction unit length. A reflection keeps the length of d, and t counts in it.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)

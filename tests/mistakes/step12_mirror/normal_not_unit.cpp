@@ -1,6 +1,6 @@
 // origin: CR equation 4, erratum 29: n need not be of unit length there
 // caught by: the direction is d - 2 n times d.n (CR §5.1, equation 4)
-// sentence: You reflect at a vector that is not of unit length: R = d − 2 n ⟨d, n⟩ holds for ‖n‖ = 1 only.
+// sentence: You reflect at a vector that is not of unit length: R = d − 2 n ⟨d, n⟩ is true for ‖n‖ = 1 only.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"
 #undef mirrored

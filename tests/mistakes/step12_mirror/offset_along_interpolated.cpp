@@ -1,4 +1,4 @@
-// origin: thought of: the offset along the interpolated normal
+// origin: invented: the offset along the interpolated normal
 // caught by: an interpolated normal never sends the ray below the flat face (CR §6)
 // sentence: You move the start along the interpolated normal, and less far from the face than its error.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)

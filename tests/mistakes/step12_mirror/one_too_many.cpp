@@ -1,4 +1,4 @@
-// origin: thought of: <= for <
+// origin: invented: <= for <
 // caught by: between two facing mirrors a ray is reflected as often as --depth says (CR §5.1)
 // sentence: You make one reflection more than the depth allows.
 #define worth_reflecting(...) correct_worth_reflecting(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: a mirror that shows nothing of its own
+// origin: invented: a mirror that shows nothing of its own
 // caught by: a mirror that sees nothing shows its own share (CR §5.1)
 // sentence: Your mirror shows nothing of itself: 1 − mirror of it is no mirror.
 #define mixed(...) correct_mixed(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the shares exchanged
+// origin: invented: the shares exchanged
 // caught by: what it shows and what it reflects are shares of one (contract)
 // sentence: You give the mirror the share of the surface, and the surface that of the mirror.
 #define mixed(...) correct_mixed(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: thought of: d + 2 n ⟨d, n⟩
+// origin: invented: d + 2 n ⟨d, n⟩
 // caught by: the direction is d - 2 n times d.n (CR §5.1, equation 4)
-// sentence: Your ray goes into the mirror, and steeper than it came: d + 2 n ⟨d, n⟩ has the wrong sign.
+// sentence: Your ray goes into the mirror, and steeper than before: d + 2 n ⟨d, n⟩ has the wrong sign.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"
 #undef mirrored

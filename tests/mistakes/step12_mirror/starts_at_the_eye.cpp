@@ -1,4 +1,4 @@
-// origin: thought of: the origin left as it is
+// origin: invented: the origin left as it is
 // caught by: it starts off the surface, by its error or a little more (contract, erratum 31)
 // sentence: Your reflected ray starts at the eye. It starts where the mirror was met.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: the sign of the offset
+// origin: invented: the sign of the offset
 // caught by: it starts off the surface, by its error or a little more (contract, erratum 31)
 // sentence: Your ray starts on the other side of the surface: surface.side is on the side of the eye.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)

@@ -1,4 +1,4 @@
-// origin: thought of: its basis never looked at
+// origin: invented: its basis never looked at
 // caught by: an oriented box turns with its basis (M1)
 // sentence: You take every box for one along the axes of the scene. Take the coordinates of o − c and of d along u, v and w.
 #include "tests/mistakes/step13_meshes/stage5.hpp"

@@ -1,6 +1,6 @@
 // origin: M1 as printed, erratum 8
 // caught by: a box behind the eye is missed (erratum 8, M1)
-// sentence: You ask whether the intervals of the three slabs overlap, as M1 prints it: where they do so at t < 0, the box is behind. Ask for min t_max > 0 too.
+// sentence: You test whether the intervals of the three slabs overlap, as M1 prints it: if they do so at t < 0, the box is behind. Test min t_max > 0 too.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap

@@ -1,6 +1,6 @@
 // origin: course/mistakes.md
 // caught by: a ray through the mesh's box misses where no triangle is (CR §4.2)
-// sentence: You answer where the ray enters the box around the mesh. The box only says that it is worth asking the triangles.
+// sentence: You return the hit with the box around the mesh. The box only shows that the triangles must be tested.
 #include "tests/mistakes/step13_meshes/stage5.hpp"
 
 #define intersect(...) correct_intersect(__VA_ARGS__)

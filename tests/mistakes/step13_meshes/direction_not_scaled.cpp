@@ -1,4 +1,4 @@
-// origin: thought of: the scale divides the origin only
+// origin: invented: the scale divides the origin only
 // caught by: a mesh twice as large: the ray and its direction are halved (HAI, scale)
 // sentence: You divide the origin by the scale and forget the direction.
 #define into_frame(...) correct_into_frame(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: CR §4.2 as printed, erratum 31
 // caught by: a triangle is met however near it is (erratum 31, CR §4.2)
-// sentence: You drop hits at t ≤ 0.001, as CR §4.2 prints it. How far that is depends on the scene's unit and on d: only t > 0 is asked for, and the ray starts off the surface.
+// sentence: You drop hits at t ≤ 0.001, as CR §4.2 prints it. That distance depends on the scene's unit and on d: the only condition is t > 0, and the ray starts off the surface.
 #include "tests/mistakes/step13_meshes/stage5.hpp"
 
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
 // origin: M1 as printed
 // caught by: a flat box is hit: max t_min = min t_max is no miss (M1)
-// sentence: You ask for max t_min < min t_max: a box without thickness is never hit. It is ≤.
+// sentence: You test max t_min < min t_max: a box without thickness is never hit. The test is ≤.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap

@@ -1,6 +1,6 @@
-// origin: thought of: max t_min > 0 asked for
+// origin: invented: max t_min > 0 tested
 // caught by: from inside, a ray is in the box from its start to the first t_max (M1)
-// sentence: You ask for max t_min > 0: from inside, the ray has entered before it began. It is min t_max that must be positive.
+// sentence: You test max t_min > 0: from inside, the ray entered before its start. min t_max must be positive.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap

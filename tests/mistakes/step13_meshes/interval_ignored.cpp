@@ -1,6 +1,6 @@
-// origin: thought of: t > 0 only
+// origin: invented: t > 0 only
 // caught by: only triangles strictly inside the interval are met (contract)
-// sentence: You ask for t > 0 only. The interval says what counts: strictly between its min and its max.
+// sentence: You test t > 0 only. Only hits strictly inside the interval count, between its min and its max.
 #include "tests/mistakes/step13_meshes/stage5.hpp"
 
 #define intersect(...) correct_intersect(__VA_ARGS__)

@@ -1,6 +1,6 @@
-// origin: M1 by its second paper: "d < 0" asked for in place of the sign of 1 / d
+// origin: M1 by its second paper: "d < 0" tested in place of the sign of 1 / d
 // caught by: a coordinate of the direction may be 0, and -0 is 0 (M1, Williams et al.)
-// sentence: You ask for d < 0, and -0 is not less than 0: its t_min and t_max are exchanged, and the ray misses. Ask for d = 0 first, or for the sign of 1 / d.
+// sentence: You test d < 0, and -0 is not less than 0: its t_min and t_max are exchanged, and the ray misses. Test d = 0 first, or the sign of 1 / d.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap

@@ -1,6 +1,6 @@
-// origin: thought of: the inverses in the order of the motion
+// origin: invented: the inverses in the order of the motion
 // caught by: a mesh is scaled, then turned, then moved, and the ray all that backwards (HAI)
-// sentence: You turn and scale the ray before you move it. Backwards comes first what was last: the translation.
+// sentence: You rotate and scale the ray before you move it. The inverse starts with the last step: the translation.
 #define into_frame(...) correct_into_frame(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef into_frame

@@ -1,6 +1,6 @@
-// origin: thought of: t_min taken on box.min whatever the sign of d
+// origin: invented: t_min taken on box.min whatever the sign of d
 // caught by: a ray is in the box from the last t_min to the first t_max (M1)
-// sentence: You take t_min on pmin always. Where d is negative the ray comes to pmax first: exchange them.
+// sentence: You take t_min on pmin always. If d is negative, the ray reaches pmax first: exchange them.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap

@@ -1,6 +1,6 @@
-// origin: thought of: right for a cube only
+// origin: invented: right for a cube only
 // caught by: the normal is that of the face, not of the largest coordinate (M1)
-// sentence: You take the axis along which the point is furthest from the centre. On a long box that is often not its face: divide by half_size first.
+// sentence: You take the axis along which the point is furthest from the center. On a long box that is often not its face: divide by half_size first.
 #define normal(...) correct_normal(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef normal

@@ -1,4 +1,4 @@
-// origin: thought of: the matrix in place of its inverse
+// origin: invented: the matrix in place of its inverse
 // caught by: a mesh that is turned: the ray is turned the other way (HAI, rotate)
 // sentence: You turn the ray as the mesh is turned. It must be turned the other way: by the products with x, y and z.
 #define into_frame(...) correct_into_frame(__VA_ARGS__)

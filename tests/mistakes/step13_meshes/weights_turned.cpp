@@ -1,4 +1,4 @@
-// origin: thought of: each weight one vertex further
+// origin: invented: each weight one vertex further
 // caught by: the weights are those of the vertices in their order, and sum to 1 (CR §4.1, M1)
 // sentence: Your weights stand one vertex too far: the first is that of triangle[0], and belongs to the area opposite to it.
 #include "tests/mistakes/step13_meshes/stage5.hpp"

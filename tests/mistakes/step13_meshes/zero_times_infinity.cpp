@@ -1,6 +1,6 @@
 // origin: course/mistakes.md
 // caught by: a ray along a face or an edge is in the box, though 0 times infinity is NaN (M1)
-// sentence: A ray along a face gives 0 / 0, which is NaN, and std::min and std::max let it win or lose by where it stands. Ask for d = 0 first.
+// sentence: A ray along a face gives 0 / 0, which is NaN, and the result of std::min and std::max depends on its position. Test d = 0 first.
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
 #undef overlap
