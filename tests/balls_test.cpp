@@ -135,7 +135,7 @@ Verdict finds_the_same() {
 
 }  // namespace
 
-TEST_CASE("balls: none is left out whose shape a ray meets") {
+TEST_CASE("balls: no shape that a ray hits is left out") {
     CHECK(no_hit_is_lost<Sphere>());
     CHECK(no_hit_is_lost<Triangle>());
     CHECK(no_hit_is_lost<Square>());
@@ -158,7 +158,7 @@ TEST_CASE("balls: as small as a shape lets them be") {
                 std::sqrt(Real(6)) / 3);
 }
 
-TEST_CASE("balls: a ray stays away from what its line passes by") {
+TEST_CASE("balls: a ray misses a sphere that its line misses") {
     const Ball ball{.center = {1, 2, 3}, .radius = Real(0.5)};
     for (const Real distance : {Real(1), Real(30)})
         for (const Real length : {Real(1e-6), Real(1), Real(1e6)})
@@ -182,7 +182,7 @@ TEST_CASE("balls: each has its own bit, up to 64") {
     }
 }
 
-TEST_CASE("balls: numbers that are none, too large or too small leave nothing out") {
+TEST_CASE("balls: with NaN, huge or tiny numbers no shape is left out") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real large = std::sqrt(std::numeric_limits<Real>::max()) * 2;
     const Real small = 1 / large;
@@ -204,7 +204,7 @@ TEST_CASE("balls: numbers that are none, too large or too small leave nothing ou
         is_near({.origin = {small, 0, 0}, .direction = along}, {.center = {0, 0, 0}, .radius = 0}));
 }
 
-TEST_CASE("balls: none is left out at any size") {
+TEST_CASE("balls: no candidate is lost at any size") {
     CHECK(for_all([](Random& random) { return is_near_at_any_size(random); }, 100000));
 }
 
@@ -217,7 +217,7 @@ TEST_CASE("balls: the nearest is the same in a list, in balls and in a hierarchy
     CHECK(finds_the_same<OrientedBox>());
 }
 
-TEST_CASE("balls: few are asked, unless there are to be none") {
+TEST_CASE("balls: few shapes are tested, unless balls are switched off") {
     Items<Sphere> row;
     for (int i = 0; i < 5; ++i)
         row.push_back({.shape = {.center = {Real(i), 0, 0}, .radius = Real(0.25)}});

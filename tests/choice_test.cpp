@@ -208,7 +208,7 @@ TEST_CASE("mirrors are followed until no more than a part of the tolerance is mi
               .expected.look.depth == 5);
 }
 
-TEST_CASE("what a scene does not require is not tried") {
+TEST_CASE("features that a scene does not use are not tried") {
     MadeUp model = plain();
     const Choice choice = chosen(model, {.look = {.depth = 8}, .tolerance = 1});
     CHECK(choice.expected.look.depth == 8);

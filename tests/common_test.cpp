@@ -65,7 +65,7 @@ TEST_CASE("a stage is found by its number, its topic and its name") {
         CHECK(find_stage(name) == std::nullopt);
 }
 
-TEST_CASE("a scene says what it requires, in the order of the stages") {
+TEST_CASE("a scene's requirements are listed in the order of the stages") {
     Scene scene;
     scene.cameras.resize(2);
     scene.cones = {Item<Cone>()};
@@ -212,7 +212,7 @@ TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays w
     CHECK(nearest.hit()->material == &shapes[0].material);
 }
 
-TEST_CASE("the story tells each shape that was asked, and counts the misses that it leaves out") {
+TEST_CASE("the story contains each tested shape, and counts the misses that it leaves out") {
     std::ostringstream out;
     Story story(out);
     Context context{.story = &story};

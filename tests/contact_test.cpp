@@ -196,7 +196,7 @@ Verdict constants_fail() {
 
 }  // namespace
 
-TEST_CASE("rays that leave a surface neither meet it nor miss what is close, at any scale") {
+TEST_CASE("rays that leave a surface neither hit it nor miss close objects, at any scale") {
     CHECK(never_wrong<Sphere>());
     CHECK(never_wrong<Plane>());
     CHECK(never_wrong<Triangle>());

@@ -91,7 +91,7 @@ TEST_CASE("erratum 29: n must have unit length (CR eq. 4)") {
     CHECK(gives("R", d - 2 * dot(d, n) / dot(n, n) * n, Vec3(1, 1, 0)));
 }
 
-TEST_CASE("erratum 30: one bounce is none (CR §2.1, §5.1)") {
+TEST_CASE("erratum 30: a limit of one bounce allows none (CR §2.1, §5.1)") {
     // A mirror before a wall of brightness 1: what the camera sees, with so many bounces left.
     const auto wall_in_mirror = [](int bounces, bool counts_the_first_ray) {
         int rays = counts_the_first_ray ? bounces : bounces + 1;

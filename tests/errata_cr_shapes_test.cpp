@@ -29,7 +29,7 @@ TEST_CASE("erratum 12: a sphere behind the ray is hit (CR §2.2)") {
     CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, unit_sphere));
 }
 
-TEST_CASE("erratum 13: what is nearer than 4.9 is dropped (CR §2.1)") {
+TEST_CASE("erratum 13: hits closer than 4.9 are dropped (CR §2.1)") {
     // The nearest of two hits, four and six ahead.
     const auto nearest = [](Real more_than) {
         Real t = infinity;

@@ -51,7 +51,7 @@ TEST_CASE("erratum 10: PC stands where CP is meant (HAI)") {
     CHECK(gives("square_uv at C + U", square_uv(square, p), Vec2(1, 0)));
 }
 
-TEST_CASE("erratum 18: situation B is worked with another centre than it gives (PHY)") {
+TEST_CASE("erratum 18: situation B is solved with another center than the given one (PHY)") {
     const Quadratic given = situation_b({1, 0, -3});
     CHECK(std::array{given.a, given.b, given.c} == std::array<Real, 3>{34, 18, 8});
     CHECK(given.discriminant() == -764);
@@ -60,7 +60,7 @@ TEST_CASE("erratum 18: situation B is worked with another centre than it gives (
     CHECK(worked.discriminant() == -1820);
 }
 
-TEST_CASE("erratum 19: a unit v is asked for, and others are used (PHY)") {
+TEST_CASE("erratum 19: a unit v is required, and others are used (PHY)") {
     const Vec3 v(-1, 2, -3);
     CHECK(dot(v, v) == 14);
     const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};

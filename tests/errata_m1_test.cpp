@@ -39,7 +39,7 @@ TEST_CASE("erratum 8: a box behind the camera is hit (M1)") {
     CHECK_FALSE(t_max > 0);  // what is needed as well
 }
 
-TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's centre (M1)") {
+TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's center (M1)") {
     // A camera at (0, 6, 0) that looks along −z with a field of 90°, near plane 1, far plane 3.
     Mat4 view(1);
     view[3] = {0, -6, 0, 1};
@@ -62,7 +62,7 @@ TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's cent
                 Vec2(Real(-0.75), Real(0.75))));
 }
 
-TEST_CASE("erratum 27: the torch shines less than not at all on what faces away (M1)") {
+TEST_CASE("erratum 27: the torch's light is negative on surfaces that face away (M1)") {
     const Vec3 normal(0, 0, -2);
     const Vec3 to_eye(0, 0, 3);
     CHECK(dot(normal, to_eye) / (length(normal) * length(to_eye)) == -1);  // printed: cos θ

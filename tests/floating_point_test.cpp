@@ -139,7 +139,7 @@ TEST_CASE("square roots and divisions are the nearest numbers") {
         10'000));
 }
 
-TEST_CASE("a corner is seen at the same place in all three roles, and by both neighbours") {
+TEST_CASE("a corner is seen at the same place in all three roles, and by both neighbors") {
     // A ray is aimed at the edge from p to q, and tested against the triangles on its two sides, in
     // all rotations. The position of a corner, relative to the ray, depends only on the corner and
     // the ray: so each triangle gives a consistent answer in all roles, and at least one is hit.

@@ -337,7 +337,7 @@ std::set<std::uint32_t> visited(const Hierarchy& hierarchy, const Ray& ray, Inte
 
 }  // namespace
 
-TEST_CASE("a hierarchy finds what a list finds, whatever the shape (contract)") {
+TEST_CASE("a hierarchy and a list find the same hits, for all shapes (contract)") {
     CHECK(for_all(agrees_with_list<Sphere>));
     CHECK(for_all(agrees_with_list<Triangle>));
     CHECK(for_all(agrees_with_list<Square>));
@@ -345,7 +345,7 @@ TEST_CASE("a hierarchy finds what a list finds, whatever the shape (contract)") 
     CHECK(for_all(agrees_with_list<Cone>));
 }
 
-TEST_CASE("a shape's box holds every hit on it (contract)") {
+TEST_CASE("a shape's box contains every hit on it (contract)") {
     CHECK(for_all(box_holds_hits<Sphere>, 2000));
     CHECK(for_all(box_holds_hits<Triangle>, 2000));
     CHECK(for_all(box_holds_hits<Square>, 2000));
@@ -513,7 +513,7 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
         20'000));
 }
 
-TEST_CASE("what is no ray meets nothing, and soon (contract)") {
+TEST_CASE("an invalid ray misses everything, and quickly (contract)") {
     const Mesh ball = bumpy_ball(4);
     const PackedMesh packed(ball);
     std::vector<Box> boxes;

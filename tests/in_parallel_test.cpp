@@ -32,7 +32,7 @@ TEST_CASE("in parallel: no piece is begun once it is to stop") {
     in_parallel(2, 10, &stop, [](std::size_t) { FAIL("it was to stop"); });
 }
 
-TEST_CASE("in parallel: what a piece throws comes out once the others have ended") {
+TEST_CASE("in parallel: an exception of a piece is rethrown after the others have ended") {
     for (const int threads : {1, 4}) {
         std::atomic<int> at_work = 0;
         const auto work = [&](std::size_t i) {

@@ -141,7 +141,7 @@ TEST_CASE("surfaces that only touch have no gap") {
     }
 }
 
-TEST_CASE("a scene of many shapes is looked at in no time") {
+TEST_CASE("a scene of many shapes is examined quickly") {
     Scene many = scene();
     Random random(1);
     for (int i = 0; i < 100'000; ++i)

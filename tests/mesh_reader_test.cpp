@@ -138,7 +138,7 @@ TEST_CASE("a cube is the same mesh in every format") {
     CHECK(shape(load_mesh(RAYSTEPS_ROOT "/scenes/meshes/cube.off")).size() == 12);
 }
 
-TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colours") {
+TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colors") {
     const std::string vertices = "0 0 0\n\n# one more\n1 0 0 # here\n0 1 0\n";
     for (const std::string& text :
          {"OFF\n3 1 0\n" + vertices + "3 0 1 2\n", "OFF\n3 1\n" + vertices + "3 0 1 2",
@@ -167,7 +167,7 @@ TEST_CASE("text PLY: properties that are passed over, in vertices and faces") {
     CHECK(mesh.normals.empty());  // nx alone is no normal
 }
 
-TEST_CASE("polygons become triangles, and what is none of three corners goes") {
+TEST_CASE("polygons become triangles, and faces without three corners are dropped") {
     const Mesh mesh = mesh_of("a.off",
                               "OFF\n6 6 0\n0 0 0\n2 0 0\n2 2 0\n1 0.5 0\n0 2 0\n9 9 9\n"
                               "5 0 1 2 3 4\n3 0 1 1\n4 0 0 1 2\n1 0\n0\n4 0 1 0 1\n");
@@ -243,7 +243,7 @@ TEST_CASE("smooth normals: unit length at any size, and somewhere where there is
     }
 }
 
-TEST_CASE("the shipped meshes are what docs/meshes.md says") {
+TEST_CASE("the shipped meshes are as described in docs/meshes.md") {
     struct Shipped {
         const char* file;
         Topology expected;

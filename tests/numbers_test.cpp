@@ -81,7 +81,7 @@ TEST_CASE("unit() at the ends of the numbers, and of nothing") {
     CHECK((std::isnan(none.x) && std::isnan(none.y) && std::isnan(none.z)));
 }
 
-TEST_CASE("facing() turns a normal to where the ray comes from, and leaves one at right angles") {
+TEST_CASE("facing() turns a normal against the ray, and keeps one at right angles") {
     const Vec3 n(0, 0, 1);
     CHECK(facing(n, {0, 0, -1}) == n);
     CHECK(facing(n, {0, 0, 1}) == -n);

@@ -582,7 +582,7 @@ TEST_CASE("every number of a page is worked out again, and is that") {
     }
 }
 
-TEST_CASE("what is a number, and which is another (this suite)") {
+TEST_CASE("numbers are recognized and compared (this suite)") {
     const std::vector<Printed> all = numbers_in(
         "CR §2.1: [at 0.5](a1.5.md) it is `0.7`, and 1,234 of 5, 61 %, $6 \\cdot 10^{-8}$");
     REQUIRE(all.size() == 4);

@@ -39,7 +39,7 @@ int lines(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a colour is rounded to the nearest of 256, and cut off at both ends") {
+TEST_CASE("a color is rounded to the nearest of 256, and clamped at both ends") {
     for (int part = 0; part <= 255; ++part) {
         const auto byte = static_cast<std::uint8_t>(part);
         CHECK(to_rgb(Color(Real(part) / 255)) == Rgb{byte, byte, byte});
@@ -50,7 +50,7 @@ TEST_CASE("a colour is rounded to the nearest of 256, and cut off at both ends")
     CHECK(to_rgb({infinity, -infinity, std::numeric_limits<Real>::max()}) == Rgb{255, 0, 255});
 }
 
-TEST_CASE("a colour with a part that is not a number is magenta") {
+TEST_CASE("a color with a part that is not a number is magenta") {
     for (int part = 0; part < 3; ++part) {
         Color color(0);
         color[part] = NAN;
@@ -71,14 +71,14 @@ TEST_CASE("the picture is the same for any number of threads, more than rows too
     CHECK(render(cornell_box({1, 1}), {.threads = 2})->rays == 1);
 }
 
-TEST_CASE("each row is told once") {
+TEST_CASE("each row is reported once") {
     std::atomic<int> rows = 0;
     const Scene scene = cornell_box({.width = 5, .height = 33});
     CHECK(render(scene, {.threads = 3, .row_done = [&rows] { ++rows; }}));
     CHECK(rows == 33);
 }
 
-TEST_CASE("a picture that is stopped, before or on the way, is none") {
+TEST_CASE("a picture that is stopped, before or during the rendering, is discarded") {
     const Scene scene = cornell_box({.width = 20, .height = 200});
     std::atomic<bool> stop = true;
     std::atomic<int> rows = 0;

@@ -105,7 +105,7 @@ TEST_CASE("a picture that is written is read back as it was") {
     CHECK(scratch.count() == 1);
 }
 
-TEST_CASE("what a picture says of itself is in its text chunks, in UTF-8") {
+TEST_CASE("a picture's settings are in its text chunks, in UTF-8") {
     const Scratch scratch;
     const std::vector<PngText> texts = {
         {"Title", "été.rt"}, {"Software", "Raysteps step03_sphere"}, {"Options", ""}};
@@ -127,7 +127,7 @@ TEST_CASE("a picture makes its folders, and takes an older one's place") {
     CHECK(scratch.count() == 3);
 }
 
-TEST_CASE("a picture that cannot be written says why, and leaves nothing") {
+TEST_CASE("a picture that cannot be written is an error with a reason, and leaves nothing") {
     const Scratch scratch;
     fs::create_directory(scratch.file("folder.png"));
     write(scratch.file("file"), "as it was");
@@ -184,7 +184,7 @@ TEST_CASE("a name as long as the system has them is fine") {
     CHECK(read_png(file).resolution.width == 2);
 }
 
-TEST_CASE("where a symbolic link stands, what it leads to is written") {
+TEST_CASE("a symbolic link is followed, and its target is written") {
     const Scratch scratch;
     fs::create_directory(scratch.file("folder"));
     std::error_code no_links;  // of a system, or a user
@@ -222,7 +222,7 @@ TEST_CASE("several writers of one picture each write a whole one") {
     CHECK(scratch.count() == 1);
 }
 
-TEST_CASE("what is no PNG is refused by name") {
+TEST_CASE("a file that is not a PNG is refused by name") {
     const Scratch scratch;
     const std::string file = scratch.file("a.png");
     CHECK_THROWS_AS(read_png(file), InputError);

@@ -101,7 +101,7 @@ TEST_CASE("samples: each point alone is uniform over the seeds of a picture's pi
     }
 }
 
-TEST_CASE("samples: neighbours, lights and bounces have points of their own") {
+TEST_CASE("samples: neighbors, lights and bounces have points of their own") {
     // The quarters of each of two points: 16 times 16 boxes, as uniform as if independent.
     const auto quarter = [](Vec2 point) {
         return std::size_t(point.x * 4) * 4 + std::size_t(point.y * 4);

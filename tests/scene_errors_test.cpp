@@ -113,7 +113,7 @@ TEST_CASE("wrong in lenient and in strict reading") {
     }
 }
 
-TEST_CASE("what is no decimal number") {
+TEST_CASE("invalid decimal numbers") {
     for (const std::string word : {"x",    "1x", "0x1p3", "0x10", "inf", "-inf",  "nan",  "NAN",
                                    ".",    "-",  "+",     "-.",   "+-1", "--1",   "1-",   "0..1",
                                    "0.1.", "1e", "1e+",   "e1",   "1_0", "1'000", "\"\"", "true"}) {
@@ -142,7 +142,7 @@ TEST_CASE("numbers out of range: too large is an error, and so is a length that 
     CHECK(lenient_refusal(with_camera("sp 0,0,1e-99999999999999999999 1 1,2,3")) == "accepted");
 }
 
-TEST_CASE("a base-anchored cylinder whose centre is out of range") {
+TEST_CASE("a base-anchored cylinder whose center is out of range") {
     const std::string far = sizeof(Real) == 4 ? "3e38" : "1.7e308";
     CHECK(lenient_refusal(
               with_camera("cy 0," + far + ",0 0,1,0 1 " + far + " 1,2,3 # rt: cyl=base")) ==
@@ -175,7 +175,7 @@ TEST_CASE("no camera") {
     }
 }
 
-TEST_CASE("strict reading refuses what lenient reading warns of") {
+TEST_CASE("strict reading refuses everything that lenient reading warns of") {
     const std::vector<Wrong> all = {
         {"cu 0,0,0 1 1,2,3",
          R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co box mesh)"},
@@ -224,13 +224,13 @@ TEST_CASE("strict reading refuses what lenient reading warns of") {
     }
 }
 
-TEST_CASE("strict reading wants the R of the older dialect, whose camera is c") {
+TEST_CASE("strict reading requires the R of the older dialect, whose camera is c") {
     CHECK(strict_refusal("\n c 0,0,0 0,0,-1 60\n") ==
           "scene.rt:2:2: error: \"c\" without a resolution: expected \"R width height\"");
     CHECK(lenient_refusal("\n c 0,0,0 0,0,-1 60\n") == "accepted");
 }
 
-TEST_CASE("a file of another program is told to be one") {
+TEST_CASE("a file of another program is recognized") {
     const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const std::string remark =
         " (5 of 5 lines begin with a word that no scene has: is this another format?)";
@@ -289,7 +289,7 @@ TEST_CASE("load_scene reads a file") {
               "expected \"C position direction fov\"");
 }
 
-TEST_CASE("load_scene says why a file cannot be read") {
+TEST_CASE("load_scene reports why a file cannot be read") {
     const Folder folder;
     const std::string absent = (folder.path / "absent.rt").string();
     CHECK(load_refusal(absent) == absent + ": error: no such file");
@@ -302,7 +302,7 @@ TEST_CASE("load_scene says why a file cannot be read") {
     if (!may_read_all) CHECK(load_refusal(closed) == closed + ": error: cannot be read");
 }
 
-TEST_CASE("load_scene stops reading what is too large to be a scene") {
+TEST_CASE("load_scene stops reading a file that is too large to be a scene") {
     const Folder folder;
     const std::string file =
         folder.write("large.rt", "C 0,0,0 0,0,-1 60\n# one line of a gigabyte");

@@ -97,7 +97,7 @@ TEST_CASE("both dialects in one scene") {
     CHECK(scene.triangles.size() == 1);
 }
 
-TEST_CASE("a cone: apex, direction, diameter, height, colour") {
+TEST_CASE("a cone: apex, direction, diameter, height, color") {
     const Scene scene = strict(camera + "co 1,2,3 0,-1,0 4 5 255,255,0\n");
     REQUIRE(scene.cones.size() == 1);
     CHECK(scene.cones[0].shape.apex == Vec3(1, 2, 3));
@@ -276,7 +276,7 @@ TEST_CASE("a square is seen from both sides, or with sides:1 from one") {
     CHECK_FALSE(one_sided(" sides:2"));
 }
 
-TEST_CASE("a cylinder's position is its centre, or with cyl=base the middle of its base") {
+TEST_CASE("a cylinder's position is its center, or with cyl=base the middle of its base") {
     const std::string line = "cy 1,2,3 0,1,0 2 10 1,2,3\n";
     const auto center = [](const Scene& scene) { return scene.cylinders.at(0).shape.center; };
     const SceneReading from_base{.strict = true, .cylinder_from_base = true};
@@ -287,7 +287,7 @@ TEST_CASE("a cylinder's position is its centre, or with cyl=base the middle of i
           Vec3(1, 2, 3));
 }
 
-TEST_CASE("an early revision has a cylinder's colour in third place") {
+TEST_CASE("an early revision has a cylinder's color in third place") {
     const Scene scene = strict(camera + "cy 1,2,3 0,0,1 255,51,0 14 21\n");
     REQUIRE(scene.cylinders.size() == 1);
     CHECK(scene.cylinders[0].shape.radius == 7);
@@ -362,7 +362,7 @@ TEST_CASE("lenient reading warns once a kind and goes on") {
               "scene.rt:7:1: warning: \"SP\" " + keywords});
 }
 
-TEST_CASE("lenient reading reads what is meant") {
+TEST_CASE("lenient reading accepts common variants") {
     const auto sphere = [](const std::string& line) {
         const Lenient read = lenient(camera + line);
         INFO(line);
@@ -381,7 +381,7 @@ TEST_CASE("lenient reading reads what is meant") {
     CHECK(sphere("sp 1,2,3 4e0 255,51,0\n") == color);
 }
 
-TEST_CASE("lenient reading tells a colour from a diameter that ends with a comma") {
+TEST_CASE("lenient reading distinguishes a color from a diameter that ends with a comma") {
     const Scene scene = lenient(camera +
                                 "cy 3,0,1 0,1,0 0.6, 0.2, 200,200,200\n"
                                 "cy 3,0,1 0,1,0 255, 51, 0 4 2\n")
@@ -393,7 +393,7 @@ TEST_CASE("lenient reading tells a colour from a diameter that ends with a comma
     CHECK(scene.cylinders[1].material.color == Color(1, Real(0.2), 0));
 }
 
-TEST_CASE("lenient reading takes a word in place of a colour for white") {
+TEST_CASE("lenient reading takes a word in place of a color for white") {
     const auto color = [](const std::string& line) {
         const Lenient read = lenient(camera + line);
         INFO(line);
@@ -435,7 +435,7 @@ TEST_CASE("lenient reading ignores an R of which all words are key:value") {
     CHECK(lenient_refusal(camera + "R 16:4") != "accepted");
 }
 
-TEST_CASE("lenient reading takes light without a colour for white") {
+TEST_CASE("lenient reading takes light without a color for white") {
     const Lenient read = lenient(camera + "A 0.5\nL 0,1,0 0.5\n");
     CHECK(read.scene.ambient->color == Color(1));
     CHECK(read.scene.lights.at(0).color == Color(1));

@@ -21,7 +21,7 @@ TEST_CASE("a keyed hash is SipHash-2-4") {
     CHECK(keyed_hash(key, text.substr(0, 8)) == 0x93f5f5799a932462);
 }
 
-TEST_CASE("seeds, cases and places that are neighbours share no question") {
+TEST_CASE("seeds, cases and places that are neighbors share no question") {
     std::set<double> first;
     std::size_t count = 0;
     for (std::uint64_t seed : {0u, 1u, 2u, 3u, 42u})

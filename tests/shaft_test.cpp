@@ -73,7 +73,7 @@ const Vec3 on_floor(1, 64 * unit_roundoff, 0);
 
 }  // namespace
 
-TEST_CASE("a shaft: no ray meets what it does not hold") {
+TEST_CASE("a shaft: no ray hits a shape outside it") {
     CHECK(all_are_left_alone<Sphere>());
     CHECK(all_are_left_alone<Plane>());
     CHECK(all_are_left_alone<Triangle>());
@@ -83,7 +83,7 @@ TEST_CASE("a shaft: no ray meets what it does not hold") {
     CHECK(all_are_left_alone<OrientedBox>());
 }
 
-TEST_CASE("a shaft: what is beside or behind is out of the way") {
+TEST_CASE("a shaft: shapes beside or behind it are excluded") {
     const Shaft shaft(on_floor, lamp);
     CHECK(shaft.may_hold(Sphere{.center = {Real(0.5), 1, 0}, .radius = Real(0.1)}));
     CHECK(shaft.may_hold(Sphere{.center = {Real(0.5), 1, Real(0.2)}, .radius = Real(0.1)}));
@@ -104,7 +104,7 @@ TEST_CASE("a shaft: what is beside or behind is out of the way") {
     CHECK(shaft.may_hold(Cylinder{.center = {Real(0.5), 1, 0}, .radius = Real(0.1)}));
 }
 
-TEST_CASE("a shaft: a ray that leaves a flat shape, or a ball, does not come back to it") {
+TEST_CASE("a shaft: a ray that leaves a flat shape, or a sphere, does not hit it again") {
     const Shaft shaft(on_floor, lamp);
     CHECK_FALSE(shaft.may_hold(Plane{}));
     CHECK_FALSE(shaft.may_hold(Square{.basis = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, .side = 8}));
@@ -116,7 +116,7 @@ TEST_CASE("a shaft: a ray that leaves a flat shape, or a ball, does not come bac
     CHECK(inside.may_hold(Sphere{.center = {1, -1, 0}, .radius = 1}));
 }
 
-TEST_CASE("a shaft: in the light, or with numbers that are none, everything is suspect") {
+TEST_CASE("a shaft: inside the light, or with NaN, every shape is a candidate") {
     const Shaft within({0, Real(2.1), 0}, lamp);
     CHECK(within.may_hold(Sphere{.center = lamp.position, .radius = 1}));
     CHECK(within.may_hold(Plane{.point = lamp.position}));
@@ -129,7 +129,7 @@ TEST_CASE("a shaft: in the light, or with numbers that are none, everything is s
     }
 }
 
-TEST_CASE("suspects: those that are asked block the same rays as all") {
+TEST_CASE("suspects: the tested shapes block the same rays as all shapes") {
     CHECK(for_all([](Random& random) {
         Scene scene;
         const int count = 1 + random.below(4);

@@ -49,7 +49,7 @@ TEST_CASE("the middle pixel of an odd picture lies in the middle of the screen (
     CHECK(on_screen({.row = 2, .column = 3}, {.width = 7, .height = 5}, right_angle, {0, 0}));
 }
 
-TEST_CASE("rays go through the centres of pixels: + 0.5, over W and H (MRT §1)", "[3 points]") {
+TEST_CASE("rays go through the centers of pixels: + 0.5, over W and H (MRT §1)", "[3 points]") {
     CHECK(on_screen({.row = 0, .column = 0}, three, right_angle, {-two_thirds, two_thirds}));
     CHECK(on_screen({.row = 2, .column = 2}, three, right_angle, {two_thirds, -two_thirds}));
     CHECK(on_screen({.row = 0, .column = 0}, {.width = 1, .height = 1}, right_angle, {0, 0}));

@@ -148,7 +148,7 @@ TEST_CASE("t keeps its meaning: a turned direction keeps its length (MRT §2)") 
     }));
 }
 
-TEST_CASE("the view matrix takes the camera to 0, and what is ahead along -z (M1)") {
+TEST_CASE("the view matrix maps the camera to 0, and the view direction to -z (M1)") {
     const Vec3 position(7, 8, 9);
     const Basis basis{
         .x = {1, 0, 0}, .y = {0, Real(0.8), Real(-0.6)}, .z = {0, Real(0.6), Real(0.8)}};

@@ -26,7 +26,7 @@ TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MR
     CHECK(hits(ahead, unit_sphere, 4));
 }
 
-TEST_CASE("the radius and the centre count (MRT §3)") {
+TEST_CASE("the radius and the center count (MRT §3)") {
     CHECK(hits(ahead, Sphere{.center = {0, 0, 0}, .radius = 2}, 3));
     CHECK(hits(ahead, Sphere{.center = {0, 0, -3}, .radius = 1}, 7));
     CHECK(hits(ahead, Sphere{.center = {3, 0, 0}, .radius = 5}, 1));
@@ -112,11 +112,11 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 
-TEST_CASE("the normal points away from the centre, with unit length (M1)") {
+TEST_CASE("the normal points away from the center, with unit length (M1)") {
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
     CHECK(normals_point_outward(draw));
@@ -140,7 +140,7 @@ TEST_CASE("the nearest of several spheres is seen, in any order (M1, CR §2.1)")
     }
 }
 
-TEST_CASE("a normal's colour is the size of its coordinates (M1)") {
+TEST_CASE("a normal's color is the size of its coordinates (M1)") {
     CHECK(gives("color_from_normal({0, 0, -1})", color_from_normal({0, 0, -1}), Color(0, 0, 1)));
     CHECK(gives("color_from_normal({-3, 0, 4})", color_from_normal({-3, 0, 4}),
                 Color(Real(0.6), 0, Real(0.8))));

@@ -126,7 +126,7 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 

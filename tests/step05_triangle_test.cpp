@@ -44,7 +44,7 @@ Sample<Triangle> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)",
+TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §5)",
           "[3 points][exact]") {
     CHECK(hits(down_at(1, 1), right_angled, 2));
     CHECK(misses(down_at(3, 3), right_angled));
@@ -59,7 +59,7 @@ TEST_CASE("a ray at the inside meets the triangle, beside it none does (MRT §5)
     }));
 }
 
-TEST_CASE("each half-plane is asked (MRT §5)") {
+TEST_CASE("each half-plane is tested (MRT §5)") {
     CHECK(hits(down_at(1, 2), right_angled, 2));
     // Just outside one edge, well inside the other two.
     CHECK(misses(down_at(1, Real(-0.125)), right_angled));
@@ -169,7 +169,7 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("beyond an edge the opposite corner's weight is negative (M1)") {
                 Vec3(Real(1.5), 0, Real(-0.5))));
 }
 
-TEST_CASE("the normal points to who sees a, b, c turn anticlockwise (MRT §5)") {
+TEST_CASE("the normal points to the side from which a, b, c are counterclockwise (MRT §5)") {
     CHECK(normal_is(right_angled, {1, 1, 0}, {0, 0, 1}));
     CHECK(
         normal_is(Triangle{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}}, {1, 1, 0}, {0, 0, -1}));

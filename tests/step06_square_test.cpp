@@ -45,7 +45,7 @@ TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[3 points]") {
     CHECK(misses(down_at(3, 3), flat));
 }
 
-TEST_CASE("the centre counts (MRT §6)") {
+TEST_CASE("the center counts (MRT §6)") {
     const Square square{.center = {5, -3, 1}, .basis = {}, .side = 2};
     CHECK(hits(down_at(Real(5.5), Real(-3.5)), square, 1));
     CHECK(misses(down_at(0, 0), square));
@@ -84,7 +84,7 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
     CHECK(misses(from_below, front_only));
 }
 
-TEST_CASE("one looks into the Cornell box through its front, and not out of it (HAI, CR §2.4)") {
+TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HAI, CR §2.4)") {
     const Scene scene =
         load_scene(project_file("scenes/cornell_box.rt"), basis_around, {.strict = true});
     const auto nearest = [&scene](const Ray& ray) {
@@ -151,7 +151,7 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("the axis has no direction: turned round, it is the same cylinder (MRT
     CHECK(hits(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, turned, 3));
 }
 
-TEST_CASE("the centre is half-way: from -h/2 to h/2 (MRT §7)") {
+TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
     CHECK(hits(Ray{.origin = {0, Real(2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, Real(-2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(misses(Ray{.origin = {0, Real(3.25), 5}, .direction = {0, 0, -1}}, upright));
@@ -171,7 +171,7 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 

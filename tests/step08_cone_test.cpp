@@ -153,7 +153,7 @@ TEST_CASE("into the open end, the far inside is met: both roots are tried (MRT �
     CHECK(hits(Ray{.origin = {0, 8, 5}, .direction = {0, -1, -1}}, upward, 6));
 }
 
-TEST_CASE("looking in over the rim meets the far inside, whichever way it opens (MRT §8)") {
+TEST_CASE("a ray over the rim hits the far inside, for any direction of the axis (MRT §8)") {
     CHECK(for_all([](Random& random) {
         const Real passed = random.between(Real(1.1), Real(1.5));
         return hits_behind(passed, random);
@@ -222,7 +222,7 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
     CHECK(motion_changes_nothing(draw));
 }
 
-TEST_CASE("what is not a number is missed (contract)") {
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 

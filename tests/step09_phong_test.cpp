@@ -158,7 +158,7 @@ TEST_CASE("light leaves on the other side of the normal, at the same angle (CR �
     }));
 }
 
-TEST_CASE("ambient light is its ratio, its colour and the surface's, multiplied (CR §3.1)") {
+TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)") {
     Surface surface = facing_z({0, 0, 1});
     surface.material.color = {1, Real(0.5), 0};
     CHECK(ambient_is(surface, {.ratio = Real(0.5), .color = {Real(0.5), 1, 1}},
@@ -175,7 +175,7 @@ TEST_CASE("ambient light is the same wherever the surface is, faces, or is seen 
     }));
 }
 
-TEST_CASE("a light straight above shows the full colour (CR §3.1)") {
+TEST_CASE("a light straight above shows the full color (CR §3.1)") {
     Surface surface = facing_z(slanting);
     surface.material.color = {1, Real(0.5), Real(0.25)};
     CHECK(diffuse_is(surface, white, {1, Real(0.5), Real(0.25)}));
@@ -216,7 +216,7 @@ TEST_CASE("how far away the light is does not matter (CR §3.1)") {
     }));
 }
 
-TEST_CASE("brightness and colour of the light multiply what it shows (CR §3.1)") {
+TEST_CASE("brightness and color of the light multiply what it shows (CR §3.1)") {
     const Light dim{.position = {0, 0, 5}, .brightness = Real(0.25), .color = {1, Real(0.5), 0}};
     CHECK(diffuse_is(facing_z({0, 0, 1}), dim, {Real(0.25), Real(0.125), 0}));
     CHECK(specular_is(facing_z({0, 0, 1}), dim, {Real(0.25), Real(0.125), 0}));
@@ -297,7 +297,7 @@ TEST_CASE("the highlight moves with the eye (CR §3.1)") {
     CHECK(specular_is(facing_z({0, 1, 0}, 2), light, Color(0)));
 }
 
-TEST_CASE("the highlight has the light's colour, not the surface's (CR §3.1)") {
+TEST_CASE("the highlight has the light's color, not the surface's (CR §3.1)") {
     Surface blue = facing_z({0, 0, 1});
     blue.material.color = {0, 0, 1};
     const Light warm{.position = {0, 0, 5}, .color = {1, Real(0.5), 0}};
@@ -331,7 +331,7 @@ TEST_CASE("without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 1
     }));
 }
 
-TEST_CASE("a surface without a highlight has none (CR §3.1)") {
+TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
     Surface matt = facing_z({0, 0, 1});
     matt.material.specular = 0;
     CHECK(specular_is(matt, white, Color(0)));
@@ -345,7 +345,7 @@ TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)") {
     }));
 }
 
-TEST_CASE("what is not a number is dark: it is not positive (contract)") {
+TEST_CASE("NaN is dark: it is not positive (contract)") {
     CHECK(for_all([](Random& random) {
         Lit lit = draw(random);
         Vec3* const parts[] = {&lit.surface.point, &lit.surface.normal, &lit.light.position,
@@ -371,7 +371,7 @@ TEST_CASE("ambient light is added once, however many lights there are (erratum 1
     CHECK(gives("a ray that meets nothing", seen(scene, away), Color(0)));
 }
 
-TEST_CASE("several lights show what each shows, together (CR §3.1)") {
+TEST_CASE("several lights add up (CR §3.1)") {
     Scene scene = wall();
     scene.ambient.reset();
     scene.lights = {{.position = {3, 0, 4}, .brightness = Real(0.5), .color = {1, 0, 0}},

@@ -172,7 +172,7 @@ TEST_CASE("the way leads from the point to the light (CR §3.2)", "[3 points]") 
     }));
 }
 
-TEST_CASE("what stands between the point and the light is in the way (CR §3.2)") {
+TEST_CASE("a shape between the point and the light casts a shadow (CR §3.2)") {
     const Sphere ball{.center = {0, 2, 0}, .radius = 1};
     CHECK(in_the_way(on_floor, Vec3(0, 4, 0), ball));
     CHECK(in_the_way(on_floor, Vec3(0, Real(3.25), 0), ball));
@@ -191,7 +191,7 @@ TEST_CASE("what stands between the point and the light is in the way (CR §3.2)"
     }));
 }
 
-TEST_CASE("what is behind the light is not in the way (CR §3.2, maxDist)") {
+TEST_CASE("a shape behind the light casts no shadow (CR §3.2, maxDist)") {
     CHECK(not_in_the_way(on_floor, Vec3(0, 4, 0), Sphere{.center = {0, 6, 0}, .radius = 1}));
     CHECK(
         not_in_the_way(on_floor, Vec3(0, Real(0.5), 0), Sphere{.center = {0, 2, 0}, .radius = 1}));
@@ -206,7 +206,7 @@ TEST_CASE("what is behind the light is not in the way (CR §3.2, maxDist)") {
     }));
 }
 
-TEST_CASE("what is behind the point is not in the way (PHY, t positive)") {
+TEST_CASE("a shape behind the point casts no shadow (PHY, t positive)") {
     CHECK(not_in_the_way(on_floor, Vec3(0, 4, 0), Sphere{.center = {0, -2, 0}, .radius = 1}));
     CHECK(for_all([](Random& random) {
         const Surface surface = draw_surface(random, random.point(3));
@@ -309,7 +309,7 @@ TEST_CASE("the offset is along the flat face, wherever an interpolated normal po
         2000));
 }
 
-TEST_CASE("what stands close to the surface is in the way at any scale (CR §3.2, erratum 31)") {
+TEST_CASE("a shape close to the surface casts a shadow at any scale (CR §3.2, erratum 31)") {
     CHECK(for_all(
         [](Random& random) {
             const Real scale = scales[random.below(5)];

@@ -375,7 +375,7 @@ TEST_CASE("the points are spread evenly over the solid angle that the light fill
     CHECK(for_all(property, 40));
 }
 
-TEST_CASE("they are spread around the light's centre, not beside it (CR §3.3, erratum 16)") {
+TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, erratum 16)") {
     CHECK(verdict(light_point(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
                       light_point(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
                   "Every sample is aimed at one point."));
@@ -399,7 +399,7 @@ TEST_CASE("they are spread around the light's centre, not beside it (CR §3.3, e
     CHECK(for_all(property, 40));
 }
 
-TEST_CASE("the same sample is the same point, however often it is asked for (contract)") {
+TEST_CASE("the same sample gives the same point in every call (contract)") {
     CHECK(for_all([](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
@@ -420,7 +420,7 @@ TEST_CASE("another sample is another point (CR §3.3)") {
     }));
 }
 
-TEST_CASE("from inside the light it is its centre (contract)") {
+TEST_CASE("from inside the light it is its center (contract)") {
     const Vec2 sample(Real(0.375), Real(0.625));
     CHECK(aims_at(above, {0, 4, 0}, sample, above.position));
     CHECK(aims_at(above, {1, 4, 0}, sample, above.position));
@@ -622,7 +622,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("lights add up, whichever comes last (CR §3.3, erratum 16)") {
+TEST_CASE("lights add up, in any order (CR §3.3, erratum 16)") {
     // At x = 4 the strip hides all of the first light and nothing of the second.
     const std::string hidden = "L -4,4,0 0.5 255,255,255 radius:0.25\n";
     const std::string free = "L 4,4,0 0.25 255,255,255 radius:0.25\n";
@@ -663,7 +663,7 @@ TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
     CHECK(fine < 160 * 4096);
 }
 
-TEST_CASE("what counts for a quarter of the pixel may be off by four times as much (contract)") {
+TEST_CASE("with a weight of a quarter the error may be four times as large (contract)") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
     for (const Real x : {Real(0.25), Real(1), Real(9)}) {
         const auto rays = [&](double error, double weight) {
@@ -674,7 +674,7 @@ TEST_CASE("what counts for a quarter of the pixel may be off by four times as mu
     }
 }
 
-TEST_CASE("rays that all agree are believed where that is asked for (contract)") {
+TEST_CASE("rays that all agree end the sampling if that is enabled (contract)") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:0.25\n");
     const Look careful{.shadow_samples = 4096, .shadow_error = 0.25};
     const Look believing{.shadow_samples = 4096, .shadow_error = 0.25, .shadow_agree = 16};

@@ -214,7 +214,7 @@ TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)", "[3 point
     CHECK(sends(thirds, flat(thirds, Vec3(2, 1, 2) / Real(3)), Vec3(-1, 4, 8) / Real(9)));
 }
 
-TEST_CASE("a ray straight at the mirror comes straight back (CR §5.1)") {
+TEST_CASE("a ray straight at the mirror is reflected straight back (CR §5.1)") {
     const Ray straight{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
     CHECK(sends(straight, flat(straight, {0, 0, 1}), {0, 0, 1}));
     CHECK(for_all([](Random& random) {
@@ -280,7 +280,7 @@ TEST_CASE("the direction is as long as d, whatever its length (contract, erratum
     }));
 }
 
-TEST_CASE("the reflected ray, sent back, goes the way that the first one came (CR §5.1)") {
+TEST_CASE("the reflected ray, sent back, is reflected along the first one (CR §5.1)") {
     CHECK(for_all([](Random& random) {
         auto [ray, surface] = draw_seen(random);
         if (!comes_back(ray, surface)) return comes_back(ray, surface);
@@ -480,7 +480,7 @@ TEST_CASE("it does not meet the surface that it leaves, however large or small (
         2000));
 }
 
-TEST_CASE("what it shows and what it reflects are shares of one (contract)") {
+TEST_CASE("the surface's own part and the reflected part sum to one (contract)") {
     const Color own{1, Real(0.5), 0};
     const Color reflection{0, Real(0.25), Real(0.5)};
     CHECK(mixes(own, reflection, 0, own));
@@ -489,7 +489,7 @@ TEST_CASE("what it shows and what it reflects are shares of one (contract)") {
     CHECK(mixes(own, reflection, Real(0.75), {Real(0.25), Real(0.3125), Real(0.375)}));
 }
 
-TEST_CASE("a mirror in a room of its own colour is not seen: the shares add up (contract)") {
+TEST_CASE("a mirror in a room of its own color is not seen: the shares add up (contract)") {
     CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));  // and has another one in the mirror
     CHECK(for_all([](Random& random) {
         const Color color = abs(random.point(1));
@@ -497,7 +497,7 @@ TEST_CASE("a mirror in a room of its own colour is not seen: the shares add up (
     }));
 }
 
-TEST_CASE("what is brighter than white is reflected as bright as it is (contract)") {
+TEST_CASE("colors brighter than white are reflected unclamped (contract)") {
     CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));
     CHECK(mixes(Color(8), Color(0), Real(0.75), Color(2)));
 }
@@ -518,7 +518,7 @@ TEST_CASE("one bounce is one reflection (erratum 30, CR §2.1)") {
     CHECK(all);
 }
 
-TEST_CASE("what counts by less than 1/512 is not worth a ray (contract)") {
+TEST_CASE("a weight of less than 1/512 is not worth a ray (contract)") {
     CHECK(worth(0, 8, Real(1) / 256, true));
     CHECK(worth(7, 8, Real(1) / 512, true));
     CHECK(worth(0, 8, Real(1) / 513, false));
@@ -527,7 +527,7 @@ TEST_CASE("what counts by less than 1/512 is not worth a ray (contract)") {
     CHECK(worth(0, 1000, Real(0.001), false));
 }
 
-TEST_CASE("between two facing mirrors a ray is reflected as often as --depth says (CR §5.1)") {
+TEST_CASE("between two facing mirrors a ray is reflected --depth times (CR §5.1)") {
     Verdict perfect;
     Verdict dim;
     for (const int depth : {0, 1, 2, 3, 7, 8, 30}) {
@@ -563,7 +563,7 @@ TEST_CASE("shares of 0.1 stop after two reflections: 0.001 would not show (contr
     CHECK(sees("two mirrors", facing_walls(Real(0.1)), across, facing_sum(Real(0.1), 2), 1000));
 }
 
-TEST_CASE("what is no mirror sends nothing on (contract)") {
+TEST_CASE("a surface without a mirror part reflects no ray (contract)") {
     CHECK(reflections("two walls", facing_walls(0), across, 0));
     CHECK(sees("two walls", facing_walls(0), across, red));
 }

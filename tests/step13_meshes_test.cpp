@@ -468,7 +468,7 @@ TEST_CASE("a flat box is hit: max t_min = min t_max is no miss (M1)", "[exact]")
     }));
 }
 
-TEST_CASE("only the part of the ray that is asked about counts (contract)") {
+TEST_CASE("only the part of the ray in the interval counts (contract)") {
     const Ray ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
     CHECK(inside(ray, block, {3, 7}, Interval{.min = 3, .max = 7}));
     CHECK(inside(ray, block, {2, 4}, Interval{.min = 1, .max = 4}));
@@ -487,7 +487,7 @@ TEST_CASE("with a coordinate that is not a number, a ray is in no box (contract)
     }));
 }
 
-TEST_CASE("a ray meets the near face of an oriented box, half a size from its centre (M1)") {
+TEST_CASE("a ray meets the near face of an oriented box, half a size from its center (M1)") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {5, 0, -5}, .direction = {-1, 0, 0}}, upright, 4));
     CHECK(hits(Ray{.origin = {0, -6, -5}, .direction = {0, 2, 0}}, upright, 2));
@@ -642,7 +642,7 @@ TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (
     CHECK(misses_mesh({.origin = {0, 2, 5}, .direction = {0, 0, -1}}, one));
 }
 
-TEST_CASE("of all the triangles the nearest is met, in whatever order they come (M1, CR §4.2)") {
+TEST_CASE("the closest triangle is hit, for any order of the triangles (M1, CR §4.2)") {
     Mesh reversed = layers;
     std::swap(reversed.triangles[0], reversed.triangles[1]);
     CHECK(meets(down_z, reversed, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
@@ -819,7 +819,8 @@ TEST_CASE("a placed mesh is met where it has been moved to (HAI, CR §4.2)") {
                        {1, Real(0.5), -12}));
 }
 
-TEST_CASE("no ray at an edge or a vertex of a closed mesh is lost, asked one by one (contract)") {
+TEST_CASE(
+    "no ray at an edge or a vertex of a closed mesh is lost, for triangles one by one (contract)") {
     CHECK(none_lost(cube(), Asked::one_by_one));
     CHECK(none_lost(octahedron(), Asked::one_by_one));
 }
@@ -829,7 +830,7 @@ TEST_CASE("no ray at an edge or a vertex of a closed mesh is lost, packed (contr
     CHECK(none_lost(ball(), Asked::packed));
 }
 
-TEST_CASE("a packed mesh answers what the triangles one by one do (CR §4.2)") {
+TEST_CASE("a packed mesh gives the hits of its triangles one by one (CR §4.2)") {
     const auto packed = model_of(ball(), Asked::packed);
     const auto listed = model_of(ball(), Asked::one_by_one);
     CHECK(for_all([&](Random& random) {
@@ -892,7 +893,7 @@ TEST_CASE("a mirror shows a mesh (CR §5.1)") {
                Ray{.origin = {0, 0, 0}, .direction = {Real(0.5), Real(0.1), -1}}, Color(0)));
 }
 
-TEST_CASE("a mesh throws a shadow, a box too, and none of them on itself (CR §3.2)") {
+TEST_CASE("a mesh casts a shadow, a box too, and neither on itself (CR §3.2)") {
     // White ground at y = -1, a light above it, and half-way a cube and a box, side by side.
     Scene scene;
     scene.ambient = Ambient{.ratio = Real(0.25)};

@@ -136,7 +136,7 @@ std::string costs_at(double x, double y, Way way, bool meets) {
 
 }  // namespace
 
-TEST_CASE("the operations of the three ways are those that stage 5's page tells") {
+TEST_CASE("the operations of the three methods are those in stage 5's page") {
     CHECK(costs_at(1, 1, half_planes, true) == "42 | 49 | 1 | 0");
     CHECK(costs_at(1, 1, areas, true) == "45 | 53 | 4 | 4");
     CHECK(costs_at(1, 1, moller_trumbore, true) == "27 | 24 | 1 | 0");

@@ -226,7 +226,7 @@ TEST_CASE(
     CHECK(closed.words.find("Permission denied") != std::string::npos);
 }
 
-TEST_CASE("attacks earn nothing and harm nobody") {
+TEST_CASE("attacks earn nothing and do no harm") {
     Grader grader;
     const pid_t me = getpid();
     const char* only = std::getenv("RAYSTEPS_ATTACK");  // to look at one

@@ -159,7 +159,7 @@ TEST_CASE("an archive leads nowhere else") {
     CHECK(read_text(ground.place("victim/sphere.cpp")) == "untouched");
 }
 
-TEST_CASE("what is no archive, or a bomb, is told so") {
+TEST_CASE("a file that is not an archive, and a bomb, are reported") {
     const Ground ground;
     ground.write("a.zip", "this is no archive");
     CHECK(ground.take("a.zip").words_on_all.find("The archive a.zip cannot be opened") == 0);
@@ -198,7 +198,7 @@ TEST_CASE("results among the submissions are no student's") {
     CHECK(ground.students() == std::vector<std::string>{"ann", "seed.txt"});
 }
 
-TEST_CASE("one submission is no class, and nothing is none") {
+TEST_CASE("one submission is not a class, and neither is an empty folder") {
     const Ground ground;
     ground.write("ann/sphere.cpp", "");
     CHECK(ground.find({ground.place("ann")}).envelopes.size() == 1);
@@ -225,7 +225,7 @@ void zip(const Ground& ground, const std::string& from, const std::string& archi
 
 }  // namespace
 
-TEST_CASE("names that people and browsers give are taken, and said") {
+TEST_CASE("names given by people and browsers are accepted, and reported") {
     const Ground ground;
     const std::vector<std::pair<std::string, int>> near{
         {"Sphere.cpp", 3},        {"sphere.cc", 3},         {"sphere (1).cpp", 3},
@@ -297,7 +297,7 @@ TEST_CASE("a link among an archive's names spoils nothing, and is never followed
     CHECK(taken.words.at(4).find("plane.cpp (a link)") != std::string::npos);
 }
 
-TEST_CASE("the sum of what an archive holds is limited") {
+TEST_CASE("the total size of an archive's files is limited") {
     const Ground ground;
     const std::string large(250 * 1024, ' ');
     ground.write("work/0/plane.cpp", "four");
@@ -368,7 +368,7 @@ TEST_CASE("Canvas's files have the student's name before their own") {
     CHECK(found.left_over[0].find("moemax_124: Canvas marks it LATE") == 0);
 }
 
-TEST_CASE("a class in one archive is a class, and a student's own archive is none") {
+TEST_CASE("a class in one archive is a class, and a student's own archive is not") {
     const Ground ground;
     ground.write("work/inner/sphere.cpp", "a");
     zip(ground, "work", "all/class/ann.zip");

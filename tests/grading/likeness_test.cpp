@@ -117,7 +117,7 @@ TEST_CASE("a file stays near whatever it is renamed to, and with a line here and
     CHECK(found.near[0].percent.at(3) < 100);
 }
 
-TEST_CASE("what many write alike counts little") {
+TEST_CASE("passages of many students count little") {
     Class results;
     const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
     for (unsigned i = 0; i < 10; ++i)
@@ -131,7 +131,7 @@ TEST_CASE("what many write alike counts little") {
     CHECK(found.near[0].percent.at(3) == 100);
 }
 
-TEST_CASE("who is near in most stages comes first") {
+TEST_CASE("students who are similar in most stages are first") {
     Class results;
     const auto hand_in = [&](const std::string& one, const std::string& other, int stage) {
         const std::string text = noise(200, unsigned(stage) + unsigned(one[0]));
@@ -148,7 +148,7 @@ TEST_CASE("who is near in most stages comes first") {
     CHECK(found.near[1].one == "anna");
 }
 
-TEST_CASE("who handed in the same file is told once, and nobody of the starter") {
+TEST_CASE("students with the same file are reported once, and not for the starter") {
     Class results;
     const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
     const std::string starter = text_of("steps/step03_sphere/starter/sphere.cpp");
@@ -168,7 +168,7 @@ TEST_CASE("who handed in the same file is told once, and nobody of the starter")
     CHECK(found.near.empty());
 }
 
-TEST_CASE("what is not a file of a person's size is not read") {
+TEST_CASE("a file that is larger than handwritten is not read") {
     Class results;
     const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
     results.hand_in("anna", 3, file);

@@ -114,7 +114,7 @@ TEST_CASE("the grade book has a line a student") {
           "zoe,0,3,3,6\r\n");
 }
 
-TEST_CASE("the grade book says why nothing was found of one who handed in") {
+TEST_CASE("the grade book contains the reason for an empty submission") {
     const Results results;
     const std::vector<Mark> marks{{.student = "anna",
                                    .stage = 3,
@@ -148,7 +148,7 @@ TEST_CASE("JUnit's XML has a testsuite a student and stage") {
     CHECK(has(xml, "<skipped message=\"&lt;none&gt;\"/>"));
 }
 
-TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged") {
+TEST_CASE("Gradescope gets one test per case, and one for a stage that was not graded") {
     const Class two;
     write_gradescope(two.folder / "results.json", {two.marks[2], two.marks[3]});
     const std::string same = R"(      "output_format": "text",
@@ -189,7 +189,7 @@ TEST_CASE("Gradescope gets a test a case, and the whole of what was not judged")
     CHECK(has(json, "\"output\": \"Your file cannot be graded:\\nno <vec>\""));
 }
 
-TEST_CASE("a feedback page says what failed, and folds away what passed") {
+TEST_CASE("a feedback page shows the failures, and folds away the passing stages") {
     const Class two;
     write_text(student_folder(two.folder, odd) / "step04 slice.svg", "<svg/>");
     write_text(student_folder(two.folder, odd) / "step04_plane.png", "\x89PNG");
@@ -222,7 +222,7 @@ TEST_CASE("a feedback page says what failed, and folds away what passed") {
     CHECK(has(other, "<details><summary>Your picture is right</summary>"));
 }
 
-TEST_CASE("a starter that is handed in has no points, and is told why") {
+TEST_CASE("a submitted starter has no points, and the feedback gives the reason") {
     const Results results;
     const Mark mark{.student = "anna",
                     .stage = 3,
@@ -240,7 +240,7 @@ TEST_CASE("a starter that is handed in has no points, and is told why") {
     CHECK_FALSE(has(json, "\"score\": 1"));
 }
 
-TEST_CASE("the class report has every mark, and where to look first") {
+TEST_CASE("the class report has every mark, and the most important rows first") {
     Class two;
     // zoe's stage 5, submitted by two others, one of them with all points
     std::vector<Mark> more = two.marks;
@@ -300,7 +300,7 @@ TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
     CHECK(data_address("a/b", "\xff\xfe\xfd") == "data:a/b;base64,//79");
 }
 
-TEST_CASE("the class report names stages, what is left over, and who tried what") {
+TEST_CASE("the class report lists stages, left-over files, and forbidden operations") {
     Class two;
     write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
     two.marks[0].cases[1].words = "your code tried a forbidden operation: files\n";
@@ -317,7 +317,7 @@ TEST_CASE("the class report names stages, what is left over, and who tried what"
     CHECK(has(page, "<td class=\"text\">5 triangle</td><td class=\"text\">no &lt;vec&gt;</td>"));
 }
 
-TEST_CASE("nobody's marks make empty reports") {
+TEST_CASE("a class without marks makes empty reports") {
     const Results results;
     write_grade_book(results.folder, {});
     write_junit(results.folder, {});

@@ -25,7 +25,7 @@ std::string changed(std::string text, const std::string& expected, const std::st
 
 }  // namespace
 
-TEST_CASE("a mark is a file of lines: what is known of the stage, then a case a line") {
+TEST_CASE("a mark is a file of lines: the stage's results, then one case per line") {
     const Results results;
     Mark mark{.student = "anna",
               .stage = 5,
@@ -84,7 +84,7 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(marks[3].points() == 3);
 }
 
-TEST_CASE("what the starter passes is worth points once anything else passes") {
+TEST_CASE("the starter's cases are worth points once any other case passes") {
     Mark mark{.cases = {{.points = 2, .passed = true, .given = true}, {.points = 3}}};
     CHECK(mark.points() == 0);
     mark.cases[1].passed = true;
@@ -131,7 +131,7 @@ TEST_CASE("a student may be called as a file of ours is") {
     CHECK(read_marks(results.folder).size() == ours.size());
 }
 
-TEST_CASE("what is not a file of ours is no mark") {
+TEST_CASE("a file that the grader did not write is not a mark") {
     const Results results;
     write_mark(results.folder, {.student = "anna", .stage = 2, .cases = {{.name = "one"}}});
     const std::filesystem::path file = mark_file(results.folder, "anna", 2);

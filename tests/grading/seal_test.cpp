@@ -156,13 +156,13 @@ int without_capability(unsigned capability, Function function) {
 
 }  // namespace
 
-TEST_CASE("what grading needs of the seal holds on this machine") {
+TEST_CASE("the seal's required layers work on this machine") {
     const auto layers = grade::layers();
     INFO(grade::text_of(layers));
     CHECK(grade::hold(layers));
 }
 
-TEST_CASE("a missing layer that is needed is told, and nothing is graded") {
+TEST_CASE("a missing required layer is reported, and nothing is graded") {
     CHECK(grade::hold({{"one", true, true}, {"two", false, false}}));
     CHECK_FALSE(grade::hold({{"one", false, true}, {"two", true, false}}));
     CHECK(grade::text_of({{"one", false, true}, {"two", true, false}}) == "✗ one\n✓ two\n");
@@ -215,7 +215,7 @@ TEST_CASE("time, memory and threads have an end") {
     }
 }
 
-TEST_CASE("a compiler reads and writes where it is told to, and leaves nobody behind") {
+TEST_CASE("a compiler reads and writes only in the given folders, and leaves no process behind") {
     const Ground ground;
     const std::string secret = ground.folder / "secret";
     const std::string scratch = ground.folder / "scratch";
@@ -257,7 +257,7 @@ TEST_CASE("a compiler reads and writes where it is told to, and leaves nobody be
     }
 }
 
-TEST_CASE("whoever is ended, however, ends all that came of him") {
+TEST_CASE("a process that ends, for any reason, ends all of its children") {
     const Ground ground;
     const std::string scratch = ground.folder / "scratch";
     const Words building{"work=building", "wall=60", "write=" + scratch,
@@ -348,7 +348,7 @@ TEST_CASE("without Landlock nothing is compiled, and a worker reaches no file al
                   [] { return int(grade::hold(grade::layers())); }) == 0);
 }
 
-TEST_CASE("without namespaces all that is needed holds, and without a filter nothing starts") {
+TEST_CASE("without namespaces all required layers work, and without a filter nothing starts") {
     const Ground ground;
     const std::string scratch = ground.folder / "scratch";
     const Words limits{"work=building", "write=" + scratch,
@@ -367,7 +367,9 @@ TEST_CASE("without namespaces all that is needed holds, and without a filter not
     CHECK(without(SYS_seccomp, EPERM, [] { return int(grade::hold(grade::layers())); }) == 0);
 }
 
-TEST_CASE("a root who may not become somebody else is told what he lacks, and nothing is graded") {
+TEST_CASE(
+    "a root without the right to change users gets the missing capabilities, and nothing is "
+    "graded") {
     if (geteuid() != 0) return;
     const auto of_layers = [](auto says) {
         return without_capability(CAP_SETUID, [&] { return int(says(grade::layers())); });
@@ -380,7 +382,7 @@ TEST_CASE("a root who may not become somebody else is told what he lacks, and no
           }) == 1);
 }
 
-TEST_CASE("what cannot be sealed is not started") {
+TEST_CASE("a program that cannot be sealed is not started") {
     const Ground ground;
     const Who grader;
     CHECK(run(ground, grader, {"memory=lots"}, {"nothing"}).output ==

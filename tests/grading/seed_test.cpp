@@ -27,7 +27,7 @@ std::string error_of(const fs::path& results, const std::optional<fs::path>& giv
 
 }  // namespace
 
-TEST_CASE("the seed of a folder of results is drawn once, and for nobody else to read") {
+TEST_CASE("the seed of a folder of results is made once, and readable by its owner only") {
     const TemporaryFolder first;
     const std::uint64_t seed = grade::agreed_seed(first.path(), {});
     CHECK(grade::agreed_seed(first.path(), {}) == seed);
@@ -84,13 +84,13 @@ TEST_CASE("a seed is given by a file, which no other may follow") {
     CHECK(!error_of(other.path(), given).empty());
 }
 
-TEST_CASE("a seed is known by digits of which it has none") {
+TEST_CASE("a seed is identified by digits that do not reveal it") {
     CHECK(grade::seed_identifier(1).size() == 8);
     CHECK(grade::seed_identifier(1) != grade::seed_identifier(2));
     CHECK(grade::seed_identifier(1).find("00000") == std::string::npos);
 }
 
-TEST_CASE("a graded suite says of no question what it was drawn from") {
+TEST_CASE("a graded suite reveals the seed in no message") {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "seed.txt";
     const fs::path report = folder.path() / "report";

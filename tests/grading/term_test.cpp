@@ -137,7 +137,7 @@ TEST_CASE(
     CHECK(has(read_text(two.folder / "class.html"), "zoe_doe</th>"));
 }
 
-TEST_CASE("Moodle's grading worksheet comes back with grades, of its maximum") {
+TEST_CASE("Moodle's grading worksheet is returned with grades, relative to its maximum") {
     const Small two;
     const std::string head =
         "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Grade can be "
@@ -163,7 +163,7 @@ TEST_CASE("Moodle's grading worksheet comes back with grades, of its maximum") {
     CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,submitted nothing"));
 }
 
-TEST_CASE("Canvas's gradebook comes back with one column, and the points possible") {
+TEST_CASE("Canvas's gradebook is returned with one column, and the points possible") {
     const Small two;
     two.write("gradebook.csv",
               "Student,ID,SIS User ID,SIS Login ID,Section,Essay (77),Final Score\n"
@@ -184,7 +184,7 @@ TEST_CASE("Canvas's gradebook comes back with one column, and the points possibl
     CHECK(has(read_text(two.folder / "upload.csv"), "\"Ann, A\",1,u1,l1,S,8\r\n"));
 }
 
-TEST_CASE("who is anonymous has no name in what may be shown") {
+TEST_CASE("anonymous students have no name in public reports") {
     const Small two;
     two.write("term.txt", "anonymous: yes\n");
     Term term = two.term();
@@ -203,7 +203,7 @@ TEST_CASE("who is anonymous has no name in what may be shown") {
     CHECK(ann != term.called("ann_1"));
 }
 
-TEST_CASE("what is wrong with the settings is told with its place") {
+TEST_CASE("an error in the settings is reported with its place") {
     const Small two;
     const auto says = [&](const std::string& settings) {
         two.write("term.txt", settings);

@@ -185,7 +185,7 @@ TEST_CASE("cones (MRT §8, by hand)") {
     CHECK(same(gap({}, {0, 3, 7}, cone), 2));
 }
 
-TEST_CASE("colour, torch and mirror (M1, CR §5.1, by hand)") {
+TEST_CASE("color, torch and mirror (M1, CR §5.1, by hand)") {
     CHECK(same(color_from_normal({-2, 1, -2}), {fraction(2, 3), fraction(1, 3), fraction(2, 3)}));
     CHECK(same(torch({0, 0, 0}, {0, 5, 0}, {3, 4, 0}), fraction(4, 5)));
     CHECK(torch({0, 0, 0}, {0, -1, 0}, {3, 4, 0}) == 0);

@@ -99,7 +99,7 @@ TEST_CASE("a pixel's place on the screen is within 5 u of itself") {
         cases));
 }
 
-TEST_CASE("a ray found by inverse matrices is within 12 u of what it is summed from") {
+TEST_CASE("a ray from inverse matrices is within 12 u of the terms of its sums") {
     CHECK(for_all(
         [](Random& random) {
             Mat4 camera;
@@ -262,7 +262,7 @@ TEST_CASE("a triangle's normal is within 16 u of how thin it is, its weights 32 
         cases));
 }
 
-TEST_CASE("u and v of a square, colours, the torch and mirrors are within 10 u") {
+TEST_CASE("u and v of a square, colors, the torch and mirrors are within 10 u") {
     CHECK(for_all(
         [](Random& random) {
             const Square square{.center = random.point(2),

@@ -112,7 +112,7 @@ TEMPLATE_TEST_CASE("a shape so far that t is no number is missed, or at a t that
         10'000));
 }
 
-TEST_CASE("a direction with subnormal parts is as good as any: what is aimed at is met") {
+TEST_CASE("a direction with subnormal components is as good as any: the target is hit") {
     const Real least = Limits::denorm_min();
     for (const Real a : {least, -least, Limits::min(), Real(0)}) {
         const Ray ray{.origin = {0, 0, 5}, .direction = {a, -a, -1}};

@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: rays go through the centres of pixels: + 0.5, over W and H (MRT §1)
+// caught by: rays go through the centers of pixels: + 0.5, over W and H (MRT §1)
 // sentence: You leave + 0.5 out: your rays go through the pixels' corners.
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)

@@ -1,5 +1,5 @@
 // origin: invented: W / H in ints
-// caught by: rays go through the centres of pixels: + 0.5, over W and H (MRT §1)
+// caught by: rays go through the centers of pixels: + 0.5, over W and H (MRT §1)
 // sentence: You divide W by H as whole numbers: 640 / 480 is 1. Make them Real first.
 #define pixel_on_screen(...) correct_pixel_on_screen(__VA_ARGS__)
 #define camera_ray(...) correct_camera_ray(__VA_ARGS__)

@@ -1,5 +1,5 @@
 // origin: M1: the matrix for its inverse
-// caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
+// caught by: the view matrix maps the camera to 0, and the view direction to -z (M1)
 // sentence: You give the matrix that carries the camera into the world. V is its inverse.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

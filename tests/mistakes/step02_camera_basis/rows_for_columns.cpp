@@ -1,5 +1,5 @@
 // origin: GLM: m[0] is a column
-// caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
+// caught by: the view matrix maps the camera to 0, and the view direction to -z (M1)
 // sentence: You fill GLM's matrix row by row. m[0] is its first column.
 #include <glm/matrix.hpp>
 

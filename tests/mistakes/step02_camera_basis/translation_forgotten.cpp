@@ -1,5 +1,5 @@
 // origin: invented: the turn alone
-// caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
+// caught by: the view matrix maps the camera to 0, and the view direction to -z (M1)
 // sentence: Your view matrix only rotates. It must move the camera's position to 0.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

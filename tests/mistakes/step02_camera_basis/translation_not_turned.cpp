@@ -1,5 +1,5 @@
 // origin: invented: −position in the last column
-// caught by: the view matrix takes the camera to 0, and what is ahead along -z (M1)
+// caught by: the view matrix maps the camera to 0, and the view direction to -z (M1)
 // sentence: You put −o_C into the last column. The rotation follows the translation: it is −⟨X, o_C⟩, −⟨Y, o_C⟩, −⟨Z, o_C⟩.
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: the division by the radius forgotten
-// caught by: the normal points away from the centre, with unit length (M1)
+// caught by: the normal points away from the center, with unit length (M1)
 // sentence: Your normal has the length of the radius. Divide by it, or make it a unit vector.
 #define normal(...) correct_normal(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"

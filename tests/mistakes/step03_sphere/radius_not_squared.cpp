@@ -1,5 +1,5 @@
 // origin: invented: r in place of r²
-// caught by: the radius and the centre count (MRT §3)
+// caught by: the radius and the center count (MRT §3)
 // sentence: You subtract r where ‖p − o‖² = r² has r²: a radius of 1 hides the difference.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"

@@ -1,5 +1,5 @@
 // origin: CR §4.1 listing, erratum 17
-// caught by: a ray at the inside meets the triangle, beside it none does (MRT §5)
+// caught by: a ray to the inside hits the triangle, a ray beside it misses (MRT §5)
 // sentence: You compute the areas and never test whether they sum to 1: the whole plane is hit.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: the box around the corners for the triangle
-// caught by: a ray at the inside meets the triangle, beside it none does (MRT §5)
+// caught by: a ray to the inside hits the triangle, a ray beside it misses (MRT §5)
 // sentence: You test whether p lies in the box around the corners. The triangle is half of it.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include <algorithm>

@@ -1,5 +1,5 @@
 // origin: invented: the third half-plane forgotten
-// caught by: each half-plane is asked (MRT §5)
+// caught by: each half-plane is tested (MRT §5)
 // sentence: You test two half-planes of three: the triangle extends across one of its edges.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"

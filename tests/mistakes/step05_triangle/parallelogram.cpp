@@ -1,5 +1,5 @@
 // origin: invented: β ≤ 1 and γ ≤ 1 for β + γ ≤ 1
-// caught by: a ray at the inside meets the triangle, beside it none does (MRT §5)
+// caught by: a ray to the inside hits the triangle, a ray beside it misses (MRT §5)
 // sentence: You test β ≤ 1 and γ ≤ 1 one by one: that is a parallelogram. Their sum must not exceed 1.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"

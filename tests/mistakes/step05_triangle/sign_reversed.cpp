@@ -1,5 +1,5 @@
 // origin: CR eq. (2)-(3), erratum 11
-// caught by: a ray at the inside meets the triangle, beside it none does (MRT §5)
+// caught by: a ray to the inside hits the triangle, a ray beside it misses (MRT §5)
 // sentence: Your t has the wrong sign: it is ⟨a − o, n⟩ over ⟨d, n⟩.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"

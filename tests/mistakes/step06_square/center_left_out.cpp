@@ -1,5 +1,5 @@
 // origin: invented: ⟨p, X⟩ for ⟨p − o, X⟩
-// caught by: the centre counts (MRT §6)
+// caught by: the center counts (MRT §6)
 // sentence: You take ⟨p, X⟩. MRT §6 has ⟨p − o, X⟩: from the square's center.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step06_square/reference/square.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: ⟨p, Z⟩ for ⟨p − o, Z⟩
-// caught by: the centre is half-way: from -h/2 to h/2 (MRT §7)
+// caught by: the center is half-way: from -h/2 to h/2 (MRT §7)
 // sentence: You forget the center: every coordinate in the cylinder's frame is of p − o.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"

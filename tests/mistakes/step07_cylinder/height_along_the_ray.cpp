@@ -1,5 +1,5 @@
 // origin: invented: t compared with the height
-// caught by: the centre is half-way: from -h/2 to h/2 (MRT §7)
+// caught by: the center is half-way: from -h/2 to h/2 (MRT §7)
 // sentence: You compare the hit's distance with the height. It is z_p = ⟨p − o, Z⟩ that must lie within h / 2.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"

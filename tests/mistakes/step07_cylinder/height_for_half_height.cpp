@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: the centre is half-way: from -h/2 to h/2 (MRT §7)
+// caught by: the center is half-way: from -h/2 to h/2 (MRT §7)
 // sentence: You compare |z| with h: your cylinder is twice as high. It is h / 2.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step07_cylinder/reference/cylinder.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: an opening is above
-// caught by: looking in over the rim meets the far inside, whichever way it opens (MRT §8)
+// caught by: a ray over the rim hits the far inside, for any direction of the axis (MRT §8)
 // sentence: You let a ray in over the rim only if it falls. A cone opens along its axis, which may point anywhere: test z_p at each root, and nothing else.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"

@@ -1,5 +1,5 @@
 // origin: thought of
-// caught by: ambient light is its ratio, its colour and the surface's, multiplied (CR §3.1)
+// caught by: ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)
 // sentence: You leave out the ambient light's ratio: its color is multiplied by it.
 #define ambient_term(...) correct_ambient_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: brightness and colour of the light multiply what it shows (CR §3.1)
+// caught by: brightness and color of the light multiply what it shows (CR §3.1)
 // sentence: You leave out the light's brightness: its color is multiplied by it.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

@@ -1,5 +1,5 @@
 // origin: seen in student repositories: the cosine of an angle by acos
-// caught by: a light straight above shows the full colour (CR §3.1)
+// caught by: a light straight above shows the full color (CR §3.1)
 // sentence: acos of 1.0000001 is not a number, and rounding makes such products of unit vectors. ⟨L, N⟩ is the cosine: no angle is needed.
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: the highlight has the light's colour, not the surface's (CR §3.1)
+// caught by: the highlight has the light's color, not the surface's (CR §3.1)
 // sentence: You multiply the highlight by the surface's color: a blue surface shows a blue one. It has the light's color.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

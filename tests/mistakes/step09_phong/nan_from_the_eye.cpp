@@ -1,5 +1,5 @@
 // origin: invented: std::max(NaN, 0) is NaN
-// caught by: what is not a number is dark: it is not positive (contract)
+// caught by: NaN is dark: it is not positive (contract)
 // sentence: std::max(x, 0) gives NaN for NaN: your highlight is not a number. std::max(0, x) gives 0, and !(x > 0) is the clear form.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

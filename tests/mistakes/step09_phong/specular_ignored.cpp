@@ -1,5 +1,5 @@
 // origin: invented: material.specular never read
-// caught by: a surface without a highlight has none (CR §3.1)
+// caught by: a surface without a specular part has no highlight (CR §3.1)
 // sentence: You ignore the strength of the material's highlight: a matt one has no highlight.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"

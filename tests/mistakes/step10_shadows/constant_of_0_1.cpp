@@ -1,5 +1,5 @@
 // origin: seen in student repositories: ε = 0.1
-// caught by: what stands close to the surface is in the way at any scale (CR §3.2, erratum 31)
+// caught by: a shape close to the surface casts a shadow at any scale (CR §3.2, erratum 31)
 // sentence: You start 0.1 off the surface, whatever the scene's size: what stands closer throws no shadow, and where a rounding is larger there is acne. Take surface.error.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

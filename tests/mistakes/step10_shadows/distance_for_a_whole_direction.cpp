@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: what is behind the light is not in the way (CR §3.2, maxDist)
+// caught by: a shape behind the light casts no shadow (CR §3.2, maxDist)
 // sentence: You compare t with the distance, but t counts in the direction's length: the light is at t = 1. Make the direction a unit vector, or compare with 1.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: the distance less 0.001
-// caught by: what stands close to the surface is in the way at any scale (CR §3.2, erratum 31)
+// caught by: a shape close to the surface casts a shadow at any scale (CR §3.2, erratum 31)
 // sentence: You end 0.001 before the light: in a small scene that is before the start, and nothing throws a shadow. End before it by a few roundings of the coordinates, or a small share of the way.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

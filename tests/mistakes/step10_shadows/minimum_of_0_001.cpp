@@ -1,5 +1,5 @@
 // origin: CR §3.2, erratum 31
-// caught by: what stands close to the surface is in the way at any scale (CR §3.2, erratum 31)
+// caught by: a shape close to the surface casts a shadow at any scale (CR §3.2, erratum 31)
 // sentence: You test t > 0.001, as CR §3.2 prints. That is a length: larger than a small scene, and less than a rounding in a large one. Start off the surface by surface.error.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: any hit counts, as for the camera
-// caught by: what is behind the light is not in the way (CR §3.2, maxDist)
+// caught by: a shape behind the light casts no shadow (CR §3.2, maxDist)
 // sentence: You count what is behind the light. The range ends at the light (CR §3.2's maxDist).
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

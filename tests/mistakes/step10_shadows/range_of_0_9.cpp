@@ -1,5 +1,5 @@
 // origin: CR §3.3, erratum 16
-// caught by: what stands between the point and the light is in the way (CR §3.2)
+// caught by: a shape between the point and the light casts a shadow (CR §3.2)
 // sentence: You look 0.9 units far, whatever the distance of the light, as CR §3.3 prints. The range ends at the light.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: what stands between the point and the light is in the way (CR §3.2)
+// caught by: a shape between the point and the light casts a shadow (CR §3.2)
 // sentence: You make the direction a unit vector and compare t with 1: only what is nearer than 1 throws a shadow. Compare t with the distance, or leave the direction as long as the way.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

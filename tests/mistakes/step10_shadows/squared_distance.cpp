@@ -1,5 +1,5 @@
 // origin: invented: dot(L, L) for its root
-// caught by: what is behind the light is not in the way (CR §3.2, maxDist)
+// caught by: a shape behind the light casts no shadow (CR §3.2, maxDist)
 // sentence: You compare t with the square of the distance. Take its root: length(L).
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"

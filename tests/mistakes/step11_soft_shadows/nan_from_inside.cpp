@@ -1,5 +1,5 @@
 // origin: invented: the light larger than its distance
-// caught by: from inside the light it is its centre (contract)
+// caught by: from inside the light it is its center (contract)
 // sentence: From inside the light the sine is more than 1, and the root of what is below 0 is NaN. Return the center there.
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"

@@ -1,5 +1,5 @@
 // origin: CR §3.3: rand()
-// caught by: the same sample is the same point, however often it is asked for (contract)
+// caught by: the same sample gives the same point in every call (contract)
 // sentence: You draw numbers of your own. They crowd here and leave gaps there, and the picture changes with the number of threads. Use the sample.
 #define light_point(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"

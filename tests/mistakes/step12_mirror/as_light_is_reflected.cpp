@@ -1,5 +1,5 @@
 // origin: CR §3.1: 2 ⟨L, N⟩ N − L, with d for L
-// caught by: a ray straight at the mirror comes straight back (CR §5.1)
+// caught by: a ray straight at the mirror is reflected straight back (CR §5.1)
 // sentence: You use stage 9's formula, whose L leads away from the surface. d leads to it: d − 2 n ⟨d, n⟩.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"

@@ -1,5 +1,5 @@
 // origin: invented: colors cut off at 1 on the way
-// caught by: what is brighter than white is reflected as bright as it is (contract)
+// caught by: colors brighter than white are reflected unclamped (contract)
 // sentence: You cut colors off at 1 before the picture does: the image of a bright thing gets too dark.
 #define mixed(...) correct_mixed(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"

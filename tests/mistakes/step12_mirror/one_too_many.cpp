@@ -1,5 +1,5 @@
 // origin: invented: <= for <
-// caught by: between two facing mirrors a ray is reflected as often as --depth says (CR §5.1)
+// caught by: between two facing mirrors a ray is reflected --depth times (CR §5.1)
 // sentence: You make one reflection more than the depth allows.
 #define worth_reflecting(...) correct_worth_reflecting(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"

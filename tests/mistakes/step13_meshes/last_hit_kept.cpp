@@ -1,5 +1,5 @@
 // origin: course/mistakes.md
-// caught by: of all the triangles the nearest is met, in whatever order they come (M1, CR §4.2)
+// caught by: the closest triangle is hit, for any order of the triangles (M1, CR §4.2)
 // sentence: You keep the last triangle that is hit. Keep the nearest: shorten the interval, or compare t.
 #include "tests/mistakes/step13_meshes/stage5.hpp"
 

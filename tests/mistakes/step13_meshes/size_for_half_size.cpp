@@ -1,5 +1,5 @@
 // origin: invented: from −size / 2 to size / 2 of what is half already
-// caught by: a ray meets the near face of an oriented box, half a size from its centre (M1)
+// caught by: a ray meets the near face of an oriented box, half a size from its center (M1)
 // sentence: You halve half_size again, or the box is half as wide as it should be: it reaches from −half_size to half_size.
 #include "tests/mistakes/step13_meshes/stage5.hpp"
 
