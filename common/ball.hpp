@@ -5,6 +5,7 @@
 
 namespace rt::inline RT_PRECISION {
 
+/// All points at most `radius` from the center.
 struct Ball {
     Vec3 center;
     Real radius = 0;

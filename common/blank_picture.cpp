@@ -20,7 +20,7 @@ constexpr std::size_t least_pixels = 16;
 constexpr Resolution trial_size{.width = 24, .height = 18};
 constexpr std::size_t most_cameras_tried = 16;
 
-/// The number of rays of a small picture that meet a shape.
+/// The number of rays of a small picture that hit a shape.
 int hits(const Scene& scene, const Camera& camera, Look look) {
     look.shading = Shading::normal;  // in this shading only missed pixels are black
     const PixelRays pixel_ray = pixel_rays(camera, trial_size);
@@ -74,13 +74,13 @@ Vec3 rounded(Vec3 v) {
 }
 
 std::string why_nothing_is_met(const Scene& scene, const Look& look) {
-    const std::string start = "no ray of the camera's meets a shape: ";
+    const std::string start = "no ray of the camera hits a shape: ";
     const Camera& camera = scene.cameras.front();
     if (camera.fov == 0) return start + "its field of view is 0; try one of 60";
     const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
     for (std::size_t i = 1; i < cameras; ++i)
         if (hits(scene, scene.cameras[i], look) > 0)
-            return start + "another sees some: try --camera " + std::to_string(i + 1);
+            return start + "another camera sees some; try --camera " + std::to_string(i + 1);
 
     Camera tried = camera;
     int most = 0;
@@ -94,7 +94,7 @@ std::string why_nothing_is_met(const Scene& scene, const Look& look) {
         best = rounded(direction);
     }
     if (most > 0)
-        return start + "it looks past them; try the direction " +
+        return start + "it points past them; try the direction " +
                short_text(to_its_axes(best, scene.axes)) + " in its line";
     return start + "they may be too small or too far away; try a position nearer to them";
 }
@@ -116,12 +116,12 @@ std::string why_blank(const Scene& scene, const Look& look, int stage, const Ima
         return start + "there is no light; try lines A and L, or --shade normal";
     if (lit && pixels.front() == Rgb{0, 0, 0})
         return start +
-               "shapes are in view, but no light reaches them, or what reaches them is black; try "
+               "shapes are in view, but no light reaches them, or that light is black; try "
                "a line L on the camera's side, or --shade normal";
     if (lit && pixels.front() == Rgb{255, 255, 255})
         return start + "the lights add up to more than white; try smaller ratios in A and L";
     return start +
-           "one surface fills the picture, or the camera is inside of a shape; try another "
+           "one surface fills the picture, or the camera is inside a shape; try another "
            "position in its line";
 }
 

@@ -9,6 +9,7 @@
 
 namespace rt {
 
+/// The padded bounding box of a shape, in units of the scene.
 [[nodiscard]] Box bounds(const Sphere& sphere);
 [[nodiscard]] Box bounds(const Triangle& triangle);
 [[nodiscard]] Box bounds(const Square& square);
@@ -20,6 +21,7 @@ namespace rt {
 /// triangles.
 [[nodiscard]] Box bounds(const Mesh& mesh);
 
+/// The padded bounding sphere of a shape, in units of the scene.
 [[nodiscard]] Ball ball_around(const Sphere& sphere);
 [[nodiscard]] Ball ball_around(const Triangle& triangle);
 [[nodiscard]] Ball ball_around(const Square& square);

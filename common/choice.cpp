@@ -43,13 +43,13 @@ private:
     void depth() {
         if (aim_.given.depth) return say("depth", std::to_string(look_.depth) + ", as given");
         const double mirror = demands_.strongest_mirror;
-        if (mirror == 0) return say("depth", "none: nothing is a mirror");
+        if (mirror == 0) return say("depth", "none: there is no mirror");
         look_.depth = sufficient_depth(mirror, runner_.limit());
-        say("depth", std::to_string(look_.depth) + ": a mirror shows up to " +
-                         number(100 * mirror) + " % of what it faces");
+        say("depth", std::to_string(look_.depth) + ": a mirror reflects up to " +
+                         number(100 * mirror) + " % of the light");
         if (!aim_.time) return;
         const int fits = depth_within_time(runner_, trials_, with_one_shadow_ray(look_, aim_));
-        if (fits < look_.depth) say("", "but " + std::to_string(fits) + " for the time");
+        if (fits < look_.depth) say("", "but " + std::to_string(fits) + " to keep the time");
         look_.depth = fits;
     }
 
@@ -99,8 +99,8 @@ private:
         const double seconds = choice_.expected.seconds;
         const bool too_long = aim_.time && seconds > 1.1 * *aim_.time;
         say("expected", number(seconds) + " s" + expected_error() +
-                            (too_long ? ": nothing else can be spared" : ""));
-        say("trials", std::to_string(runner_.pixels_drawn()) + " times a pixel, " +
+                            (too_long ? ": no setting is cheaper" : ""));
+        say("trials", std::to_string(runner_.pixels_drawn()) + " pixels, " +
                           number(runner_.seconds_since_start()) + " s");
     }
 

@@ -30,6 +30,7 @@ struct Aim {
     int threads = 1;
 };
 
+/// The automatic settings.
 struct Choice {
     bool in_float = false;  ///< render in float: accurate enough, and faster than double
     std::optional<std::size_t> hierarchy_from;  ///< as in Aim; nothing for the default

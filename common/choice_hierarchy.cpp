@@ -24,7 +24,7 @@ HierarchyChoice choose_hierarchy(TrialRunner& runner, Trials& trials, const Dema
     if (count < 2) return {{}, "none: no two shapes are of a kind"};
     if (count < shortest_list && count < demands.hierarchy_from)
         return {{}, "none: " + shapes + " are few"};
-    if (count > longest_list) return {{}, "yes: " + shapes + " are too many to ask"};
+    if (count > longest_list) return {{}, "yes: " + shapes + " are too many for a list"};
 
     const bool is_usual = count >= demands.hierarchy_from;
     const std::size_t other = is_usual ? count + 1 : count;
@@ -39,7 +39,7 @@ HierarchyChoice choose_hierarchy(TrialRunner& runner, Trials& trials, const Dema
         [&]() -> const Trials& { return arranged(other); });
     const bool is_better = unusual < gain * usual;
     (void)arranged(is_better ? other : demands.hierarchy_from);
-    const std::string how_much = ": with " + shapes + " the other way takes " +
+    const std::string how_much = ": with " + shapes + " the alternative takes " +
                                  number(is_better ? usual / unusual : unusual / usual) +
                                  " times as long";
     return {is_better ? std::optional(other) : std::nullopt,

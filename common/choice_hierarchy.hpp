@@ -9,6 +9,7 @@
 
 namespace rt {
 
+/// The chosen structure, and the reason for the report.
 struct HierarchyChoice {
     std::optional<std::size_t> from;  ///< value for --hierarchy-from; nothing for the default
     std::string why;

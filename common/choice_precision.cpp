@@ -66,10 +66,10 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials, cons
     const std::string extremes = ": coordinates reach " + number(demands.extent) +
                                  ", the smallest size is " + number(demands.feature);
     if (rounding_error(demands, demands.unit_roundoff) > runner.limit() / 2)
-        return in_double(", though its roundings may show" + extremes +
+        return in_double(", though its rounding errors may be visible" + extremes +
                          "; every ray is decided with --precision exact");
     if (rounding_error(demands, float_roundoff) > runner.limit() / 2)
-        return in_double(": roundings of float may show" + extremes);
+        return in_double(": rounding errors of float may be visible" + extremes);
     if (loses_gaps(demands, float_roundoff))
         return in_double(": float may lose a gap of " + number(demands.gap));
 
@@ -78,16 +78,17 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials, cons
         choice.expected.rays * double(runner.size().width) * double(runner.size().height);
     if (rays < worth_trials * double(pixels.size()) ||
         rays < worth_reading * double(demands.shapes))
-        return in_double(": to try float takes more than it could save");
-    if (runner.no_time_left()) return in_double(": float might do, but there is no time to try it");
+        return in_double(": trying float costs more than it could save");
+    if (runner.no_time_left())
+        return in_double(": float may be sufficient, but there is no time to try it");
 
     Trials& in_float = open_float();
     if (choice.hierarchy_from) in_float.arrange(*choice.hierarchy_from);
     const Look look = with_one_shadow_ray(choice.expected.look, runner.aim());
     const std::vector<Pixel> others = other_pixels(runner, trials, in_float, look, pixels);
-    const std::string found = std::to_string(others.size()) + " of " +
-                              std::to_string(pixels.size()) + " pixels are more than " +
-                              steps(runner.limit() / 2) + " off double's";
+    const std::string found =
+        std::to_string(others.size()) + " of " + std::to_string(pixels.size()) +
+        " pixels differ from double's by more than " + steps(runner.limit() / 2);
     if (!are_on_edges(others, pixels.size(), runner.size()))
         return in_double(": in float " + found);
     return {.in_float = true, .why = "float: " + found};

@@ -6,6 +6,7 @@
 
 namespace rt {
 
+/// The chosen precision, and the reason for the report.
 struct PrecisionChoice {
     bool in_float = false;
     std::string why;

@@ -267,7 +267,7 @@ Ladder climb(TrialRunner& runner, const Trials& trials, const Look& look) {
 std::string samples_in_words(const Look& look) {
     if (look.shadow_error == 0)
         return std::to_string(look.shadow_samples) + " to a light with a size";
-    return "until a light is estimated to be off by less than " + steps(look.shadow_error) +
+    return "until the estimated error of a light is below " + steps(look.shadow_error) +
            (look.shadow_agree > 0 ? ", or " + std::to_string(look.shadow_agree) + " rays agree"
                                   : "");
 }

@@ -12,7 +12,7 @@ std::string number(double value) {
 }
 
 std::string steps(double value) {
-    return number(value) + (value == 1 ? " step" : " steps");
+    return number(value) + (value == 1 ? " level" : " levels");
 }
 
 double two_digits(double value) {

@@ -8,7 +8,7 @@ namespace rt {
 /// The number with two significant digits, or with all digits before the decimal point.
 [[nodiscard]] std::string number(double value);
 
-/// "1 step", "0.5 steps": an error in levels of an 8-bit picture.
+/// "1 level", "0.5 levels": an error in levels of an 8-bit picture.
 [[nodiscard]] std::string steps(double value);
 
 /// The largest number of two significant digits, which is printed without rounding, not above

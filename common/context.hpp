@@ -10,6 +10,7 @@ namespace rt {
 
 class Story;
 
+/// The settings, the state and the counters of the rays of one pixel.
 struct Context {
     Look look;
     Pixel pixel;

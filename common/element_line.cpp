@@ -121,7 +121,7 @@ void ElementLine::finish() {
             std::string(form_.noun) + ": expected \"" + std::string(form_.layout) + "\"";
         doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
               quoted(token.text) +
-                  (option ? " is no option of "
+                  (option ? " is not an option of "
                    : left == 1
                        ? " is one word too many for "
                        : " is the first of " + std::to_string(left) + " words too many for ") +
@@ -182,9 +182,8 @@ void ElementLine::skip_to_triple(std::string_view field) {
     const auto end = static_cast<std::size_t>(line_.tokens.rend() - last_comma);
     for (; next_ < end && commas(peek_field().text) == 0; ++next_) {
         const Token token = line_.tokens[next_];
-        doubt(token, "before colour " + std::string(form_.keyword),
-              quoted(token.text) + " stands where " + what(field) + " was expected",
-              "it is skipped");
+        doubt(token, "before color " + std::string(form_.keyword),
+              quoted(token.text) + " is in place of " + what(field), "it is skipped");
     }
 }
 
@@ -227,7 +226,7 @@ Token ElementLine::take(std::string_view field, std::size_t words) {
     Token token = joined(line_.tokens[next_], line_.tokens[next_ + words - 1]);
     next_ += words;
     if (strict() || token.text.size() < 2 || !token.text.ends_with(',')) return token;
-    doubt(token, "comma", quoted(token.text) + " ends with a comma", "it is left out");
+    doubt(token, "comma", quoted(token.text) + " ends with a comma", "the comma is ignored");
     token.text.remove_suffix(1);
     return token;
 }

@@ -15,7 +15,7 @@ namespace rt {
 struct ElementForm {
     std::string_view keyword;  ///< "sp"
     std::string_view noun;     ///< "a sphere"
-    std::string_view layout;   ///< "sp position diameter colour"
+    std::string_view layout;   ///< "sp position diameter color"
 };
 
 /// A line consists of fields, then options. Words left over at the end are an error.

@@ -29,6 +29,7 @@ struct Leaf {
 /// Returns the box of an index 0, 1, …; called on demand, so that the boxes need no memory.
 using BoxOf = std::function<Box(std::size_t)>;
 
+/// The hierarchy: nodes with eight children each, and leaves of up to four boxes.
 class Hierarchy {
 public:
     /// The cost of a leaf: one step for each box or, if its contents are packed, one step for all

@@ -15,6 +15,7 @@ enum class Term { all, ambient, diffuse, specular };
 constexpr int most_shadow_samples = 1 << 20;
 constexpr int most_depth = 1000;
 
+/// Appearance, sampling and recursion limits.
 struct Look {
     Shading shading = Shading::color;
     Term term = Term::all;

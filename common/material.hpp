@@ -5,6 +5,7 @@
 
 namespace rt::inline RT_PRECISION {
 
+/// The parameters of Phong's model (CR §3.1), and the mirror strength.
 struct Material {
     Color color{1};
     Real specular = 0;    ///< 0 to 1: strength of the highlight, which has the light's color

@@ -30,7 +30,8 @@ Check check_for(const std::string& file) {
     if (kind == ".obj") return checked_obj;
     if (kind == ".ply") return checked_ply;
     if (kind == ".stl") return checked_stl;
-    throw InputError({file}, "is no mesh: expected a name that ends in .off, .obj, .ply or .stl");
+    throw InputError({file},
+                     "is not a mesh: expected a name that ends in .off, .obj, .ply or .stl");
 }
 
 void require_size(std::uintmax_t size, const std::string& file) {
@@ -90,21 +91,21 @@ MeshFile read_checked(CheckedMesh mesh, const std::string& file) {
     if (mesh.is_binary) options += OpenMesh::IO::Options::Binary;
     try {
         const bool is_read = OpenMesh::IO::IOManager().read(stream, mesh.reader, importer, options);
-        if (!is_read) throw InputError({file}, "is no mesh that OpenMesh reads");
+        if (!is_read) throw InputError({file}, "is not a mesh that OpenMesh can read");
     } catch (const MeshRefusal& refusal) {
         throw InputError(stop_of(stream, mesh, file).place, refusal.message);
     } catch (const std::ios_base::failure&) {
         const auto [place, word] = stop_of(stream, mesh, file);
         if (mesh.is_binary) throw InputError(place, "the file ends too early");
-        throw InputError(place,
-                         "expected a number that a float holds, or a vertex has, not " + word);
+        throw InputError(
+            place, "expected a number in the range of float, or an existing vertex, not " + word);
     }
     MeshFile result = importer.take();
     if (result.triangles.empty()) {
         throw InputError({file}, "has no triangles: expected at least one");
     }
     if (!has_area(result))
-        result.warnings.emplace_back("no triangle has an area: no ray meets the mesh");
+        result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
     return result;
 }
 

@@ -33,7 +33,7 @@ target_compile_definitions(raysteps_options INTERFACE GLM_FORCE_CTOR_INIT)
 # for other machines has the property RAYSTEPS_ANY_PROCESSOR; the option of that name sets it for
 # all targets. Objects of both kinds can be linked together, because functions that both define have
 # the same effect.
-option(RAYSTEPS_ANY_PROCESSOR "Build what runs on other machines of this kind too" OFF)
+option(RAYSTEPS_ANY_PROCESSOR "Build for all processors of this kind, not only for this one" OFF)
 if(NOT RAYSTEPS_ANY_PROCESSOR)
     include(CheckCXXSourceRuns)
     set(CMAKE_REQUIRED_FLAGS "-mfma -mavx2 -mbmi")

@@ -90,8 +90,8 @@ void add_precision(CLI::App& app, const Program& program, Precision& precision) 
         {"double", Precision::f64}, {"float", Precision::f32}, {"exact", Precision::exact}};
     precision = program.exact ? Precision::exact : Precision::f64;
     app.add_option("--precision", precision,
-                   "the numbers to compute with; double if not given; exact: every ray meets what "
-                   "exact arithmetic says, by the references, no file of a student's")
+                   "the type of numbers; double if not given; exact: every hit is that of exact "
+                   "arithmetic, computed by the references, not by a student's file")
         ->transform(CLI::CheckedTransformer(words).description(""))
         ->type_name("double|float|exact");
 }
@@ -111,10 +111,10 @@ void check_precision(const Program& program, Precision precision) {
 /// Adds the options for automatic settings.
 void add_goals(CLI::App& app, Options& options) {
     add_number(app, "--tolerance", least_error, brightest,
-               "choose what is cheapest, if a pixel may be off by this much of 255", "E",
+               "choose the cheapest settings with at most this error of a pixel, of 255", "E",
                [&options](double steps) { options.tolerance = steps; });
     add_number(app, "--time", least_time, most_time,
-               "choose what is best, if the picture may take this many seconds", "S",
+               "choose the most accurate settings that take at most this many seconds", "S",
                [&options](double seconds) { options.time = seconds; });
 }
 
@@ -134,19 +134,20 @@ void add_light_options(CLI::App& app, int stage, Look& look) {
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
         add("--shadow-samples", look.shadow_samples,
-            "rays to a light with a size, at most; 16 if not given", "N",
+            "largest number of rays to a light with a size; 16 if not given", "N",
             CLI::Range(1, most_shadow_samples));
-        add_number(app, "--shadow-error", least_error, brightest,
-                   "as many as it takes until what a light adds is estimated to be off by less "
-                   "than this, of 255",
-                   "E", [&look](double steps) { look.shadow_error = steps; });
+        add_number(
+            app, "--shadow-error", least_error, brightest,
+            "trace shadow rays until the estimated error of a light's part is below this, of "
+            "255",
+            "E", [&look](double steps) { look.shadow_error = steps; });
         add("--shadow-agree", look.shadow_agree,
-            "or until so many have all reached the light, or none; with --shadow-error", "N",
+            "or until this many agree: all reach the light, or none; with --shadow-error", "N",
             CLI::Range(1, most_shadow_samples))
             ->needs("--shadow-error");
     }
     if (stage >= mirror_stage)
-        add("--depth", look.depth, "mirror upon mirror, at most; 8 if not given", "N",
+        add("--depth", look.depth, "largest number of successive reflections; 8 if not given", "N",
             CLI::Range(0, most_depth));
 }
 
@@ -191,35 +192,38 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         ->type_name("N");
     app.add_option_function<std::string>(
            "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },
-           "tell the story of one pixel's ray, and make no picture")
+           "print the log of one pixel's ray, and make no picture")
         ->type_name("ROW,COLUMN");
     if (program.stage >= light_stage)
         add_choice(app, "--shade", normal, {"phong", "normal"},
-                   "colour by the scene's lights, or by abs(normal)");
+                   "color by the scene's lights, or by abs(normal)");
     else if (program.stage >= shapes_stage)
         add_choice(app, "--shade", normal, {"torch", "normal"},
-                   "colour by a torch at the eye, or by abs(normal)");
+                   "color by a torch at the eye, or by abs(normal)");
     add_light_options(app, program.stage, options.look);
-    app.add_option("--hierarchy-from", options.hierarchy_from,
-                   "a hierarchy of so many shapes of a kind, or more; 32 if not given, 8 of meshes")
+    app.add_option(
+           "--hierarchy-from", options.hierarchy_from,
+           "build a hierarchy from this many shapes of a kind on; 32 if not given, 8 for meshes")
         ->check(CLI::Range(2, most_shapes).description(""))
         ->type_name("N");
     add_goals(app, options);
     add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
-               "what a scene's field of view spans");
+               "side of the picture that a scene's field of view spans");
     add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
-               "what a cylinder's position is");
+               "meaning of a cylinder's position");
     add_choice(app, "--hand", options.reading.axes.left_handed, {"right", "left"},
-               "how a scene's axes lie; left: left and right are exchanged");
-    add_choice(app, "--up", options.reading.axes.z_up, {"y", "z"}, "which of its axes points up");
-    app.add_option("--camera", options.camera, "which of the scene's cameras; 1 if not given")
+               "handedness of a scene's axes; left: left and right are exchanged");
+    add_choice(app, "--up", options.reading.axes.z_up, {"y", "z"},
+               "axis of the scene that points up");
+    app.add_option("--camera", options.camera, "number of the scene's camera; 1 if not given")
         ->check(CLI::Range(1, max_cameras).description(""))
         ->type_name("N");
-    app.add_flag("--strict", options.reading.strict, "read the scene to the letter of the format");
+    app.add_flag("--strict", options.reading.strict,
+                 "reject everything outside the format of scenes");
     app.add_flag("--explain", options.explain,
-                 "say what the scene requires and what is left out, and make no picture");
-    app.add_flag("--preview", options.preview, "draw the picture in the terminal as well");
-    app.add_flag("--quiet", options.quiet, "say nothing but errors");
+                 "print what the scene requires and what is omitted, and make no picture");
+    app.add_flag("--preview", options.preview, "show the picture in the terminal too");
+    app.add_flag("--quiet", options.quiet, "print errors only");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

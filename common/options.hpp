@@ -17,8 +17,10 @@ struct Program {
     bool exact = false;  ///< built from certified kernels
 };
 
+/// The values of `--precision`.
 enum class Precision { f32, f64, exact };
 
+/// The parsed options, with their defaults.
 struct Options : Aim {
     std::string scene;   ///< path of the scene file
     std::string output;  ///< path of the picture

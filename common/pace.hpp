@@ -11,6 +11,7 @@ namespace rt {
 
 using Clock = std::chrono::steady_clock;
 
+/// Distributes a time budget over the rows of a picture.
 class Pace {
 public:
     /// A budget for `rows` rows of about equal cost, until `end`. The times in the ladder are for

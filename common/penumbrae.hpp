@@ -8,6 +8,7 @@
 
 namespace rt {
 
+/// The trial pixels of a picture, classified.
 struct Penumbrae {
     std::vector<Pixel> doubtful;  ///< trial pixels in a penumbra or next to one, sorted by tile
     std::vector<Pixel> clear;     ///< the other trial pixels, one for each cell

@@ -9,6 +9,7 @@ struct Pixel {
     int column = 0;
 };
 
+/// The size of a picture, in pixels.
 struct Resolution {
     int width = 640;
     int height = 480;

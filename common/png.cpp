@@ -50,7 +50,7 @@ void check_place(const std::string& file) {
     std::fclose(older);
     if (!replaced)
         throw InputError({file},
-                         "is there already, and is no PNG, which the picture could replace: "
+                         "exists and is not a PNG file, so the picture does not replace it: "
                          "expected another name");
 }
 

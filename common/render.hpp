@@ -14,6 +14,7 @@
 
 namespace rt {
 
+/// The settings of one call of render.
 struct RenderSettings {
     int threads = 1;
     Look look;
@@ -24,6 +25,7 @@ struct RenderSettings {
         nullptr;  ///< rendering stops when this becomes true; may be null
 };
 
+/// A rendered picture and its statistics.
 struct Rendering {
     Image image;
     std::int64_t rays = 0;
@@ -32,6 +34,7 @@ struct Rendering {
     Pixel first_not_a_number;           ///< the first of them, from the top
 };
 
+/// Returns whether no component of the color is NaN.
 [[nodiscard]] inline bool is_number(const Color& color) {
     return !std::isnan(color.r) && !std::isnan(color.g) && !std::isnan(color.b);
 }

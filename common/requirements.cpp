@@ -65,11 +65,11 @@ std::string explanation(const Scene& scene) {
     std::string lines = " requires\n";
     for (const auto& [what, stage] : needs)
         lines += "  " + padded(what, 28) + std::string(stage_name(stage)) + "\n";
-    if (needs.empty()) lines += "  nothing but rays\n";
+    if (needs.empty()) lines += "  only rays\n";
 
     bool many = false;
     for_each_kind(scene, [&many](const auto& items) { many = many || items.many(); });
-    lines += "and goes without\n";
+    lines += "and does not use\n";
     const auto without = [&lines](bool left_out, const std::string& what) {
         if (left_out) lines += "  " + what + "\n";
     };
@@ -78,10 +78,10 @@ std::string explanation(const Scene& scene) {
                 std::string(stage_name(stage).substr(std::string_view("stepNN_").size())) + "s");
     without(!brought_by(mesh_stage), "boxes and meshes");
     without(scene.lights.empty(), "light other than ambient, and shadow rays");
-    without(!brought_by(soft_shadow_stage), "several rays a shadow: no light has a size");
-    without(!brought_by(mirror_stage), "reflections: nothing is a mirror");
+    without(!brought_by(soft_shadow_stage), "several rays for a shadow: no light has a size");
+    without(!brought_by(mirror_stage), "reflections: there is no mirror");
     without(!many && scene.named_meshes.empty(),
-            "a hierarchy of boxes: so few shapes are quicker without");
+            "a hierarchy of boxes: so few shapes are faster without");
     return lines;
 }
 

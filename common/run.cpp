@@ -36,7 +36,7 @@ void refuse_later_stages(const Scene& scene, const Program& program, const Optio
     const auto& [what, stage] = needs.back();  // a program of this stage has the earlier ones too
     throw InputError({options.scene}, what + " in the scene, which " +
                                           std::string(stage_name(stage)) +
-                                          " brings: run that, or a later stage");
+                                          " introduces: run that stage, or a later one");
 }
 
 /// In the stages about shapes there are no bounding spheres, so that a wrong formula is visible.
@@ -101,7 +101,7 @@ void report(const Rendering& rendering, const Options& options, const Pace* pace
         std::printf(", %lld of them to lights with a size",
                     static_cast<long long>(rendering.sized_light_rays));
     if (pace != nullptr)
-        std::printf("; 99 of 100 pixels within %.2g of 255, as far as the trials tell",
+        std::printf("; 99 of 100 pixels within %.2g of 255, according to the trials",
                     pace->error());
     std::printf("\n");
     if (rendering.not_a_number == 0) return;

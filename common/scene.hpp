@@ -22,6 +22,7 @@ enum class FovAxis { vertical, horizontal };
 
 namespace rt::inline RT_PRECISION {
 
+/// A camera: all lengths in units of the scene.
 struct Camera {
     Vec3 position;
     Vec3 direction{0, 0, -1};  ///< unit length
@@ -35,6 +36,7 @@ struct Ambient {
     Color color{1};
 };
 
+/// A point light or, with a radius, a spherical area light.
 struct Light {
     Vec3 position;
     Real brightness = 1;  ///< 0 to 1

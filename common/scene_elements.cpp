@@ -106,7 +106,7 @@ void read_cylinder(Fields& fields, const ElementReading& reading, Scene& scene) 
     const Material material = early ? early_material : read_material(fields);
     const Vec3 center = reading.cylinder_from_base ? position + height / 2 * axis : position;
     if (fields.is_left_out()) return;
-    if (!is_finite(center)) fields.refuse_line("a cylinder's centre is too far away");
+    if (!is_finite(center)) fields.refuse_line("a cylinder's center is too far away");
     scene.cylinders.push_back(
         {.shape = {.center = center, .axis = axis, .radius = radius, .height = height},
          .material = material});
@@ -150,19 +150,19 @@ constexpr const char* all_kept = "pictures use the first, or that of --camera N"
 
 constexpr auto table = std::to_array<Element>({
     {{"R", "the resolution", "R width height"}, read_resolution, last_counts},
-    {{"A", "the ambient light", "A ratio colour"}, read_ambient, last_counts},
+    {{"A", "the ambient light", "A ratio color"}, read_ambient, last_counts},
     {{"C", "a camera", "C position direction fov"}, read_camera, all_kept},
     {{"c", "a camera", "c position direction fov"}, read_camera},
-    {{"L", "a light", "L position brightness colour"}, read_light},
-    {{"l", "a light", "l position brightness colour"}, read_light},
-    {{"sp", "a sphere", "sp position diameter colour"}, read_sphere},
-    {{"pl", "a plane", "pl position normal colour"}, read_plane},
-    {{"tr", "a triangle", "tr corner corner corner colour"}, read_triangle},
-    {{"sq", "a square", "sq position normal side colour [sides:1|2]"}, read_square},
-    {{"cy", "a cylinder", "cy position direction diameter height colour"}, read_cylinder},
-    {{"co", "a cone", "co apex direction diameter height colour"}, read_cone},
-    {{"box", "a box", "box position direction size colour"}, read_box},
-    {{"mesh", "a mesh", "mesh file position scale colour [dir:x,y,z] [normals:smooth|flat]"},
+    {{"L", "a light", "L position brightness color"}, read_light},
+    {{"l", "a light", "l position brightness color"}, read_light},
+    {{"sp", "a sphere", "sp position diameter color"}, read_sphere},
+    {{"pl", "a plane", "pl position normal color"}, read_plane},
+    {{"tr", "a triangle", "tr corner corner corner color"}, read_triangle},
+    {{"sq", "a square", "sq position normal side color [sides:1|2]"}, read_square},
+    {{"cy", "a cylinder", "cy position direction diameter height color"}, read_cylinder},
+    {{"co", "a cone", "co apex direction diameter height color"}, read_cone},
+    {{"box", "a box", "box position direction size color"}, read_box},
+    {{"mesh", "a mesh", "mesh file position scale color [dir:x,y,z] [normals:smooth|flat]"},
      read_mesh},
 });
 

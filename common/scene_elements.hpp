@@ -15,6 +15,7 @@ struct ElementReading : SceneReading {
     BasisAround* basis_around = nullptr;
 };
 
+/// A kind of element in a scene file.
 struct Element {
     ElementForm form;
     /// Reads the fields and options of the line, and adds the element to the scene.

@@ -88,14 +88,14 @@ Real Fields::angle(std::string_view field) {
 }
 
 Color Fields::color() {
-    skip_to_triple("colour");
+    skip_to_triple("color");
     if (word_for_color()) return Color(1);
-    const Triple read = triple("colour");
-    const std::string name = component_of(what("colour"));
+    const Triple read = triple("color");
+    const std::string name = component_of(what("color"));
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
         if (!within(read.numbers[i], 255)) refuse(read.parts[i], name + " must be from 0 to 255");
         if (read.numbers[i].whole) continue;
-        doubt(read.parts[i], "whole colour",
+        doubt(read.parts[i], "whole color",
               name + " must be a whole number, not " + quoted(read.parts[i].text), "it is kept");
     }
     return read.value / Real(255);
@@ -106,18 +106,17 @@ Color Fields::color() {
 bool Fields::word_for_color() {
     if (strict() || !words_without_triple()) return false;
     for (std::optional<Decimal> number = Decimal(); number;) {
-        const Token word = take_word("colour");
+        const Token word = take_word("color");
         number = parse_decimal(word.text);
-        doubt(word, "word for colour " + what(""),
-              quoted(word.text) + " stands where " + what("colour") + " was expected",
-              "it is white");
+        doubt(word, "word for color " + what(""),
+              quoted(word.text) + " is in place of " + what("color"), "it is white");
     }
     return true;
 }
 
 Color Fields::color_or_white() {
     if (!at_end()) return color();
-    doubt(end_of_line(), "no colour", missing("colour"), "it is white");
+    doubt(end_of_line(), "no color", missing("color"), "it is white");
     return Color(1);
 }
 

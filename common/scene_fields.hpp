@@ -63,6 +63,7 @@ public:
     [[nodiscard]] int pixels(std::string_view field);
 
 private:
+    /// A field of three numbers: its words, their digits, and their values.
     struct Triple {
         std::array<Token, 3> parts;
         std::array<Decimal, 3> numbers;

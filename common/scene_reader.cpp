@@ -168,7 +168,7 @@ public:
             Camera& camera = scene_.cameras[index];
             camera.direction = axis_to_most_shapes(scene_, camera.position);
             report_.warn(line, column, "zero",
-                         "a camera's direction is zero: it looks along " +
+                         "a camera's direction is zero: it points along " +
                              text_of(to_its_axes(camera.direction, scene_.axes)) +
                              ", the axis nearest to most shapes");
         }

@@ -22,7 +22,7 @@ void SceneReport::warn(int line, int column, const std::string& kind, const std:
     if (!warned_.insert(kind).second) return;
     const bool last = warned_.size() > most_warnings;
     reading_.warn(to_string(Place{file_, line, column}) +
-                  "warning: " + (last ? "and more, which is left out" : message));
+                  "warning: " + (last ? "further warnings are omitted" : message));
 }
 
 void SceneReport::doubt(int line, int column, const std::string& kind, const std::string& message,

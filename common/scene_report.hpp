@@ -10,6 +10,7 @@
 
 namespace rt {
 
+/// Reports errors and warnings with their location in one scene file.
 class SceneReport {
 public:
     SceneReport(const std::string& file, const SceneReading& reading);

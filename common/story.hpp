@@ -18,9 +18,11 @@ class Story {
 public:
     explicit Story(std::ostream& out) : out_(out) {}
 
+    /// Starts a new group of lines.
     void heading(const std::string& text);
     /// "  name = value"
     void line(const std::string& name, const std::string& value);
+    /// A line of text after an arrow.
     void remark(const std::string& text);
 
     /// Returns whether the log has room for one more missed shape: a scene may have thousands.
@@ -67,13 +69,13 @@ void tell_candidate(Story& story, const Ray& ray, const Shape& shape, Interval i
     const std::string reason = tell(story, ray, shape);
     if (t)
         story.remark("hit at t = " + text(*t) +
-                     (reason.empty() ? "" : ", says intersect, though " + reason));
+                     (reason.empty() ? "" : " according to intersect, although " + reason));
     else if (!reason.empty())
         story.remark("missed: " + reason);
     else if (interval.max < infinity)
         story.remark("not nearer than the hit at t = " + text(interval.max));
     else
-        story.remark("missed, says intersect, though nothing above does");
+        story.remark("missed according to intersect, although no condition above fails");
 }
 
 }  // namespace rt

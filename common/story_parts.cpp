@@ -21,7 +21,7 @@ std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c) {
 }
 
 void tell_hit(Story& story, Vec3 point, Vec3 normal) {
-    story.heading("The nearest hit");
+    story.heading("The closest hit");
     story.line("p", text(point));
     story.line("n", text(normal));
 }

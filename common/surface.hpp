@@ -6,6 +6,7 @@
 
 namespace rt::inline RT_PRECISION {
 
+/// A point on a surface as seen by an eye: lengths in units of the scene.
 struct Surface {
     Vec3 point;
     Vec3 normal;     ///< unit length, on the side of the eye

@@ -26,6 +26,7 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
+    /// Counts one more of the total as done.
     void advance();
 
 private:

@@ -15,6 +15,7 @@ inline constexpr int tile_side = 32;
 /// The index of the tile that contains the pixel.
 [[nodiscard]] int tile_of(Pixel pixel, Resolution size);
 
+/// A grid of cells over a picture.
 class SpreadPixels {
 public:
     /// Uses cells of 4 x 4 pixels, or 8 x 8 in large pictures, so that each tile has 64 or 16

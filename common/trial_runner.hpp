@@ -12,6 +12,7 @@ namespace rt {
 /// Thrown between trials when the program is to stop.
 struct Stopped {};
 
+/// Measures settings on sample pixels, and counts the pixels rendered.
 class TrialRunner {
 public:
     /// The aim and the flag must outlive this object.
@@ -25,6 +26,8 @@ public:
     /// The largest error that is not significant.
     [[nodiscard]] double limit() const;
 
+    /// Renders the pixels with these settings. Another `round` uses other random samples. Throws
+    /// Stopped if the program is to stop.
     [[nodiscard]] Shot shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
                             int round);
 

@@ -49,6 +49,7 @@ struct Shot {
     double seconds = 0;           ///< mean CPU seconds for each pixel
 };
 
+/// A scene on which settings can be measured.
 class Trials {
 public:
     Trials() = default;

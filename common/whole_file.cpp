@@ -98,7 +98,7 @@ void check_folder_of(const fs::path& file) {
     while (!folder.empty() && !fs::exists(fs::symlink_status(folder, none)))
         folder = folder.parent_path();
     if (!folder.empty() && !fs::is_directory(folder, none))
-        throw InputError({folder.string()}, "is no folder: expected one for " + file.string());
+        throw InputError({folder.string()}, "is not a folder: expected one for " + file.string());
     fs::path part;
     std::fclose(open_part(folder, file, part));
     remove_part(part);

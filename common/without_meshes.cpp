@@ -6,8 +6,9 @@ namespace rt {
 
 void load_meshes(Scene& scene, const Warn& /*warn*/) {
     if (scene.named_meshes.empty()) return;
-    throw InputError(scene.named_meshes.front().place,
-                     "a mesh, which " + std::string(stage_name(mesh_stage)) + " brings: run that");
+    throw InputError(
+        scene.named_meshes.front().place,
+        "a mesh, which " + std::string(stage_name(mesh_stage)) + " introduces: run that stage");
 }
 
 }  // namespace rt

@@ -34,7 +34,7 @@ function(raysteps_link_archive name folder)
     foreach(precision IN ITEMS f32 f64)
         set(file ${PROJECT_SOURCE_DIR}/${folder}/${precision}.a)
         if(NOT EXISTS ${file})
-            message(FATAL_ERROR "${file} is missing: get the hand-out once more")
+            message(FATAL_ERROR "${file} is missing: get the hand-out again")
         endif()
         set(archive ${name}_archive_${precision})
         add_library(${archive} STATIC IMPORTED GLOBAL)
@@ -57,7 +57,7 @@ function(raysteps_require_fit)
     endif()
     set(needs ${PROJECT_SOURCE_DIR}/steps/fits.cpp)
     if(NOT EXISTS ${needs})
-        message(FATAL_ERROR "Sources are missing, and this is no hand-out either")
+        message(FATAL_ERROR "Sources are missing, and this is not a hand-out")
     endif()
     unset(RAYSTEPS_FITS CACHE)  # an update may have replaced the archives
     try_compile(RAYSTEPS_FITS ${PROJECT_BINARY_DIR}/fits ${needs})
@@ -66,7 +66,7 @@ function(raysteps_require_fit)
         string(REPLACE "// " "" kind "${kind}")
         message(FATAL_ERROR "The references of this hand-out are built for ${kind}. They do not "
             "fit ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on "
-            "${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}: take such a compiler, or ask for a "
+            "${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}: use such a compiler, or request a "
             "hand-out that was made on a machine like yours.")
     endif()
     set_property(GLOBAL PROPERTY RAYSTEPS_FITS ON)

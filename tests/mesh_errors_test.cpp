@@ -48,9 +48,9 @@ TEST_CASE("files that are no mesh") {
     check({
         {"a.off", "", ": error: is empty: expected a mesh"},
         {"a.txt", "OFF",
-         ": error: is no mesh: expected a name that ends in .off, .obj, .ply or .stl"},
+         ": error: is not a mesh: expected a name that ends in .off, .obj, .ply or .stl"},
         {"off", "OFF",
-         ": error: is no mesh: expected a name that ends in .off, .obj, .ply or .stl"},
+         ": error: is not a mesh: expected a name that ends in .off, .obj, .ply or .stl"},
         {"a.off", "ply\n", ":1: error: expected OFF, not \"ply\""},
         {"a.off", "\n\n", ":2: error: expected OFF, not \"\""},
         {"a.ply", "OFF\n", ":1: error: expected ply, not \"OFF\""},
@@ -117,7 +117,7 @@ TEST_CASE("faces and meshes without area are warned of") {
     CHECK(warnings("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n") ==
           Warnings{"1 face has " + few});
     CHECK(warnings("a.off", "OFF\n4 1 0\n" + four + "3 0 1 3\n") ==
-          Warnings{"no triangle has an area: no ray meets the mesh"});
+          Warnings{"no triangle has an area: no ray hits the mesh"});
     CHECK(warnings("a.off", "OFF\n4 2 0\n" + four + "3 0 1 3\n3 0 1 2\n").empty());
 }
 
@@ -160,19 +160,20 @@ TEST_CASE("OFF") {
         {"a.off", three + "# again\n3 0 1 -1\n",
          ":7: error: vertex -1 is not there: expected 0 to 2"},
         {"a.off", three + "3 0 1 2.5\n",
-         ":6: error: expected a number that a float holds, or a vertex has, not \"2.5\""},
+         ":6: error: expected a number in the range of float, or an existing vertex, not \"2.5\""},
         {"a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2+3\n3 0 1 2\n",
-         ":6: error: expected a number that a float holds, or a vertex has, not \"2+3\""},
+         ":6: error: expected a number in the range of float, or an existing vertex, not \"2+3\""},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0-3\n0 1 0\n3 0 1 2\n",
-         ":4: error: expected a number that a float holds, or a vertex has, not \"0-3\""},
+         ":4: error: expected a number in the range of float, or an existing vertex, not \"0-3\""},
         {"a.off", three + "3 0 two 1\n",
-         ":6: error: expected a number that a float holds, or a vertex has, not \"two\""},
+         ":6: error: expected a number in the range of float, or an existing vertex, not \"two\""},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
-         ":4: error: expected a number that a float holds, or a vertex has, not \"nan\""},
+         ":4: error: expected a number in the range of float, or an existing vertex, not \"nan\""},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 -inf\n0 1 0\n3 0 1 2\n",
-         ":4: error: expected a number that a float holds, or a vertex has, not \"-inf\""},
+         ":4: error: expected a number in the range of float, or an existing vertex, not \"-inf\""},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n1e300 1 0\n3 0 1 2\n",
-         ":5: error: expected a number that a float holds, or a vertex has, not \"1e300\""},
+         ":5: error: expected a number in the range of float, or an existing vertex, not "
+         "\"1e300\""},
         {"a.off", "4OFF\n3 1 0\n",
          ":1: error: \"4OFF\" is not read: expected vertices of three "
          "dimensions"},
@@ -224,8 +225,7 @@ TEST_CASE("PLY") {
     const auto numbers = [](const std::string& text) { return ply_with("0 0 0\n", text); };
     check({
         {"a.ply", "ply\n", ":1: error: the file ends before its end_header"},
-        {"a.ply", "ply\nelement\n",
-         ":2: error: expected how many there are of an element, not \"\""},
+        {"a.ply", "ply\nelement\n", ":2: error: expected the number of elements, not \"\""},
         {"a.ply", "ply\nproperty float x\n",
          ":2: error: expected format, element, property or end_header, not \"property\""},
         {"a.ply", "ply\nformat ascii 2.0\nend_header\n",
@@ -239,9 +239,9 @@ TEST_CASE("PLY") {
          ": error: expected the format ascii, binary_little_endian or binary_big_endian, not "
          "\"morse\""},
         {"a.ply", ply_with("vertex 3", "vertex -3"),
-         ":3: error: expected how many there are of an element, not \"-3\""},
+         ":3: error: expected the number of elements, not \"-3\""},
         {"a.ply", ply_with("float y", "long y"),
-         ":5: error: expected the type of a property, float say, not \"long\""},
+         ":5: error: expected the type of a property, such as float, not \"long\""},
         {"a.ply", ply_with("float y", "float"),
          ":5: error: expected the name of a property after its type"},
         {"a.ply", ply_with("float y", "float w"),
@@ -253,11 +253,14 @@ TEST_CASE("PLY") {
         {"a.ply", ply_with("property float y", "property list uchar int q\nproperty float y"),
          ":3: error: a vertex has a list: expected numbers only"},
         {"a.ply", ply_with("vertex_indices", "corners"),
-         ":7: error: a face has one list, vertex_indices of whole numbers, and it comes first"},
+         ":7: error: a face must have one list, vertex_indices of whole numbers, as its first "
+         "property"},
         {"a.ply", ply_with("uchar int", "uchar float"),
-         ":7: error: a face has one list, vertex_indices of whole numbers, and it comes first"},
+         ":7: error: a face must have one list, vertex_indices of whole numbers, as its first "
+         "property"},
         {"a.ply", ply_with("element face 1\n", "element face 1\nproperty int before\n"),
-         ":7: error: a face has one list, vertex_indices of whole numbers, and it comes first"},
+         ":7: error: a face must have one list, vertex_indices of whole numbers, as its first "
+         "property"},
         {"a.ply", ply_with("element face 1\n", "element edge 1\nproperty int a\nelement face 1\n"),
          ": error: expected the elements vertex and face, first and in this order"},
         {"a.ply", ply_with("vertex 3", "vertex 1000000000000000000"),
@@ -267,9 +270,10 @@ TEST_CASE("PLY") {
         {"a.ply", numbers("0 0\n"),
          ":10: error: a vertex has 3 numbers here, on a line of its own, not 2"},
         {"a.ply", numbers("0 0 1e39\n"),
-         ":10: error: expected a number that a float holds, or a vertex has, not \"1e39\""},
+         ":10: error: expected a number in the range of float, or an existing vertex, not "
+         "\"1e39\""},
         {"a.ply", numbers("0 - 0\n"),
-         ":10: error: expected a number that a float holds, or a vertex has, not \"-\""},
+         ":10: error: expected a number in the range of float, or an existing vertex, not \"-\""},
         {"a.ply", ply_with("3 0 1 2", "3 0 1 3"),
          ":13: error: vertex 3 is not there: expected 0 to 2"},
         {"a.ply", ply_with("3 0 1 2", "4 0 1 2"), ":13: error: a face of 4 corners ends after 3"},

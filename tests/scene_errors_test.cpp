@@ -69,13 +69,13 @@ TEST_CASE("wrong in lenient and in strict reading") {
         {"sp 1;2;3 1 1,2,3",
          R"(4: error: a sphere's position must be three numbers as in 1,2,3, not "1;2;3")"},
         {"sp 0,0,0 1 255",
-         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "255")"},
+         R"(12: error: a sphere's color must be three numbers as in 1,2,3, not "255")"},
         {"sp 0,0,zero 1 1,2,3",
          R"(8: error: each component of a sphere's position must be a decimal number, not "zero")"},
         {"sp 0,0,0 1 0,256,0",
-         R"(14: error: each component of a sphere's colour must be from 0 to 255, not "256")"},
+         R"(14: error: each component of a sphere's color must be from 0 to 255, not "256")"},
         {"sp 0,0,0 1 0,-1,0",
-         R"(14: error: each component of a sphere's colour must be from 0 to 255, not "-1")"},
+         R"(14: error: each component of a sphere's color must be from 0 to 255, not "-1")"},
         {"A 20 1,2,3", R"(3: error: the ambient light's ratio must be from 0 to 1, not "20")"},
         {"L 0,0,0 -0.1 1,2,3", R"(9: error: a light's brightness must be from 0 to 1, not "-0.1")"},
         {"c 0,0,0 0,0,1 181",
@@ -83,15 +83,15 @@ TEST_CASE("wrong in lenient and in strict reading") {
         {"c 0,0,0",
          R"(8: error: a camera's direction is missing: expected "c position direction fov")"},
         {"sp 0,0,0 1 255 1",
-         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "255")"},
+         R"(12: error: a sphere's color must be three numbers as in 1,2,3, not "255")"},
         {"mesh a.off 0,0,0 1 1,2,3 dir:0,0,0",
          R"(30: error: a mesh's dir must not be zero: expected a direction such as 0,1,0, not "0,0,0")"},
         {"pl 0,0,0 0,1,0  ",
-         R"(15: error: a plane's colour is missing: expected "pl position normal colour")"},
+         R"(15: error: a plane's color is missing: expected "pl position normal color")"},
         {"sp",
-         R"(3: error: a sphere's position is missing: expected "sp position diameter colour")"},
+         R"(3: error: a sphere's position is missing: expected "sp position diameter color")"},
         {"sp 0,0,0 # 1 1,2,3",
-         R"(9: error: a sphere's diameter is missing: expected "sp position diameter colour")"},
+         R"(9: error: a sphere's diameter is missing: expected "sp position diameter color")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:3",
          R"(30: error: a square's sides must be 2 or 1, not "3")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:", R"(30: error: a square's sides must be 2 or 1, not "")"},
@@ -146,7 +146,7 @@ TEST_CASE("a base-anchored cylinder whose center is out of range") {
     const std::string far = sizeof(Real) == 4 ? "3e38" : "1.7e308";
     CHECK(lenient_refusal(
               with_camera("cy 0," + far + ",0 0,1,0 1 " + far + " 1,2,3 # rt: cyl=base")) ==
-          "scene.rt:3:1: error: a cylinder's centre is too far away");
+          "scene.rt:3:1: error: a cylinder's center is too far away");
 }
 
 TEST_CASE("ranges are judged by the digits, not by the nearest Real") {
@@ -180,38 +180,38 @@ TEST_CASE("strict reading refuses everything that lenient reading warns of") {
         {"cu 0,0,0 1 1,2,3",
          R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co box mesh)"},
         {"sp 0,0,0 1 1,2,3 x",
-         R"(18: error: "x" is one word too many for a sphere: expected "sp position diameter colour")"},
+         R"(18: error: "x" is one word too many for a sphere: expected "sp position diameter color")"},
         {"sp 0,0,0 1 1,2,3 1 1",
-         R"(18: error: "1" is the first of 2 words too many for a sphere: expected "sp position diameter colour")"},
+         R"(18: error: "1" is the first of 2 words too many for a sphere: expected "sp position diameter color")"},
         {"sp 0,0,0 1 1,2,3 sides:1",
-         R"(18: error: "sides:1" is no option of a sphere: expected "sp position diameter colour")"},
+         R"(18: error: "sides:1" is not an option of a sphere: expected "sp position diameter color")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:1 sides:2",
-         R"(32: error: "sides:2" is no option of a square: expected "sq position normal side colour [sides:1|2]")"},
+         R"(32: error: "sides:2" is not an option of a square: expected "sq position normal side color [sides:1|2]")"},
         {"sp 0,0,0 1 1, 2, 3",
          R"(12: error: blanks around the commas of "1, 2, 3": expected three numbers as in 1,2,3)"},
         {"sp 0,0 ,0 1 1,2,3",
          R"(4: error: blanks around the commas of "0,0 ,0": expected three numbers as in 1,2,3)"},
         {"sp 0,0,0 1 wood",
-         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "wood")"},
+         R"(12: error: a sphere's color must be three numbers as in 1,2,3, not "wood")"},
         {"sp 0,0,0 1 0 m wood.png",
-         R"(12: error: a sphere's colour must be three numbers as in 1,2,3, not "0")"},
+         R"(12: error: a sphere's color must be three numbers as in 1,2,3, not "0")"},
         {"c 0,0,0 0,0,1",
          R"(14: error: a camera's field of view is missing: expected "c position direction fov")"},
         {"pl 0,0,0 0,-0,0. 1,2,3",
          R"(10: error: a plane's normal must not be zero: expected a direction such as 0,1,0, not "0,-0,0.")"},
         {"sp 0,0,0 1, 1,2,3",
          R"(10: error: a sphere's diameter must be a decimal number, not "1,")"},
-        {"sp 0,0,0 1 r 1,2,3", R"(12: error: "r" stands where a sphere's colour was expected)"},
+        {"sp 0,0,0 1 r 1,2,3", R"(12: error: "r" is in place of a sphere's color)"},
         {"sp 0,0,0 1 1,2.5,3",
-         R"(14: error: each component of a sphere's colour must be a whole number, not "2.5")"},
+         R"(14: error: each component of a sphere's color must be a whole number, not "2.5")"},
         {"sp 0,0,0 1 1,2.,3",
-         R"(14: error: each component of a sphere's colour must be a whole number, not "2.")"},
+         R"(14: error: each component of a sphere's color must be a whole number, not "2.")"},
         {"sp 0,0,0 1e1 1,2,3", R"(10: error: "1e1" has an exponent: expected a plain decimal)"},
         {"cy 0,0,0 0,2,0 1 1 1,2,3",
          R"(12: error: each component of a cylinder's direction must be from -1 to 1, not "2")"},
-        {"A 1", R"(4: error: the ambient light's colour is missing: expected "A ratio colour")"},
+        {"A 1", R"(4: error: the ambient light's color is missing: expected "A ratio color")"},
         {"L 0,0,0 1",
-         R"(10: error: a light's colour is missing: expected "L position brightness colour")"},
+         R"(10: error: a light's color is missing: expected "L position brightness color")"},
         {"C 0,0,0 0,0,1 60", R"(1: error: a second "C": expected one)"},
         {" R 1 1", R"(2: error: a second "R": expected one)"},
         {"# rt: fov=wide",
@@ -258,7 +258,7 @@ TEST_CASE("a file of anything ends its warnings after twenty") {
     for (int i = 0; i < 1000; ++i) text += "word" + std::to_string(i) + "\n";
     const auto warnings = lenient(text).warnings;
     REQUIRE(warnings.size() == 21);
-    CHECK(warnings.back() == "scene.rt:22:1: warning: and more, which is left out");
+    CHECK(warnings.back() == "scene.rt:22:1: warning: further warnings are omitted");
 }
 
 TEST_CASE("binary files, and text of two bytes a character") {

@@ -184,7 +184,7 @@ TEST_CASE("a camera whose direction is zero looks along an axis to most shapes, 
         const Lenient read = lenient(text);
         CHECK(read.warnings ==
               std::vector<std::string>{
-                  "scene.rt:1:1: warning: a camera's direction is zero: it looks along " + axis +
+                  "scene.rt:1:1: warning: a camera's direction is zero: it points along " + axis +
                   ", the axis nearest to most shapes"});
         CHECK(strict(text).cameras.at(0).direction == read.scene.cameras.at(0).direction);
         return read.scene.cameras.at(0).direction;
@@ -352,13 +352,13 @@ TEST_CASE("lenient reading warns once a kind and goes on") {
         "must be one of R A C c L l sp pl tr sq cy co box mesh; the line is ignored";
     CHECK(read.warnings ==
           std::vector<std::string>{
-              "scene.rt:1:19: warning: \"sr:7680\" is no option of a camera: "
+              "scene.rt:1:19: warning: \"sr:7680\" is not an option of a camera: "
               "expected \"C position direction fov\"; it is ignored",
               "scene.rt:2:1: warning: \"cube\" " + keywords,
               "scene.rt:3:19: warning: \"checker\" is the first of 2 words too many for a sphere: "
-              "expected \"sp position diameter colour\"; it is ignored",
-              "scene.rt:6:19: warning: \"mirror-like:1\" is no option of a sphere: "
-              "expected \"sp position diameter colour\"; it is ignored",
+              "expected \"sp position diameter color\"; it is ignored",
+              "scene.rt:6:19: warning: \"mirror-like:1\" is not an option of a sphere: "
+              "expected \"sp position diameter color\"; it is ignored",
               "scene.rt:7:1: warning: \"SP\" " + keywords});
 }
 
@@ -406,10 +406,9 @@ TEST_CASE("lenient reading takes a word in place of a color for white") {
                                     "checker 1 2 3", "wood spec:0.5"})
         CHECK(color("sp 1,2,3 4 " + words).color == Color(1));
     CHECK(color("sp 1,2,3 4 wood spec:0.5 more").specular == Real(0.5));
-    CHECK(
-        lenient(camera + "sp 1,2,3 4 wood").warnings ==
-        std::vector<std::string>{"scene.rt:2:12: warning: \"wood\" stands where a sphere's colour "
-                                 "was expected; it is white"});
+    CHECK(lenient(camera + "sp 1,2,3 4 wood").warnings ==
+          std::vector<std::string>{
+              "scene.rt:2:12: warning: \"wood\" is in place of a sphere's color; it is white"});
     CHECK(color("sp 1,2,3 4 wood 255,51,0").color == Color(1, Real(0.2), 0));
     // A wrong or missing color is still an error.
     for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5"})
@@ -440,8 +439,8 @@ TEST_CASE("lenient reading takes light without a color for white") {
     CHECK(read.scene.ambient->color == Color(1));
     CHECK(read.scene.lights.at(0).color == Color(1));
     CHECK(read.warnings ==
-          std::vector<std::string>{"scene.rt:2:6: warning: the ambient light's colour is missing: "
-                                   "expected \"A ratio colour\"; it is white"});
+          std::vector<std::string>{"scene.rt:2:6: warning: the ambient light's color is missing: "
+                                   "expected \"A ratio color\"; it is white"});
 }
 
 TEST_CASE("of several R or A the last counts in lenient reading; cameras all stay") {

@@ -57,7 +57,8 @@ std::string_view check_face(std::string_view line, const MeshLines& lines) {
 }
 
 [[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
-    lines.refuse("expected a number that a float holds, or a vertex has, not " + quoted_word(word));
+    lines.refuse("expected a number in the range of float, or an existing vertex, not " +
+                 quoted_word(word));
 }
 
 template <class Number>

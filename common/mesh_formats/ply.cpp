@@ -49,8 +49,9 @@ void check_face(const PlyElement& face, const std::string& file) {
         is_right = is_right && (i == 0 ? is_corners && has_integers : !p.length);
     }
     if (is_right) return;
-    throw InputError({file, face.line},
-                     "a face has one list, vertex_indices of whole numbers, and it comes first");
+    throw InputError(
+        {file, face.line},
+        "a face must have one list, vertex_indices of whole numbers, as its first property");
 }
 
 /// Throws InputError for a header that OpenMesh would misread.

@@ -29,7 +29,7 @@ PlyType take_type(std::string_view& line, const MeshLines& lines) {
     const auto type = std::find_if(types.begin(), types.end(),
                                    [=](const PlyType& known) { return known.name == word; });
     if (type == types.end()) {
-        lines.refuse("expected the type of a property, float say, not " + quoted_word(word));
+        lines.refuse("expected the type of a property, such as float, not " + quoted_word(word));
     }
     return *type;
 }
@@ -52,7 +52,7 @@ PlyElement take_element(std::string_view line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     const auto count = whole_number(word);
     if (!count || *count < 0) {
-        lines.refuse("expected how many there are of an element, not " + quoted_word(word));
+        lines.refuse("expected the number of elements, not " + quoted_word(word));
     }
     element.count = static_cast<std::uint64_t>(*count);
     return element;

@@ -19,6 +19,7 @@ struct PlyType {
     bool is_float = false;
 };
 
+/// A property of an element: its type and name.
 struct PlyProperty {
     PlyType type;
     std::string name;
@@ -26,6 +27,7 @@ struct PlyProperty {
     std::optional<PlyType> length;
 };
 
+/// An element, such as vertex or face: its number and properties, and the line that declares it.
 struct PlyElement {
     std::string name;
     std::uint64_t count = 0;
@@ -33,6 +35,7 @@ struct PlyElement {
     int line = 0;
 };
 
+/// A parsed header.
 struct PlyHeader {
     std::string format;
     std::vector<PlyElement> elements;

@@ -33,6 +33,7 @@ public:
     [[nodiscard]] std::size_t left() const { return text_.size() - position_; }
     /// The number of the last returned line, from 1.
     [[nodiscard]] int number() const { return number_; }
+    /// Throws InputError at the last line.
     [[noreturn]] void refuse(const std::string& message) const;
 
 private:
@@ -45,6 +46,7 @@ private:
 /// Removes the next word from the line and returns it; empty if there is none.
 [[nodiscard]] std::string_view take_word(std::string_view& line);
 
+/// The number of words in the line.
 [[nodiscard]] std::size_t count_words(std::string_view line);
 
 /// Parses the whole word as an integer; nothing if it is not one of 64 bits.

@@ -7,7 +7,7 @@ namespace rt {
 void tell(Story& story, const Surface& surface, const Light& light) {
     story.heading("The light at " + text(light.position) + " (CR §3.1)");
     if (light.position == surface.point) {
-        story.remark("dark: it stands at the point itself, and shines from nowhere");
+        story.remark("dark: the light is at the point itself, and has no direction");
         return;
     }
     const Vec3 to_light = unit(light.position - surface.point);

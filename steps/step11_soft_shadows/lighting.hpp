@@ -37,7 +37,7 @@ template <class Obstacles>
     obstacles(suspects);
     ShadowRays rays;
     if (suspects.none()) {
-        if (context.story != nullptr) context.story->remark("nothing can be in the light's way");
+        if (context.story != nullptr) context.story->remark("no shape can occlude the light");
         return rays;
     }
     const Color seen = (1 - surface.material.mirror) * color;

@@ -62,9 +62,9 @@ std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed) {
     const auto ahead =
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                       [&](const auto& corners) { return is_ahead(seen, mesh, corners); });
-    story.line("triangles met",
+    story.line("triangles hit",
                std::to_string(ahead) + " of " + std::to_string(mesh.triangles.size()));
-    return ahead > 0 ? "" : "it meets no triangle at a positive t (CR §4.2)";
+    return ahead > 0 ? "" : "it hits no triangle at a positive t (CR §4.2)";
 }
 
 std::string code(const PlacedMesh& placed) {

@@ -107,12 +107,12 @@ done
 
 # The requirements of a scene, the same from every stage, and the unsupported ones; no picture.
 "$build/step05_triangle" "$scenes/step12_mirror.rt" --explain -o explained.png > out
-for words in requires step03_sphere step09_phong 'lights* with a size' step12_mirror 'goes without'; do
+for words in requires step03_sphere step09_phong 'lights* with a size' step12_mirror 'does not use'; do
     grep -q "$words" out || fail "--explain tells $words"
 done
 [ ! -e explained.png ] || fail "--explain makes no picture"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --explain > out
-grep -q 'nothing is a mirror' out || fail "--explain tells what is left out"
+grep -q 'there is no mirror' out || fail "--explain tells what is left out"
 grep -q 'at risk' out && fail "no scene of scenes/ is at risk in float"
 
 # Losses of float in a scene: sizes beside large coordinates, and gaps.
