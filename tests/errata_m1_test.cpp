@@ -1,4 +1,4 @@
-// Where M1 is wrong: see tests/errata.hpp.
+// Errata of M1: see tests/errata.hpp.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step05_triangle/triangle.hpp"
@@ -40,7 +40,7 @@ TEST_CASE("erratum 8: a box behind the camera is hit (M1)") {
 }
 
 TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's center (M1)") {
-    // A camera at (0, 6, 0) that looks along −z with a field of 90°, near plane 1, far plane 3.
+    // A camera at (0, 6, 0) in the direction −z with a field of 90°, near plane 1, far plane 3.
     Mat4 view(1);
     view[3] = {0, -6, 0, 1};
     Mat4 projection(0);
@@ -56,7 +56,7 @@ TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's cent
     CHECK(close(Vec3(end) / end.w, Vec3(3, 6, -3)));
     const Vec4 printed = projection * view * Vec4(Vec3(end), 1);
     CHECK(close(Vec3(printed) / printed.w, Vec3(1, -4, -1)));
-    // x = 0 is the left edge of the image, −1; the centre of the first of four pixels is not.
+    // x = 0 is the left edge of the image, −1; the center of the first of four pixels is not.
     CHECK(2 * Real(0) / 4 - 1 == -1);
     CHECK(gives("the first of four pixels", pixel_on_screen({}, {.width = 4, .height = 4}, pi / 2),
                 Vec2(Real(-0.75), Real(0.75))));

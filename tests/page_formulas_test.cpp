@@ -1,6 +1,6 @@
-// The formulas of the README and the pages look on GitHub as they are written. GitHub applies
+// The formulas of the README and the pages are displayed correctly on GitHub. GitHub applies
 // Markdown's backslash escapes inside a formula before it typesets it, ends a formula at the line's
-// end, and does not always see a formula that ends bold or italic text.
+// end, and does not always recognize a formula that ends bold or italic text.
 #include "tests/kit/picture.hpp"
 #include "tests/kit/verdict.hpp"
 #include "tests/page.hpp"
@@ -12,7 +12,7 @@ using namespace rt;
 
 namespace {
 
-/// What GitHub would show wrongly in these lines: "LINE: why", or nothing.
+/// The lines that GitHub would display wrongly: "LINE: reason", or nothing.
 std::vector<std::string> faults(const std::vector<PageLine>& page) {
     static const std::regex code(R"(`[^`]*`)");
     static const std::regex formula(R"(\$[^$]*\$)");

@@ -10,7 +10,7 @@ namespace rt {
 /// there is no such error.
 [[nodiscard]] std::string first_error(const std::string& output);
 
-/// The first warning about such a file, in the same form; empty if there is none.
+/// The first warning about such a file, in the same form; empty without a warning.
 [[nodiscard]] std::string first_warning(const std::string& output);
 
 }  // namespace rt

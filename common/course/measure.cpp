@@ -129,7 +129,7 @@ std::vector<File> chosen(const std::vector<std::string>& names) {
     return found;
 }
 
-/// Whether the program is there, and succeeds.
+/// True if the program exists, and succeeds.
 bool can_run(const Command& command) {
     try {
         return listen_to(command, std::chrono::minutes(1)).status == 0;

@@ -15,7 +15,7 @@ using Lines = std::vector<std::string>;
 
 constexpr double rounding = 1e-5;  // between two right formulas, in float and in double
 
-/// True if two texts are equal but for the last digits of their numbers.
+/// True if two texts are equal up to the last digits of their numbers.
 bool same(const std::string& a, const std::string& b) {
     const char* p = a.c_str();
     const char* q = b.c_str();

@@ -26,7 +26,7 @@ struct Function<Name, Pointer> {
     using Arguments = std::tuple<std::decay_t<Parameters>...>;
     static constexpr const char* name = Name.text;
 
-    /// Whether it is meant by this name and these arguments.
+    /// True if the name and the arguments match.
     template <Word Called, class... Given>
     static constexpr bool is_called = std::string_view(Called.text) ==
                                       Name.text&& std::is_same_v<Arguments, std::tuple<Given...>>;
@@ -40,7 +40,7 @@ struct Function<Name, Pointer> {
     }
 };
 
-/// What is called by name with these arguments, among a contract's functions.
+/// The function with this name and these arguments, among a contract's functions.
 template <class Functions, Word Called, class... Given>
 constexpr std::size_t find_function() {
     return []<class... Each>(std::type_identity<std::tuple<Each...>>) {

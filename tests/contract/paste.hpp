@@ -1,4 +1,4 @@
-// A failing call as the line that a suite would ask it in.
+// A failing call as a line of a suite, to be pasted.
 #pragma once
 
 #include "tests/contract/smallest.hpp"

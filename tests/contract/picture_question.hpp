@@ -1,4 +1,4 @@
-// One question a picture: asked ray by ray, it would take a hundred times as long as it does.
+// One query per picture: one query per ray would take a hundred times as long.
 #pragma once
 
 #include "tests/contract/contracts.hpp"
@@ -8,7 +8,7 @@
 
 namespace rt::contract {
 
-/// As drawn() has it, tests/kit/drawn.hpp.
+/// The same as drawn(), tests/kit/drawn.hpp.
 inline std::string picture_question(const Scene& scene, const Look& look, int every) {
     Writer question;
     put(question, Number{.stage = 0, .place = picture_place});

@@ -39,7 +39,8 @@ void read_wrong(const Probes& probes, Probe& probe, const std::string& line) {
         probe.mistaken[place_of(probes, name)] = answer;
 }
 
-/// A mistake's probes: those of functions in which it errs. In others somebody may err otherwise.
+/// The probes of a mistake: those of the functions with wrong answers. Other functions may have
+/// other mistakes.
 bool errs_in(const Probes& probes, std::size_t mistake, const Callee& callee) {
     return std::ranges::any_of(probes.probes, [&](const Probe& probe) {
         return probe.call.callee == &callee &&

@@ -1,5 +1,5 @@
-// The file tests/mistakes/<stage>/probes.txt: calls that tell the known mistakes of a stage from
-// the reference, and what each of them answers. With it a mistake is recognised without its source.
+// The file tests/mistakes/<stage>/probes.txt: calls that distinguish the known mistakes of a stage
+// from the reference, with the answers of each. It identifies a mistake without its source.
 #pragma once
 
 #include "tests/contract/call.hpp"
@@ -17,7 +17,7 @@ struct Mistake {
 struct Probe {
     Call call;
     Answer right;
-    /// Of each mistake, in the order of Probes::mistakes.
+    /// One answer per mistake, in the order of Probes::mistakes.
     std::vector<Answer> mistaken;
 };
 
@@ -33,11 +33,11 @@ struct Probes {
 [[nodiscard]] Probes read_probes(const std::string& text);
 [[nodiscard]] std::string text_of(const Probes& probes);
 
-/// Whether the contract says what the call's answer is.
+/// True if the contract determines the call's answer.
 [[nodiscard]] bool is_open(const Probes& probes, const Callee& callee);
 
-/// Whether any probe tells the mistake from the reference. None can where they differ by less than
-/// right answers do.
+/// True if a probe distinguishes the mistake from the reference. There is no such probe if they
+/// differ by less than right answers do.
 [[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
 
 /// The mistakes that the answers to all probes, in their order, show. They are a mistake's if they

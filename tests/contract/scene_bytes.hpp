@@ -1,5 +1,5 @@
-// A whole scene as bytes: what a picture is asked for with. Hierarchies and packed triangles are
-// not sent; who gets the scene builds them again.
+// A whole scene as bytes, for the query of a picture. Hierarchies and packed triangles are not
+// sent; the receiver builds them again.
 #pragma once
 
 #include "tests/contract/bytes.hpp"
@@ -44,7 +44,7 @@ void get_items(Reader& from, Items<Shape>& items) {
     }
 }
 
-/// What of a scene makes its picture: not the names of files.
+/// The parts of a scene that determine its picture, without the names of files.
 inline void put_scene(Writer& to, const Scene& scene) {
     put(to, scene.resolution);
     put(to, scene.cameras);

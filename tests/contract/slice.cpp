@@ -146,7 +146,7 @@ private:
         return Real(t);
     }
 
-    /// Of a failure the part before the colon, which is ours: what follows is the student's words.
+    /// For a failure, the part before the colon, which is a fixed text: the rest is the student's.
     static std::string hit_text(const Answer& answer) {
         if (!answer.value)
             return "no answer: it " + answer.failure.substr(0, answer.failure.find(':'));
@@ -180,7 +180,7 @@ private:
                                          0.7 * height / double(std::max(high - low, Real(1e-9))));
     }
 
-    /// Where lines through the plane, in some directions, meet the shape.
+    /// The intersections of the shape with lines in the plane, in some directions.
     std::string section() {
         std::string dots;
         const double radius = std::hypot(width, height) / 2 / view_.pixels_per_unit;

@@ -7,7 +7,7 @@
 
 namespace rt::contract {
 
-/// Whether the call is of a ray that meets a shape, so that there is something to draw.
+/// True if the call intersects a ray with a shape, so that it can be drawn.
 [[nodiscard]] bool can_be_drawn(const Call& call);
 
 /// An SVG of the plane through the ray and the shape's middle: the shape's section, computed by the

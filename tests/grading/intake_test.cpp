@@ -96,7 +96,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
     const HandedIn both = ground.take("whole");
     CHECK(both.files == Files{{5, "his"}});
     CHECK(both.words.at(5).find("3 files for triangle.cpp that differ; "
-                                "steps/step05_triangle/student/triangle.cpp was taken") !=
+                                "steps/step05_triangle/student/triangle.cpp was used") !=
           std::string::npos);
 }
 

@@ -16,7 +16,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-/// With `came` for `expected`, once.
+/// The text with `expected` replaced by `came`, once.
 std::string changed(std::string text, const std::string& expected, const std::string& came) {
     const std::size_t at = text.find(expected);
     REQUIRE(at != std::string::npos);

@@ -61,7 +61,7 @@ struct Kills {
     int alone = 0;  ///< no other case failed
 };
 
-/// In a run that stops at the first failure, a case after others may have killed none.
+/// In a run that stops at the first failure, a case after others may have no kills.
 void print_cases(const std::map<std::string, Kills>& cases, bool every_case) {
     std::printf(every_case ? "  kills  alone\n" : "  kills first\n");
     for (const auto& [name, kills] : cases) {

@@ -54,7 +54,7 @@ address=$(head -n 1 address)
 origin=${address%/*/}
 port=${origin##*:}
 
-# ---- who is let in
+# ---- access control
 
 # status WORDS…: the status that curl gets.
 status() {

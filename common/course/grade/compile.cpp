@@ -119,7 +119,7 @@ std::vector<fs::path> folders_of(const Command& command) {
     return folders;
 }
 
-/// Makes the contents readable for everybody who may enter the folder, with any permissions in the
+/// Makes the contents readable for all users who may enter the folder, with any permissions in the
 /// project.
 void let_all_read(const fs::path& folder) {
     using fs::perms;

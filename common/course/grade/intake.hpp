@@ -29,11 +29,11 @@ struct HandedIn {
     std::string words_on_all;          ///< notes on archives that cannot be opened
 };
 
-/// Collects the files with the thirteen names, in any folder or archive. If a stage has several
-/// files, these come last: files with a similar name ("Sphere.cpp"), and, before those, files in a
-/// folder "tests" or "build"; otherwise a file in a folder "student" is preferred, then the least
-/// deep one. Links are not followed, and archives are opened only in the sandbox. Throws
-/// ProgramError or filesystem_error if the grader itself fails.
+/// Collects the files with the thirteen names, in any folder or archive. The order of preference
+/// for several files of one stage: a file in a folder "student", then the least deep one; last,
+/// files in a folder "tests" or "build", and after them files with a similar name ("Sphere.cpp").
+/// Links are not followed, and archives are opened only in the sandbox. Throws ProgramError or
+/// filesystem_error if the grader itself fails.
 [[nodiscard]] HandedIn take_in(const Workshop& workshop, const Envelope& envelope);
 
 }  // namespace rt::grade

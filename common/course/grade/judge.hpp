@@ -35,7 +35,7 @@ struct Yardstick {
 void compile_reference(const Grading& grading, int stage);
 
 /// Grades the reference of a stage, and leaves its worker in the folder. Throws ProgramError if it
-/// does not get all points: then nobody could.
+/// does not get all points: then no submission could.
 [[nodiscard]] Yardstick judge_reference(const Grading& grading, int stage,
                                         const std::filesystem::path& folder);
 

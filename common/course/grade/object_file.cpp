@@ -19,7 +19,7 @@ constexpr unsigned char own_class = sizeof(void*) == 8 ? ELFCLASS64 : ELFCLASS32
 
 class CutShort : public std::exception {};
 
-/// Reads bytes with bounds checks. Throws CutShort beyond the end.
+/// Reads bytes with bounds checks. Throws CutShort past the end.
 class Bytes {
 public:
     explicit Bytes(std::string_view bytes) : bytes_(bytes) {}

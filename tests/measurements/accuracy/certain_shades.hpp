@@ -1,4 +1,4 @@
-// The colors that the certified kernels compute for a scene, with so many shadow rays and
+// The colors that the certified kernels compute for a scene, with enough shadow rays and
 // reflections that more would change nothing. They are computed by measure_certain_shades, whose
 // kernels have the references' names.
 #pragma once
