@@ -22,8 +22,7 @@ Phong printed_phong(Vec3 light, Vec3 normal, Vec3 eye, int shininess) {
 
 }  // namespace
 
-TEST_CASE(
-    "erratum 14: a highlight where no light comes, and ambient light once a light (CR §3.1)") {
+TEST_CASE("erratum 14: a highlight without light, and ambient light once per light (CR §3.1)") {
     // The light is behind the surface, the eye before it.
     const Vec3 normal(0, 0, 1);
     const Vec3 light(Real(0.8), 0, Real(-0.6));

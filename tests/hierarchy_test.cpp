@@ -302,7 +302,7 @@ Verdict agrees_with_long_double(Random& random) {
     const auto came = packed.nearest(ray, {});
     const std::string asked = code(ray) + " in " + std::to_string(count) + " triangles";
     if (came.has_value() != expected.has_value() || packed.blocks(ray, {}) != came.has_value())
-        return verdict(false, asked + (expected ? ": no hit" : ": a hit that is none"));
+        return verdict(false, asked + (expected ? ": no hit" : ": a false hit"));
     if (!came) return {};
     const auto [a, b, c] = triangle_of(mesh, came->triangle);
     const Vec3 point = came->weights.x * a + came->weights.y * b + came->weights.z * c;

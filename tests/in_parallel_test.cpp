@@ -17,7 +17,7 @@ TEST_CASE("in parallel: each piece is done once") {
         in_parallel(threads, times.size(), nullptr, [&](std::size_t i) { ++times[i]; });
         CHECK(std::ranges::count(times, 1) == 1000);
     }
-    in_parallel(3, 0, nullptr, [](std::size_t) { FAIL("there is nothing to do"); });
+    in_parallel(3, 0, nullptr, [](std::size_t) { FAIL("no work was expected"); });
 }
 
 TEST_CASE("in parallel: no piece is begun once it is to stop") {
@@ -29,7 +29,7 @@ TEST_CASE("in parallel: no piece is begun once it is to stop") {
     });
     CHECK(done >= 11);
     CHECK(done < 1'000'000);
-    in_parallel(2, 10, &stop, [](std::size_t) { FAIL("it was to stop"); });
+    in_parallel(2, 10, &stop, [](std::size_t) { FAIL("the work was stopped"); });
 }
 
 TEST_CASE("in parallel: an exception of a piece is rethrown after the others have ended") {

@@ -528,7 +528,7 @@ Verdict is_known(const Printed& printed, const Page& page, const Knowledge& all)
     const bool known = std::any_of(all.begin(), all.end(),
                                    [&](const Known& each) { return rounds_to(each, printed); });
     return verdict(known, "docs/" + page.name + ".md:" + std::to_string(printed.line) + ": " +
-                              printed.text + " is not what is worked out here");
+                              printed.text + " is not the value computed here");
 }
 
 Verdict is_printed(const Known& known, const Page& page, const std::vector<Printed>& all) {
@@ -608,7 +608,7 @@ TEST_CASE("all C++ of the pages is compiled in this suite") {
                                   !std::regex_match(line.text, data) && !is_code(line, codes);
             CHECK(verdict(!left_out && line.text.rfind("```", 0) != 0,
                           entry.path().filename().string() + ":" + std::to_string(line.number) +
-                              ": C++ that nobody compiles: " + line.text));
+                              ": C++ that is not compiled: " + line.text));
         }
     }
 }

@@ -118,8 +118,7 @@ TEST_CASE("a hole on a bridge is left out") {
     CHECK(sum_of_positive(corners) == 8);
 }
 
-TEST_CASE(
-    "what has no area, crosses itself or repeats a corner gives n - 2 triangles of its corners") {
+TEST_CASE("a polygon without area, with crossings or repeated corners gives n - 2 triangles") {
     const std::vector<Corners> all = {
         {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},                        // a line
         {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}},             // a point

@@ -56,8 +56,8 @@ Verdict is_left_alone(Random& random) {
         const Vec3 way = i % 2 == 0 ? random.direction() : unit(nearest + random.point(1));
         const Ray ray{.origin = point, .direction = light.position + light.radius * way - point};
         if (blocks(ray, spot.shape, {.min = 0, .max = 1}))
-            return verdict(false, "the shaft does not hold " + code(spot.shape) +
-                                      " or its ball, and " + code(ray) + " meets it");
+            return verdict(false, "the shaft does not contain " + code(spot.shape) +
+                                      " or its bounding sphere, and " + code(ray) + " meets it");
     }
     return {};
 }
@@ -153,7 +153,7 @@ TEST_CASE("suspects: the tested shapes block the same rays as all shapes") {
             Blocker of_all(ray, {.min = 0, .max = 1}, context);
             among_shapes(of_all, scene);
             if (of_all.found() != suspects.block(ray, {.min = 0, .max = 1}, context))
-                return verdict(false, code(ray) + " meets what was not suspected");
+                return verdict(false, code(ray) + " hits a shape that was excluded");
         }
         return Verdict();
     }));

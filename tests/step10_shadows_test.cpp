@@ -343,9 +343,9 @@ TEST_CASE("the offset does not grow with the distance of the light (contract)") 
 TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)") {
     Scene scene = ball_above_floor();
     scene.lights = {Light{.position = {0, 8, 0}, .brightness = Real(0.5)}};
-    CHECK(gives("the colour under the ball", colour(scene, to_the_origin), Color(Real(0.25))));
+    CHECK(gives("the color under the ball", colour(scene, to_the_origin), Color(Real(0.25))));
     scene.spheres = {};
-    CHECK(gives("the colour without the ball", colour(scene, to_the_origin), Color(Real(0.75))));
+    CHECK(gives("the color without the ball", colour(scene, to_the_origin), Color(Real(0.75))));
 }
 
 TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") {
@@ -354,10 +354,10 @@ TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") 
     const Light aside{.position = {-3, 4, 0}, .brightness = Real(0.5)};  // ⟨L, N⟩ = 0.8
     const Color lit_aside(Real(0.25) + Real(0.4));
     scene.lights = {above, aside};
-    CHECK(gives("the colour under the ball", colour(scene, to_the_origin), lit_aside));
+    CHECK(gives("the color under the ball", colour(scene, to_the_origin), lit_aside));
     scene.lights = {aside, above};
-    CHECK(gives("the colour, the lights in the other order", colour(scene, to_the_origin),
-                lit_aside));
+    CHECK(
+        gives("the color, the lights in the other order", colour(scene, to_the_origin), lit_aside));
 }
 
 TEST_CASE("the picture of the stage (CR §3.2)") {

@@ -56,7 +56,7 @@ Verdict aims_at_what_is_seen(const Light& light, Vec3 from, Vec2 sample) {
                               "}));";
     if (!(std::abs(length(on_light) - radius) <= slack))
         return verdict(false, asked + ", " + text(Real(length(on_light))) +
-                                  " from the light's centre\n  expected: a point of the light's "
+                                  " from the light's center\n  expected: a point of the light's "
                                   "surface, at its radius, " +
                                   text(light.radius) + paste);
     const double towards = dot(on_light, away / length(away));
@@ -65,7 +65,7 @@ Verdict aims_at_what_is_seen(const Light& light, Vec3 from, Vec2 sample) {
                    asked +
                        ", on the far side of the light\n  expected: a point that can be seen from "
                        "there: at least " +
-                       text(Real(least)) + " from the centre towards it, not " +
+                       text(Real(least)) + " from the center towards it, not " +
                        text(Real(towards)) + paste);
 }
 
@@ -393,7 +393,7 @@ TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, e
                                          ",\n              Vec3" + code(from) + ", sample) over " +
                                          std::to_string(samples) +
                                          " samples\n  came:     " + text(Real(aside)) +
-                                         " of the radius off the line to the light's centre\n"
+                                         " of the radius off the line to the light's center\n"
                                          "  expected: on it, to 0.02");
     };
     CHECK(for_all(property, 40));
@@ -488,8 +488,7 @@ TEST_CASE("the share of a cone beside a plane is integrated to 1e-6 (this suite)
         }
 }
 
-TEST_CASE(
-    "on average the share found is that of the solid angle, whatever hides the rest (CR §3.3)") {
+TEST_CASE("on average the visible share is that of the solid angle, for any occluder (CR §3.3)") {
     const auto property = [](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
@@ -606,8 +605,7 @@ TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should b
     }
 }
 
-TEST_CASE(
-    "the umbra has ambient light only, and what sees the whole light is not darker (CR §3.3)") {
+TEST_CASE("the umbra has ambient light only, and full light is not darkened (CR §3.3)") {
     // Radius 0.5: from the middle it fills 7 degrees, and the strip 26.
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:0.5\n");
     for (const Real x : {Real(0), Real(0.75), Real(-0.75), Real(1.25)}) {

@@ -584,7 +584,7 @@ TEST_CASE("a mirror that sees nothing shows its own share (CR §5.1)") {
 }
 
 TEST_CASE(
-    "in a mirror all around, a ray goes round the square, and sees what is behind (CR §5.1)") {
+    "in a mirror all around, a ray goes round the square, and sees behind its start (CR §5.1)") {
     const Scene scene = inside_of_mirror();
     CHECK(sees("a mirror all around", scene, round_the_square, Color(0), 0));
     CHECK(sees("a mirror all around", scene, round_the_square, Color(0), 3));

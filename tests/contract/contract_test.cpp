@@ -172,7 +172,7 @@ TEST_CASE("a mesh is read back, empty or of a hundred thousand vertices") {
     CHECK(comes_back(mesh));
 }
 
-TEST_CASE("bytes that are no value are refused") {
+TEST_CASE("bytes that are not a value are refused") {
     const std::string bytes = bytes_of(ahead);
     CHECK(refused<Ray>(bytes.substr(1)));
     CHECK(refused<Ray>(bytes + '\0'));

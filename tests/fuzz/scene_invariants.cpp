@@ -108,7 +108,7 @@ void add(Numbers& numbers, const OrientedBox& box) {
 
 void add(Numbers& numbers, const Material& material) {
     const auto& [color, specular, shininess, mirror] = material;
-    require(within_one(color), "a colour is from 0 to 1");
+    require(within_one(color), "a color is from 0 to 1");
     require(within_one({specular, mirror, 0}), "shares are from 0 to 1");
     require(shininess > 0, "a shininess is positive");
     add(numbers, color);
@@ -144,7 +144,7 @@ void add(Numbers& numbers, const Camera& camera) {
 /// A light's or the ambient light's numbers but its position.
 void add_light(Numbers& numbers, Real ratio, Color color) {
     require(ratio >= 0 && ratio <= 1, "a ratio is from 0 to 1");
-    require(within_one(color), "a light's colour is from 0 to 1");
+    require(within_one(color), "a light's color is from 0 to 1");
     numbers.push_back(ratio);
     add(numbers, color);
 }

@@ -199,8 +199,7 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
     }
 }
 
-TEST_CASE(
-    "headers in a place of their own are within a compiler's reach, if everybody may read them") {
+TEST_CASE("headers in another folder are accessible to a compiler, if all users may read them") {
     const TemporaryFolder folder;
     const TemporaryFolder place;
     for (const TemporaryFolder* each : {&folder, &place})

@@ -38,7 +38,7 @@ Usage used() {
 pid_t forked() {
     std::fflush(nullptr);  // otherwise the child would print the buffered output again
     const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no process left to measure in");
+    if (child < 0) throw std::runtime_error("cannot create a process");
     return child;
 }
 
@@ -74,7 +74,7 @@ Usage run(const std::vector<std::string>& words) {
 std::vector<Usage> run_apart(
     const std::function<void(const std::function<void()>& step_done)>& work) {
     std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe to a process");
+    if (pipe(ends.data()) != 0) throw std::runtime_error("cannot create a pipe");
     const pid_t child = forked();
     if (child == 0) {
         try {
@@ -95,7 +95,7 @@ std::vector<Usage> run_apart(
     std::vector<Usage> steps;
     for (Usage step; read(ends[0], &step, sizeof step) == sizeof step;) steps.push_back(step);
     close(ends[0]);
-    waited_for(child, "what was run apart");
+    waited_for(child, "the separate process");
     return steps;
 }
 

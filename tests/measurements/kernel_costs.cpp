@@ -38,7 +38,7 @@ void tell_cost(const char* shape) {
             std::chrono::steady_clock::now() - start;
         best = std::min(best, taken.count() / rays);
     }
-    std::printf("%s %.2f%s\n", shape, best, sum == 0 ? " and met nothing" : "");
+    std::printf("%s %.2f%s\n", shape, best, sum == 0 ? " and hit nothing" : "");
 }
 
 }  // namespace

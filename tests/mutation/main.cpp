@@ -168,10 +168,11 @@ int mutate(const Options& options) {
 }  // namespace mutation
 
 int main(int argc, char** argv) {
-    CLI::App app{"Changes references in one place at a time: does the stage's suite see it?"};
+    CLI::App app{
+        "Changes references in one place at a time, and runs the stage's suite on each change."};
     mutation::Options options;
-    app.add_option("stage", options.stages, "step05_triangle, say; none: all of them");
-    app.add_option("--sample", options.sample, "so many mutants of each stage; 0: all");
+    app.add_option("stage", options.stages, "such as step05_triangle; default: all of them");
+    app.add_option("--sample", options.sample, "number of mutants of each stage; 0: all");
     app.add_option("--seed", options.seed, "which ones")->capture_default_str();
     app.add_flag("--every-case", options.every_case, "do not stop at the first case that fails");
     CLI11_PARSE(app, argc, argv);

@@ -244,10 +244,10 @@ shows "the compiler's error" "!document.querySelector('[data-of=mine] pre').hidd
 rm project/compiler_says
 program step05_triangle
 echo "another" >> project/steps/step05_triangle/student/triangle.cpp
-shows "no difference once it is right" "$caption === 'The same in every pixel.'"
+shows "no difference once it is right" "$caption === 'Every pixel is the same.'"
 shows "no error any more" "document.querySelector('[data-of=mine] pre').hidden"
 shows "the same story" \
-    "document.getElementById('told').textContent === 'Both tell the same story.'"
+    "document.getElementById('told').textContent === 'Both explanations are the same.'"
 program step05_triangle "--shade normal"
 shows "a program that is replaced is drawn anew" "/pixels differ/.test($caption)"
 

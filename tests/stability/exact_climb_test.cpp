@@ -110,9 +110,7 @@ TEST_CASE("no search makes a certified t wrong by more than a few ulps") {
     climb<Cone>("cone");
 }
 
-TEST_CASE(
-    "of certified t, these were the furthest from the exact ones, or wrong where products "
-    "underflow") {
+TEST_CASE("the largest known errors of certified t, and cases with underflowing products") {
     const auto check = [](const auto& asked, double bound) {
         const auto came = intersect(asked.ray, asked.shape, {});
         INFO(told(asked.ray, asked.shape, {}, came, std::nullopt));

@@ -2,17 +2,17 @@
 const $ = (id) => document.getElementById(id);
 const both = ["mine", "reference"];
 const page = Math.floor(Math.random() * 1e9);
-const sliders = {  // name, reach to either side of 0 or of where the scene has it, step
+const sliders = {  // name, range on either side of 0 or of the scene's value, step
   x: ["x", 10, 0.05], y: ["y", 10, 0.05], z: ["z", 10, 0.05],
   yaw: ["turn right", 180, 1], pitch: ["tilt up", 90, 1], fov: ["field of view", 0, 1]};
 
 let stage = 0;
 let size = {width: 640, height: 480};
-let camera = null;                          // as the sliders have it
-let moved = false;                          // away from where the scene has it
-let programs = "";                          // those that the pictures are of
-let broken = "";                            // what the compiler says is wrong
-let order = 0;                              // of drawings; what is not the last is not shown
+let camera = null;                          // the sliders' camera
+let moved = false;                          // different from the scene's camera
+let programs = "";                          // the programs of the pictures
+let broken = "";                            // the compiler's error
+let order = 0;                              // of renderings; only the last one is shown
 let drafting = false, draftAgain = false;   // while a slider is dragged
 let pixel = null;
 let images = {};                            // mine and reference: ImageData
@@ -28,7 +28,7 @@ function parameters(more) {
 
 // ---- pictures
 
-/// What %XX stand for, be it text or not.
+/// The bytes of a percent-encoded text.
 function decode(text) {
   const bytes = (text.match(/%..|./g) ?? []).map(
     (byte) => byte.length > 1 ? parseInt(byte.slice(1), 16) : byte.charCodeAt(0));
@@ -72,7 +72,7 @@ async function draw(shrink = 1) {
   if (mine === order && shrink === 1) say(broken ? "it does not build" : "");
 }
 
-/// Small pictures, one after the other, as long as somebody drags.
+/// Small pictures, one after the other, while a slider is dragged.
 async function draft() {
   draftAgain = true;
   if (drafting) return;
@@ -110,7 +110,7 @@ function compare() {
   const scale = size.width / mine.width;
   $("worst").onclick = () => choose(Math.floor(Math.floor(where / mine.width) * scale),
                                     Math.floor(where % mine.width * scale));
-  caption.textContent = count === 0 ? "The same in every pixel."
+  caption.textContent = count === 0 ? "Every pixel is the same."
     : `${count} of ${mine.width * mine.height} pixels differ, by ${most} of 255 at most.`;
   swipe();
 }
@@ -137,9 +137,9 @@ function flip() {
 
 function makeSliders() {
   $("camera").replaceChildren();
-  if (!camera) { $("camera").textContent = "The scene has none."; return; }
+  if (!camera) { $("camera").textContent = "The scene has no camera."; return; }
   for (const [name, [label, reach, step]] of Object.entries(sliders)) {
-    if (stage === 1 && name !== "fov") continue;  // whose camera does not turn yet
+    if (stage === 1 && name !== "fov") continue;  // its camera cannot turn yet
     const row = document.createElement("label");
     const slider = document.createElement("input");
     const value = document.createElement("output");
@@ -161,7 +161,7 @@ function makeSliders() {
   }
 }
 
-// ---- a pixel's story
+// ---- the explanation of a pixel
 
 function choose(row, column) {
   pixel = {row: Math.min(Math.max(row, 0), size.height - 1),
@@ -176,7 +176,7 @@ function choose(row, column) {
   tell();
 }
 
-/// Pairs of lines, null where one has none: the longest common sequence, after the common start.
+/// Pairs of lines, null for a missing one: the longest common subsequence, after the common start.
 function align(a, b) {
   const pairs = [];
   while (a.length && b.length && a[0] === b[0]) pairs.push([a.shift(), b.shift()]);
@@ -218,10 +218,10 @@ async function tell() {
     return line;
   }));
   $("told").className = first < 0 ? "" : "differ";
-  $("told").textContent = first < 0 ? "Both tell the same story."
-    : `The first line that differs is line ${first + 1} of the story.`;
-  if (broken) $("told").textContent += " Yours is of the last program that was built.";
-  let heading = Math.max(first, 0);  // of the part in which they differ
+  $("told").textContent = first < 0 ? "Both explanations are the same."
+    : `The first line that differs is line ${first + 1}.`;
+  if (broken) $("told").textContent += " Yours is from the last program that was built.";
+  let heading = Math.max(first, 0);  // of the first section that differs
   while (heading > 0 && (pairs[heading][0] ?? " ").startsWith(" ")) --heading;
   const line = $("story").children[heading];
   $("story").scrollTop = line.offsetTop - $("story").offsetTop;
@@ -270,7 +270,7 @@ async function follow(chosen) {
       .then((answer) => answer.json()).catch(() => null);
     if (stage !== chosen) return;
     if (news) { seen = news.seen; showNews(news); continue; }
-    say("./course view has ended");
+    say("./course view was stopped");
     programs = "";
     await new Promise((done) => setTimeout(done, 2000));
   }

@@ -1,5 +1,5 @@
 // origin: seen in student repositories: the sign of the normal wrong when seen from inside
-// caught by: in a mirror all around, a ray goes round the square, and sees what is behind (CR §5.1)
+// caught by: in a mirror all around, a ray goes round the square, and sees behind its start (CR §5.1)
 // sentence: From inside, your ray leaves on the other side: surface.normal is on the side of the eye already.
 #define mirrored(...) correct_mirrored(__VA_ARGS__)
 #include "steps/step12_mirror/reference/mirror.cpp"
