@@ -111,6 +111,10 @@ TEST_CASE("however near the vertical, X is where the formula has it (MRT §2)", 
     CHECK(basis_is_exact({-lean, 1, 0}));
     CHECK(basis_is_exact({0, -1, lean}));
     CHECK(basis_is_exact({3 * lean, -1, 4 * lean}));
+    CHECK(for_all([lean](Random& random) {
+        const Vec3 aside = random.direction();
+        return basis_is_exact({lean * aside.x, random.coin() ? 1 : -1, lean * aside.z});
+    }));
 }
 
 TEST_CASE("each component is within 10 u of the exact one (contract)") {

@@ -19,6 +19,11 @@ Sample<Sphere> draw(Random& random) {
     return {.shape = sphere, .point = sphere.center + sphere.radius * normal, .normal = normal};
 }
 
+/// In eighths, the radius a power of two: with rays along the axes nothing is rounded.
+Sphere draw_in_eighths(Random& random) {
+    return {.center = random.point_in_eighths(3), .radius = Real(1 << random.below(3))};
+}
+
 }  // namespace
 
 TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)",
@@ -54,6 +59,13 @@ TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exa
     CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, unit_sphere, 5));
     CHECK(hits(Ray{.origin = {-3, 0, -2}, .direction = {2, 0, 0}},
                Sphere{.center = {0, 0, 0}, .radius = 2}, Real(1.5)));
+    CHECK(for_all([](Random& random) {
+        const Sphere sphere = draw_in_eighths(random);
+        const Basis axes = random.axes();
+        const Real t = random.eighths(1, 32);
+        const Vec3 touched = sphere.center + sphere.radius * axes.x;
+        return hits({.origin = touched - t * axes.y, .direction = axes.y}, sphere, t);
+    }));
 }
 
 TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root)") {
@@ -75,6 +87,13 @@ TEST_CASE("behind the origin, nothing is met (CR §2.2, PHY)") {
 TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 1}, .direction = {0, 0, 1}}, unit_sphere));
     CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}}, unit_sphere, 2));
+    CHECK(for_all([](Random& random) {
+        const Sphere sphere = draw_in_eighths(random);
+        const Vec3 out = random.axes().x;
+        const Vec3 origin = sphere.center + sphere.radius * out;
+        if (random.coin()) return misses({.origin = origin, .direction = out}, sphere);
+        return hits({.origin = origin, .direction = -out}, sphere, 2 * sphere.radius);
+    }));
 }
 
 TEST_CASE("near hits count as much as far ones (CR §2.1)") {

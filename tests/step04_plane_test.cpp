@@ -76,6 +76,15 @@ TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)
     CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {1, -slope, 0}}, ground, 2 / slope));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {1, slope, 0}}, ground));
     CHECK(hits(Ray{.origin = {0, -1, 0}, .direction = {0, slope, -1}}, ground, 1 / slope));
+    CHECK(for_all([slope](Random& random) {
+        // In eighths: nothing is rounded.
+        const auto [along, across, up] = random.axes();
+        const Plane plane{.point = random.point_in_eighths(3), .normal = up};
+        const Real height = random.eighths(1, 4);
+        const Vec3 origin = plane.point + random.eighths(-4, 4) * across + height * up;
+        if (random.coin()) return misses({origin, along + slope * up}, plane);
+        return hits({origin, along - slope * up}, plane, height / slope);
+    }));
 }
 
 TEST_CASE("the horizon: rays above it miss, rays below it land further and further away (MRT §4)") {

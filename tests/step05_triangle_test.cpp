@@ -42,6 +42,18 @@ Sample<Triangle> draw(Random& random) {
             .normal = n / std::sqrt(dot(n, n))};
 }
 
+/// A ray at right angles meets the point with these weights, where nothing is rounded: corners in
+/// eighths, two sides along axes and as long as powers of two.
+Verdict hits_exactly_at(Vec3 weights, Random& random) {
+    const auto [x, y, z] = random.axes();
+    const Vec3 corner = random.point_in_eighths(3);
+    const Triangle triangle{.a = corner,
+                            .b = corner + Real(1 << random.below(3)) * x,
+                            .c = corner + Real(1 << random.below(3)) * y};
+    const Real t = random.eighths(1, 32);
+    return hits({.origin = weighted(triangle, weights) + t * z, .direction = -z}, triangle, t);
+}
+
 }  // namespace
 
 TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §5)",
@@ -54,8 +66,11 @@ TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §
     CHECK(for_all([](Random& random) {
         const Real x = Real(1 + random.below(15)) / 8;
         const Real y = Real(1 + random.below(15)) / 8;
-        if (random.coin()) return hits(down_at(x, y), right_angled, 2);
-        return misses(down_at(4 - x / 2, 4 - y / 2), right_angled);  // in the box around it
+        const Real t = random.eighths(1, 9);
+        const Vec3 down(0, 0, -1);
+        if (random.coin()) return hits({Vec3(x, y, 0) - t * down, down}, right_angled, t);
+        // In the box around it.
+        return misses({Vec3(4 - x / 2, 4 - y / 2, 0) - t * down, down}, right_angled);
     }));
 }
 
@@ -96,12 +111,23 @@ TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (errat
     CHECK(hits(down_at(2, 2), turned, 2));
     CHECK(hits(down_at(2, 0), turned, 2));
     CHECK(hits(down_at(0, 2), turned, 2));
+    CHECK(for_all([](Random& random) {
+        const Real part = Real(1 + random.below(7)) / 8;
+        Vec3 weights(part, 1 - part, 0);
+        std::swap(weights.z, weights[random.below(3)]);
+        return hits_exactly_at(weights, random);
+    }));
 }
 
 TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)", "[exact]") {
     CHECK(hits(down_at(0, 0), right_angled, 2));
     CHECK(hits(down_at(4, 0), right_angled, 2));
     CHECK(hits(down_at(0, 4), right_angled, 2));
+    CHECK(for_all([](Random& random) {
+        Vec3 weights(0);
+        weights[random.below(3)] = 1;
+        return hits_exactly_at(weights, random);
+    }));
 }
 
 TEST_CASE("behind the origin, nothing is met (MRT §4–5, t positive)") {
@@ -129,11 +155,25 @@ TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") 
     const Triangle triangle{.a = {0, 0, 0}, .b = {4 * small, 0, 0}, .c = {0, 4 * small, 0}};
     CHECK(hits(down_at(small, small), triangle, 2));
     CHECK(misses(down_at(3 * small, 3 * small), triangle));
+    CHECK(for_all([&](Random& random) {
+        const Real x = Real(1 + random.below(15)) / 8 * small;
+        const Real y = Real(1 + random.below(15)) / 8 * small;
+        const Real t = random.eighths(1, 9);
+        if (random.coin()) return hits({.origin = {x, y, t}, .direction = {0, 0, -1}}, triangle, t);
+        return misses({.origin = {4 * small - x, 4 * small - y, t}, .direction = {0, 0, -1}},
+                      triangle);
+    }));
 }
 
 TEST_CASE("a grazing ray meets the triangle (MRT §5)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -12);
     CHECK(hits(Ray{.origin = {1, -4, 5 * slope}, .direction = {0, 1, -slope}}, right_angled, 5));
+    CHECK(for_all([slope](Random& random) {
+        const Vec3 point(Real(1 + random.below(15)) / 8, Real(1 + random.below(15)) / 8, 0);
+        const Real t = random.eighths(1, 9);
+        const Vec3 direction(0, 1, -slope);
+        return hits({.origin = point - t * direction, .direction = direction}, right_angled, t);
+    }));
 }
 
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {

@@ -58,6 +58,19 @@ TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)
     CHECK(hits(down_at(1, -2), flat, 2));
     CHECK(hits(down_at(2, 2), flat, 2));
     CHECK(hits(down_at(-2, 2), flat, 2));
+    CHECK(for_all([](Random& random) {
+        // In eighths: nothing is rounded.
+        const Square square{.center = random.point_in_eighths(3),
+                            .basis = random.axes(),
+                            .side = Real(1 << random.below(4))};
+        Vec2 p(random.eighths(-1, 1), random.eighths(-1, 1));
+        p[random.below(2)] = random.coin() ? 1 : -1;
+        p *= square.side / 2;
+        const auto& [x, y, z] = square.basis;
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = square.center + p.x * x + p.y * y + t * z, .direction = -z}, square,
+                    t);
+    }));
 }
 
 TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
@@ -118,6 +131,12 @@ TEST_CASE("a ray in the square's plane misses (MRT §6)", "[exact]") {
 TEST_CASE("a grazing ray meets the square: there is no epsilon (MRT §6)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {0, -4, 5 * slope}, .direction = {0, 1, -slope}}, flat, 5));
+    CHECK(for_all([slope](Random& random) {
+        const Vec3 point(random.eighths(-1, 1), random.eighths(-1, 1), 0);
+        const Real t = random.eighths(1, 9);
+        const Vec3 direction(0, 1, -slope);
+        return hits({.origin = point - t * direction, .direction = direction}, flat, t);
+    }));
 }
 
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {

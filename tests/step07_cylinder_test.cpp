@@ -29,6 +29,24 @@ Sample<Cylinder> draw(Random& random) {
             .normal = basis.x};
 }
 
+struct Across {
+    Cylinder cylinder;
+    Vec3 x;  ///< at right angles to the axis
+    Vec3 y;  ///< the axis
+};
+
+/// In eighths, along the axes, the radius a power of two: with rays along x, y and across both,
+/// nothing is rounded.
+Across draw_in_eighths(Random& random) {
+    const auto [x, y, z] = random.axes();
+    return {.cylinder = {.center = random.point_in_eighths(3),
+                         .axis = y,
+                         .radius = Real(1 << random.below(3)),
+                         .height = 2 * random.eighths(1, 3)},
+            .x = x,
+            .y = y};
+}
+
 }  // namespace
 
 TEST_CASE("a ray across meets the near side (MRT §7)", "[3 points][exact]") {
@@ -37,9 +55,10 @@ TEST_CASE("a ray across meets the near side (MRT §7)", "[3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 5, 5}, .direction = {0, -1, -1}}, upright, 3));
     CHECK(misses(Ray{.origin = {3, 0, 5}, .direction = {0, 0, -1}}, upright));
     CHECK(for_all([](Random& random) {
-        const Real away = 3 + Real(random.below(64)) / 8;
-        const Real up = Real(random.below(9)) / 8;
-        return hits(Ray{.origin = {0, up, away}, .direction = {0, 0, -1}}, upright, away - 2);
+        const auto [cylinder, x, y] = draw_in_eighths(random);
+        const Vec3 near = cylinder.center + random.eighths(-1, 1) * y + cylinder.radius * x;
+        const Real t = random.eighths(1, 9);
+        return hits({.origin = near + t * x, .direction = -x}, cylinder, t);
     }));
 }
 
@@ -72,6 +91,12 @@ TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
 TEST_CASE("both rims belong to the side (MRT §7)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, -3, 5}, .direction = {0, 0, -1}}, upright, 3));
+    CHECK(for_all([](Random& random) {
+        const auto [cylinder, x, y] = draw_in_eighths(random);
+        const Vec3 rim = cylinder.center + (random.coin() ? -1 : 1) * cylinder.height / 2 * y;
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = rim + (cylinder.radius + t) * x, .direction = -x}, cylinder, t);
+    }));
 }
 
 TEST_CASE("into the open top, the far inside is met: both roots are tried (MRT §7)") {
@@ -99,6 +124,15 @@ TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT 
     const Real slope = std::ldexp(Real(1), -20);
     const Cylinder narrow{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2 * slope, .height = 6};
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {slope, 1, 0}}, narrow, 2));
+    CHECK(for_all([slope](Random& random) {
+        const Real t = random.eighths(1, 2);
+        const Cylinder thin{.center = {0, 0, 0},
+                            .axis = {0, 1, 0},
+                            .radius = t * slope,
+                            .height = random.eighths(6, 9)};
+        const Real up = random.eighths(-3, 1);
+        return hits(Ray{.origin = {0, up, 0}, .direction = {slope, 1, 0}}, thin, t);
+    }));
 }
 
 TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
@@ -117,6 +151,13 @@ TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
 
 TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)", "[exact]") {
     CHECK(hits(Ray{.origin = {2, 1, 5}, .direction = {0, 0, -1}}, upright, 5));
+    CHECK(for_all([](Random& random) {
+        const auto [cylinder, x, y] = draw_in_eighths(random);
+        const Vec3 touched = cylinder.center + random.eighths(-1, 1) * y + cylinder.radius * x;
+        const Vec3 along = cross(x, y);
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = touched - t * along, .direction = along}, cylinder, t);
+    }));
 }
 
 TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
@@ -127,6 +168,12 @@ TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
 TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, upright));
     CHECK(hits(Ray{.origin = {0, 0, 2}, .direction = {0, 0, -1}}, upright, 4));
+    CHECK(for_all([](Random& random) {
+        const auto [cylinder, x, y] = draw_in_eighths(random);
+        const Vec3 origin = cylinder.center + random.eighths(-1, 1) * y + cylinder.radius * x;
+        if (random.coin()) return misses({.origin = origin, .direction = x}, cylinder);
+        return hits({.origin = origin, .direction = -x}, cylinder, 2 * cylinder.radius);
+    }));
 }
 
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {

@@ -53,6 +53,23 @@ Verdict hits_behind(Real passed, Random& random) {
     return hits({.origin = origin, .direction = (point - origin) / t}, cone, t);
 }
 
+struct Across {
+    Cone cone;
+    Vec3 x;  ///< at right angles to the axis
+    Vec3 y;  ///< the axis
+};
+
+/// As wide as high, a power of two; in eighths, along the axes: with rays along x, y and across
+/// both, nothing is rounded.
+Across draw_in_eighths(Random& random) {
+    const auto [x, y, z] = random.axes();
+    const Real height = Real(4 << random.below(3));
+    return {
+        .cone = {.apex = random.point_in_eighths(3), .axis = y, .radius = height, .height = height},
+        .x = x,
+        .y = y};
+}
+
 }  // namespace
 
 TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)", "[3 points][exact]") {
@@ -73,6 +90,13 @@ TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "
     // Half-way to the apex the radius is 0.5, where the printed one is 0.707.
     CHECK(hits(Ray{.origin = {-5, 1, 0}, .direction = {1, 0, 0}}, cone, Real(4.5)));
     CHECK(misses(Ray{.origin = {-5, 1, Real(0.625)}, .direction = {1, 0, 0}}, cone));
+    CHECK(for_all([](Random& random) {
+        auto [drawn, x, y] = draw_in_eighths(random);
+        drawn.height = 2 * drawn.radius;
+        const Real z = random.between(Real(0.2), Real(0.9)) * drawn.height;
+        const Real t = random.eighths(1, 32);
+        return hits({drawn.apex + z * y + (z / 2 + t) * x, -x}, drawn, t);
+    }));
 }
 
 TEST_CASE("it opens along the axis, from the apex to the height (MRT §8)") {
@@ -113,6 +137,12 @@ TEST_CASE("a ray along the side has one root, -c/b (erratum 6, MRT §8)", "[exac
     CHECK(hits(Ray{.origin = {0, 6, 2}, .direction = {0, -1, -1}}, right_angled, 4));
     CHECK(misses(Ray{.origin = {0, 0, -4}, .direction = {0, 1, -1}}, right_angled));
     CHECK(misses(Ray{.origin = {0, 0, 9}, .direction = {0, 1, -1}}, right_angled));
+    CHECK(for_all([](Random& random) {
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Vec3 point = cone.apex + random.eighths(1, 3) * (x + y);
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = point - t * (y - x), .direction = y - x}, cone, t);
+    }));
 }
 
 TEST_CASE("a ray almost along the side meets it: there is no epsilon (MRT §8)", "[exact]") {
@@ -120,6 +150,12 @@ TEST_CASE("a ray almost along the side meets it: there is no epsilon (MRT §8)",
     // Direction (0, 1, −(1 − s)): z = 4 − (1 − s) t meets y = t at t = 4 / (2 − s).
     CHECK(hits(Ray{.origin = {0, 0, 4}, .direction = {0, 1, -(1 - slope)}}, right_angled,
                4 / (2 - slope)));
+    CHECK(for_all([slope](Random& random) {
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Real away = random.eighths(1, 7);
+        return hits({.origin = cone.apex + away * x, .direction = y - (1 - slope) * x}, cone,
+                    away / (2 - slope));
+    }));
 }
 
 TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §8)") {
@@ -142,10 +178,23 @@ TEST_CASE("a ray that touches the side, or the apex, meets it (PHY, B² − 4AC 
     // In the plane z = y, which touches the side along (0, 1, 1).
     CHECK(hits(Ray{.origin = {-5, 2, 2}, .direction = {1, 0, 0}}, right_angled, 5));
     CHECK(hits(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, right_angled, 5));
+    CHECK(for_all([](Random& random) {
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Vec3 touched = cone.apex + random.eighths(0, 3) * (x + y);
+        const Vec3 along = cross(x, y);
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = touched - t * along, .direction = along}, cone, t);
+    }));
 }
 
 TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 4, 5}, .direction = {0, 0, -1}}, upward, 3));
+    CHECK(for_all([](Random& random) {
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Vec3 rim = cone.apex + cone.height * (x + y);
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = rim + t * x, .direction = -x}, cone, t);
+    }));
 }
 
 TEST_CASE("into the open end, the far inside is met: both roots are tried (MRT §8)") {

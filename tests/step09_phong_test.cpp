@@ -287,6 +287,11 @@ TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)", "[ex
                       Color(std::pow(Real(0.9990234375), Real(512)))));
     CHECK(specular_is(facing_z({0, 0, 1}, 100000), light_at({0, 0, 4}), Color(1)));
     CHECK(specular_is(facing_z(at_30_degrees, 100000), white, Color(0)));
+    CHECK(for_all([](Random& random) {
+        Lit lit = draw(random);
+        lit.surface.material.shininess = random.between(Real(0.5), 256);
+        return specular_is(lit.surface, lit.light, expected_specular(lit));
+    }));
 }
 
 TEST_CASE("the highlight moves with the eye (CR §3.1)") {

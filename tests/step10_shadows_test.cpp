@@ -286,6 +286,20 @@ TEST_CASE("an open tube throws a shadow into itself (CR §3.2)") {
     CHECK(in_the_way(*wall, Vec3(-4, 1, 0), tube));
     CHECK(not_in_the_way(*wall, Vec3(-2, 9, 0), tube));  // in by the open top
     CHECK(not_in_the_way(*wall, Vec3(Real(-0.5), 1, 0), tube));
+    CHECK(for_all([](Random& random) {
+        const auto [x, y, z] = random.basis();
+        const Real size = random.between(Real(0.5), 2);
+        const Cylinder drawn{
+            .center = random.point(3), .axis = z, .radius = size, .height = 4 * size};
+        const std::optional<Surface> side = seen(drawn.center, drawn.center + size * x, drawn);
+        if (!side) return Verdict{};  // rounded past it
+        if (random.coin()) {
+            const Vec3 beyond = random.between(-4, -2) * x + random.between(-2, 2) * z;
+            return in_the_way(*side, drawn.center + size * beyond, drawn);
+        }
+        const Vec3 within = random.between(Real(-0.9), Real(0.5)) * x + random.between(-1, 1) * z;
+        return not_in_the_way(*side, drawn.center + size * within, drawn);
+    }));
 }
 
 TEST_CASE("a point that is off its surface by its error still sees the light (contract)") {
@@ -346,6 +360,15 @@ TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)") {
     CHECK(gives("the color under the ball", colour(scene, to_the_origin), Color(Real(0.25))));
     scene.spheres = {};
     CHECK(gives("the color without the ball", colour(scene, to_the_origin), Color(Real(0.75))));
+    CHECK(for_all([](Random& random) {
+        const Real brightness = random.between(Real(0.1), Real(0.7));
+        Scene drawn = ball_above_floor();
+        drawn.lights = {{.position = {0, random.between(4, 64), 0}, .brightness = brightness}};
+        const bool lit = random.coin();
+        if (lit) drawn.spheres = {};
+        return gives(lit ? "the color without the ball" : "the color under the ball",
+                     colour(drawn, to_the_origin), Color(Real(0.25) + (lit ? brightness : 0)));
+    }));
 }
 
 TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") {
@@ -358,6 +381,16 @@ TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") 
     scene.lights = {aside, above};
     CHECK(
         gives("the color, the lights in the other order", colour(scene, to_the_origin), lit_aside));
+    CHECK(for_all([&](Random& random) {
+        // Anywhere round the ball, further away or nearer: ⟨L, N⟩ stays 0.8.
+        const Real angle = random.between(-pi, pi);
+        const Vec3 way(3 * std::cos(angle), 4, 3 * std::sin(angle));
+        Scene drawn = ball_above_floor();
+        drawn.lights = {above, aside};
+        drawn.lights[1].position = random.between(Real(0.5), 8) * way;
+        if (random.coin()) std::swap(drawn.lights[0], drawn.lights[1]);
+        return gives("the color under the ball", colour(drawn, to_the_origin), lit_aside);
+    }));
 }
 
 TEST_CASE("the picture of the stage (CR §3.2)") {

@@ -454,6 +454,18 @@ TEST_CASE("just outside the light, the point is still on it (contract)", "[exact
                                                         "\n  expected: a point of the light"));
         }
     }
+    CHECK(for_all([](Random& random) {
+        const Vec3 axis = random.axes().x;
+        const Light light{.position = random.point_in_eighths(3), .radius = random.eighths(1, 3)};
+        const Vec3 from =
+            light.position + light.radius * (1 + Real(random.below(64)) * epsilon) * axis;
+        const Vec2 sample = draw_sample(random);
+        const Vec3 came = light_point(light, from, sample);
+        const Real off = distance(came, light.position);  // its centre will do on the surface
+        return verdict(off <= light.radius * (1 + tolerance),
+                       call(light, from, sample) + "\n  came:     " + text(came) +
+                           "\n  expected: a point of the light");
+    }));
 }
 
 TEST_CASE("a light so small that sin² is less than a rounding is sampled all over (contract)",
@@ -472,6 +484,13 @@ TEST_CASE("a light very far, or very small, is aimed at (contract)", "[exact]") 
     CHECK(aims_at_what_is_seen({.position = {0, 4, 0}, .radius = 1 / far}, {0, 0, 0}, sample));
     CHECK(
         aims_at_what_is_seen({.position = {0, 3 / far, 0}, .radius = 1 / far}, {0, 0, 0}, sample));
+    CHECK(for_all([far](Random& random) {
+        const Vec3 way = random.eighths(3, 8) * random.direction();
+        const Light light{.position = (random.coin() ? far : 1 / far) * way,
+                          .radius = (random.coin() ? 1 : 1 / far) * random.eighths(1, 2)};
+        const bool inside = light.radius >= length(light.position);
+        return inside ? Verdict{} : aims_at_what_is_seen(light, Vec3(0), draw_sample(random));
+    }));
 }
 
 TEST_CASE("the share of a cone beside a plane is integrated to 1e-6 (this suite)") {
@@ -662,14 +681,24 @@ TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
 }
 
 TEST_CASE("with a weight of a quarter the error may be four times as large (contract)") {
-    const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
+    Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
+    const auto rays = [&](Real x, double error, double weight) {
+        return lit(scene, x, {.shadow_samples = 4096, .shadow_error = error}, {}, weight).rays;
+    };
     for (const Real x : {Real(0.25), Real(1), Real(9)}) {
-        const auto rays = [&](double error, double weight) {
-            return lit(scene, x, {.shadow_samples = 4096, .shadow_error = error}, {}, weight).rays;
-        };
-        CHECK(rays(1, 0.25) == rays(4, 1));
-        CHECK(rays(1, 0.25) < rays(1, 1));
+        CHECK(rays(x, 1, 0.25) == rays(x, 4, 1));
+        CHECK(rays(x, 1, 0.25) < rays(x, 1, 1));
     }
+    const auto property = [&](Random& random) {
+        scene.lights[0].radius = random.between(1, 2);
+        const Real x = random.between(Real(0.25), 9);
+        const std::int64_t of_a_quarter = rays(x, 1, 0.25);
+        return verdict(
+            of_a_quarter == rays(x, 4, 1) && of_a_quarter < rays(x, 1, 1),
+            "Expected fewer shadow rays from " + text(x) + " for a quarter of a pixel, " +
+                "as many as for four times the error, not " + std::to_string(of_a_quarter));
+    };
+    CHECK(for_all(property, 16));
 }
 
 TEST_CASE("rays that all agree end the sampling if that is enabled (contract)") {

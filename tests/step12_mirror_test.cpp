@@ -212,6 +212,13 @@ TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)", "[3 point
     // Thirds: n = (2, 1, 2) / 3, and d = -x leaves (-1, 0, 0) + 2 (2/3) (2, 1, 2) / 3.
     const Ray thirds{.origin = {5, 0, 0}, .direction = {-1, 0, 0}};
     CHECK(sends(thirds, flat(thirds, Vec3(2, 1, 2) / Real(3)), Vec3(-1, 4, 8) / Real(9)));
+    CHECK(for_all([](Random& random) {
+        const auto [x, y, normal] = random.basis();
+        const Vec3 along = random.between(-2, 2) * x;
+        const Vec3 across = random.between(Real(0.1), 2) * normal;
+        const Ray ray{.origin = random.point(4), .direction = along - across};
+        return sends(ray, flat(ray, normal), along + across);
+    }));
 }
 
 TEST_CASE("a ray straight at the mirror is reflected straight back (CR §5.1)") {
@@ -448,22 +455,28 @@ Verdict leaves(const Scene& scene, const Ray& ray, Real size) {
 TEST_CASE("it does not meet the surface that it leaves, however large or small (erratum 31)") {
     // Sizes from 1e-6 to 1e6. The sphere is seen from inside, where a constant offset is past the
     // other side of a small one and lost in the rounding of a large one.
-    Verdict across_it;
-    for (int exponent = -6; across_it && exponent <= 6; ++exponent) {
-        const Real size = std::pow(Real(10), Real(exponent));
-        const Sphere sphere{.center = {3 * size, 2 * size, 0}, .radius = size};
-        const Ray ray{.origin = sphere.center, .direction = {3, 4, 0}};
+    const auto other_side_is_met = [](Real size, Vec3 center, Vec3 direction) {
+        const Sphere sphere{.center = size * center, .radius = size};
+        const Ray ray{.origin = sphere.center, .direction = direction};
         Scene scene;
         scene.spheres.push_back({.shape = sphere});
         const Surface surface = surface_at(first_hit(scene, ray).value(), ray);
         const Ray sent = mirrored(ray, surface);
         const std::optional<Hit> other_side = first_hit(scene, sent);
         const Real way = other_side ? other_side->t * length(sent.direction) : infinity;
-        across_it = gives("the way, in radii, on which " + question(ray, surface) +
-                              "\n  comes to the other side of " + code(sphere),
-                          way / size, Real(2));
-    }
+        return gives("the way, in radii, on which " + question(ray, surface) +
+                         "\n  comes to the other side of " + code(sphere),
+                     way / size, Real(2));
+    };
+    Verdict across_it;
+    for (int exponent = -6; across_it && exponent <= 6; ++exponent)
+        across_it = other_side_is_met(std::pow(Real(10), Real(exponent)), {3, 2, 0}, {3, 4, 0});
     CHECK(across_it);
+    CHECK(for_all([other_side_is_met](Random& random) {
+        const Real size = std::pow(Real(10), Real(random.below(13) - 6));
+        const Vec3 center = random.point(3);
+        return other_side_is_met(size, center, random.between(1, 5) * random.direction());
+    }));
     CHECK(for_all(
         [](Random& random) {
             Motion motion;

@@ -100,6 +100,14 @@ Sample<OrientedBox> draw_box(Random& random) {
             .normal = sign * axes[std::size_t(face)]};
 }
 
+/// In eighths, along the axes, half sizes powers of two from 1: with rays along or across them
+/// nothing is rounded.
+OrientedBox draw_box_in_eighths(Random& random) {
+    return {.center = random.point_in_eighths(3),
+            .basis = random.axes(),
+            .half_size = Vec3(1 << random.below(3), 1 << random.below(3), 1 << random.below(3))};
+}
+
 // Meshes.
 
 /// C++ that creates the mesh.
@@ -450,6 +458,18 @@ TEST_CASE("a ray along a face or an edge is in the box, though 0 times infinity 
 TEST_CASE("a coordinate of the direction may be 0, and -0 is 0 (M1, Williams et al.)", "[exact]") {
     CHECK(zeros_are_zero(Real(0)));
     CHECK(zeros_are_zero(-Real(0)));
+    CHECK(for_all([](Random& random) {
+        // Along an axis, in eighths: nothing is rounded.
+        const Vec3 corner = random.point_in_eighths(3);
+        const Vec3 size(random.eighths(1, 4), random.eighths(1, 4), random.eighths(1, 4));
+        const Real zero = random.coin() ? Real(0) : -Real(0);
+        const glm::length_t along = random.below(3);
+        const Real t = random.eighths(1, 32);
+        Ray ray{.origin = corner + Real(0.5) * size, .direction = Vec3(zero)};
+        ray.origin[along] = corner[along] - t;
+        ray.direction[along] = 1;
+        return inside(ray, {.min = corner, .max = corner + size}, {t, t + size[along]});
+    }));
 }
 
 TEST_CASE("a flat box is hit: max t_min = min t_max is no miss (M1)", "[exact]") {
@@ -551,17 +571,41 @@ TEST_CASE("a ray along a face, into an edge or past an edge that it touches meet
     CHECK(hits(Ray{.origin = {0, -2, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {3, 0, 0}, .direction = {-1, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {-1, 0, 0}, .direction = {1, 0, -1}}, upright, 2));
+    CHECK(for_all([](Random& random) {
+        const OrientedBox box = draw_box_in_eighths(random);
+        const auto& [x, y, z] = box.basis;
+        const Vec3 edge =
+            box.center + box.half_size.x * x + random.eighths(-1, 1) * y + box.half_size.z * z;
+        const std::array directions{-z, -x - z, x - z};  // along, into, past
+        const Vec3 direction = directions[std::size_t(random.below(3))];
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = edge - t * direction, .direction = direction}, box, t);
+    }));
 }
 
 TEST_CASE("an oriented box is met however near it is (erratum 31, contract)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {0, 0, near - 2}, .direction = {0, 0, -1}}, upright, near));
     CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -3 / near}}, upright, near));
+    CHECK(for_all([near](Random& random) {
+        const OrientedBox box = draw_box_in_eighths(random);
+        const auto& [x, y, z] = box.basis;
+        const Vec3 met = box.center + random.eighths(-1, 1) * x + box.half_size.z * z;
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = met + t * z, .direction = -t / near * z}, box, near);
+    }));
 }
 
 TEST_CASE("a ray that leaves a face does not meet it at once (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, -2}, .direction = {0, 0, 1}}, upright));
     CHECK(hits(Ray{.origin = {0, 0, -2}, .direction = {0, 0, -1}}, upright, 6));
+    CHECK(for_all([](Random& random) {
+        const OrientedBox box = draw_box_in_eighths(random);
+        const auto& [x, y, z] = box.basis;
+        const Vec3 origin = box.center + random.eighths(-1, 1) * x / Real(2) + box.half_size.z * z;
+        if (random.coin()) return misses({.origin = origin, .direction = z}, box);
+        return hits({.origin = origin, .direction = -z}, box, 2 * box.half_size.z);
+    }));
 }
 
 TEST_CASE("only faces strictly inside the interval are met (contract)", "[exact]") {
@@ -708,6 +752,14 @@ TEST_CASE("a triangle is met however near it is (erratum 31, CR §4.2)", "[exact
                 {.t = near, .triangle = 1, .weights = half_and_quarters}));
     CHECK(meets({.origin = {0, 0, 5}, .direction = {0, 0, -3 / near}}, layers,
                 {.t = near, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(for_all([near](Random& random) {
+        const auto [mesh, line, crossed] = draw_stack(random);
+        if (crossed.empty()) return misses_mesh(line, mesh);
+        MeshHit first = crossed.front();
+        const Real length = first.t / near;
+        first.t = near;
+        return meets({.origin = line.origin, .direction = length * line.direction}, mesh, first);
+    }));
 }
 
 TEST_CASE("only triangles strictly inside the interval are met (contract)", "[exact]") {

@@ -16,16 +16,6 @@ std::optional<Change>& of_case() {
     return change;
 }
 
-/// One of the 24 turns that take axes to axes.
-Basis draw_axes(Random& random) {
-    std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
-    std::swap(axes[0], axes[std::size_t(random.below(3))]);
-    std::swap(axes[1], axes[std::size_t(1 + random.below(2))]);
-    const Vec3 x = random.coin() ? axes[0] : -axes[0];
-    const Vec3 y = random.coin() ? axes[1] : -axes[1];
-    return {.x = x, .y = y, .z = cross(x, y)};
-}
-
 /// 1/8 to 8, but 1: whatever has a size is another.
 Real draw_power(Random& random) {
     const Real power = std::ldexp(Real(1), 1 + random.below(3));
@@ -43,7 +33,7 @@ Basis draw_upright(Random& random, bool exact) {
 
 Change draw(Random& random, bool exact) {
     Change change;
-    change.exact = {.rotation = draw_axes(random), .scale = draw_power(random)};
+    change.exact = {.rotation = random.axes(), .scale = draw_power(random)};
     change.any.rotation = random.basis();
     change.any.scale = random.between(Real(0.4), Real(2.5));
     change.any.translation = change.any.scale * random.point(2);

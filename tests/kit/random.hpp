@@ -24,11 +24,15 @@ public:
     Real between(Real low, Real high);
     /// 2^k, −10 ≤ k ≤ 10: scaling by it rounds nothing.
     Real power_of_two();
+    /// Multiples of 1/8: sums and products of a few of them are not rounded.
+    Real eighths(int low, int high);
     bool coin();
     int below(int count);    ///< 0 to count − 1
     Vec3 point(Real reach);  ///< each coordinate from −reach to reach
-    Vec3 direction();        ///< unit length, any direction
-    Basis basis();           ///< any rotation
+    Vec3 point_in_eighths(int reach);
+    Vec3 direction();  ///< unit length, any direction
+    Basis basis();     ///< any rotation
+    Basis axes();      ///< one of the 24 rotations that map axes to axes
 
     [[nodiscard]] const std::vector<double>& choices() const { return choices_; }
 
