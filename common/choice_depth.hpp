@@ -5,8 +5,8 @@
 
 namespace rt {
 
-/// The smallest depth beyond which reflections change a pixel by too little to see: n reflections
-/// off mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
+/// The smallest depth at which the omitted reflections are too weak to see: n reflections off
+/// mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
 [[nodiscard]] int sufficient_depth(double strongest_mirror, double tolerance);
 
 /// Returns the depth of `look`, halved until the picture with one shadow ray per light fits in the

@@ -1,5 +1,6 @@
 // Stage 1, to be written. docs/step01_ray_generation.md explains it, the header is its contract.
 // Begin with pixel_on_screen. camera_ray needs one more line, unprojected_ray is independent.
+// `./course check 1` reports errors, `./course hint 1` prints the next hint.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 
 #include "common/todo.hpp"

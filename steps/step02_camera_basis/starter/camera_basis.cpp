@@ -1,6 +1,7 @@
 // Stage 2, to be written. docs/step02_camera_basis.md explains it, the header is its contract.
 // Begin with basis_around: camera_basis needs it. The other two functions get a basis as an
 // argument.
+// `./course check 2` reports errors, `./course hint 2` prints the next hint.
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "common/todo.hpp"
