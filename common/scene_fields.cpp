@@ -9,14 +9,9 @@ namespace rt::inline RT_PRECISION {
 
 namespace {
 
-/// Returns whether 0 ≤ number ≤ bound for the number as written; −0 is 0.
+/// Returns whether 0 ≤ number ≤ bound; −0 is 0.
 bool within(const Decimal& number, int bound) {
-    const bool below = number.negative && exceeds(number, 0);
-    return !below && !exceeds(number, bound);
-}
-
-bool positive(const Decimal& number) {
-    return !number.negative && exceeds(number, 0);
+    return (number.zero || !std::signbit(number.value)) && number.value <= bound;
 }
 
 std::string component_of(const std::string& name) {
@@ -123,10 +118,10 @@ Color Fields::color_or_white() {
 int Fields::pixels(std::string_view field) {
     const Token token = take_word(field);
     const auto number = parse_decimal(token.text);
-    if (!number || !number->whole || !positive(*number)) {
+    if (!number || !number->whole || number->value <= 0) {
         refuse(token, what(field) + " must be a positive whole number");
     }
-    if (!exceeds(*number, largest_side)) return static_cast<int>(number->value);
+    if (number->value <= largest_side) return static_cast<int>(number->value);
     warn(token, "resolution",
          what(field) + " is clipped from " + quoted(token.text) + " to " +
              std::to_string(largest_side));
@@ -136,7 +131,8 @@ int Fields::pixels(std::string_view field) {
 Decimal Fields::decimal(Token token, const std::string& name) {
     const auto number = parse_decimal(token.text);
     if (!number) refuse(token, name + " must be a decimal number");
-    if (std::isinf(number->value)) refuse(token, name + " must be small enough to compute with");
+    if (std::isinf(Real(number->value)))
+        refuse(token, name + " must be small enough to compute with");
     if (number->scientific) {
         doubt(token, "exponent", quoted(token.text) + " has an exponent: expected a plain decimal",
               "it is read");
@@ -153,7 +149,7 @@ Fields::Triple Fields::triple_of(const std::array<Token, 3>& parts, std::string_
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
         read.numbers[i] = decimal(read.parts[i], component_of(what(field)));
     }
-    read.value = {read.numbers[0].value, read.numbers[1].value, read.numbers[2].value};
+    for (int i = 0; i < 3; ++i) read.value[i] = Real(read.numbers[std::size_t(i)].value);
     return read;
 }
 
@@ -170,17 +166,18 @@ Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
 
 Real Fields::length_of(Token token, const std::string& name) {
     const Decimal number = decimal(token, name);
-    if (!positive(number)) refuse(token, name + " must be positive");
-    const bool vanishes = number.value / 2 == 0;
+    if (number.zero || std::signbit(number.value)) refuse(token, name + " must be positive");
+    const Real length(number.value);
+    const bool vanishes = length / 2 == 0;
     if (vanishes) refuse(token, name + " must be large enough to compute with");
-    return number.value;
+    return length;
 }
 
 /// A unit direction, or nothing if it is zero. Strict reading requires components from −1 to 1, as
 /// the format does; lenient reading accepts any length.
 std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view field) {
     for (std::size_t i = 0; strict() && i < read.parts.size(); ++i) {
-        if (!exceeds(read.numbers[i], 1)) continue;
+        if (std::abs(read.numbers[i].value) <= 1) continue;
         refuse(read.parts[i], component_of(what(field)) + " must be from -1 to 1");
     }
     if (read.value == Vec3(0)) return std::nullopt;
@@ -190,7 +187,7 @@ std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view 
 /// A number from 0 to the bound, inclusive.
 Real Fields::up_to(int bound, Token token, std::string_view field) {
     const Decimal number = decimal(token, what(field));
-    if (within(number, bound)) return number.value;
+    if (within(number, bound)) return Real(number.value);
     refuse(token, what(field) + " must be from 0 to " + std::to_string(bound));
 }
 

@@ -5,6 +5,7 @@ set(raysteps_root ${CMAKE_CURRENT_LIST_DIR}/..)
 
 # Sources without Real.
 set(RAYSTEPS_SCENE_TEXT_SOURCES
+    ${raysteps_root}/common/decimal.cpp
     ${raysteps_root}/common/element_line.cpp
     ${raysteps_root}/common/input_error.cpp
     ${raysteps_root}/common/input_file.cpp
@@ -14,7 +15,6 @@ set(RAYSTEPS_SCENE_TEXT_SOURCES
 # Sources compiled once for each precision.
 set(RAYSTEPS_SCENE_REAL_SOURCES
     ${raysteps_root}/common/bounds.cpp
-    ${raysteps_root}/common/decimal.cpp
     ${raysteps_root}/common/scene.cpp
     ${raysteps_root}/common/scene_elements.cpp
     ${raysteps_root}/common/scene_fields.cpp

@@ -138,6 +138,10 @@ TEST_CASE("numbers out of range: too large is an error, and so is a length that 
     CHECK(lenient_refusal(with_camera("sp 0,0,1e99999999999999999999 1 1,2,3")) ==
           "scene.rt:3:8: error: each component of a sphere's position must be small enough to "
           "compute with, not \"1e99999999999999999999\"");
+    using Words = std::vector<std::string>;
+    for (const std::string& zero : Words{"0", "-0.0", "0e99999999999999999999", "-" + tiny})
+        CHECK(lenient_refusal(with_camera("sp 0,0,0 " + zero + " 1,2,3"))
+                  .starts_with("scene.rt:3:10: error: a sphere's diameter must be positive, not "));
     CHECK(lenient_refusal(with_camera("sp 0,0,0e99999999999999999999 1 1,2,3")) == "accepted");
     CHECK(lenient_refusal(with_camera("sp 0,0,1e-99999999999999999999 1 1,2,3")) == "accepted");
 }
@@ -149,13 +153,18 @@ TEST_CASE("a base-anchored cylinder whose center is out of range") {
           "scene.rt:3:1: error: a cylinder's center is too far away");
 }
 
-TEST_CASE("ranges are judged by the digits, not by the nearest Real") {
-    const std::string above_one = "1." + std::string(100, '0') + "1";
-    CHECK(strict_refusal(with_camera("A " + above_one + " 1,2,3")) ==
-          "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
-              above_one.substr(0, 40) + "...\"");
+TEST_CASE("ranges are judged by the nearest double, in both precisions") {
+    // 1 + 2⁻⁵², and a number so near to it that no double lies between them.
+    for (const std::string above_one : {"1.0000000000000002220446", "1.0000000000000002"})
+        CHECK(strict_refusal(with_camera("A " + above_one + " 1,2,3")) ==
+              "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
+                  above_one + "\"");
     CHECK(strict_refusal(with_camera("A 1." + std::string(100, '0') + " 1,2,3")) == "accepted");
     CHECK(strict_refusal(with_camera("A -0.0 1,2,3")) == "accepted");
+    for (const std::string below_zero : {"-1e-300", "-1e-400"})  // the second rounds to −0
+        CHECK(lenient_refusal(with_camera("A " + below_zero + " 1,2,3")) ==
+              "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
+                  below_zero + "\"");
     CHECK(strict_refusal("C 0,0,0 1.00000000001,0,0 60") ==
           "scene.rt:1:9: error: each component of a camera's direction must be from -1 to 1, not "
           "\"1.00000000001\"");
