@@ -167,7 +167,7 @@ Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
 Real Fields::length_of(Token token, const std::string& name) {
     const Decimal number = decimal(token, name);
     if (number.zero || std::signbit(number.value)) refuse(token, name + " must be positive");
-    const Real length(number.value);
+    const auto length = Real(number.value);
     const bool vanishes = length / 2 == 0;
     if (vanishes) refuse(token, name + " must be large enough to compute with");
     return length;

@@ -1,6 +1,6 @@
 // Rays per second through a packed mesh in both precisions, and in the same run through Embree.
 //
-//     ninja ray_benchmark && ./ray_benchmark
+//     ninja measurements && ./ray_benchmark
 //
 // Every engine traces every kind of ray several times, in a random order of turns, so that other
 // load on the machine affects all alike. The table at the end contains medians, and ratios to
