@@ -7,6 +7,7 @@
 //   // compiles: no                  or: perhaps
 //   // told: defines main             the student's message contains it
 //   // untold: root:                  the message does not contain it
+//   // stubs: normal torch            these files of ../stubs are appended to it
 //
 // @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
 // them.
@@ -26,6 +27,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 
 using namespace rt;
 namespace fs = std::filesystem;
@@ -59,6 +61,14 @@ struct Attack {
         return lines.substr(from, lines.find('\n', from) - from);
     }
     [[nodiscard]] std::string stage() const { return said("stage", "step03_sphere"); }
+    /// What is handed in: the attack, and the stubs that it names.
+    [[nodiscard]] std::string submission() const {
+        std::string whole = text;
+        std::istringstream names(said("stubs", ""));
+        for (std::string stub; names >> stub;)
+            whole += "\n" + content(fs::path(RAYSTEPS_ATTACKS) / "../stubs" / (stub + ".cpp"));
+        return whole;
+    }
 };
 
 /// The result of a submission.
@@ -95,8 +105,8 @@ public:
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
         const int stage = *find_stage(attack.stage());
-        const std::string text =
-            replaced(replaced(attack.text, "@ROOT@", RAYSTEPS_ROOT), "@RESULTS@", results());
+        const std::string text = replaced(replaced(attack.submission(), "@ROOT@", RAYSTEPS_ROOT),
+                                          "@RESULTS@", results());
         fs::remove(worker());
         fs::remove(report());
         Grade grade;

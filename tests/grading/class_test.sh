@@ -78,6 +78,12 @@ for attack in "$project"/tests/grading/attacks/*.cpp; do
         hostile="$hostile $attack"
 done
 
+# whole_attack FILE: the attack, and the stubs that it names.
+whole_attack() {
+    cat "$1"
+    for stub in $(sed -n 's|^// stubs: ||p' "$1"); do cat "$project/tests/grading/stubs/$stub.cpp"; done
+}
+
 # submit NAME KIND NUMBER: its folder, and its line of the grade book.
 submit() {
     place=$class/$1
@@ -101,7 +107,7 @@ submit() {
                 ;;
             empty) ;;
             broken) echo "int broken(" > "$file" ;;
-            hostile) [ "$stage" != step03_sphere ] || cp "$(pick "$3" $hostile)" "$file" ;;
+            hostile) [ "$stage" != step03_sphere ] || whole_attack "$(pick "$3" $hostile)" > "$file" ;;
         esac
         # Makes every file unique: identical files are graded once.
         [ ! -e "$file" ] || echo "// $1" >> "$file"

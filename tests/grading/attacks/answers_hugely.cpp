@@ -1,6 +1,7 @@
 // attack: answers with 200 MB, by the ticket that it finds in its memory
 // ceiling: as a stub
 // told: gave an answer that is larger than any answer is
+// stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>
@@ -31,18 +32,6 @@ std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
         at += std::size_t(count);
     }
     return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
 }
 
 }  // namespace rt

@@ -1,6 +1,7 @@
 // attack: answers with ten thousand frames before the first query
 // ceiling: as a stub
 // told: wrote into the channel
+// stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>
@@ -22,23 +23,3 @@ const bool done = [] {
 }();
 
 }  // namespace
-
-namespace rt {
-
-std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
-    return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
-}
-
-}  // namespace rt

@@ -1,6 +1,7 @@
 // attack: writes a program into memory, and starts that
 // ceiling: as a stub
 // told: tried a forbidden operation
+// stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <sys/mman.h>
@@ -13,18 +14,6 @@ std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
     const int file = memfd_create("harm", 0);
     if (write(file, "#!/bin/sh\nexit 0\n", 17) > 0) fexecve(file, nullptr, nullptr);
     return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
 }
 
 }  // namespace rt

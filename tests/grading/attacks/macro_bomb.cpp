@@ -1,6 +1,7 @@
 // attack: doubles a macro, thirty levels deep
 // ceiling: as a stub
 // compiles: no
+// stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #define M0 +1
@@ -35,23 +36,3 @@
 #define M29 M28 M28
 #define M30 M29 M29
 long sum = 0 M30;
-
-namespace rt {
-
-std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
-    return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
-}
-
-}  // namespace rt

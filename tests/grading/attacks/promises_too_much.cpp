@@ -1,6 +1,7 @@
 // attack: answers with the head of a frame of 2^63 bytes
 // ceiling: as a stub
 // told: wrote into the channel
+// stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 #include <unistd.h>
@@ -16,18 +17,6 @@ std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
     const Frame frame{.size = 1UL << 63, .ticket = 0};
     if (write(3, &frame, sizeof frame) < 0) return 1;
     return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
 }
 
 }  // namespace rt

@@ -1,6 +1,7 @@
 // attack: doubles templates, forty levels deep
 // ceiling: as a stub
 // compiles: no
+// stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
 template <int Depth, int Place>
@@ -13,23 +14,3 @@ struct Bomb<0, Place> {
     static constexpr long value = Place;
 };
 static_assert(Bomb<28, 0>::value != 1);
-
-namespace rt {
-
-std::optional<Real> intersect(const Ray&, const Sphere&, Interval) {
-    return std::nullopt;
-}
-
-Vec3 normal(const Sphere&, Vec3) {
-    return Vec3(0);
-}
-
-Color color_from_normal(Vec3) {
-    return Color(0);
-}
-
-Real torch(Vec3, Vec3, Vec3) {
-    return 0;
-}
-
-}  // namespace rt
