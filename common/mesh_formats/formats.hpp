@@ -1,44 +1,30 @@
-// Checks of each mesh format before OpenMesh reads the file. OpenMesh 9 trusts its input: it
-// invents values for numbers that it cannot parse, believes any count, aborts the program at "f
+// A reader for each mesh format. OFF and PLY as text are handed to the importer word by word. OBJ,
+// STL and binary PLY are checked first, and then OpenMesh reads them. OpenMesh 9 trusts its input:
+// it invents values for numbers that it cannot parse, believes any count, aborts the program at "f
 // /1", opens the files that an OBJ names, and never returns from a PLY header without an end.
-// Therefore a file is first checked line by line, and converted to a form that OpenMesh reads
-// correctly.
 #pragma once
 
-#include <cstddef>
+#include "common/mesh_formats/importer.hpp"
+
 #include <string>
 
 namespace rt {
 
-/// The content of a mesh file, checked except for numbers that OpenMesh's stream rejects itself.
-struct CheckedMesh {
-    std::string content;
-    const char* reader = "";  ///< "ply", "obj" or "stl": OpenMesh's reader for it
-    bool is_binary = false;
-    /// Offset in the content at which the file's own text continues after a generated header, and
-    /// its line number.
-    std::size_t body = 0;
-    int body_line = 1;
-    /// The number of faces with fewer than three different vertices, which OpenMesh skips silently.
-    std::size_t faces_without_area = 0;
-};
+// Each function hands the vertices and faces of the content to the importer. Throws InputError, in
+// a text with the line of the error.
 
-// Each function throws InputError with the line of the error.
+/// Reads an [ST][C][N]OFF file: text, one vertex or face on each line; colors and texture
+/// coordinates are skipped. OpenMesh's own OFF reader uses the color of a face for the next face.
+void read_off(std::string content, const std::string& file, MeshImporter& importer);
 
-/// Checks an [ST][C][N]OFF file: text, one vertex or face on each line; colors and texture
-/// coordinates are skipped. The result is a binary PLY: OpenMesh's OFF reader uses the color of a
-/// face for the next face, and its streams take 0.16 s longer to parse the digits of a million
-/// triangles.
-[[nodiscard]] CheckedMesh checked_off(std::string content, const std::string& file);
+/// Reads an OBJ file: lines v, vn and f; other lines are skipped.
+void read_obj(std::string content, const std::string& file, MeshImporter& importer);
 
-/// Checks an OBJ file: lines v, vn and f; other lines are skipped.
-[[nodiscard]] CheckedMesh checked_obj(std::string content, const std::string& file);
+/// Reads a PLY file, text or binary of either byte order. Of its properties, positions, normals and
+/// corners are kept.
+void read_ply(std::string content, const std::string& file, MeshImporter& importer);
 
-/// Checks a PLY file, text or binary of either byte order. Of its properties, positions, normals
-/// and corners are kept.
-[[nodiscard]] CheckedMesh checked_ply(std::string content, const std::string& file);
-
-/// Checks an STL file, text or binary.
-[[nodiscard]] CheckedMesh checked_stl(std::string content, const std::string& file);
+/// Reads an STL file, text or binary.
+void read_stl(std::string content, const std::string& file, MeshImporter& importer);
 
 }  // namespace rt

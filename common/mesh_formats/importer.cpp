@@ -36,15 +36,6 @@ void MeshImporter::set_point(Vertex vertex, const OpenMesh::Vec3f& point) {
     const std::uint32_t place = checked(vertex);
     require_finite(point, place);
     mesh_.vertices[place] = as_glm(point);
-    require_end_of_line();
-}
-
-void MeshImporter::require_end_of_line() {
-    if (list_ == nullptr) return;
-    std::streambuf& buffer = *list_->rdbuf();
-    int next = buffer.sgetc();
-    while (next == ' ' || next == '\t' || next == '\r') next = buffer.snextc();
-    if (next != '\n') list_->setstate(std::ios::failbit);
 }
 
 std::uint32_t MeshImporter::checked(Vertex vertex) const {
@@ -112,7 +103,6 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
             add_triangle(corners_[a], corners_[b], corners_[c]);
         }
     }
-    require_end_of_line();
     return Face(static_cast<int>(faces_++));
 }
 

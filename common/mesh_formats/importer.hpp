@@ -1,5 +1,5 @@
-// Receives a mesh from OpenMesh while it is read. Only mesh_file.cpp includes this file, so that
-// OpenMesh's headers and half-edges are used nowhere else.
+// Receives vertices and faces from OpenMesh's readers and from ours. Only the formats and
+// mesh_file.cpp include this file, so that OpenMesh's headers and half-edges are used nowhere else.
 #pragma once
 
 #include "common/mesh_file.hpp"
@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstdint>
-#include <istream>
 #include <map>
 #include <string>
 #include <utility>
@@ -30,13 +29,6 @@ public:
     using Halfedge = OpenMesh::HalfedgeHandle;
     using Face = OpenMesh::FaceHandle;
 
-    /// With `list`, each vertex and each face must end a line of that stream, else the stream
-    /// fails. The reason: "1-2" is one word here but two numbers to OpenMesh, after which all that
-    /// follows is misread. `faces_without_area` is the number of such faces that were removed
-    /// before.
-    explicit MeshImporter(std::istream* list = nullptr, std::size_t faces_without_area = 0)
-        : list_(list), faces_without_area_(faces_without_area) {}
-
     /// Returns the mesh after all has been read, with warnings about omitted parts. It has normals
     /// only if each vertex of a triangle has one.
     [[nodiscard]] MeshFile take();
@@ -51,6 +43,8 @@ public:
         set_normal(vertex, OpenMesh::Vec3f(normal));
     }
     Face add_face(const VHandles& corners) override;
+    /// Counts a face of fewer than three different vertices that is not added.
+    void leave_out_face() { ++faces_without_area_; }
 
     /// The counts have been checked: the file is large enough for them.
     void reserve(unsigned int vertices, unsigned int edges, unsigned int faces) override;
@@ -96,15 +90,13 @@ public:
 private:
     /// The index in mesh_ of the vertex. Throws MeshRefusal if there is no such vertex.
     [[nodiscard]] std::uint32_t checked(Vertex vertex) const;
-    void require_end_of_line();
     [[nodiscard]] std::uint32_t copy_with(std::uint32_t vertex, glm::vec3 normal);
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-    std::istream* list_;
     MeshFile mesh_;
     std::vector<bool> has_normal_;
     std::size_t faces_ = 0;
-    std::size_t faces_without_area_;  ///< faces of fewer than three vertices
+    std::size_t faces_without_area_ = 0;  ///< faces of fewer than three different vertices
     std::vector<std::uint32_t>
         corners_;  ///< corners of one face; a member so that its memory is reused
 

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <limits>
+#include <string>
 
 namespace rt {
 
@@ -49,73 +48,59 @@ std::string_view take_corner(std::string_view& line, int corners, int i, const M
                  std::to_string(i));
 }
 
-/// Checks the line of a face, and returns the rest after its corners.
-std::string_view check_face(std::string_view line, const MeshLines& lines) {
-    const int corners = take_corner_count(line, lines);
-    for (int i = 0; i < corners; ++i) static_cast<void>(take_corner(line, corners, i, lines));
-    return line;
-}
-
 [[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
     lines.refuse("expected a number in the range of float, or an existing vertex, not " +
                  quoted_word(word));
 }
 
-template <class Number>
-void append(std::string& bytes, Number number) {
-    const auto parts = std::bit_cast<std::array<char, sizeof number>>(number);
-    bytes.append(parts.data(), parts.size());
-}
-
-void append_vertex(std::string& bytes, std::string_view line, const MeshLines& lines,
-                   const MeshLists& lists) {
-    for (int i = 0; i < (lists.has_normals ? 6 : 3); ++i) {
+void read_vertex(std::string_view line, const MeshLines& lines, const std::vector<int>& columns,
+                 bool has_normals, MeshImporter& importer) {
+    std::array<float, 6> numbers{};
+    for (const int column : columns) {
         const std::string_view word = take_word(line);
+        if (column < 0) continue;
         const auto number = float_number(word);
         if (!number) refuse_number(word, lines);
-        append(bytes, *number);
+        numbers[std::size_t(column)] = *number;
     }
+    const auto vertex = importer.add_vertex({numbers[0], numbers[1], numbers[2]});
+    if (has_normals)
+        importer.set_normal(vertex, OpenMesh::Vec3f(numbers[3], numbers[4], numbers[5]));
 }
 
-void append_face(std::string& bytes, std::string_view line, const MeshLines& lines,
-                 const MeshLists& lists) {
+void read_face(std::string_view line, const MeshLines& lines, std::uint64_t vertices,
+               MeshImporter& importer, MeshImporter::VHandles& face) {
     const int corners = take_corner_count(line, lines);
-    append(bytes, corners);
+    face.clear();
     for (int i = 0; i < corners; ++i) {
         const std::string_view word = take_corner(line, corners, i, lines);
-        const auto vertex = whole_number(word);
+        const auto vertex = whole_number(word.substr(word.starts_with('+')));
         if (!vertex) refuse_number(word, lines);
-        if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= lists.vertices)
+        if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertices)
             lines.refuse("vertex " + std::to_string(*vertex) + " is not there: expected 0 to " +
-                         std::to_string(lists.vertices - 1));
-        append(bytes, static_cast<std::int32_t>(*vertex));
+                         std::to_string(vertices - 1));
+        face.emplace_back(static_cast<int>(*vertex));
     }
+    importer.add_face(face);
 }
 
 }  // namespace
 
-void check_lists(std::string& content, MeshLines& lines, MeshLists& lists) {
-    for (std::uint64_t i = 0; i < lists.vertices; ++i) {
-        check_vertex(next_item(lines, "vertices", i, lists.vertices), lines, lists);
-    }
-    for (std::uint64_t i = 0; i < lists.faces; ++i) {
-        const auto rest = check_face(next_item(lines, "faces", i, lists.faces), lines);
-        std::fill_n(content.begin() + (rest.data() - content.data()), rest.size(), ' ');
-    }
-}
-
-std::string binary_lists(MeshLines& lines, MeshLists& lists) {
-    std::string bytes;
-    bytes.reserve(2 * lines.left());  // in the worst case a digit and a blank become four bytes
+void read_lists(MeshLines& lines, MeshLists lists, MeshImporter& importer) {
+    // The file may promise more than it has: a line has at least six bytes, "0 0 0" and its end.
+    const std::uint64_t most = lines.left() / 6 + 1;
+    importer.reserve(unsigned(std::min(lists.vertices, most)), 0,
+                     unsigned(std::min(lists.faces, most)));
     for (std::uint64_t i = 0; i < lists.vertices; ++i) {
         const std::string_view line = next_item(lines, "vertices", i, lists.vertices);
         check_vertex(line, lines, lists);
-        lists.has_normals = lists.has_normals && lists.words_a_vertex >= 6;
-        append_vertex(bytes, line, lines, lists);
+        if (lists.words_a_vertex < lists.columns.size()) lists.columns.resize(3);
+        const bool has_normals = std::count(lists.columns.begin(), lists.columns.end(), 3) > 0;
+        read_vertex(line, lines, lists.columns, has_normals, importer);
     }
+    MeshImporter::VHandles face;
     for (std::uint64_t i = 0; i < lists.faces; ++i)
-        append_face(bytes, next_item(lines, "faces", i, lists.faces), lines, lists);
-    return bytes;
+        read_face(next_item(lines, "faces", i, lists.faces), lines, lists.vertices, importer, face);
 }
 
 }  // namespace rt

@@ -1,31 +1,28 @@
-// The common part of OFF and PLY: a list of vertices, then a list of faces.
+// The common part of OFF and PLY as text: a list of vertices, then a list of faces.
 #pragma once
 
+#include "common/mesh_formats/importer.hpp"
 #include "common/mesh_formats/text.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <vector>
 
 namespace rt {
 
-/// The number of vertices and faces, and the words for each.
 struct MeshLists {
     std::uint64_t vertices = 0;
-    std::size_t words_a_vertex = 3;  ///< 0: as many as the first vertex has
     std::uint64_t faces = 0;
-    bool has_normals = false;  ///< normals follow the three coordinates
+    std::size_t words_a_vertex = 0;  ///< 0: as many as the first vertex has
+    /// The meaning of each word of a vertex: 0 to 2 are x, y and z, 3 to 5 those of its normal, −1
+    /// is skipped, and so are further words. If a vertex has fewer words, it has no normal.
+    std::vector<int> columns;
 };
 
-/// Checks the lists of the content, from the current line on. Reports a line with too few or too
-/// many words, and a list that ends too early. Overwrites the words after the corners of a face
-/// with blanks.
-void check_lists(std::string& content, MeshLines& lines, MeshLists& lists);
-
-/// Returns the lists in the form of a binary PLY, in this machine's byte order: three floats for
-/// each vertex, or six with normals; for each face an int for the number of corners and one for
-/// each corner. Throws InputError as check_lists does, and for a number that a float cannot
-/// represent and a vertex that does not exist.
-[[nodiscard]] std::string binary_lists(MeshLines& lines, MeshLists& lists);
+/// Hands the lists to the importer, from the current line on: one vertex or face on each line. The
+/// words after the corners of a face are skipped. Throws InputError for a line with too few or too
+/// many words, a list that ends too early, a number that a float cannot represent, and a vertex
+/// that does not exist.
+void read_lists(MeshLines& lines, MeshLists lists, MeshImporter& importer);
 
 }  // namespace rt

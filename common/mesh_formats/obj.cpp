@@ -1,11 +1,12 @@
 #include "common/mesh_file.hpp"
 #include "common/mesh_formats/formats.hpp"
+#include "common/mesh_formats/open_mesh.hpp"
 #include "common/mesh_formats/text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <vector>
+#include <utility>
 
 namespace rt {
 
@@ -85,12 +86,11 @@ bool check_face(std::string_view line, Numbered& vertices, Numbered& normals,
 
 }  // namespace
 
-CheckedMesh checked_obj(std::string content, const std::string& file) {
+void read_obj(std::string content, const std::string& file, MeshImporter& importer) {
     plain_text(content);
     MeshLines lines(content, file);
     Numbered vertices = {.what = "vertex"};
     Numbered normals = {.what = "normal"};
-    std::size_t faces_without_area = 0;
     while (const auto line = lines.next()) {
         std::string_view rest = *line;
         const std::string_view keyword = take_word(rest);
@@ -101,7 +101,8 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
             require_three_numbers(rest, "a normal", lines);
             ++normals.count;
         } else if (keyword == "f") {
-            if (!check_face(rest, vertices, normals, lines)) ++faces_without_area;
+            // OpenMesh leaves it out in silence.
+            if (!check_face(rest, vertices, normals, lines)) importer.leave_out_face();
         } else {
             // Turned into a comment: OpenMesh would open the file that a mtllib names.
             content[static_cast<std::size_t>(line->data() - content.data())] = '#';
@@ -109,8 +110,7 @@ CheckedMesh checked_obj(std::string content, const std::string& file) {
     }
     vertices.check_largest(file);
     normals.check_largest(file);
-    return {
-        .content = std::move(content), .reader = "obj", .faces_without_area = faces_without_area};
+    read_checked({.content = std::move(content), .reader = "obj"}, file, importer);
 }
 
 }  // namespace rt

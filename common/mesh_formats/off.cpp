@@ -3,7 +3,7 @@
 #include "common/mesh_formats/text.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 namespace rt {
 
@@ -47,7 +47,7 @@ std::uint64_t take_count(std::string_view& line, const char* what, const MeshLin
 
 }  // namespace
 
-CheckedMesh checked_off(std::string content, const std::string& file) {
+void read_off(std::string content, const std::string& file, MeshImporter& importer) {
     blank_comments(content);
     plain_text(content);
     MeshLines lines(content, file);
@@ -61,18 +61,9 @@ CheckedMesh checked_off(std::string content, const std::string& file) {
     lists.vertices = take_count(line, "vertices", lines);
     lists.faces = take_count(line, "faces", lines);
 
-    lists.words_a_vertex = 0;
-    lists.has_normals = has_normals;
-    const std::string body = binary_lists(lines, lists);
-
-    constexpr bool is_little = std::endian::native == std::endian::little;
-    std::string header = std::string("ply\nformat binary_") + (is_little ? "little" : "big") +
-                         "_endian 1.0\nelement vertex " + std::to_string(lists.vertices) +
-                         "\nproperty float x\nproperty float y\nproperty float z\n";
-    if (lists.has_normals) header += "property float nx\nproperty float ny\nproperty float nz\n";
-    header += "element face " + std::to_string(lists.faces) +
-              "\nproperty list int int vertex_indices\nend_header\n";
-    return {.content = header + body, .reader = "ply", .is_binary = true};
+    lists.columns = {0, 1, 2};
+    if (has_normals) lists.columns = {0, 1, 2, 3, 4, 5};
+    read_lists(lines, std::move(lists), importer);
 }
 
 }  // namespace rt

@@ -1,10 +1,13 @@
 #include "common/mesh_formats/formats.hpp"
 #include "common/mesh_formats/lists.hpp"
+#include "common/mesh_formats/open_mesh.hpp"
 #include "common/mesh_formats/ply_header.hpp"
 #include "common/mesh_formats/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 namespace rt {
 
@@ -71,16 +74,20 @@ void check_header(const PlyHeader& header, const std::string& file) {
     check_face(elements[1], file);
 }
 
-/// The header in a form that OpenMesh reads correctly; properties to skip are named "_".
+bool has_normals(const PlyElement& vertex) {
+    return count_of(vertex, "nx") + count_of(vertex, "ny") + count_of(vertex, "nz") == 3;
+}
+
+/// The header of a binary file in a form that OpenMesh reads correctly; properties to skip are
+/// named
+/// "_".
 std::string plain_header(const PlyHeader& header) {
     const PlyElement& vertex = header.elements[0];
     const PlyElement& face = header.elements[1];
-    const bool has_normals =
-        count_of(vertex, "nx") + count_of(vertex, "ny") + count_of(vertex, "nz") == 3;
     std::string text = "ply\nformat " + header.format + " 1.0\nelement vertex " +
                        std::to_string(vertex.count) + "\n";
     for (const PlyProperty& p : vertex.properties) {
-        const bool is_read = is_coordinate(p.name) || (has_normals && is_of_normal(p.name));
+        const bool is_read = is_coordinate(p.name) || (has_normals(vertex) && is_of_normal(p.name));
         text.append("property ").append(p.type.name).append(" ");
         text.append(is_read ? p.name : "_").append("\n");
     }
@@ -89,12 +96,22 @@ std::string plain_header(const PlyHeader& header) {
     text += "element face " + std::to_string(face.count) + "\nproperty list ";
     text += size == 1 ? "uint8 " : size == 2 ? "uint16 " : "int ";
     text.append(face.properties[0].type.name).append(" vertex_indices\n");
-    // In a text file, check_lists has replaced the words after the corners with blanks.
-    const std::size_t more = header.format == "ascii" ? 1 : face.properties.size();
-    for (std::size_t i = 1; i < more; ++i) {
+    for (std::size_t i = 1; i < face.properties.size(); ++i) {
         text.append("property ").append(face.properties[i].type.name).append(" _\n");
     }
     return text + "end_header\n";
+}
+
+/// The meaning of each word of a vertex, as in MeshLists.
+std::vector<int> columns_of(const PlyElement& vertex) {
+    constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+    std::vector<int> columns;
+    for (const PlyProperty& p : vertex.properties) {
+        const auto end = has_normals(vertex) ? names.end() : names.begin() + 3;
+        const auto found = std::find(names.begin(), end, p.name);
+        columns.push_back(found == end ? -1 : int(found - names.begin()));
+    }
+    return columns;
 }
 
 /// Throws InputError for a count that is too large for the bytes after the header, before memory is
@@ -117,29 +134,26 @@ void check_size(const PlyHeader& header, std::uint64_t bytes, const std::string&
 
 }  // namespace
 
-CheckedMesh checked_ply(std::string content, const std::string& file) {
+void read_ply(std::string content, const std::string& file, MeshImporter& importer) {
     blank_byte_order_mark(content);
     MeshLines lines(content, file);
     const PlyHeader header = take_ply_header(lines);
     check_header(header, file);
-
-    CheckedMesh checked = {.reader = "ply", .body_line = lines.number() + 1};
-    const std::size_t body = lines.position();
-    checked.is_binary = header.format != "ascii";
-    if (checked.is_binary) {
-        check_size(header, content.size() - body, file);
-    } else {
+    if (header.format == "ascii") {
         plain_text(content);
-        MeshLists lists = {.vertices = header.elements[0].count,
-                           .words_a_vertex = header.elements[0].properties.size(),
-                           .faces = header.elements[1].count};
-        check_lists(content, lines, lists);
+        read_lists(lines,
+                   {.vertices = header.elements[0].count,
+                    .faces = header.elements[1].count,
+                    .words_a_vertex = header.elements[0].properties.size(),
+                    .columns = columns_of(header.elements[0])},
+                   importer);
+        return;
     }
-    const std::string plain = plain_header(header);
-    checked.body = plain.size();
-    content.replace(0, body, plain);
-    checked.content = std::move(content);
-    return checked;
+    const std::size_t body = lines.position();
+    check_size(header, content.size() - body, file);
+    content.replace(0, body, plain_header(header));
+    read_checked({.content = std::move(content), .reader = "ply", .is_binary = true}, file,
+                 importer);
 }
 
 }  // namespace rt

@@ -1,5 +1,8 @@
 #include "common/mesh_formats/formats.hpp"
+#include "common/mesh_formats/open_mesh.hpp"
 #include "common/mesh_formats/text.hpp"
+
+#include <utility>
 
 namespace rt {
 
@@ -67,17 +70,21 @@ CheckedMesh checked_text(std::string content, const std::string& file) {
 
 }  // namespace
 
-CheckedMesh checked_stl(std::string content, const std::string& file) {
+void read_stl(std::string content, const std::string& file, MeshImporter& importer) {
     // The same criterion as OpenMesh's: a binary file may start with "solid" too.
     const bool has_header = content.size() >= header_size;
     const std::uint64_t count = has_header ? triangle_count(content) : 0;
     if (has_header && content.size() == header_size + count * triangle_size) {
         check_numbers(content, file);
-        return {.content = std::move(content), .reader = "stl", .is_binary = true};
+        read_checked({.content = std::move(content), .reader = "stl", .is_binary = true}, file,
+                     importer);
+        return;
     }
     blank_byte_order_mark(content);
-    if (content.starts_with("solid") || content.starts_with("   solid"))
-        return checked_text(std::move(content), file);
+    if (content.starts_with("solid") || content.starts_with("   solid")) {
+        read_checked(checked_text(std::move(content), file), file, importer);
+        return;
+    }
     if (!has_header) throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
     throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
                                  std::to_string(header_size + count * triangle_size) +
