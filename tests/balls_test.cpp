@@ -50,7 +50,8 @@ Verdict no_hit_is_lost() {
     return for_all([](Random& random) { return no_hit_is_lost<Shape>(random); }, 10000);
 }
 
-/// A line that passes well inside of the ball is near it, whatever products over- or underflow.
+/// A line that passes well inside of the sphere is near it, for any overflow or underflow of
+/// products.
 Verdict is_near_at_any_size(Random& random) {
     constexpr int most = std::numeric_limits<Real>::max_exponent - 30;
     const auto [x, y, z] = random.basis();
@@ -62,7 +63,7 @@ Verdict is_near_at_any_size(Random& random) {
     return verdict(is_near(ray, ball), code(ray) + " passes a ball of radius " + code(size));
 }
 
-/// The ball around a shape as large as 1 at 0 reaches this far, and no further.
+/// The bounding sphere of a shape of size 1 at 0 has this radius.
 template <class Shape>
 void check_reach(const Shape& shape, Vec3 center, Real reach) {
     const Ball ball = ball_around(shape);

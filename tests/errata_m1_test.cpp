@@ -36,7 +36,7 @@ TEST_CASE("erratum 8: a box behind the camera is hit (M1)") {
     CHECK(t_min == -6);
     CHECK(t_max == -4);
     CHECK(t_min < t_max);    // printed: a hit
-    CHECK_FALSE(t_max > 0);  // what is needed as well
+    CHECK_FALSE(t_max > 0);  // the missing condition
 }
 
 TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's center (M1)") {
@@ -48,11 +48,11 @@ TEST_CASE("erratum 26: the end point is not divided by its w, nor a pixel's cent
     projection[1][1] = 1;
     projection[2] = {0, 0, -2, -1};
     projection[3] = {0, 0, -3, 0};
-    const Vec4 end(1, 2, -1, Real(1) / 3);  // what the inverse of P V makes of (1, 0, 1, 1)
+    const Vec4 end(1, 2, -1, Real(1) / 3);  // the product of the inverse of P V and (1, 0, 1, 1)
     const Vec4 there = projection * view * end;
     CHECK(close(Vec3(there), Vec3(1, 0, 1)));
     CHECK(close(there.w, 1));
-    // Divided by w it is the right end of the far plane; as it stands it is another point.
+    // Divided by w it is the right end of the far plane; undivided it is another point.
     CHECK(close(Vec3(end) / end.w, Vec3(3, 6, -3)));
     const Vec4 printed = projection * view * Vec4(Vec3(end), 1);
     CHECK(close(Vec3(printed) / printed.w, Vec3(1, -4, -1)));

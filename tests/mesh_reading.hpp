@@ -15,7 +15,7 @@
 
 namespace rt::inline RT_PRECISION {
 
-/// A folder that is gone after the test.
+/// A folder that is removed after the test.
 struct MeshFolder {
     std::filesystem::path path =
         std::filesystem::temp_directory_path() /

@@ -96,7 +96,7 @@ std::vector<Printed> numbers_of(const std::vector<PageLine>& page) {
     return all;
 }
 
-// Numbers as they are worked out.
+// The computed numbers.
 
 struct Known {
     std::string what;

@@ -44,7 +44,7 @@ std::string plain(std::string words) {
     return words;
 }
 
-/// The program, or, where strangers' code is graded, the launcher that becomes it, sealed.
+/// The program, or, for untrusted code, the launcher that becomes it, sealed.
 std::vector<std::string> command_of(const std::string& program) {
     const char* sealed = std::getenv("RAYSTEPS_SEALED");
     if (sealed == nullptr) return {program};
@@ -65,7 +65,7 @@ std::string words_of_signal(int signal) {
     return "crashed: " + std::string(strsignal(signal));
 }
 
-/// Neither computing nor about to: whatever it waits for, it is its own doing.
+/// True if the process is neither computing nor about to: it waits for its own reasons.
 bool is_asleep(pid_t process) {
     std::array<char, 512> text{};
     const int file =

@@ -16,7 +16,7 @@ struct Word {
     char text[Size];
 };
 
-/// One function of a contract: what a caller calls it, and which overload of that name it is.
+/// One function of a contract: its name, and its overload.
 template <Word Name, auto Pointer>
 struct Function;
 

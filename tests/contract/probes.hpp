@@ -24,7 +24,7 @@ struct Probe {
 struct Probes {
     int stage = 0;
     std::vector<Mistake> mistakes;
-    /// Functions whose contract leaves the answer open: other right ones answer otherwise.
+    /// Functions whose contract leaves the answer open: other right answers differ.
     std::vector<std::string> open;
     std::vector<Probe> probes;
 };
@@ -40,9 +40,9 @@ struct Probes {
 /// differ by less than right answers do.
 [[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
 
-/// The mistakes that the answers to all probes, in their order, show. They are a mistake's if they
-/// are what it answers to every call of the functions in which it differs from the reference, and
-/// if that is not what the reference answers.
+/// The mistakes that the answers to all probes, in their order, show. A mistake is recognized if
+/// the answers equal its own for every probe of the functions in which it differs from the
+/// reference, and are not the reference's.
 [[nodiscard]] std::vector<Mistake> recognised(const Probes& probes,
                                               const std::vector<Answer>& answers);
 

@@ -16,14 +16,14 @@ inline const std::string odd = "=cmd|\"<b>&\n";
 /// Output of untrusted code that is not UTF-8.
 inline const std::string no_utf8 = "came: \xff\xc3(";
 
-/// A folder of results that is gone with its scope.
+/// A folder of results that is removed at the end of its scope.
 struct Results {
     TemporaryFolder temporary;
     std::filesystem::path folder = temporary.path();
 };
 
-/// Two students, stages 4 and 5, of 2 and 4 points. The odd one has 1 of stage 4, and stage 5 is
-/// refused; zoe has not handed in stage 4, and has 3 of stage 5.
+/// Two students, stages 4 and 5, of 2 and 4 points. The odd one has 1 point of stage 4, and stage 5
+/// is refused; zoe did not submit stage 4, and has 3 points of stage 5.
 [[nodiscard]] std::vector<Mark> class_of_two();
 
 }  // namespace rt::grade

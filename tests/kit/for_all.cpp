@@ -11,7 +11,7 @@ namespace {
 
 thread_local bool drawn = false;
 
-/// Until the end of a scope, questions are drawn.
+/// Until the end of a scope, inputs are random.
 struct Drawing {
     Drawing() { drawn = true; }
     ~Drawing() { drawn = false; }

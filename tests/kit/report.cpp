@@ -39,7 +39,7 @@ std::string told(const Catch::AssertionResult& result) {
     return text;
 }
 
-/// From the project's folder on, wherever that is.
+/// The path relative to the project's folder.
 std::string place(const Catch::SourceLineInfo& source) {
     const std::string file = source.file;
     const std::size_t start = file.rfind("tests/");

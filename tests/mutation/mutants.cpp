@@ -87,7 +87,7 @@ private:
             if (other != text(i)) put(i, i, std::string(other));
     }
 
-    /// Its arguments exchanged, or it left out and an argument taken as it is.
+    /// Exchanges its arguments, or replaces the call by an argument.
     void change_call(int i) {
         const bool of_type = std::isupper(static_cast<unsigned char>(text(i)[0])) != 0;
         const bool declares = is_name(tokens_[i - 1]) && text(i - 1) != "return";

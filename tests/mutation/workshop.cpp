@@ -47,7 +47,7 @@ Run run(const std::vector<std::string>& words, int seconds) {
     return {.succeeded = status == 0, .seconds = double(used.tv_sec) + 1e-6 * double(used.tv_usec)};
 }
 
-/// The compiler, whatever is wrong with a mutant in its eyes.
+/// Runs the compiler, without its warnings about a mutant.
 bool compiles(const std::filesystem::path& options, const std::vector<std::string>& more) {
     std::vector<std::string> words = {RAYSTEPS_COMPILER, "@" + options.string(), "-w"};
     words.insert(words.end(), more.begin(), more.end());

@@ -1,4 +1,4 @@
-// Numbers that nothing rounds, and numbers of a hundred digits.
+// Exact numbers, and numbers of a hundred digits.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -22,7 +22,7 @@ public:
 
     [[nodiscard]] int sign() const { return mantissa_.sign(); }
 
-    /// Rounded to a hundred digits, as nothing before was.
+    /// The only rounding, to a hundred digits.
     [[nodiscard]] Number number() const;
 
     Exact operator-() const;

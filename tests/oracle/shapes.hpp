@@ -110,7 +110,7 @@ std::optional<Root> intersect(const Ray& ray, const Shape& shape, const Interval
 /// u and v of HAI.
 [[nodiscard]] std::array<Number, 2> square_uv(const Square& square, const ExactVector& point);
 
-/// The direction mirrored in the plane at right angles to the normal, of whatever length that is.
+/// The direction mirrored in the plane at right angles to the normal, for any length of the normal.
 [[nodiscard]] NumberVector mirrored(const ExactVector& direction, const ExactVector& normal);
 
 /// True if the ray is in the box, faces included, at some t of the interval, ends included.

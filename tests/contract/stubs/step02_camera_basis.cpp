@@ -6,7 +6,8 @@ namespace {
 
 using contract::Change;
 
-/// The contract's up stays; of a direction straight up or down, X is the world's, so nothing turns.
+/// The contract's up direction is fixed; for a direction straight up or down, X is the world's, so
+/// nothing is rotated.
 bool is_vertical(Vec3 direction) {
     return direction.x == 0 && direction.z == 0;
 }

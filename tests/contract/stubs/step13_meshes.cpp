@@ -20,7 +20,7 @@ Vec3 normal(const OrientedBox& box, Vec3 point) {
     return contract::ask_normal<13>(box, point);
 }
 
-// Mesh and ray move together: in the mesh's frame nothing does.
+// Mesh and ray move together: in the mesh's frame nothing changes.
 Ray into_frame(const Ray& ray, const Motion& placement) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<13, "into_frame">(ray, placement);

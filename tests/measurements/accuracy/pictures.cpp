@@ -1,5 +1,5 @@
-// Every scene of the project drawn in float, in double and by the certified kernels: how many
-// pixels are not the certified picture's, and how long each takes.
+// Every scene of the project rendered in float, in double and by the certified kernels: the number
+// of pixels that differ from the certified picture, and the time of each.
 #include "tests/measurements/accuracy/drawing.hpp"
 
 #include <cstdio>
