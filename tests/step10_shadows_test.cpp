@@ -387,6 +387,7 @@ TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") 
         const Vec3 way(3 * std::cos(angle), 4, 3 * std::sin(angle));
         Scene drawn = ball_above_floor();
         drawn.lights = {above, aside};
+        drawn.lights[0].position.y = random.between(4, 64);
         drawn.lights[1].position = random.between(Real(0.5), 8) * way;
         if (random.coin()) std::swap(drawn.lights[0], drawn.lights[1]);
         return gives("the color under the ball", colour(drawn, to_the_origin), lit_aside);
