@@ -20,7 +20,6 @@ namespace rt {
 
 namespace {
 
-constexpr int max_side = 8192;  // the same limit as in scene files
 constexpr int max_threads = 1024;
 constexpr int most_shapes = 1'000'000'000;
 constexpr int max_cameras = 1'000'000;
@@ -43,10 +42,10 @@ std::optional<std::array<int, 2>> two_numbers(const std::string& text, char sepa
 
 Resolution parse_size(const std::string& text) {
     const auto size = two_numbers(text, 'x');
-    const auto fits = [](int side) { return 1 <= side && side <= max_side; };
+    const auto fits = [](int side) { return 1 <= side && side <= largest_side; };
     if (!size || !std::all_of(size->begin(), size->end(), fits))
-        throw InputError({},
-                         "--size must be WIDTHxHEIGHT, each 1 to 8192, not " + rt::quoted(text));
+        throw InputError({}, "--size must be WIDTHxHEIGHT, each 1 to " +
+                                 std::to_string(largest_side) + ", not " + rt::quoted(text));
     return {.width = (*size)[0], .height = (*size)[1]};
 }
 

@@ -15,4 +15,8 @@ struct Resolution {
     int height = 480;
 };
 
+/// The largest side of a picture, in pixels. A larger one is probably a mistake: 8192 × 8192 pixels
+/// already take 1.6 GB of double colors.
+inline constexpr int largest_side = 8192;
+
 }  // namespace rt

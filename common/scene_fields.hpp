@@ -84,8 +84,4 @@ private:
     bool left_out_ = false;
 };
 
-/// The largest side of a picture, in pixels. A larger one is probably a mistake: 8192 × 8192 pixels
-/// already take 1.6 GB of double colors.
-inline constexpr int largest_side = 8192;
-
 }  // namespace rt::inline RT_PRECISION

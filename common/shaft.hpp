@@ -5,6 +5,7 @@
 #include "common/nearest.hpp"
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -97,10 +98,12 @@ private:
         } else {
             chosen = !items.arranged() || shaft_.may_hold(items.box()) ? 1 : 0;
         }
-        if (chosen != 0) kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
+        if (chosen == 0) return;
+        assert(count_ < most_kinds);
+        kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
     }
 
-    static constexpr std::size_t most_kinds = 8;
+    static constexpr std::size_t most_kinds = 8;  // six shapes, boxes and placed meshes
 
     const Shaft& shaft_;
     std::array<Kind, most_kinds> kinds_;

@@ -28,8 +28,8 @@ void answer_with_picture(Reader& question, Writer& answer) {
     const int every = get<int>(question);
     question.end();
     const auto [width, height] = scene.resolution;
-    if (scene.cameras.empty() || width < 1 || height < 1 || width > 8192 || height > 8192 ||
-        every < 1)
+    if (scene.cameras.empty() || width < 1 || height < 1 || width > largest_side ||
+        height > largest_side || every < 1)
         throw Malformed("no picture");
     put(answer, drawn(scene, look, every).pixels);
 }

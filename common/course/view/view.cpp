@@ -7,6 +7,7 @@
 #include "common/course/view/watcher.hpp"
 
 #include "common/input_error.hpp"
+#include "common/pixel.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,7 +26,6 @@ constexpr int most_pages = 1'000'000'000;  // a page calls itself by a number of
 constexpr double farthest = 10'000;        // the largest coordinate of a camera
 constexpr int most_shrunk = 16;
 constexpr std::size_t longest_report = 4096;
-constexpr int largest_side = 8192;  // of a picture, the same as in scenes
 
 constexpr const char* json_type = "application/json";
 
