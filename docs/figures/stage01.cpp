@@ -176,8 +176,8 @@ std::string screen_side_view() {
 
     sketch.label({0, 0, -3}, {8, 5}, "$−z$", after);
     sketch.label(eye, {-4, -12}, "$o_r$", {.anchor = Anchor::end});
-    sketch.label(eye, {70, -18}, "FOV", after);
-    sketch.label({0, top.y / 2, -1}, {21, 5}, "tan(FOV / 2)", after);
+    sketch.label(eye, {26, 50}, "FOV", after);
+    sketch.label({0, top.y / 2, -1}, {21, -10}, "tan(FOV / 2)", after);
     sketch.label(top, {-6, -12}, "the screen: $z$ = −1, $t$ = 1", {.anchor = Anchor::end});
     sketch.label(Real(2) * top, {-48, 12}, "$t$ = 2: twice as deep", {.anchor = Anchor::end});
     sketch.label({0, 0, -0.5}, {0, 147}, "1");

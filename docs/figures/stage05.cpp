@@ -12,10 +12,6 @@ namespace rt::figures {
 
 namespace {
 
-constexpr std::string_view pale_blue = "#d5e5f3";
-constexpr std::string_view pale_red = "#f6dcd6";
-constexpr std::string_view pale_green = "#d9ebdf";
-constexpr std::string_view pale_amber = "#f8e3b8";
 constexpr Pen grid{.color = faint, .width = 1};
 
 constexpr Triangle triangle{.a = {-1.05, -0.75, 0}, .b = {1.15, -0.5, 0}, .c = {-0.25, 0.95, 0}};
@@ -98,13 +94,23 @@ void draw_shares(Sketch& sketch, Vec3 p) {
     const Vec3 weights = barycentric(triangle, p);
     sketch.polygon({p, c, a}, pale_red, no_pen);
     sketch.polygon({p, a, b}, pale_green, no_pen);
-    sketch.polygon({p, b, c}, weights.x < 0 ? pale_amber : pale_blue, no_pen);
+    // Outside, the third triangle lies on the two others: hatched, so that the whole of each is
+    // seen.
+    if (weights.x < 0)
+        for (int i = 1; i < 14; ++i)
+            sketch.line(mix(p, b, Real(i) / 14), mix(p, c, Real(i) / 14),
+                        {.color = amber, .width = 1});
+    else
+        sketch.polygon({p, b, c}, pale_blue, no_pen);
     for (const Vec3& vertex : {a, b, c}) sketch.line(p, vertex, dashed);
     draw_outline(sketch);
     sketch.mark(p, Mark::hit);
     const TextStyle style{.size = 13};
-    sketch.label((p + b + c) / Real(3), weights.x < 0 ? Vec2(16, 26) : Vec2(-3, 5),
-                 "$α$ = " + decimal(weights.x, 2), style);
+    const std::string alpha = "$α$ = " + decimal(weights.x, 2);
+    if (weights.x < 0)
+        sketch.label((p + c) / Real(2), {14, -10}, alpha, {.color = amber, .size = 13});
+    else
+        sketch.label((p + b + c) / Real(3), {-3, 5}, alpha, style);
     sketch.label((p + c + a) / Real(3), {6, 5}, "$β$ = " + decimal(weights.y, 2), style);
     sketch.label((p + a + b) / Real(3), {0, 5}, "$γ$ = " + decimal(weights.z, 2), style);
 }

@@ -110,7 +110,7 @@ std::string shadow_offset() {
     const Vec3 side = normal(ground, point);
     constexpr Real error = 0.16;
     const Vec3 rounded = point - error * side;
-    const TextStyle words{.size = 13};
+    const TextStyle words;
 
     Sketch on = draw_ground(svg, {112, 130}, false);
     draw_start(on, rounded, ground);
@@ -132,7 +132,7 @@ std::string shadow_offset() {
     draw_start(ours, start, crumb);
     ours.label(point, {-18, -2}, "error", {.color = green, .anchor = Anchor::end, .size = 13});
     svg.text({548, 226}, "re-projected, off by its error:", words);
-    svg.text({548, 244}, "neither", words);
+    svg.text({548, 244}, "no acne, nothing missed", words);
     return svg.source();
 }
 

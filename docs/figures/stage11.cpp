@@ -5,6 +5,7 @@
 #include "common/sampling.hpp"
 #include "common/scene.hpp"
 
+#include "steps/step03_sphere/sphere.hpp"
 #include "steps/step06_square/square.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
@@ -70,11 +71,18 @@ std::string soft_shadow_regions() {
     draw_shadow(svg, sketch, left, right);
     svg.circle(sketch(lamp.position), 58 * lamp.radius, white, {.width = 2});
 
+    // Evenly over the angle that the light fills, in the plane of the page.
     const Vec3 from(Real(2.1), 0, 0);
-    constexpr std::uint32_t seed = 11;
+    const Vec3 way = lamp.position - from;
+    const Real middle = std::atan2(way.y, way.x);
+    const Real half_angle = std::asin(lamp.radius / length(way));
+    constexpr int all = 9;
     ShadowRays rays;
-    for (; rays.sent < 9; ++rays.sent) {
-        const Vec3 aim = light_point(lamp, from, spread_sample(std::uint32_t(rays.sent), seed));
+    for (; rays.sent < all; ++rays.sent) {
+        const Real angle = middle + half_angle * (Real(2 * int(rays.sent) + 1) / all - 1);
+        const Vec3 aim =
+            first_hit(Ray{.origin = from, .direction = {std::cos(angle), std::sin(angle), 0}},
+                      Sphere{.center = lamp.position, .radius = lamp.radius});
         const Ray ray{.origin = from, .direction = aim - from};
         const std::optional<Real> hit = intersect(ray, plate, {.max = 1});
         if (hit) {
@@ -199,6 +207,8 @@ std::string soft_shadow_penumbra() {
     }
     svg.line(view({0, 0, 0}), view({0, Real(1.08), 0}), dashed);
     svg.line(view({-1, 0, 0}), view({1, 0, 0}), {.width = 6});
+    svg.text({40, 24}, "the share of the light that arrives",
+             {.anchor = Anchor::start, .size = 13});
     for (const int x : {-4, -2, 0, 2, 4})
         svg.text(view({x, 0, 0}) + Vec2(0, 24),
                  x < 0 ? "−" + std::to_string(-x) : std::to_string(x));
@@ -210,7 +220,7 @@ std::string soft_shadow_penumbra() {
     svg.polyline(share_curve(printed, view), {.color = amber, .width = 2, .dashes = "6 4"});
     svg.polyline(share_curve(right, view), {.color = blue, .width = 2.2});
     svg.text({560, 134}, "light_point", {.color = blue});
-    svg.text({92, 40}, "as printed", {.color = amber});
+    svg.text({92, 48}, "as printed", {.color = amber});
     return svg.source();
 }
 

@@ -74,6 +74,7 @@ void draw_intervals(Svg& svg, Vec2 place, const Case& shown) {
     const Interval x = within_slab(shown.ray, block, 0);
     const Interval y = within_slab(shown.ray, block, 1);
     svg.line(zero + Vec2(0, -22), zero + Vec2(0, 22), thin);
+    svg.text(zero + Vec2(0, -28), "$t$ = 0", {.color = gray, .size = 13});
     const auto bar = [&](Interval part, Real height, std::string_view name) {
         svg.line(at_t(part.min) + Vec2(0, height), at_t(part.max) + Vec2(0, height),
                  {.color = gray, .width = 5});
@@ -119,7 +120,11 @@ std::string box_slabs() {
         draw_intervals(svg, {500, top}, shown);
         top += 116;
     }
-    svg.text({500, 388}, "$t$ = 0", {.color = gray, .size = 13});
+    const TextStyle note{.anchor = Anchor::start, .size = 13};
+    sketch.mark({-2.15, -2.5, 0}, Mark::hit);
+    sketch.label({-2.15, -2.5, 0}, {12, 5}, "enters the box", note);
+    sketch.mark({-0.3, -2.5, 0}, Mark::refused);
+    sketch.label({-0.3, -2.5, 0}, {12, 5}, "crosses another plane of a slab", note);
     return svg.source();
 }
 
@@ -261,8 +266,11 @@ std::string mesh_hierarchy() {
     draw_box(whole, hierarchy.bounds(), {.color = blue, .width = 2});
     Sketch parts(svg, view(322));
     draw_polygons(parts, polygons);
-    for (const Box& box : boxes_of_leaves(hierarchy, boxes, 16))
-        draw_box(parts, box, {.color = blue, .width = 1});
+    const std::size_t leaves = hierarchy.leaves().size();
+    for (const Box& box : boxes_of_leaves(hierarchy, boxes, (leaves + 7) / 8))
+        draw_box(parts, box, {.color = amber, .width = Real(1.2), .dashes = "4 3"});
+    for (const Box& box : boxes_of_leaves(hierarchy, boxes, (leaves + 1) / 2))
+        draw_box(parts, box, {.color = blue, .width = 2});
 
     Sketch asked(svg, view(534));
     draw_polygons(asked, polygons);
@@ -285,11 +293,11 @@ std::string mesh_hierarchy() {
     asked.mark(at(ray, interval.max), Mark::hit);
 
     const TextStyle note{.size = 13};
-    svg.text({110, 284}, "one box around all", note);
-    svg.text({322, 284}, "boxes around parts", note);
+    svg.text({110, 284}, "one box around a coarse owl", note);
+    svg.text({322, 284}, "two of its parts, eight of theirs", note);
     svg.text({534, 284},
-             "a ray asks " + std::to_string(met.size()) + " polygons of " +
-                 std::to_string(polygons.size()),
+             "a ray tests " + std::to_string(met.size()) + " of its " +
+                 std::to_string(polygons.size()) + " polygons",
              note);
     return svg.source();
 }

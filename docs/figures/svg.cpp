@@ -2,6 +2,7 @@
 
 #include "docs/figures/typeset.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -41,6 +42,28 @@ std::string paint(std::string_view fill, const Pen& pen) {
     return pen.dashes.empty() ? text : text + attribute("stroke-dasharray", pen.dashes);
 }
 
+/// What each color of a figure becomes where the reader prefers a dark page.
+std::string dark_style() {
+    struct Dark {
+        std::string_view light;
+        std::string_view dark;
+    };
+    constexpr std::array colors = {
+        Dark{white, "#0d1117"},     Dark{ink, "#e6edf3"},      Dark{gray, "#9da7b3"},
+        Dark{faint, "#3b434d"},     Dark{tint, "#1b222b"},     Dark{blue, "#4da3e6"},
+        Dark{red, "#f0694d"},       Dark{green, "#5fb878"},    Dark{amber, "#d99a2b"},
+        Dark{pale_blue, "#1d3a54"}, Dark{pale_red, "#54271e"}, Dark{pale_green, "#1f4229"},
+        Dark{pale_amber, "#54400f"}};
+    std::string text = "<style>@media (prefers-color-scheme:dark){";
+    for (const auto& [light, dark] : colors)
+        for (const std::string_view part : {"fill", "stroke"}) {
+            const std::string name(part);
+            text += "[" + name + "=\"" + std::string(light) + "\"]{" + name + ":" +
+                    std::string(dark) + "}";
+        }
+    return text + "}</style>\n";
+}
+
 std::string list(const std::vector<Vec2>& points) {
     std::string text;
     for (const Vec2& p : points)
@@ -62,8 +85,8 @@ Svg::Svg(Vec2 size, std::string_view title)
           attribute("viewBox", "0 0 " + number(size.x) + " " + number(size.y)) +
           " xml:space=\"preserve\" role=\"img\" font-family=\"sans-serif\" stroke-linecap=\"round\""
           " stroke-linejoin=\"round\">\n<title>" +
-          escaped(title) + "</title>\n") {
-    // A white page, for readers with a dark one.
+          escaped(title) + "</title>\n" + dark_style()) {
+    // A card, white or dark, whatever the page around it is.
     shapes_ = "<rect" + attribute("width", size.x) + attribute("height", size.y) +
               attribute("rx", 8) + attribute("fill", white) + "/>\n";
 }

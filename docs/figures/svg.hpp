@@ -9,7 +9,8 @@
 
 namespace rt::figures {
 
-// Colors that a reader can distinguish on white, with the same meaning in every figure.
+// Colors that a reader can distinguish, with the same meaning in every figure. Each has a dark
+// twin (svg.cpp), for readers who prefer a dark page.
 inline constexpr std::string_view none = "none";
 inline constexpr std::string_view white = "#ffffff";
 inline constexpr std::string_view ink = "#24292f";    ///< shapes, text
@@ -20,6 +21,10 @@ inline constexpr std::string_view blue = "#1f6bad";   ///< rays
 inline constexpr std::string_view red = "#c23b22";    ///< hits
 inline constexpr std::string_view green = "#35784a";  ///< normals, bases
 inline constexpr std::string_view amber = "#a86500";  ///< misprints of a document
+inline constexpr std::string_view pale_blue = "#d5e5f3";
+inline constexpr std::string_view pale_red = "#f6dcd6";
+inline constexpr std::string_view pale_green = "#d9ebdf";
+inline constexpr std::string_view pale_amber = "#f8e3b8";
 
 struct Pen {
     std::string_view color = ink;
