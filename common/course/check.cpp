@@ -155,6 +155,17 @@ void show_refused_includes(const Workbook& workbook) {
                 each.header.c_str(), std::string(stage_name(stage)).c_str());
 }
 
+/// What is linked here, and is not there when the stage is graded.
+void show_ungraded_files(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    const std::string graded = stage_header(stage).stem().string() + ".cpp";
+    for (const std::filesystem::path& file : workbook.files())
+        if (file.filename() != graded)
+            std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
+                        step_path(stage, "student/" + file.filename().string()).c_str(),
+                        graded.c_str());
+}
+
 void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
     Record record = workbook.record();
     record.checked = now();
@@ -197,6 +208,7 @@ int check(int stage) {
     show_cases(judgement.outcomes);
     std::fputs(first_warning(built.output).c_str(), stdout);
     show_refused_includes(workbook);
+    show_ungraded_files(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
     if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);

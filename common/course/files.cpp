@@ -42,11 +42,14 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
     return files;
 }
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent) {
-    std::string name = parent / "raysteps.XXXXXX";  // completed by mkdtemp
+fs::path make_folder(const fs::path& parent, const std::string& start) {
+    std::string name = parent / (start + "XXXXXX");  // completed by mkdtemp
     if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");
-    path_ = name;
+    return name;
 }
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent)
+    : path_(make_folder(parent, "raysteps.")) {}
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;

@@ -24,6 +24,11 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 /// The lines of a text, without their line ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
+/// Creates a folder whose name is `start` and random letters, and returns its path. Only its owner
+/// may enter it. Throws InputError.
+[[nodiscard]] std::filesystem::path make_folder(const std::filesystem::path& parent,
+                                                const std::string& start);
+
 /// A new folder with a unique name, removed at the end of its scope.
 class TemporaryFolder {
 public:

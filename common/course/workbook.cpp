@@ -2,6 +2,7 @@
 
 #include "common/course/files.hpp"
 #include "common/course/project.hpp"
+#include "common/hash.hpp"
 #include "common/input_error.hpp"
 
 #include <cstdint>
@@ -47,12 +48,6 @@ std::string text(const Record& record) {
     return out.str();
 }
 
-/// FNV-1a (Fowler, Noll and Vo): distinguishes versions of a file.
-std::uint64_t hash(const std::string& text, std::uint64_t hash) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return hash;
-}
-
 }  // namespace
 
 Workbook::Workbook(int stage)
@@ -86,10 +81,10 @@ std::string Workbook::summary() const {
 }
 
 std::string Workbook::fingerprint() const {
-    std::uint64_t all = 0xcbf29ce484222325u;
+    std::uint64_t all = fnv1a("");
     for (const fs::path& folder : {folder_, folder_ / "tests"})
         for (const fs::path& file : files_in(folder, ".cpp"))
-            all = hash(read_text(file), hash(file.filename().string(), all));
+            all = fnv1a(read_text(file), fnv1a(file.filename().string(), all));
     std::ostringstream out;
     out << std::hex << all;
     return out.str();

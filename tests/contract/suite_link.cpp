@@ -30,7 +30,6 @@ namespace {
 
 constexpr std::size_t longest_question = 4000;
 constexpr const char* too_long_a_case = "took longer than one case may take";
-constexpr const char* too_long_a_suite = "took longer than all cases may take";
 
 double seconds(const char* variable, double otherwise) {
     const char* said = std::getenv(variable);

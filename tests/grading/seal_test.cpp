@@ -283,7 +283,7 @@ TEST_CASE("a process that ends, for any reason, ends all of its children") {
             const Command command = sealed(ground, who, limits, {attack});
             const pid_t grader = fork();
             if (grader == 0) _exit(listen_to(command, std::chrono::seconds(60)).status);
-            CHECK(soon([&] { return processes_of(attacker) == count; }));
+            CHECK(soon([&, all = count] { return processes_of(attacker) == all; }));
             kill(grader, SIGKILL);
             waitpid(grader, nullptr, 0);
             CHECK(soon([&] { return processes_of(attacker) == 0; }));

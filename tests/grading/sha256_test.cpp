@@ -1,21 +1,11 @@
 // The hash that identifies a submitted file.
 #include "common/course/grade/sha256.hpp"
 
+#include "common/hash.hpp"
+
 #include "tests/kit/catch.hpp"
 
-#include <cstdint>
-
 namespace rt::grade {
-
-namespace {
-
-std::uint64_t fnv1a(const std::string& text) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    return hash;
-}
-
-}  // namespace
 
 // The examples of FIPS 180-4 and of NIST's test vectors (SHA256ShortMsg, SHA256LongMsg).
 TEST_CASE("a text's SHA-256 is that of the standard's examples") {
@@ -39,6 +29,14 @@ TEST_CASE("texts of every length around a block's have a SHA-256 each") {
           "b35439a4ac6f0948b6d6f9e3c6af0f5f590ce20f1bde7090ef7970686ec6738a");
     CHECK(sha256(std::string(64, 'a')) ==
           "ffe054fe7ae0cb6dc65c3af9b61d5209f439851db43d0ba5997337df154668eb");
+}
+
+// The values are of the test vectors in draft-eastlake-fnv.
+TEST_CASE("a text's FNV-1a hash is that of its authors' examples, in parts too") {
+    CHECK(fnv1a("") == 0xcbf29ce484222325u);
+    CHECK(fnv1a("a") == 0xaf63dc4c8601ec8cu);
+    CHECK(fnv1a("foobar") == 0x85944171f73967e8u);
+    CHECK(fnv1a("bar", fnv1a("foo")) == fnv1a("foobar"));
 }
 
 TEST_CASE("texts of one FNV-1a hash are different files") {

@@ -63,8 +63,9 @@ course 0
 says "changed since it passed"
 
 # A forbidden include in a graded file: it passes here, with a warning. An allowed one: the headers
-# of its own header. A comment includes nothing.
+# of its own header. A comment includes nothing. A second source file: linked here, with a warning.
 echo "// of mine" > $stage/student/helpers.hpp
+echo "// of mine" > $stage/student/helpers.cpp
 {
     printf '#include "%s"\n' common/./ray.hpp common/scene.hpp helpers.hpp ../sphere.hpp
     printf '# include <steps/step04_plane/plane.hpp>\n'
@@ -76,8 +77,9 @@ says "$mine:2: warning: a graded file may not include common/scene.hpp: docs/ste
 says "$mine:3: warning: a graded file may not include helpers.hpp: "
 says "$mine:4: warning: a graded file may not include ../sphere.hpp: "
 says "$mine:5: warning: a graded file may not include steps/step04_plane/plane.hpp: "
-[ "$(grep -c 'warning: ' out)" = 4 ] || fail "four warnings"
-rm $stage/student/helpers.hpp
+says "$stage/student/helpers.cpp: warning: only sphere.cpp is graded: "
+[ "$(grep -c 'warning: ' out)" = 5 ] || fail "five warnings"
+rm $stage/student/helpers.hpp $stage/student/helpers.cpp
 cp $stage/reference/sphere.cpp $mine
 echo >> $mine
 

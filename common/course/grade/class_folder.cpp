@@ -234,8 +234,7 @@ private:
         const std::optional<Unpacked> unpacked =
             unpack(workshop_, archive, taken_out.path(), class_megabytes);
         if (!unpacked) return false;
-        std::string name = (workshop_.folder / "class.XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");
+        const fs::path name = make_folder(workshop_.folder, "class.");
         lay_out(*unpacked, name);
         fs::path top = name;
         std::vector<fs::path> entries = entries_of(top);

@@ -1,5 +1,7 @@
 #include "common/course/grade/fingerprints.hpp"
 
+#include "common/hash.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -72,16 +74,10 @@ std::string_view token(std::string_view name) {
     return "n";
 }
 
-std::uint64_t hash(std::string_view text) {  // FNV-1a: the same on every machine
-    std::uint64_t value = 0xcbf29ce484222325;
-    for (const char each : text) value = (value ^ static_cast<unsigned char>(each)) * 0x100000001b3;
-    return value;
-}
-
 std::vector<std::uint64_t> hashes(const std::string& tokens) {
     std::vector<std::uint64_t> all;
     for (std::size_t i = 0; i + passage <= tokens.size(); ++i)
-        all.push_back(hash(std::string_view(tokens).substr(i, passage)));
+        all.push_back(fnv1a(std::string_view(tokens).substr(i, passage)));
     return all;
 }
 

@@ -89,8 +89,7 @@ fs::path workshop_folder(const Order& order) {
     std::error_code none;
     for (const auto& each : fs::directory_iterator(fs::temp_directory_path(), none))
         if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
-    std::string folder = fs::temp_directory_path() / (start + "XXXXXX");
-    if (mkdtemp(folder.data()) == nullptr) throw InputError({folder}, "cannot be created");
+    const fs::path folder = make_folder(fs::temp_directory_path(), start);
     if (geteuid() == 0 && (lchown(folder.c_str(), 0, builders_group) != 0 ||
                            chmod(folder.c_str(), S_IRWXU | S_IXGRP) != 0))
         throw InputError({folder}, "cannot be made accessible to compilers");

@@ -8,6 +8,8 @@
 
 #include "common/stages.hpp"
 
+#include "tests/contract/asking.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -28,8 +30,7 @@ constexpr std::chrono::seconds longest_asking{60};
 // load.
 constexpr int times_of_reference = 30;
 constexpr std::chrono::seconds longest_of_all{900};
-// The message for a case that was not reached in time, here and in tests/contract/suite_link.cpp.
-constexpr const char* too_long_a_suite = "took longer than all cases may take";
+// The message for a case that its suite did not reach at all.
 constexpr const char* not_reached = "was not reached: the cases before it took too long\n";
 
 using Clock = std::chrono::steady_clock;
@@ -127,7 +128,8 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
 /// gets no more queries.
 bool is_out_of_time(const Mark& mark) {
     return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-        return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
+        return each.words == not_reached ||
+               each.words.find(contract::too_long_a_suite) != std::string::npos;
     });
 }
 
