@@ -155,7 +155,7 @@ void show_refused_includes(const Workbook& workbook) {
                 each.header.c_str(), std::string(stage_name(stage)).c_str());
 }
 
-/// What is linked here, and is not there when the stage is graded.
+/// Warns of each source file that is linked here, but not when the stage is graded.
 void show_ungraded_files(const Workbook& workbook) {
     const int stage = workbook.stage();
     const std::string graded = stage_header(stage).stem().string() + ".cpp";

@@ -57,6 +57,8 @@ trap 'exit 1' INT TERM
 host=$(hostname -s)
 me=$(id -un)
 mkdir -m 700 "$folder/munge" "$folder/state" "$folder/spool"
+mkdir -m 711 "$folder/temporary" # others may grade on this machine
+export TMPDIR="$folder/temporary"
 mungekey --create --keyfile "$folder/munge/key"
 cat > "$folder/slurm.conf" << END
 ClusterName=raysteps
@@ -155,7 +157,7 @@ wait_for_all
 is_in "$report" COMPLETED || fail "no reports: $(state "$report")"
 
 tail -n 3 "$folder"/results/slurm/*.log
-! ps -eo args | grep "[r]aysteps-grading.*worker" || fail "processes of a task that is gone"
+! ps -eo args | grep "${folder#/}/temporary/[r]aysteps-grading.*worker" || fail "processes of a task that is gone"
 rm -r "$folder/results/slurm"
 (cd "$folder/local" && find . -type f) | sort > "$folder/files"
 (cd "$folder/results" && find . -type f) | sort | diff "$folder/files" - || fail "files (expected first)"

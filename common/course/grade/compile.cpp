@@ -188,6 +188,10 @@ Workshop open_workshop(const fs::path& project, const fs::path& build, const fs:
     return workshop;
 }
 
+bool is_told_to_stop(int status) {
+    return status == 128 + SIGTERM || status == 128 + SIGINT || status == 128 + SIGHUP;
+}
+
 void go_on(const Workshop& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
@@ -220,6 +224,7 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
     // The launcher enforces the time limit; this one is a fallback.
     Ending ending = listen_to(sealed, std::chrono::seconds(wall + 10), workshop.stop);
     go_on(workshop);
+    if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     return ending;
 }

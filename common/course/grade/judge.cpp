@@ -52,6 +52,8 @@ Ending run_asking(const Grading& grading, int stage, const Command& program,
     if (left.count() <= 0) return {.out_of_time = true};
     Ending ending = listen_to(command, left, grading.workshop.stop);
     go_on(grading.workshop);
+    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+        throw Interrupted();
     return ending;
 }
 
