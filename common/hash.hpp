@@ -1,5 +1,5 @@
-// FNV-1a, the hash of Fowler, Noll and Vo: the same on every machine. Anybody can find two texts
-// with the same hash: what must resist a person needs keyed_hash.hpp or a cryptographic hash.
+// FNV-1a (Fowler, Noll and Vo): a hash that is the same on every machine. Two texts with the same
+// hash are easy to find; against an attacker, use keyed_hash.hpp or a cryptographic hash.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// The hash of a text, or of all texts so far if the hash of the ones before it is given.
+/// The hash of a text; with the hash of earlier texts, the hash of all of them in a row.
 [[nodiscard]] constexpr std::uint64_t fnv1a(std::string_view text,
                                             std::uint64_t hash = 0xcbf29ce484222325u) {
     for (const char each : text) hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001b3u;
