@@ -33,12 +33,14 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
                                   const std::string& many) {
         if (count > 0) found.push_back({.what = counted(count, one, many), .stage = needed});
     };
-    require(scene.spheres.size(), 3, "sphere", "spheres");
-    require(scene.planes.size(), 4, "plane", "planes");
-    require(scene.triangles.size(), 5, "triangle", "triangles");
-    require(scene.squares.size(), 6, "square", "squares");
-    require(scene.cylinders.size(), 7, "cylinder", "cylinders");
-    require(scene.cones.size(), 8, "cone", "cones");
+    const auto require_shapes = [&](int from, int before) {
+        const auto of_kind = [&](const auto& kind) {
+            if (kind.stage >= from && kind.stage < before)
+                require((scene.*kind.items).size(), kind.stage, kind.one, kind.many);
+        };
+        std::apply([&](const auto&... kind) { (of_kind(kind), ...); }, shape_kinds);
+    };
+    require_shapes(0, light_stage);
     if (stage >= light_stage) {
         const auto shines = [](const Material& material) { return material.specular > 0; };
         const auto has_size = [](const Light& light) { return light.radius > 0; };
@@ -51,7 +53,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
     }
     const auto reflects = [](const Material& material) { return material.mirror > 0; };
     require(materials(scene, reflects), mirror_stage, "mirror", "mirrors");
-    require(scene.boxes.size(), mesh_stage, "box", "boxes");
+    require_shapes(light_stage, mesh_stage + 1);
     require(scene.named_meshes.size(), mesh_stage, "mesh", "meshes");
     return found;
 }

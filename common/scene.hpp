@@ -8,8 +8,10 @@
 #include "common/placed_mesh.hpp"
 #include "common/shapes.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace rt {
@@ -74,6 +76,29 @@ struct Scene {
     Axes axes;  ///< axes of the file; all members above use the program's axes
 };
 
+/// A kind of shape: its list, the stage that brings it, and its names.
+template <class Shape>
+struct ShapeKind {
+    Items<Shape> Scene::*items;
+    int stage;
+    const char* one;
+    const char* many;
+};
+
+/// All kinds but meshes: whatever is done with each kind of shape follows this list.
+inline constexpr std::tuple shape_kinds{
+    ShapeKind<Sphere>{&Scene::spheres, 3, "sphere", "spheres"},
+    ShapeKind<Plane>{&Scene::planes, 4, "plane", "planes"},
+    ShapeKind<Triangle>{&Scene::triangles, 5, "triangle", "triangles"},
+    ShapeKind<Square>{&Scene::squares, 6, "square", "squares"},
+    ShapeKind<Cylinder>{&Scene::cylinders, 7, "cylinder", "cylinders"},
+    ShapeKind<Cone>{&Scene::cones, 8, "cone", "cones"},
+    ShapeKind<OrientedBox>{&Scene::boxes, 13, "box", "boxes"},
+};
+
+/// How many lists of shapes a scene has, meshes included.
+inline constexpr std::size_t list_count = std::tuple_size_v<decltype(shape_kinds)> + 1;
+
 }  // namespace rt::inline RT_PRECISION
 
 namespace rt {
@@ -85,13 +110,7 @@ namespace rt {
 /// Calls visit(list) for the list of each kind of shape, except meshes.
 template <class SomeScene, class Visit>
 void for_each_kind(SomeScene& scene, Visit visit) {
-    visit(scene.spheres);
-    visit(scene.planes);
-    visit(scene.triangles);
-    visit(scene.squares);
-    visit(scene.cylinders);
-    visit(scene.cones);
-    visit(scene.boxes);
+    std::apply([&](const auto&... kind) { (visit(scene.*kind.items), ...); }, shape_kinds);
 }
 
 /// The path of the mesh's file, resolved from the scene's folder, independent of the working

@@ -5,7 +5,6 @@
 #include "common/nearest.hpp"
 
 #include <array>
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 
@@ -98,15 +97,11 @@ private:
         } else {
             chosen = !items.arranged() || shaft_.may_hold(items.box()) ? 1 : 0;
         }
-        if (chosen == 0) return;
-        assert(count_ < most_kinds);
-        kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
+        if (chosen != 0) kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
     }
 
-    static constexpr std::size_t most_kinds = 8;  // six shapes, boxes and placed meshes
-
     const Shaft& shaft_;
-    std::array<Kind, most_kinds> kinds_;
+    std::array<Kind, list_count> kinds_;  ///< each list is looked through once
     std::size_t count_ = 0;
 };
 
