@@ -1,4 +1,5 @@
 #include "tests/contract/asking.hpp"
+#include "common/reasons.hpp"
 
 #include "tests/contract/frame.hpp"
 
@@ -60,7 +61,7 @@ std::vector<std::string> command_of(const std::string& program) {
 /// The cause of the end, as a clause.
 std::string words_of_signal(int signal) {
     if (signal == SIGSYS)
-        return "tried a forbidden operation: files, processes and networks are closed";
+        return std::string(forbidden_operation) + ": files, processes and networks are closed";
     if (signal == SIGXCPU) return "took more computing time than allowed";
     return "crashed: " + std::string(strsignal(signal));
 }

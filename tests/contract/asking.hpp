@@ -21,9 +21,6 @@ struct NoAnswer : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The reason if all cases of a suite together took too long.
-inline constexpr const char* too_long_a_suite = "took longer than all cases may take";
-
 /// There is no such program.
 struct CannotStart : std::runtime_error {
     using std::runtime_error::runtime_error;

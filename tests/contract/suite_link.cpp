@@ -7,6 +7,7 @@
 // RAYSTEPS_SUITE_SECONDS  limit for all answers of the suite (default 600)
 // RAYSTEPS_RECORD         a file for a record of all queries, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
+#include "common/reasons.hpp"
 #include "tests/contract/asking.hpp"
 #include "tests/contract/call.hpp"
 #include "tests/contract/picture_question.hpp"

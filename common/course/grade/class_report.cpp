@@ -5,6 +5,7 @@
 #include "common/course/grade/html_table.hpp"
 #include "common/course/grade/likeness.hpp"
 #include "common/course/grade/submissions.hpp"
+#include "common/reasons.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -118,7 +119,7 @@ std::string trials(const std::vector<Mark>& marks, const Term& term) {
             text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
         const auto cases =
             std::count_if(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-                return each.words.find("tried a forbidden operation") != std::string::npos;
+                return each.words.find(forbidden_operation) != std::string::npos;
             });
         if (cases > 0) tried.push_back(row(who + text_cell("in " + counted(int(cases), "case"))));
         if (mark.verdict == Verdict::refused)

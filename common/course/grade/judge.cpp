@@ -5,10 +5,8 @@
 #include "common/course/grade/seed.hpp"
 #include "common/course/grade/sha256.hpp"
 #include "common/course/report.hpp"
-
+#include "common/reasons.hpp"
 #include "common/stages.hpp"
-
-#include "tests/contract/asking.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -130,8 +128,7 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
 /// gets no more queries.
 bool is_out_of_time(const Mark& mark) {
     return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-        return each.words == not_reached ||
-               each.words.find(contract::too_long_a_suite) != std::string::npos;
+        return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
     });
 }
 

@@ -1,0 +1,12 @@
+// Reasons for a missing answer that the suites print and the grader searches for.
+#pragma once
+
+namespace rt {
+
+/// All cases of a suite together took too long.
+inline constexpr const char* too_long_a_suite = "took longer than all cases may take";
+
+/// The worker tried a system call that its sandbox does not allow.
+inline constexpr const char* forbidden_operation = "tried a forbidden operation";
+
+}  // namespace rt
