@@ -149,8 +149,8 @@ TEST_CASE("a picture replaces a picture, or an empty file, and nothing else") {
     const Scratch scratch;
     for (const std::string_view kept : {"R 640 480\n", "\x89PNG", "\x89PNG\r\n\x1a", " "}) {
         write(scratch.file("kept"), std::string(kept));
-        CHECK(
-            refusal(scratch.file("kept")).starts_with(scratch.file("kept") + ": error: is there"));
+        CHECK(refusal(scratch.file("kept"))
+                  .starts_with(scratch.file("kept") + ": error: exists and is not a PNG"));
         CHECK_THROWS_AS(check_writable(scratch.file("kept")), InputError);
         CHECK(content(scratch.file("kept")) == kept);
     }
@@ -196,7 +196,8 @@ TEST_CASE("a symbolic link is followed, and its target is written") {
     CHECK(read_png(scratch.file("folder/a.png")).resolution.width == 2);
     write(scratch.file("folder/source.cpp"), "int main() {}");
     fs::create_symlink("source.cpp", scratch.file("folder/other.png"));
-    CHECK(refusal(scratch.file("folder/other.png")).find(": error: is there") != std::string::npos);
+    CHECK(refusal(scratch.file("folder/other.png")).find(": error: exists and is not a PNG") !=
+          std::string::npos);
     CHECK(content(scratch.file("folder/source.cpp")) == "int main() {}");
     fs::create_symlink("round.png", scratch.file("round.png"));
     CHECK(refusal(scratch.file("round.png")).find(": error: ") != std::string::npos);

@@ -267,6 +267,6 @@ server=
 [ $(($(date +%s) - started)) -lt 4 ] || fail "Ctrl-C ends it at once"
 [ -z "$(ls temporary)" ] || fail "Ctrl-C leaves no file"
 kill -0 "$(cat endless)" 2> /dev/null && fail "Ctrl-C leaves no program"
-shows "that it has ended" "document.getElementById('status').textContent.includes('has ended')"
+shows "that it was stopped" "document.getElementById('status').textContent.includes('was stopped')"
 
 exit $failed
