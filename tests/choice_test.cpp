@@ -187,6 +187,17 @@ TEST_CASE("a rare penumbra keeps the tolerance too") {
         }
 }
 
+TEST_CASE("trials shrink with the picture and its penumbrae") {
+    // In units of one ray for every pixel, somewhat more than was measured.
+    for (const auto& [allowed, most] : {std::pair(1.0, 3.6), std::pair(4.0, 0.68)}) {
+        MadeUp model = soft(0.003);  // one column, of which trials could draw every pixel
+        model.size = {.width = 320, .height = 60};
+        (void)chosen(model, {.tolerance = allowed});
+        INFO("tolerance " << allowed);
+        CHECK(model.spent <= most * model.pixels() * model.ray_cost);
+    }
+}
+
 TEST_CASE("every tile keeps the tolerance") {
     MadeUp model = soft(0.2);
     model.thin_shadow = true;  // 1 in 60 of the penumbra
