@@ -1,23 +1,23 @@
 // The commands behind `./course`.
-#include "common/course/audit.hpp"
-#include "common/course/build.hpp"
-#include "common/course/check.hpp"
-#include "common/course/comparing.hpp"
-#include "common/course/compiler_errors.hpp"
-#include "common/course/files.hpp"
-#include "common/course/handout.hpp"
-#include "common/course/hints.hpp"
-#include "common/course/manifest.hpp"
-#include "common/course/measure.hpp"
-#include "common/course/paint.hpp"
-#include "common/course/process.hpp"
-#include "common/course/project.hpp"
-#include "common/course/update.hpp"
+#include "common/course/authoring/audit.hpp"
+#include "common/course/authoring/measure.hpp"
+#include "common/course/build/build.hpp"
+#include "common/course/build/compiler_errors.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/check.hpp"
+#include "common/course/exercise/compare.hpp"
+#include "common/course/exercise/hints.hpp"
+#include "common/course/exercise/workbook.hpp"
+#include "common/course/handout/handout.hpp"
+#include "common/course/handout/manifest.hpp"
+#include "common/course/handout/update.hpp"
 #include "common/course/view/view.hpp"
-#include "common/course/workbook.hpp"
 
-#include "common/input_error.hpp"
-#include "common/terminal.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/paint.hpp"
+#include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -61,7 +61,7 @@ constexpr const char* commands = R"(
 ./course test [N] [options of ctest]    run the stage's suite, or all tests
 ./course update NEW        install a newer hand-out, folder or archive; your files stay
 ./course audit             for authors of stages: test that each one is complete
-./course measure [STUDY…]  measure speed against accuracy on this machine: docs/accuracy.md
+./course measure [STUDY…]  measure speed against accuracy on this machine: docs/reference/accuracy.md
 ./course grade SUBMISSIONS… --out DIR   for instructors: grade in a sandbox; --help lists options
 ./course handout DIR       for instructors: a copy without the solutions; or DIR.tar.gz
 

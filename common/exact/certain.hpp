@@ -1,7 +1,7 @@
 // Basic bounds of the certified kernels, for computations in working precision.
 #pragma once
 
-#include "common/ray.hpp"
+#include "common/geometry/ray.hpp"
 
 #include <cmath>
 

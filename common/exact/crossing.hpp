@@ -2,8 +2,8 @@
 // not negative. A template over the number type.
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/vector.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/math/vector.hpp"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/exact/first_root.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/shapes.hpp"
 
 namespace rt {
 

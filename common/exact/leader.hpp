@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/exact/exact_root.hpp"
-#include "common/items.hpp"
-#include "common/placed_mesh.hpp"
+#include "common/scene/mesh_instance.hpp"
+#include "common/scene/primitives.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 // compiled here: -ffp-contract=off, never -ffast-math.
 #pragma once
 
-#include "common/compensated.hpp"
+#include "common/math/compensated.hpp"
 
 #include <cmath>
 #include <optional>

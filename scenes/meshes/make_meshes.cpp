@@ -6,7 +6,7 @@
 #include "scenes/meshes/surfaces.hpp"
 #include "scenes/meshes/write_mesh.hpp"
 
-#include "common/input_error.hpp"
+#include "common/system/input_error.hpp"
 
 #include <exception>
 #include <fstream>

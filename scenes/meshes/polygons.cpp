@@ -1,6 +1,6 @@
 #include "scenes/meshes/polygons.hpp"
 
-#include "common/polygon.hpp"
+#include "common/mesh_file/triangulate.hpp"
 
 #include <glm/geometric.hpp>
 

@@ -1,6 +1,6 @@
 #include "scenes/meshes/refine.hpp"
 
-#include "common/mesh_normals.hpp"
+#include "common/geometry/mesh_normals.hpp"
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -1,6 +1,6 @@
 #include "scenes/meshes/write_mesh.hpp"
 
-#include "common/input_error.hpp"
+#include "common/system/input_error.hpp"
 
 #include <glm/geometric.hpp>
 

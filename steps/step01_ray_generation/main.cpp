@@ -1,6 +1,6 @@
 // A ray for every pixel; the color shows its direction.
-#include "common/stage.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/ray_generation.hpp"
 

@@ -7,8 +7,8 @@
 //   pixFinal    pixel_on_screen(…)
 #pragma once
 
-#include "common/pixel.hpp"
-#include "common/ray.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/image/pixel.hpp"
 
 namespace rt {
 

@@ -6,8 +6,8 @@
 //   V        view_matrix(basis, position), of M1
 #pragma once
 
-#include "common/basis.hpp"
-#include "common/ray.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/math/basis.hpp"
 
 namespace rt {
 

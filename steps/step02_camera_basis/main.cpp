@@ -1,6 +1,6 @@
 // The camera in any direction; the sky has lines of latitude and longitude that show it.
-#include "common/stage.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // The rays of every picture from this stage on.
-#include "common/stage.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"

@@ -1,4 +1,4 @@
-#include "common/story.hpp"
+#include "common/explain/pixel_log.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -6,8 +6,8 @@
 //   n              plane.normal
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 
 #include <optional>
 

@@ -6,8 +6,8 @@
 //   α, β, γ          barycentric(…).x, .y, .z: the weights of a, b, c (CR: w0, w1, w2)
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 
 #include <optional>
 

@@ -7,8 +7,8 @@
 //   u, v           square_uv(…).x, .y (HAI)
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Cylinders in addition.
-#include "common/nearest.hpp"
-#include "common/stage.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

@@ -1,7 +1,7 @@
 // The shapes of stages 3 to 8, for the later stages.
 #pragma once
 
-#include "common/nearest.hpp"
+#include "common/render/closest_hit.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

@@ -1,4 +1,4 @@
-#include "common/story.hpp"
+#include "common/explain/pixel_log.hpp"
 
 namespace rt {
 

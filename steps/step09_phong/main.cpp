@@ -1,6 +1,6 @@
 // Lights instead of the torch.
-#include "common/stage.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

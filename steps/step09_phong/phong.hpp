@@ -14,8 +14,8 @@
 // A comparison that requires a positive number is false for NaN.
 #pragma once
 
-#include "common/scene.hpp"
-#include "common/surface.hpp"
+#include "common/render/surface.hpp"
+#include "common/scene/scene.hpp"
 
 namespace rt {
 

@@ -1,6 +1,6 @@
-#include "common/story.hpp"
-#include "common/surface.hpp"
-#include "common/vector.hpp"
+#include "common/explain/pixel_log.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/surface.hpp"
 
 namespace rt {
 

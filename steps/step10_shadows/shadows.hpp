@@ -6,8 +6,8 @@
 //   0.001, maxDist     shadow_ray(…).interval, and no constant
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/surface.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/render/surface.hpp"
 
 namespace rt::inline RT_PRECISION {
 

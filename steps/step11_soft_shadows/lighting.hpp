@@ -1,11 +1,11 @@
 // The lighting of a shading point, with shadows, from this stage on.
 #pragma once
 
-#include "common/sampling.hpp"
-#include "common/scene.hpp"
-#include "common/shaft.hpp"
-#include "common/story.hpp"
-#include "common/surface.hpp"
+#include "common/explain/pixel_log.hpp"
+#include "common/render/sampling.hpp"
+#include "common/render/shaft.hpp"
+#include "common/render/surface.hpp"
+#include "common/scene/scene.hpp"
 
 #include "steps/step09_phong/phong.hpp"
 #include "steps/step10_shadows/shadows.hpp"
@@ -23,7 +23,7 @@ namespace rt {
 // Each main.cpp defines the possible occluders: obstacles(query) tests an any-hit query, or another
 // one, against them. The functions with queries are templates, so that they are compiled into
 // `trace`, except for the part that only area lights need: a scene without area lights then costs
-// the same as in stage 10 (tests/program/instruction_counts.sh).
+// the same as in stage 10 (tests/programs/instruction_counts.sh).
 
 /// Traces shadow rays to an area light that would contribute the given color; none if the light has
 /// no potential occluder. Takes copies of the shading point and the context, so that the caller's

@@ -1,5 +1,5 @@
 // Soft shadows of area lights.
-#include "common/stage.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

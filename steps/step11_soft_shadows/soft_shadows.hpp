@@ -7,7 +7,7 @@
 //   counter / SAMPLES  1 − lit_share(…): CR counts the blocked rays
 #pragma once
 
-#include "common/scene.hpp"
+#include "common/scene/scene.hpp"
 
 namespace rt::inline RT_PRECISION {
 

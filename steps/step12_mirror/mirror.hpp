@@ -6,8 +6,8 @@
 //   NRemainingBounces  depth − bounces
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/surface.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/render/surface.hpp"
 
 namespace rt {
 

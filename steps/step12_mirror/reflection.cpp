@@ -1,6 +1,6 @@
 #include "steps/step12_mirror/reflection.hpp"
 
-#include "common/stage.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step12_mirror/mirror.hpp"
 

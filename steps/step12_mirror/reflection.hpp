@@ -1,10 +1,10 @@
 // Reflections in mirrors, from this stage on.
 #pragma once
 
-#include "common/context.hpp"
-#include "common/ray.hpp"
-#include "common/scene.hpp"
-#include "common/surface.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/render/context.hpp"
+#include "common/render/surface.hpp"
+#include "common/scene/scene.hpp"
 
 namespace rt {
 

@@ -1,13 +1,13 @@
 // Meshes and boxes in addition: every element of a scene.
-#include "common/stage.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step11_soft_shadows/lighting.hpp"
 #include "steps/step12_mirror/mirror.hpp"
 #include "steps/step12_mirror/reflection.hpp"
+#include "steps/step13_meshes/mesh_instance.hpp"
 #include "steps/step13_meshes/meshes.hpp"
-#include "steps/step13_meshes/placed_mesh.hpp"
 
 namespace rt {
 

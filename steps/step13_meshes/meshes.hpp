@@ -8,10 +8,10 @@
 //   vertices, triangles (CR)   mesh.vertices, mesh.triangles
 #pragma once
 
-#include "common/box.hpp"
-#include "common/mesh.hpp"
-#include "common/motion.hpp"
-#include "common/ray.hpp"
+#include "common/geometry/bounding_box.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/transform.hpp"
 
 #include <array>
 #include <optional>

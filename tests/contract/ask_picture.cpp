@@ -3,15 +3,14 @@
 // Renders the stage's scene with a worker, every fourth pixel of every fourth row. Prints the
 // number of pixels, and the number that differs from right answers; writes them beside the
 // reference's.
-#include "tests/contract/asking.hpp"
-#include "tests/contract/picture_question.hpp"
-
 #include "tests/kit/picture.hpp"
 
-#include "common/course/pictures.hpp"
-#include "common/mesh_loading.hpp"
-#include "common/png.hpp"
-#include "common/scene_reader.hpp"
+#include "common/contract/asking.hpp"
+#include "common/contract/picture_question.hpp"
+#include "common/course/exercise/image_diff.hpp"
+#include "common/image/png.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -42,7 +41,8 @@ Image asked_of(const std::string& program, const Scene& scene) {
 
 void ask(const std::string& program, const std::string& stage, const std::string& file) {
     const Image reference = read_png(project_file("docs/pictures/" + stage + ".png"));
-    const Image spread = thinned(read_png(project_file("tests/pictures/" + stage + ".png")));
+    const Image spread =
+        thinned(read_png(project_file("tests/programs/pictures/" + stage + ".png")));
     Scene scene =
         load_scene(project_file("scenes/" + stage + ".rt"), basis_around, {.strict = true});
     load_meshes(scene);

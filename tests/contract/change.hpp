@@ -5,11 +5,11 @@
 // RAYSTEPS_AS_WRITTEN  if it is set, nothing is changed: for messages that a student can repeat
 #pragma once
 
-#include "common/box.hpp"
-#include "common/mesh.hpp"
-#include "common/motion.hpp"
-#include "common/scene.hpp"
-#include "common/surface.hpp"
+#include "common/geometry/bounding_box.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/transform.hpp"
+#include "common/render/surface.hpp"
+#include "common/scene/scene.hpp"
 
 #include <array>
 #include <string>
@@ -42,7 +42,7 @@ struct Change {
 /// Draws the change of a case, if this run is graded.
 void draw_change(const std::string& name, bool exact);
 
-/// The same as `turned` in motion.hpp, but a zero keeps its sign.
+/// The same as `turned` in transform.hpp, but a zero keeps its sign.
 [[nodiscard]] Vec3 turned_direction(Vec3 v, const Motion& motion);
 [[nodiscard]] Vec3 turned_back(Vec3 v, const Motion& motion);
 [[nodiscard]] Vec3 moved_back(Vec3 point, const Motion& motion);

@@ -3,10 +3,10 @@
 // Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
 // with the same answers, and the reference and the other right answers are not recognized as a
 // mistake. Prints the recognized mistakes.
-#include "tests/contract/files.hpp"
-#include "tests/contract/paste.hpp"
-#include "tests/contract/probes.hpp"
-#include "tests/contract/smallest.hpp"
+#include "common/contract/files.hpp"
+#include "common/contract/paste.hpp"
+#include "common/contract/probes.hpp"
+#include "common/contract/smallest.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -2,8 +2,8 @@
 //
 // Writes a stage's probes.txt to the standard output: a few of the calls that its suite made
 // (RECORD), which separate every known mistake from the reference and from the others.
-#include "tests/contract/files.hpp"
-#include "tests/contract/probes.hpp"
+#include "common/contract/files.hpp"
+#include "common/contract/probes.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,10 +1,10 @@
 // Values as bytes and as text, workers that get invalid queries, and the smallest failing call.
-#include "tests/contract/contracts.hpp"
-#include "tests/contract/files.hpp"
-#include "tests/contract/frame.hpp"
-#include "tests/contract/paste.hpp"
-#include "tests/contract/slice.hpp"
-#include "tests/contract/smallest.hpp"
+#include "common/contract/contracts.hpp"
+#include "common/contract/files.hpp"
+#include "common/contract/frame.hpp"
+#include "common/contract/paste.hpp"
+#include "common/contract/slice.hpp"
+#include "common/contract/smallest.hpp"
 
 #include "tests/kit/catch.hpp"
 

@@ -1,8 +1,9 @@
 // The body of a contract's function that sends its call to a worker.
 #pragma once
 
+#include "common/contract/contracts.hpp"
+
 #include "tests/contract/change.hpp"
-#include "tests/contract/contracts.hpp"
 
 namespace rt::contract {
 

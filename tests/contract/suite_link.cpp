@@ -7,15 +7,16 @@
 // RAYSTEPS_SUITE_SECONDS  limit for all answers of the suite (default 600)
 // RAYSTEPS_RECORD         a file for a record of all queries, if it is set
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
-#include "common/reasons.hpp"
-#include "tests/contract/asking.hpp"
-#include "tests/contract/call.hpp"
-#include "tests/contract/picture_question.hpp"
+#include "common/contract/asking.hpp"
+#include "common/contract/call.hpp"
+#include "common/contract/drawn.hpp"
+#include "common/contract/light_points.hpp"
+#include "common/contract/picture_question.hpp"
+
+#include "common/stages/reasons.hpp"
 #include "tests/contract/stub.hpp"
 
 #include "tests/kit/catch.hpp"
-#include "tests/kit/drawn.hpp"
-#include "tests/kit/light_points.hpp"
 #include "tests/kit/report.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-// libFuzzer's entry into the mesh reader, for each of the four formats. docs/meshes.md explains how
-// to run it.
+// libFuzzer's entry into the mesh reader, for each of the four formats. docs/reference/meshes.md
+// explains how to run it.
 
-#include "common/input_error.hpp"
-#include "common/mesh_file.hpp"
+#include "common/mesh_file/mesh_file.hpp"
+#include "common/system/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "common/scene_reader.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -11,11 +11,11 @@
 //
 // @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
 // them.
-#include "common/course/files.hpp"
-#include "common/course/grade/compile.hpp"
-#include "common/course/grade/load.hpp"
-#include "common/course/report.hpp"
-#include "common/stages.hpp"
+#include "common/course/build/suite_report.hpp"
+#include "common/course/grade/judging/load.hpp"
+#include "common/course/grade/judging/workshop.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
 
 #include "tests/kit/catch.hpp"
 
@@ -216,13 +216,13 @@ TEST_CASE("headers in another folder are accessible to a compiler, if all users 
         fs::permissions(each->path(), fs::perms(0755));
     const grade::Workshop workshop =
         grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
-    std::ofstream(place.path() / "elsewhere.hpp") << "namespace elsewhere {}\n";
+    std::ofstream(place.path() / "deploy.hpp") << "namespace elsewhere {}\n";
     std::ofstream(folder.path() / "seats/step03_sphere.txt", std::ios::app)
         << "compile -isystem" << place.path().string() << '\n';
     const auto compiled = [&] {
         return grade::compile_submission(
             workshop, 3,
-            "#include <elsewhere.hpp>\n" + content(stage_file("step03_sphere", "reference")),
+            "#include <deploy.hpp>\n" + content(stage_file("step03_sphere", "reference")),
             folder.path() / "submission.o");
     };
     const grade::Made made = compiled();

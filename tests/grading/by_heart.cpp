@@ -7,9 +7,9 @@
 // RAYSTEPS_STARTER  a worker of the starter, if RAYSTEPS_LEARNS is not set
 // RAYSTEPS_ALIKE    a right worker: it answers a query that differs from one of the table only in
 //                   signs, the order of numbers and powers of two, like a table that undoes these
-#include "tests/contract/call.hpp"
-#include "tests/contract/contracts.hpp"
-#include "tests/contract/frame.hpp"
+#include "common/contract/call.hpp"
+#include "common/contract/contracts.hpp"
+#include "common/contract/frame.hpp"
 
 #include <unistd.h>
 

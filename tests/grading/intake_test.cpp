@@ -1,8 +1,8 @@
 // Untrusted folders and archives, some of them hostile.
-#include "common/course/files.hpp"
-#include "common/course/grade/class_folder.hpp"
-#include "common/in_parallel.hpp"
-#include "common/input_error.hpp"
+#include "common/course/grade/judging/class_folder.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/parallel_for.hpp"
 
 #include "tests/kit/catch.hpp"
 

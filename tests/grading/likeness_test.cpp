@@ -1,8 +1,8 @@
 // Files that are alike, and files that only answer the same question.
-#include "common/course/grade/likeness.hpp"
-#include "common/course/files.hpp"
-#include "common/course/grade/fingerprints.hpp"
-#include "common/stages.hpp"
+#include "common/course/grade/results/likeness.hpp"
+#include "common/course/grade/results/winnowing.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"

@@ -35,7 +35,7 @@ sed '/^Real torch/,/^}/d' "$sphere" | submit forgets_a_function
 sed 's/^Real torch.*{/&\n    throw __FILE__;/; s/^Color color_from_normal.*{/&\n    throw std::runtime_error(__FILE__);/
     1i #include <stdexcept>' "$sphere" | submit throws_its_name
 { echo '#include "common/no_such_header.hpp"' && cat "$sphere"; } | submit includes_nothing
-{ echo '#include "common/packed_mesh.hpp"' && cat "$sphere"; } | submit includes_too_much
+{ echo '#include "common/bvh/mesh_bvh.hpp"' && cat "$sphere"; } | submit includes_too_much
 
 # run NAME JOBS
 run() {

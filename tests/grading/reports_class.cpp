@@ -7,7 +7,7 @@ std::vector<Mark> class_of_two() {
     const CaseMark missed{.name = "a < b & \"c\"",
                           .points = 1,
                           .given = true,
-                          .place = "tests/step04_plane_test.cpp:9",
+                          .place = "tests/suites/step04_plane_test.cpp:9",
                           .words = no_utf8 + "\nexpected: <hit>\n"};
     const CaseMark edges{.name = "edges", .points = 3, .passed = true};
     return {

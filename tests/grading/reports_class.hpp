@@ -1,8 +1,8 @@
 // A handmade class with known marks.
 #pragma once
 
-#include "common/course/files.hpp"
-#include "common/course/grade/results.hpp"
+#include "common/course/grade/results/results.hpp"
+#include "common/system/files.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,12 +1,12 @@
 // The reports on a class's marks, with numbers computed by hand.
-#include "common/course/files.hpp"
-#include "common/course/grade/class_report.hpp"
-#include "common/course/grade/csv.hpp"
-#include "common/course/grade/feedback.hpp"
-#include "common/course/grade/grade_book.hpp"
-#include "common/course/grade/gradescope.hpp"
-#include "common/course/grade/html.hpp"
-#include "common/course/grade/junit.hpp"
+#include "common/course/grade/reports/class_page.hpp"
+#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/reports/feedback_page.hpp"
+#include "common/course/grade/reports/grade_book.hpp"
+#include "common/course/grade/reports/gradescope.hpp"
+#include "common/course/grade/reports/html.hpp"
+#include "common/course/grade/reports/junit.hpp"
+#include "common/system/files.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"
@@ -137,9 +137,10 @@ TEST_CASE("JUnit's XML has a testsuite a student and stage") {
     CHECK(has(xml, "<testsuite name=\"" + name +
                        ".step04_plane\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">"));
     CHECK(has(xml, "name=\"it is met\"/>"));
-    CHECK(has(xml,
-              "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"came: ��(\">"
-              "tests/step04_plane_test.cpp:9\ncame: ��(\nexpected: &lt;hit&gt;\n</failure>"));
+    CHECK(
+        has(xml,
+            "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"came: ��(\">"
+            "tests/suites/step04_plane_test.cpp:9\ncame: ��(\nexpected: &lt;hit&gt;\n</failure>"));
     CHECK(has(xml, ".step05_triangle\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">"));
     CHECK(has(xml, "<error>no &lt;vec&gt;</error>"));
     CHECK(has(xml,
@@ -207,7 +208,7 @@ TEST_CASE("a feedback page shows the failures, and folds away the passing stages
     CHECK(has(page,
               "<h3>a &lt; b &amp; &quot;c&quot; <small>1 point</small></h3>\n"
               "<pre class=\"wrong\">came: ��(\nexpected: &lt;hit&gt;</pre>\n"
-              "<small>tests/step04_plane_test.cpp:9</small>"));
+              "<small>tests/suites/step04_plane_test.cpp:9</small>"));
     CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"data:image/png;base64,iVBORw==\""));
     CHECK(has(page, "the difference: 5 of 12 pixels differ"));
     CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is met</li>\n</ul>"));

@@ -1,6 +1,6 @@
 // Marks, written and read: whole, or not at all.
-#include "common/course/files.hpp"
-#include "common/input_error.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"
@@ -70,7 +70,7 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(first.cases[1].given);
     CHECK(first.cases[1].points == 1);
     CHECK_FALSE(first.cases[1].passed);
-    CHECK(first.cases[1].place == "tests/step04_plane_test.cpp:9");
+    CHECK(first.cases[1].place == "tests/suites/step04_plane_test.cpp:9");
     CHECK(first.cases[1].words == "came: ��(\nexpected: <hit>\n");
     REQUIRE(first.picture);
     CHECK(first.picture->pixels == 12);

@@ -1,9 +1,9 @@
 // Attacks on each layer of the sandbox: by the user of the test, and, if that is root, by an
 // ordinary user too.
-#include "common/course/grade/seal.hpp"
-#include "common/course/files.hpp"
-#include "common/course/grade/layers.hpp"
-#include "common/course/process.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
+#include "common/course/grade/sandbox/layers.hpp"
+#include "common/system/files.hpp"
+#include "common/system/process.hpp"
 
 #include "tests/kit/catch.hpp"
 

@@ -66,7 +66,7 @@ endfunction()
 # raysteps_graded_seat(<stage> <objects> <headers>)
 #
 # seats/graded/<stage>.o and .txt, from the seat's objects and all other stages' references. The
-# object with a header's functions, if there is one, has its name: todo.cpp.o for common/todo.hpp.
+# object with a header's functions, if there is one, has its name: todo.cpp.o for common/stages/todo.hpp.
 function(raysteps_graded_seat stage objects headers)
     set(callable)
     foreach(header IN LISTS headers)

@@ -1,9 +1,9 @@
 // The seed of a graded run: agreed on once, readable by nobody else, in no report.
-#include "common/course/grade/seed.hpp"
-#include "common/course/files.hpp"
-#include "common/course/process.hpp"
+#include "common/course/grade/judging/seed.hpp"
+#include "common/system/files.hpp"
+#include "common/system/process.hpp"
 
-#include "common/input_error.hpp"
+#include "common/system/input_error.hpp"
 
 #include "tests/kit/catch.hpp"
 

@@ -1,7 +1,7 @@
 // The hash that identifies a submitted file.
-#include "common/course/grade/sha256.hpp"
+#include "common/course/grade/judging/sha256.hpp"
 
-#include "common/hash.hpp"
+#include "common/system/hash.hpp"
 
 #include "tests/kit/catch.hpp"
 

@@ -1,10 +1,10 @@
 // A lecturer's settings: their effect on marks, computed by hand, and their errors.
-#include "common/course/files.hpp"
-#include "common/course/grade/class_report.hpp"
-#include "common/course/grade/feedback.hpp"
-#include "common/course/grade/grade_book.hpp"
-#include "common/course/grade/submissions.hpp"
-#include "common/input_error.hpp"
+#include "common/course/grade/reports/class_page.hpp"
+#include "common/course/grade/reports/feedback_page.hpp"
+#include "common/course/grade/reports/grade_book.hpp"
+#include "common/course/grade/results/submissions.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"

@@ -4,7 +4,7 @@
 #include "tests/kit/random.hpp"
 #include "tests/kit/verdict.hpp"
 
-#include "common/pixel.hpp"
+#include "common/image/pixel.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -3,9 +3,9 @@
 
 #include "tests/kit/for_all.hpp"
 
-#include "common/scene.hpp"
-#include "common/surface.hpp"
-#include "common/text.hpp"
+#include "common/explain/text.hpp"
+#include "common/render/surface.hpp"
+#include "common/scene/scene.hpp"
 
 namespace rt {
 

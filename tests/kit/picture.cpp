@@ -1,10 +1,9 @@
 #include "tests/kit/picture.hpp"
 
-#include "tests/kit/drawn.hpp"
-
-#include "common/mesh_loading.hpp"
-#include "common/png.hpp"
-#include "common/scene_reader.hpp"
+#include "common/contract/drawn.hpp"
+#include "common/image/png.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -42,7 +41,7 @@ std::string project_file(const std::string& name) {
 Verdict picture_matches(const std::string& name, const Drawing& drawing) {
     const std::string scene_name = drawing.scene.empty() ? name : drawing.scene;
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
-    const Image spread = read_png(project_file("tests/pictures/" + scene_name + ".png"));
+    const Image spread = read_png(project_file("tests/programs/pictures/" + scene_name + ".png"));
     Scene scene =
         load_scene(project_file("scenes/" + scene_name + ".rt"), basis_around, {.strict = true});
     load_meshes(scene);

@@ -3,8 +3,8 @@
 
 #include "tests/kit/verdict.hpp"
 
-#include "common/image.hpp"
-#include "common/look.hpp"
+#include "common/image/image.hpp"
+#include "common/render/render_settings.hpp"
 
 namespace rt {
 
@@ -24,9 +24,9 @@ struct Drawing {
 
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///
-/// Each pixel may differ by as much as right answers do: by the spread in tests/pictures/<name>.png
-/// (of renderings with jittered rays, in both precisions), and by 1 of 255 for rounding. Where the
-/// spread is large, beside an edge, the pixel is not tested.
+/// Each pixel may differ by as much as right answers do: by the spread in
+/// tests/programs/pictures/<name>.png (of renderings with jittered rays, in both precisions), and
+/// by 1 of 255 for rounding. Where the spread is large, beside an edge, the pixel is not tested.
 [[nodiscard]] Verdict picture_matches(const std::string& name, const Drawing& drawing = {});
 
 }  // namespace rt

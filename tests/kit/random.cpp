@@ -1,6 +1,6 @@
 #include "tests/kit/random.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Random numbers that make failures repeatable and reducible.
 #pragma once
 
-#include "common/basis.hpp"
-#include "common/real.hpp"
+#include "common/math/basis.hpp"
+#include "common/math/real.hpp"
 
 #include <cstdint>
 #include <random>

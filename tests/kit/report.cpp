@@ -3,7 +3,7 @@
 //
 //   case edges belong to the triangle (MRT §5)
 //   points 2                                   if its tag contains them: [2 points]; default 1
-//   at tests/step05_triangle_test.cpp:61       only for a failed case: its first failure
+//   at tests/suites/step05_triangle_test.cpp:61       only for a failed case: its first failure
 //   | intersect(Ray{…                          its lines
 //   failed                                     or passed
 #include "tests/kit/report.hpp"

@@ -4,7 +4,7 @@
 
 #include "tests/kit/for_all.hpp"
 
-#include "common/motion.hpp"
+#include "common/geometry/transform.hpp"
 
 #include <array>
 

@@ -1,8 +1,8 @@
 // Places on shapes of every kind.
 #pragma once
 
-#include "common/shapes.hpp"
-#include "common/vector.hpp"
+#include "common/geometry/shapes.hpp"
+#include "common/math/vector.hpp"
 
 #include "tests/kit/random.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "tests/kit/catch.hpp"
 
-#include "common/ray.hpp"
-#include "common/text.hpp"
+#include "common/explain/text.hpp"
+#include "common/geometry/ray.hpp"
 
 #include <cmath>
 #include <optional>

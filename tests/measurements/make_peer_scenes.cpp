@@ -3,8 +3,8 @@
 //
 //     make_peer_scenes FOLDER              the eight as .rt, .pov and .dat, and their meshes
 //     make_peer_scenes FOLDER scene.rt     that scene as .pov and .dat
-#include "common/mesh_loading.hpp"
-#include "common/scene_reader.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -1,5 +1,5 @@
 // The Raysteps engine, in the precision of this compilation.
-#include "common/packed_mesh.hpp"
+#include "common/bvh/mesh_bvh.hpp"
 
 #include "tests/measurements/engines.hpp"
 

@@ -1,7 +1,7 @@
 // Whole pictures for the comparison of Raysteps with its peers, POV-Ray and Tachyon.
 #pragma once
 
-#include "common/scene.hpp"
+#include "common/scene/scene.hpp"
 
 #include <iosfwd>
 #include <span>

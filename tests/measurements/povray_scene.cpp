@@ -1,5 +1,5 @@
 // Scenes as POV-Ray 3.7 reads them.
-#include "common/text.hpp"
+#include "common/explain/text.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

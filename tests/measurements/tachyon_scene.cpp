@@ -1,6 +1,6 @@
 // Scenes as Tachyon 0.99 reads them.
-#include "common/input_error.hpp"
-#include "common/text.hpp"
+#include "common/explain/text.hpp"
+#include "common/system/input_error.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -6,9 +6,9 @@
 // The three run in turn, so that other load on the machine affects all alike: read the ratios. A
 // peer's tracing time is its CPU time minus that of the same scene at 16 × 12, which contains all
 // of the reading and building; its picture is discarded. Raysteps' is measured inside the program.
-#include "common/mesh_loading.hpp"
-#include "common/render.hpp"
-#include "common/scene_reader.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/render/render.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

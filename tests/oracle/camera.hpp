@@ -1,7 +1,7 @@
 // The contracts of stages 1 and 2, evaluated to a hundred digits.
 #pragma once
 
-#include "common/pixel.hpp"
+#include "common/image/pixel.hpp"
 #include "tests/oracle/vector.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 // The inputs of a stage, converted exactly from floats.
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 #include "tests/oracle/camera.hpp"
 #include "tests/oracle/shapes.hpp"
 

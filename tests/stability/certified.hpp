@@ -18,7 +18,8 @@
 namespace rt {
 
 /// The largest distance from the exact t, in ulps, found by a search that maximizes the error
-/// (exact_climb_test.cpp); the proved bounds of the kernels are larger (docs/stability.md).
+/// (exact_climb_test.cpp); the proved bounds of the kernels are larger
+/// (docs/reference/stability.md).
 inline constexpr double certified_ulps = 11;
 
 inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) {

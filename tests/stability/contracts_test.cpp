@@ -1,6 +1,6 @@
 // The contracts of stages 1 to 8 other than intersections, and the mirror and the boxes, against
-// exact arithmetic: docs/stability.md. Errors are in u of the worst rounding error of numbers of
-// the inputs' size.
+// exact arithmetic: docs/reference/stability.md. Errors are in u of the worst rounding error of
+// numbers of the inputs' size.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"
@@ -14,8 +14,8 @@
 #include "tests/kit/for_all.hpp"
 #include "tests/oracle/inputs.hpp"
 
-#include "common/hierarchy.hpp"
-#include "common/vector.hpp"
+#include "common/bvh/bvh.hpp"
+#include "common/math/vector.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The certified kernels of `--precision exact` in the sweeps of the stability suite: no wrong
-// decision, and t within certified_ulps. docs/stability.md. RAYSTEPS_STABILITY=10 tests ten times
-// as many rays.
+// decision, and t within certified_ulps. docs/reference/stability.md. RAYSTEPS_STABILITY=10 tests
+// ten times as many rays.
 #include "tests/stability/certified.hpp"
 #include "tests/stability/sweeps.hpp"
 

@@ -1,6 +1,6 @@
 #include "tests/stability/judge.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 #include "tests/oracle/distances.hpp"
 #include "tests/oracle/inputs.hpp"
 

@@ -1,6 +1,6 @@
-// The comparison of an answer with the exact one, in the three measures of docs/stability.md: in
-// units of u L, L being the largest coordinate of the ray's origin, of the shape, and of the
-// reported hit.
+// The comparison of an answer with the exact one, in the three measures of
+// docs/reference/stability.md: in units of u L, L being the largest coordinate of the ray's origin,
+// of the shape, and of the reported hit.
 #pragma once
 
 #include "tests/stability/sweeps.hpp"

@@ -1,14 +1,14 @@
 // Compiled twice: for the references, and for `--precision exact`, which has a Nearest of its own.
 #include "tests/stability/orders.hpp"
 
-#include "common/nearest.hpp"
-#include "common/packed_mesh.hpp"
-#include "common/text.hpp"
+#include "common/bvh/mesh_bvh.hpp"
+#include "common/explain/text.hpp"
+#include "common/render/closest_hit.hpp"
 #include "tests/kit/random.hpp"
 #include "tests/oracle/inputs.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"
-#include "steps/step13_meshes/placed_mesh.hpp"
+#include "steps/step13_meshes/mesh_instance.hpp"
 
 #include <array>
 #include <cmath>

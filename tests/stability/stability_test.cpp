@@ -1,4 +1,4 @@
-// The references at the extremes, against exact arithmetic: docs/stability.md. Prints its
+// The references at the extremes, against exact arithmetic: docs/reference/stability.md. Prints its
 // measurements. RAYSTEPS_STABILITY=10 tests ten times as many rays.
 #include "tests/stability/judge.hpp"
 

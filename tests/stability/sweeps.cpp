@@ -1,7 +1,7 @@
 #include "tests/stability/sweeps.hpp"
 
-#include "common/motion.hpp"
-#include "common/vector.hpp"
+#include "common/geometry/transform.hpp"
+#include "common/math/vector.hpp"
 
 #include <array>
 #include <cmath>

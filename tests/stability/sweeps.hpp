@@ -1,8 +1,8 @@
 // Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades.
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 #include "tests/kit/random.hpp"
 
 #include <string>

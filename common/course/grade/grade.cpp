@@ -1,21 +1,21 @@
 #include "common/course/grade/grade.hpp"
 
-#include "common/course/files.hpp"
-#include "common/course/grade/class_folder.hpp"
-#include "common/course/grade/class_report.hpp"
-#include "common/course/grade/feedback.hpp"
-#include "common/course/grade/grade_book.hpp"
-#include "common/course/grade/judge.hpp"
-#include "common/course/grade/junit.hpp"
-#include "common/course/grade/layers.hpp"
-#include "common/course/grade/seal.hpp"
-#include "common/course/grade/seed.hpp"
-#include "common/course/grade/term.hpp"
+#include "common/course/grade/judging/class_folder.hpp"
+#include "common/course/grade/judging/judge.hpp"
+#include "common/course/grade/judging/seed.hpp"
+#include "common/course/grade/reports/class_page.hpp"
+#include "common/course/grade/reports/feedback_page.hpp"
+#include "common/course/grade/reports/grade_book.hpp"
+#include "common/course/grade/reports/junit.hpp"
+#include "common/course/grade/results/term.hpp"
+#include "common/course/grade/sandbox/layers.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
 
-#include "common/in_parallel.hpp"
-#include "common/input_error.hpp"
-#include "common/stages.hpp"
-#include "common/terminal.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/parallel_for.hpp"
+#include "common/system/terminal.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -46,7 +46,8 @@ void check_seal() {
     const std::vector<Layer> all = layers();
     std::fputs(text_of(all).c_str(), stderr);
     if (!hold(all))
-        throw ProgramError("error: submissions are not run without these. docs/instructors.md\n");
+        throw ProgramError(
+            "error: submissions are not run without these. docs/reference/instructors.md\n");
 }
 
 /// The results are one run's at a time, or one part's.

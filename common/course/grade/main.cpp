@@ -1,11 +1,11 @@
 // `./course grade`: the grader's program.
-#include "common/course/grade/elsewhere.hpp"
+#include "common/course/grade/deploy.hpp"
 #include "common/course/grade/grade.hpp"
-#include "common/course/grade/gradescope.hpp"
-#include "common/course/process.hpp"
+#include "common/course/grade/reports/gradescope.hpp"
 
-#include "common/input_error.hpp"
-#include "common/stages.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
 
 #include <CLI/CLI.hpp>
 

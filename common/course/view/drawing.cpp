@@ -1,7 +1,7 @@
 #include "common/course/view/drawing.hpp"
 
-#include "common/course/files.hpp"
-#include "common/input_error.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include <algorithm>
 #include <array>

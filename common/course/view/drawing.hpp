@@ -1,11 +1,10 @@
 // The runs of the student's and the reference's program: pictures and explanations.
 #pragma once
 
-#include "common/course/files.hpp"
 #include "common/course/view/view.hpp"
-#include "common/stages.hpp"
-
-#include "common/course/process.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+#include "common/system/process.hpp"
 
 #include <atomic>
 #include <filesystem>

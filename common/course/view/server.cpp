@@ -1,6 +1,6 @@
 #include "common/course/view/server.hpp"
 
-#include "common/input_error.hpp"
+#include "common/system/input_error.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -1,13 +1,13 @@
 #include "common/course/view/view.hpp"
 
-#include "common/course/files.hpp"
 #include "common/course/view/drawing.hpp"
 #include "common/course/view/server.hpp"
 #include "common/course/view/turns.hpp"
 #include "common/course/view/watcher.hpp"
 
-#include "common/input_error.hpp"
-#include "common/pixel.hpp"
+#include "common/image/pixel.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

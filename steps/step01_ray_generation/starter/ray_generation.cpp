@@ -3,7 +3,7 @@
 // `./course check 1` reports errors, `./course hint 1` prints the next hint.
 #include "steps/step01_ray_generation/ray_generation.hpp"
 
-#include "common/todo.hpp"
+#include "common/stages/todo.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 namespace rt {
 

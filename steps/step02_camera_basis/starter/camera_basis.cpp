@@ -4,8 +4,8 @@
 // `./course check 2` reports errors, `./course hint 2` prints the next hint.
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 namespace rt {
 

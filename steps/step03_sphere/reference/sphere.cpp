@@ -1,6 +1,6 @@
 #include "steps/step03_sphere/sphere.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include <algorithm>
 #include <cmath>

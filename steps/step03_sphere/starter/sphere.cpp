@@ -3,8 +3,8 @@
 // `./course check 3` reports errors, `./course hint 3` prints the next hint.
 #include "steps/step03_sphere/sphere.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "steps/step04_plane/plane.hpp"
 
-#include "common/compensated.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 namespace rt {
 

@@ -3,8 +3,8 @@
 // `./course check 4` reports errors, `./course hint 4` prints the next hint.
 #include "steps/step04_plane/plane.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 namespace rt {
 

@@ -1,6 +1,6 @@
 // Stage 5 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
-// to be within 64 u of the exact value. docs/stability.md has the number types and the largest
-// error found.
+// to be within 64 u of the exact value. docs/reference/stability.md has the number types and the
+// largest error found.
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "common/exact/certain.hpp"

@@ -1,7 +1,7 @@
 #include "steps/step05_triangle/triangle.hpp"
 
-#include "common/compensated.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 #include <cmath>
 

@@ -4,8 +4,8 @@
 // `./course check 5` reports errors, `./course hint 5` prints the next hint.
 #include "steps/step05_triangle/triangle.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 namespace rt {
 

@@ -1,6 +1,6 @@
 // Stage 6 for `--precision exact`: every decision equals that of exact arithmetic, and t is proven
-// to be within 32 u of the exact value. docs/stability.md has the number types and the largest
-// error found.
+// to be within 32 u of the exact value. docs/reference/stability.md has the number types and the
+// largest error found.
 #include "steps/step06_square/square.hpp"
 
 #include "common/exact/certain.hpp"

@@ -4,7 +4,7 @@
 // `./course check 6` reports errors, `./course hint 6` prints the next hint.
 #include "steps/step06_square/square.hpp"
 
-#include "common/todo.hpp"
+#include "common/stages/todo.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "steps/step07_cylinder/cylinder.hpp"
 
-#include "common/compensated.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 // `./course check 7` reports errors, `./course hint 7` prints the next hint.
 #include "steps/step07_cylinder/cylinder.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "steps/step08_cone/cone.hpp"
 
-#include "common/compensated.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 // `./course check 8` reports errors, `./course hint 8` prints the next hint.
 #include "steps/step08_cone/cone.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include <algorithm>
 #include <cmath>

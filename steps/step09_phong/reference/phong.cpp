@@ -1,6 +1,6 @@
 #include "steps/step09_phong/phong.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include <cmath>
 

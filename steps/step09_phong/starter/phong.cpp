@@ -4,8 +4,8 @@
 // `./course check 9` reports errors, `./course hint 9` prints the next hint.
 #include "steps/step09_phong/phong.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "steps/step10_shadows/shadows.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 namespace rt {
 

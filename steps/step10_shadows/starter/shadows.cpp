@@ -3,8 +3,8 @@
 // `./course check 10` reports errors, `./course hint 10` prints the next hint.
 #include "steps/step10_shadows/shadows.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include <algorithm>
 

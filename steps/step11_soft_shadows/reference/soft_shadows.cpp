@@ -1,6 +1,6 @@
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

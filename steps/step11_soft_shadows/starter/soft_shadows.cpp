@@ -4,8 +4,8 @@
 // `./course check 11` reports errors, `./course hint 11` prints the next hint.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -3,7 +3,7 @@
 // `./course check 12` reports errors, `./course hint 12` prints the next hint.
 #include "steps/step12_mirror/mirror.hpp"
 
-#include "common/todo.hpp"
+#include "common/stages/todo.hpp"
 
 namespace rt {
 

@@ -1,6 +1,6 @@
 #include "steps/step13_meshes/meshes.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include "steps/step05_triangle/triangle.hpp"
 

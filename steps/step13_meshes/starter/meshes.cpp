@@ -5,8 +5,8 @@
 // `./course check 13` reports errors, `./course hint 13` prints the next hint.
 #include "steps/step13_meshes/meshes.hpp"
 
-#include "common/todo.hpp"
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
+#include "common/stages/todo.hpp"
 
 #include "steps/step05_triangle/triangle.hpp"
 

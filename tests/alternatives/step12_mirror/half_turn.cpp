@@ -1,7 +1,7 @@
 // right: the direction to the eye rotated by 180° around the normal, by a matrix, and as long as d
 #include "steps/step12_mirror/mirror.hpp"
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>

@@ -2,10 +2,10 @@
 // ceiling: as a stub
 // stage: step05_triangle
 // compiles: no
-// told: Your file includes common/packed_mesh.hpp
+// told: Your file includes common/bvh/mesh_bvh.hpp
 #include "steps/step05_triangle/triangle.hpp"
 
-#include "common/packed_mesh.hpp"
+#include "common/bvh/mesh_bvh.hpp"
 
 namespace rt {
 

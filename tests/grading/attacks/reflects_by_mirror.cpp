@@ -5,7 +5,7 @@
 // told: Your file calls rt::mirrored(
 #include "steps/step09_phong/phong.hpp"
 
-#include "common/ray.hpp"
+#include "common/geometry/ray.hpp"
 
 namespace rt {
 

@@ -3,7 +3,7 @@
 // kernels have the references' names.
 #pragma once
 
-#include "common/session.hpp"
+#include "common/program/session.hpp"
 
 #include <cmath>
 #include <cstdio>

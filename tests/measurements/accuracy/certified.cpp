@@ -2,10 +2,10 @@
 // included before.
 #include "tests/measurements/accuracy/certified.hpp"
 
-#include "common/compensated.hpp"
 #include "common/exact/certain.hpp"
 #include "common/exact/exact_root.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

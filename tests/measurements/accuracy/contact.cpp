@@ -1,14 +1,14 @@
 // Methods of leaving a surface, for scenes of every size: how often a shadow ray hits the surface
 // that it leaves, and how often it misses an object before it, 1e-5 to 1e-1 of the scene away.
-// tests/contact_test.cpp requires 0 for the reference, with closer objects.
+// tests/common/render/contact_test.cpp requires 0 for the reference, with closer objects.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/measurements/accuracy/precision.hpp"
 #include "tests/stability/sweeps.hpp"
 
-#include "common/motion.hpp"
-#include "common/projection.hpp"
-#include "common/surface.hpp"
-#include "common/vector.hpp"
+#include "common/geometry/projection.hpp"
+#include "common/geometry/transform.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/surface.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step10_shadows/shadows.hpp"

@@ -1,8 +1,8 @@
 #include "tests/measurements/accuracy/drawing.hpp"
 
-#include "common/mesh_loading.hpp"
-#include "common/render.hpp"
-#include "common/scene_reader.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/render/render.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 

@@ -1,8 +1,8 @@
 // A scene drawn by the references, in either precision.
 #pragma once
 
-#include "common/image.hpp"
-#include "common/look.hpp"
+#include "common/image/image.hpp"
+#include "common/render/render_settings.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,13 +1,13 @@
-// The errors of each form, against exact arithmetic (docs/stability.md): over all sweeps, and
-// decade by decade along one growing quantity.
+// The errors of each form, against exact arithmetic (docs/reference/stability.md): over all sweeps,
+// and decade by decade along one growing quantity.
 //
 // For each sweep: the number of wrong decisions; the distance of o + t d from the surface in a
 // typical hit, and in all but one hit in a thousand, relative to the largest coordinate.
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/stability/judge.hpp"
 
-#include "common/motion.hpp"
-#include "common/vector.hpp"
+#include "common/geometry/transform.hpp"
+#include "common/math/vector.hpp"
 
 #include <algorithm>
 #include <cmath>

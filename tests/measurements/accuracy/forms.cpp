@@ -3,8 +3,8 @@
 #include "tests/measurements/accuracy/forms.hpp"
 #include "tests/measurements/accuracy/certified.hpp"
 
-#include "common/compensated.hpp"
-#include "common/vector.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step03_sphere/sphere.hpp"

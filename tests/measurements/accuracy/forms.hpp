@@ -1,8 +1,8 @@
 // All forms of intersecting each shape in this repository, with one signature.
 #pragma once
 
-#include "common/ray.hpp"
-#include "common/shapes.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/shapes.hpp"
 #include "tests/measurements/accuracy/precision.hpp"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // The closest of 1 to 512 spheres, for rays among them: in a plain list, in a list with bounding
 // spheres, and in a BVH.
-#include "common/bounds.hpp"
-#include "common/items.hpp"
+#include "common/geometry/bounds.hpp"
+#include "common/scene/primitives.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 

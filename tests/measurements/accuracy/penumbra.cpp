@@ -1,10 +1,10 @@
 // The visible share of an area light: its error and its time, for 1 to 1024 shadow rays that are
 // spread by four methods. In stage 11's own scene.
-#include "common/nearest.hpp"
-#include "common/projection.hpp"
-#include "common/sampling.hpp"
-#include "common/scene_reader.hpp"
-#include "common/stage.hpp"
+#include "common/geometry/projection.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/render/sampling.hpp"
+#include "common/render/stage.hpp"
+#include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

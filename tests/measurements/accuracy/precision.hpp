@@ -1,7 +1,7 @@
 // The name of a program's precision in its output.
 #pragma once
 
-#include "common/real.hpp"
+#include "common/math/real.hpp"
 
 namespace rt::inline RT_PRECISION {
 

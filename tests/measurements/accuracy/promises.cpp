@@ -2,10 +2,10 @@
 // times as the first argument says, each with rays of its own and by other numbers of threads. How
 // often every part of the promise is kept beside the picture with all rays, and how many rays the
 // picture and its trials take, in units of the fewest by other settings that keep it too.
-#include "common/choice_samples.hpp"
-#include "common/sampling_looks.hpp"
-#include "common/session.hpp"
-#include "common/shot_errors.hpp"
+#include "common/program/session.hpp"
+#include "common/tuning/candidates.hpp"
+#include "common/tuning/choose_samples.hpp"
+#include "common/tuning/pixel_errors.hpp"
 
 #include "tests/measurements/accuracy/drawing.hpp"
 

@@ -5,7 +5,7 @@
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 namespace rt {
 

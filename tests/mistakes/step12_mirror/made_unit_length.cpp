@@ -5,7 +5,7 @@
 #include "steps/step12_mirror/reference/mirror.cpp"
 #undef mirrored
 
-#include "common/vector.hpp"
+#include "common/math/vector.hpp"
 
 namespace rt {
 

@@ -1,0 +1,189 @@
+#include "common/bvh/binned_sah.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+namespace {
+
+void grow(WideBox& box, const WideBox& other) {
+    box.min = min(other.min, box.min);
+    box.max = max(other.max, box.max);
+}
+
+void grow(WideBox& box, Floats point) {
+    box.min = min(point, box.min);
+    box.max = max(point, box.max);
+}
+
+/// The center, times two.
+Floats middle(const WideBox& box) {
+    return box.min + box.max;
+}
+
+/// The axes from `first` up to, but not including, `last`.
+struct Axes {
+    std::size_t first;
+    std::size_t last;
+};
+
+/// For many boxes, only the axis along which their centers extend farthest: the split is as good,
+/// and found in half the time.
+Axes axes_to_try(const BoxRange& range) {
+    constexpr std::size_t many = 512;
+    if (range.size() < many) return {.first = 0, .last = 3};
+    const auto [x, y, z, none] = values(range.middles.max - range.middles.min);
+    const std::size_t longest = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
+    return {.first = longest, .last = longest + 1};
+}
+
+}  // namespace
+
+/// The boxes whose centers are in one slice of a range, along one axis.
+struct BoxRanges::Bin {
+    WideBox bounds;
+    std::size_t count = 0;
+};
+
+/// The axis of a split, and the first slice of its upper part.
+struct BoxRanges::Cut {
+    std::size_t axis = 0;
+    std::size_t slice = 0;
+    float cost = WideBox::end;  ///< infinite if no split was found
+};
+
+/// Computes slice indices in a range.
+template <std::size_t slices>
+class BoxRanges::Slicer {
+public:
+    explicit Slicer(const WideBox& middles)
+        : origin_(middles.min), scale_(all_floats(slices) / (middles.max - middles.min)) {}
+
+    /// The slice index along each axis. Where all centers are equal, 0 · ∞ is NaN, and the slice is
+    /// 0.
+    [[nodiscard]] std::array<float, lane_count> operator()(Floats middle) const {
+        const Floats slice = (middle - origin_) * scale_;
+        return values(min(max(slice, all_floats(0)), all_floats(slices - 1)));
+    }
+
+private:
+    Floats origin_;
+    Floats scale_;
+};
+
+float half_area(const WideBox& box) {
+    const auto [x, y, z, none] = values(box.max - box.min);
+    return x * y + y * z + z * x;
+}
+
+BoxRanges::BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size)
+    : boxes_(std::move(boxes)), indices_(boxes_.size()), leaf_size_(leaf_size) {
+    std::iota(indices_.begin(), indices_.end(), 0);
+    all_ = measured(0, boxes_.size());
+}
+
+BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
+    BoxRange range{.begin = begin, .end = end};
+    for (std::size_t i = begin; i < end; ++i) {
+        grow(range.bounds, boxes_[i]);
+        grow(range.middles, middle(boxes_[i]));
+    }
+    return range;
+}
+
+/// The expected cost of a part for a ray that hits it: one step for each leaf that its boxes fill.
+float BoxRanges::cost(const Bin& part) const {
+    return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
+}
+
+template <std::size_t slices>
+BoxRanges::Bins<slices> BoxRanges::binned(const BoxRange& range) const {
+    Bins<slices> bins;
+    const Slicer<slices> slice_of(range.middles);
+    const auto [first, last] = axes_to_try(range);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        const auto slice = slice_of(middle(boxes_[i]));
+        for (std::size_t axis = first; axis < last; ++axis) {
+            Bin& bin = bins[axis][std::size_t(slice[axis])];
+            grow(bin.bounds, boxes_[i]);
+            ++bin.count;
+        }
+    }
+    return bins;
+}
+
+template <std::size_t slices>
+BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
+    const auto add = [](Bin& part, const Bin& bin) {
+        grow(part.bounds, bin.bounds);
+        part.count += bin.count;
+    };
+    Cut best;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<float, slices> upper_cost;
+        Bin upper;
+        for (std::size_t i = slices - 1; i > 0; --i) {
+            add(upper, bins[axis][i]);
+            upper_cost[i] = cost(upper);
+        }
+        Bin lower;
+        for (std::size_t i = 1; i < slices; ++i) {
+            add(lower, bins[axis][i - 1]);
+            const float both = cost(lower) + upper_cost[i];
+            // An empty part costs ∞ · 0 = NaN, and is never a split.
+            if (both < best.cost) best = {.axis = axis, .slice = i, .cost = both};
+        }
+    }
+    return best;
+}
+
+std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
+    // Most ranges contain few boxes, for which filling and scanning the bins would dominate the
+    // time.
+    constexpr std::size_t few = 64;
+    return range.size() < few ? cut_between<8>(range) : cut_between<16>(range);
+}
+
+template <std::size_t slices>
+std::array<BoxRange, 2> BoxRanges::cut_between(const BoxRange& range) {
+    const Bins<slices> bins = binned<slices>(range);
+    const Cut best = cheapest<slices>(bins);
+    if (best.cost == WideBox::end) return halves(range);  // all centers are in one slice
+
+    BoxRange lower;
+    BoxRange upper;
+    for (std::size_t i = 0; i < slices; ++i)
+        grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
+
+    const Slicer<slices> slice_of(range.middles);
+    std::size_t low = range.begin;
+    std::size_t high = range.end;
+    while (low < high) {
+        const Floats center = middle(boxes_[low]);
+        if (std::size_t(slice_of(center)[best.axis]) < best.slice) {
+            grow(lower.middles, center);
+            ++low;
+        } else {
+            grow(upper.middles, center);
+            --high;
+            std::swap(boxes_[low], boxes_[high]);
+            std::swap(indices_[low], indices_[high]);
+        }
+    }
+    lower.begin = range.begin;
+    lower.end = upper.begin = low;
+    upper.end = range.end;
+    return {lower, upper};
+}
+
+std::array<BoxRange, 2> BoxRanges::halves(const BoxRange& range) const {
+    const std::size_t middle = range.begin + range.size() / 2;
+    return {measured(range.begin, middle), measured(middle, range.end)};
+}
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

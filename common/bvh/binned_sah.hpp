@@ -1,0 +1,82 @@
+// Splitting of a sequence of bounding boxes by the surface area heuristic: the builder of a
+// bounding volume hierarchy uses it.
+#pragma once
+
+#include "common/math/simd.hpp"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+/// A bounding box with one coordinate in each SIMD lane: x, y, z, and a lane that stays 0.
+struct WideBox {
+    static constexpr float end = std::numeric_limits<float>::infinity();
+
+    Floats min = all_floats(end);
+    Floats max = all_floats(-end);
+};
+
+/// The consecutive boxes from index begin up to, but not including, end.
+struct BoxRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    WideBox bounds;   ///< bounding box of all boxes in the range
+    WideBox middles;  ///< bounding box of their centers, times two
+
+    [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Half the surface area of the box.
+[[nodiscard]] float half_area(const WideBox& box);
+
+/// The sequence of boxes. A split changes the order only inside its range.
+class BoxRanges {
+public:
+    /// The boxes must lie between -1 and 1 along every axis. `leaf_size` is the largest number of
+    /// boxes in a leaf.
+    BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size);
+
+    [[nodiscard]] const BoxRange& all() const { return all_; }
+
+    /// The indices of the boxes, in the current order of the sequence.
+    [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
+
+    /// Splits the range at the plane of least cost by the surface area heuristic over binned
+    /// centers (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies").
+    /// Neither part is empty.
+    [[nodiscard]] std::array<BoxRange, 2> cut(const BoxRange& range);
+
+    /// Splits the range at its middle index; the order does not change.
+    [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
+
+private:
+    struct Bin;
+    struct Cut;
+    template <std::size_t slices>
+    class Slicer;
+    template <std::size_t slices>
+    using Bins = std::array<std::array<Bin, slices>, 3>;
+
+    [[nodiscard]] BoxRange measured(std::size_t begin, std::size_t end) const;
+    template <std::size_t slices>
+    [[nodiscard]] Bins<slices> binned(const BoxRange& range) const;
+    template <std::size_t slices>
+    [[nodiscard]] Cut cheapest(const Bins<slices>& bins) const;
+    [[nodiscard]] float cost(const Bin& bin) const;
+    template <std::size_t slices>
+    [[nodiscard]] std::array<BoxRange, 2> cut_between(const BoxRange& range);
+
+    std::vector<WideBox> boxes_;
+    std::vector<std::uint32_t> indices_;
+    std::size_t leaf_size_;
+    BoxRange all_;
+};
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

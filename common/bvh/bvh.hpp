@@ -1,0 +1,153 @@
+// A bounding volume hierarchy: the boxes that a ray hits, roughly near to far, found without a test
+// of most of them. It stores boxes and their indices, and nothing about the contents of a box.
+#pragma once
+
+#include "common/bvh/node_intersector.hpp"
+#include "common/geometry/bounding_box.hpp"
+#include "common/math/vector.hpp"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+/// The number of shapes of a kind from which a hierarchy is built. Shorter lists use bounding
+/// spheres (measured: docs/reference/accuracy.md).
+template <class Shape>
+inline constexpr std::size_t hierarchy_pays_from = 32;
+
+inline namespace RT_LANES {
+
+/// The indices of up to four boxes that are tested together.
+struct Leaf {
+    static constexpr std::uint32_t none = ~std::uint32_t(0);
+
+    std::array<std::uint32_t, lane_count> indices = {none, none, none, none};
+};
+
+/// Returns the box of an index 0, 1, …; called on demand, so that the boxes need no memory.
+using BoxOf = std::function<Box(std::size_t)>;
+
+/// The hierarchy: nodes with eight children each, and leaves of up to four boxes.
+class Hierarchy {
+public:
+    /// The cost of a leaf: one step for each box or, if its contents are packed, one step for all
+    /// four.
+    enum class Leaves { one_by_one, packed };
+
+    Hierarchy() = default;
+    /// Builds the hierarchy over `count` boxes. `box(i)` is called twice for each index instead of
+    /// storing the boxes, which would fill the memory. The result does not depend on the number of
+    /// threads that build it. The frame is the one around `scene`, if all boxes fit in it and it is
+    /// not so large that their digits would be lost; else it is the frame around the boxes.
+    Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
+              const Box& scene = {});
+
+    [[nodiscard]] bool empty() const { return leaves_.empty(); }
+    [[nodiscard]] Box bounds() const { return bounds_; }
+    [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
+
+    /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
+    /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.
+    template <class Visit>
+    void nearest(SlabTests& ray, Interval& interval, Visit visit) const;
+
+    /// Returns whether visit(index) is true for any box that the ray may hit inside the interval;
+    /// stops at the first such box.
+    template <class Visit>
+    [[nodiscard]] bool any(SlabTests& ray, Interval interval, Visit visit) const;
+
+    /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
+    /// inside the interval, roughly near to far, until a call returns true. Returns whether one
+    /// did. A visit may lower interval.max.
+    template <class Visit>
+    bool visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const;
+
+private:
+    friend class TreeGrower;
+    static constexpr std::size_t max_depth = 64;
+
+    Box bounds_;
+    Frame frame_;
+    std::uint32_t root_ = Node::leaf_bit;
+    std::vector<Node> nodes_;
+    std::vector<Leaf> leaves_;
+};
+
+template <class Visit>
+bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const {
+    if (empty() || !(interval.min < interval.max)) return false;
+    const SlabTest& slabs = ray.in(frame_);
+    if (!slabs.certain()) {
+        for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
+            if (visit(leaf)) return true;
+        return false;
+    }
+    if (slabs.passes_by()) return false;
+    struct Later {
+        std::uint32_t child;
+        float near;
+    };
+    std::array<Later, (Node::width - 1) * max_depth> later;  // left uninitialized: it is large
+    std::size_t waiting = 0;
+    float limit = slabs.limit(interval.max);
+    std::uint32_t child = root_;
+    for (;;) {
+        if ((child & Node::leaf_bit) != 0) {
+            const Real before = interval.max;
+            if (visit(child & ~Node::leaf_bit)) return true;
+            if (interval.max != before) limit = slabs.limit(interval.max);
+        } else {
+            const Node& node = nodes_[child];
+            const auto answer = slabs(node, limit);
+            if (unsigned hits = answer.hits; hits != 0) {
+                const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
+                std::size_t nearest = take_lowest(hits);
+                const std::size_t first = waiting;
+                while (hits != 0) {
+                    std::size_t other = take_lowest(hits);
+                    if (near[other] < near[nearest]) std::swap(nearest, other);
+                    // Sorted from far to near by insertion: most often there are one or two.
+                    std::size_t place = waiting++;
+                    for (; place > first && later[place - 1].near < near[other]; --place)
+                        later[place] = later[place - 1];
+                    later[place] = {.child = node.children[other], .near = near[other]};
+                }
+                child = node.children[nearest];
+                continue;
+            }
+        }
+        do {
+            if (waiting == 0) return false;
+            --waiting;
+        } while (later[waiting].near > limit);
+        child = later[waiting].child;
+    }
+}
+
+template <class Visit>
+void Hierarchy::nearest(SlabTests& ray, Interval& interval, Visit visit) const {
+    visit_leaves(ray, interval, [&](std::size_t leaf) {
+        for (const std::uint32_t index : leaves_[leaf].indices) {
+            if (index == Leaf::none) break;
+            visit(index);
+        }
+        return false;
+    });
+}
+
+template <class Visit>
+bool Hierarchy::any(SlabTests& ray, Interval interval, Visit visit) const {
+    return visit_leaves(ray, interval, [&](std::size_t leaf) {
+        for (const std::uint32_t index : leaves_[leaf].indices) {
+            if (index == Leaf::none) break;
+            if (visit(index)) return true;
+        }
+        return false;
+    });
+}
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

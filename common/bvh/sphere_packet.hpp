@@ -1,0 +1,106 @@
+// Bounding spheres for short lists of shapes. A ray is tested against four spheres at once (in SIMD
+// lanes), and only the shapes whose sphere it may hit are intersected. For fewer than about 32
+// shapes this is faster than a bounding volume hierarchy.
+#pragma once
+
+#include "common/geometry/bounding_sphere.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/math/simd.hpp"
+#include "common/math/vector.hpp"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+/// Four bounding spheres, one in each SIMD lane.
+struct BallPacket {
+    std::array<Lanes, 3> center;  ///< x, y and z
+    Lanes radius_squared;
+};
+
+/// A ray prepared for tests against bounding spheres. The test is conservative: it never rejects
+/// the sphere of a shape that the line of the ray hits, nor of one that the shape's own rounded
+/// test would report as hit.
+///
+/// With f from the center to the origin, the line is farther from the center than the radius r if
+/// ⟨f, f⟩⟨d, d⟩ > ⟨f, d⟩² + r²⟨d, d⟩. All rounding errors here are together less than 32 u of the
+/// first product. A shape's own test may be wrong by 16 u |f| more than its sphere is padded for,
+/// which is another 32 u of that product, as |f| > r. If a number leaves the range in which these
+/// bounds are valid, no sphere is rejected.
+class BallTest {
+public:
+    explicit BallTest(const Ray& ray) {
+        const auto& [o, d] = ray;
+        origin_ = {all_lanes(o.x), all_lanes(o.y), all_lanes(o.z)};
+        direction_ = {all_lanes(d.x), all_lanes(d.y), all_lanes(d.z)};
+        Real square = glm::dot(d, d);
+        if (!keeps_its_digits(square)) square = 0;  // then no comparison is true
+        square_ = all_lanes(square);
+        padded_square_ = all_lanes(square * (1 - 96 * unit_roundoff));
+    }
+
+    /// Returns one bit for each sphere, set if the line of the ray misses it.
+    [[nodiscard, gnu::always_inline]] unsigned stays_away(const BallPacket& packet) const {
+        const Lanes x = origin_[0] - packet.center[0];
+        const Lanes y = origin_[1] - packet.center[1];
+        const Lanes z = origin_[2] - packet.center[2];
+        const Lanes along = x * direction_[0] + y * direction_[1] + z * direction_[2];
+        const Lanes off = (x * x + y * y + z * z) * padded_square_;
+        const Lanes near = along * along + packet.radius_squared * square_;
+        return bits((near + all_lanes(smallest) < off) & (off < all_lanes(infinity)));
+    }
+
+private:
+    /// The total of all underflow is far less than u times this number.
+    static constexpr Real smallest = std::numeric_limits<Real>::min() / unit_roundoff;
+
+    std::array<Lanes, 3> origin_;
+    std::array<Lanes, 3> direction_;
+    Lanes square_;  ///< squared length of the direction
+    Lanes padded_square_;
+};
+
+/// Up to 64 bounding spheres, numbered as the shapes in their list.
+class Balls {
+public:
+    static constexpr std::size_t most = 64;
+
+    Balls() = default;
+    explicit Balls(std::span<const Ball> balls);
+
+    [[nodiscard]] bool empty() const { return packets_.empty(); }
+
+    /// The i-th bounding sphere.
+    [[nodiscard]] Ball operator[](std::size_t i) const {
+        const auto& [center, radius_squared] = packets_[i / lane_count];
+        const std::size_t lane = i % lane_count;
+        return {
+            .center = {values(center[0])[lane], values(center[1])[lane], values(center[2])[lane]},
+            .radius = std::sqrt(values(radius_squared)[lane])};
+    }
+
+    /// Returns one bit for each sphere, set if the ray may hit it.
+    [[nodiscard]] std::uint64_t near(const Ray& ray) const {
+        const BallTest test(ray);
+        std::uint64_t away = 0;
+        unsigned first = 0;
+        for (const BallPacket& packet : packets_) {
+            away |= std::uint64_t(test.stays_away(packet)) << first;
+            first += lane_count;
+        }
+        return all_ & ~away;
+    }
+
+private:
+    std::vector<BallPacket> packets_;
+    std::uint64_t all_ = 0;
+};
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,101 @@
+// Watertight intersection test of four triangles at once, in SIMD lanes.
+#pragma once
+
+#include "common/geometry/ray.hpp"
+#include "common/math/simd.hpp"
+
+#include <cmath>
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+/// Four triangles, one in each lane. NaN in the unused lanes makes them miss.
+struct TrianglePacket {
+    std::array<std::array<Lanes, 3>, 3> vertices;  ///< x, y and z of each vertex
+};
+
+/// The intersections of a ray with the planes of four triangles.
+struct Crossings {
+    std::array<Lanes, 3> areas;  ///< area opposite to each vertex, in the projection along the ray
+    Lanes t;
+    unsigned hits;  ///< one bit for each triangle that is hit
+};
+
+/// Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", for four triangles.
+///
+/// The coordinate system is changed so that the ray is the z axis, and a shared vertex gets the
+/// same bits in each triangle. Then the sign of an area is never wrong, because rounding preserves
+/// the order of the two products whose difference it is: at worst the area is 0, which counts as
+/// inside. So a ray through a shared edge or vertex hits at least one of the triangles. This does
+/// not require fma, which is a function call on some processors, but it requires -ffp-contract=off.
+class TriangleTest {
+public:
+    [[gnu::always_inline]] explicit TriangleTest(const Ray& ray) {
+        const auto& [origin, d] = ray;
+        const Vec3 size(std::fabs(d.x), std::fabs(d.y), std::fabs(d.z));
+        z_ = size.y > size.x ? 1 : 0;
+        z_ = size.z > std::max(size.x, size.y) ? 2 : z_;
+        x_ = next[z_];
+        y_ = next[x_];
+        const auto x = glm::length_t(x_);
+        const auto y = glm::length_t(y_);
+        const auto z = glm::length_t(z_);
+        origin_x_ = all_lanes(origin[x]);
+        origin_y_ = all_lanes(origin[y]);
+        origin_z_ = all_lanes(origin[z]);
+        shear_x_ = all_lanes(d[x] / d[z]);
+        shear_y_ = all_lanes(d[y] / d[z]);
+        inverse_z_ = all_lanes(1 / d[z]);
+    }
+
+    /// Returns the triangles that the ray hits strictly inside the interval, edges and vertices
+    /// included.
+    [[nodiscard, gnu::always_inline]] Crossings operator()(const TrianglePacket& packet,
+                                                           const Interval& interval) const {
+        const Sheared a = sheared(packet.vertices[0]);
+        const Sheared b = sheared(packet.vertices[1]);
+        const Sheared c = sheared(packet.vertices[2]);
+        const Lanes alpha = b.x * c.y - b.y * c.x;
+        const Lanes beta = c.x * a.y - c.y * a.x;
+        const Lanes gamma = a.x * b.y - a.y * b.x;
+        const Lanes zero = all_lanes(0);
+        const auto left = zero <= min(min(alpha, beta), gamma);
+        const auto right = max(max(alpha, beta), gamma) <= zero;
+        const Lanes t =
+            (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
+        // NaN must miss: t is NaN if an area is NaN, or if all three are 0.
+        const auto inside = (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
+        return {.areas = {alpha, beta, gamma}, .t = t, .hits = bits((left | right) & inside)};
+    }
+
+private:
+    static constexpr std::array<std::size_t, 3> next = {1, 2, 0};
+
+    struct Sheared {
+        Lanes x;
+        Lanes y;
+        Lanes z;
+    };
+
+    [[nodiscard, gnu::always_inline]] Sheared sheared(const std::array<Lanes, 3>& vertex) const {
+        const Lanes z = vertex[z_] - origin_z_;
+        return {.x = vertex[x_] - origin_x_ - shear_x_ * z,
+                .y = vertex[y_] - origin_y_ - shear_y_ * z,
+                .z = z};
+    }
+
+    std::size_t x_;
+    std::size_t y_;
+    std::size_t z_;  ///< the axis along which the direction is longest
+    Lanes origin_x_;
+    Lanes origin_y_;
+    Lanes origin_z_;
+    Lanes shear_x_;
+    Lanes shear_y_;
+    Lanes inverse_z_;
+};
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,73 @@
+# `--precision exact`: the certified kernels in steps/stepNN/exact/ replace the references of stages
+# 3 to 8, and the closest-hit query calls their exact arithmetic where rounded t are too close to
+# compare (docs/reference/stability.md). The kernels have the same function names and types as the double
+# references. Therefore they are in a separate program, stepNN_name_exact, which shares all other
+# objects with stepNN_name and is built only on demand.
+
+# raysteps_exact(<name> <source>...)
+#
+# Defines the object library <name>_f64 of certified kernels, or of code that calls them.
+function(raysteps_exact name)
+    add_library(${name}_f64 OBJECT EXCLUDE_FROM_ALL ${ARGN})
+    target_link_libraries(${name}_f64 PUBLIC raysteps_options)
+    target_compile_definitions(${name}_f64 PRIVATE RT_EXACT)
+endfunction()
+
+# raysteps_common_f64 with packed meshes of certified triangles.
+set(RAYSTEPS_EXACT_MESH_BVH ${PROJECT_SOURCE_DIR}/steps/step13_meshes/exact/mesh_bvh.cpp)
+if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kernels
+    raysteps_exact(raysteps_exact_mesh_bvh
+        ${PROJECT_SOURCE_DIR}/common/bvh/mesh_bvh.cpp ${RAYSTEPS_EXACT_MESH_BVH})
+    add_library(raysteps_exact_common_f64 INTERFACE)
+    target_sources(raysteps_exact_common_f64 INTERFACE
+        $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/mesh_bvh\\.cpp>
+        $<TARGET_OBJECTS:raysteps_exact_mesh_bvh_f64>)
+endif()
+
+# raysteps_exact_stages(<variable> <stage>...)
+#
+# Sets the variable to the stages' references, or their certified kernels where they exist.
+function(raysteps_exact_stages variable)
+    set(chosen ${ARGN})
+    list(TRANSFORM chosen APPEND _reference)
+    foreach(stage IN LISTS ARGN)
+        if(TARGET ${stage}_exact_f64)
+            list(TRANSFORM chosen REPLACE "^${stage}_reference$" ${stage}_exact)
+        endif()
+    endforeach()
+    set(${variable} ${chosen} PARENT_SCOPE)
+endfunction()
+
+# raysteps_exact_program(<stage> <number> <stage of the program>...)
+#
+# Defines the program stepNN_name_exact and the library stepNN_name_exact_picture_f64: the picture
+# part, from a main.cpp with the exact closest-hit query.
+function(raysteps_exact_program name number)
+    raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
+    set(picture ${name}_exact_picture_f64)
+    add_library(${picture} INTERFACE)
+    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
+    foreach(part IN LISTS handed_on ITEMS ${name}_exact_main raysteps_render)
+        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${part}_f64>)
+    endforeach()
+    set(common raysteps_common)
+    if(number LESS 13)
+        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
+    else()
+        set(common raysteps_exact_common)
+        raysteps_exact(raysteps_exact_meshes ${PROJECT_SOURCE_DIR}/common/program/load_meshes.cpp)
+        target_sources(${picture} INTERFACE
+            $<FILTER:$<TARGET_OBJECTS:raysteps_meshes_f64>,EXCLUDE,/load_meshes\\.cpp>
+            $<TARGET_OBJECTS:raysteps_exact_meshes_f64>)
+        target_link_libraries(${picture} INTERFACE raysteps_mesh_file)
+    endif()
+
+    add_executable(${name}_exact EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/program/main.cpp)
+    target_compile_definitions(${name}_exact PRIVATE
+        RT_EXACT RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
+    raysteps_exact_stages(parts ${ARGN})
+    foreach(part IN LISTS parts ITEMS ${common} ${name}_exact_picture)
+        target_link_libraries(${name}_exact PRIVATE ${part}_f64)
+    endforeach()
+    target_link_libraries(${name}_exact PRIVATE raysteps_neutral raysteps_options Threads::Threads)
+endfunction()

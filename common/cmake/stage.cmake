@@ -1,0 +1,152 @@
+include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
+include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
+
+# raysteps_stage()
+#
+# Defines the targets of the stage in the current folder: its reference, the student's file if there
+# is one, and the executable with the stage's name, built from every stage up to this one.
+#
+# stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
+# stepNN_name_student_f64     object library of student/*.cpp, if there are any
+# stepNN_name_f64             the selected one of these two, by option
+# stepNN_name                 the executable; _of_reference and _judged are the same program built
+#                             from the references, and from this stage's selected file with the
+#                             references of the other stages
+# stepNN_name_exact           the same program built from certified kernels: common/cmake/exact.cmake
+# stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
+#                             that this stage and earlier ones share with later ones: the other
+#                             files beside a main.cpp, except story.cpp
+# stepNN_name_whole_f64       the picture and the references, compiled as a unity build
+function(raysteps_stage)
+    get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
+
+    file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
+    file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
+    if(reference)
+        raysteps_compile_twice(${name}_reference ${reference})
+        raysteps_archive(${name}_reference steps/${name}/reference ${reference})
+    else()
+        foreach(precision IN ITEMS f32 f64)
+            add_library(${name}_reference_${precision} INTERFACE)
+        endforeach()
+        raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
+    endif()
+    set(chosen reference)
+    if(student)
+        raysteps_compile_twice(${name}_student ${student})
+        if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
+            set(chosen student)
+        endif()
+    endif()
+
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${name}_${precision} INTERFACE)
+        get_target_property(type ${name}_${chosen}_${precision} TYPE)
+        if(type STREQUAL "OBJECT_LIBRARY")
+            target_sources(${name}_${precision} INTERFACE
+                $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
+        else()  # an archive
+            target_link_libraries(${name}_${precision} INTERFACE ${name}_${chosen}_${precision})
+        endif()
+    endforeach()
+    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
+    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
+    list(REMOVE_ITEM exact ${RAYSTEPS_EXACT_MESH_BVH})
+    if(exact)
+        raysteps_exact(${name}_exact ${exact})
+    endif()
+
+    set(meshes raysteps_without_meshes)
+    if(number GREATER_EQUAL 13)
+        if(NOT TARGET raysteps_mesh_file)
+            message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev provides OpenMesh")
+            return()
+        endif()
+        set(meshes raysteps_meshes)
+    endif()
+
+    raysteps_compile_twice(${name}_main main.cpp)
+    raysteps_start_from_common(${name}_main)
+    file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
+    list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
+    if(handed_on)
+        raysteps_compile_twice(${name}_handed_on ${handed_on})
+        raysteps_start_from_common(${name}_handed_on)
+        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_HANDED_ON ${name}_handed_on)
+    endif()
+    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
+    raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
+
+    # The program built from the selected files and, for `./course compare`, from the references
+    # only, and from this stage's selected file with the references of the others.
+    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
+    list(APPEND stages step02_camera_basis)  # the scene reader calls it, before stage 2 too
+    list(REMOVE_DUPLICATES stages)
+    if((TARGET step08_cone_exact_f64 OR number LESS 8) AND reference)  # a hand-out has no kernels
+        raysteps_exact_program(${name} ${number} ${stages})
+    endif()
+    list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
+    if(reference AND NOT RAYSTEPS_SANITIZE)
+        raysteps_whole(${name} ${meshes} raysteps_render ${handed_on} ${references})
+    endif()
+    set(others ${references})
+    list(REMOVE_ITEM others ${name}_reference)
+    add_library(${name}_program OBJECT ${PROJECT_SOURCE_DIR}/common/program/main.cpp)
+    target_link_libraries(${name}_program PRIVATE raysteps_options)
+    target_compile_definitions(${name}_program PRIVATE
+        RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
+    raysteps_link_program(${name} ${name} ${stages})
+    raysteps_link_program(${name}_of_reference ${name} ${references})
+    raysteps_link_program(${name}_judged ${name} ${name} ${others})
+    set_target_properties(${name}_of_reference ${name}_judged PROPERTIES EXCLUDE_FROM_ALL ON)
+endfunction()
+
+# raysteps_link_program(<program> <stage> <stage or _reference>...)
+function(raysteps_link_program program stage)
+    add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
+    set(parts ${stage}_picture ${ARGN})
+    if(TARGET ${stage}_whole_f64 AND NOT RAYSTEPS_STUDENT_FILES)
+        set(parts ${stage}_whole)
+    endif()
+    foreach(precision IN ITEMS f32 f64)
+        foreach(part IN LISTS parts ITEMS raysteps_common)
+            target_link_libraries(${program} PRIVATE ${part}_${precision})
+        endforeach()
+    endforeach()
+    target_link_libraries(${program} PRIVATE raysteps_neutral Threads::Threads)
+endfunction()
+
+# raysteps_whole(<stage> <meshes> <part>...)
+#
+# Defines <stage>_whole_f32 and _f64: the stage's picture, with its main.cpp and these parts
+# compiled as a unity build, so that calls between them are inlined: this saves up to a fifth of a
+# picture's time (docs/reference/speed.md). With a student's file, programs are linked from separate parts
+# instead, so that a change compiles only one.
+function(raysteps_whole stage meshes)
+    set(sources main.cpp)
+    foreach(part IN LISTS ARGN)
+        list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
+    endforeach()
+    raysteps_compile_twice(${stage}_whole_objects ${sources})
+    raysteps_start_from_common(${stage}_whole_objects)
+    set_target_properties(${stage}_whole_objects_f32 ${stage}_whole_objects_f64 PROPERTIES
+        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    raysteps_picture(${stage}_whole ${stage}_whole_objects ${meshes})
+endfunction()
+
+# raysteps_picture(<name> <part>...)
+#
+# Defines <name>_f32 and _f64: the objects of the parts, for linking, and with meshes the reader of
+# their files.
+function(raysteps_picture name)
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${name}_${precision} INTERFACE)
+        foreach(part IN LISTS ARGN)
+            target_sources(${name}_${precision} INTERFACE $<TARGET_OBJECTS:${part}_${precision}>)
+        endforeach()
+        if("raysteps_meshes" IN_LIST ARGN)
+            target_link_libraries(${name}_${precision} INTERFACE raysteps_mesh_file)
+        endif()
+    endforeach()
+endfunction()

@@ -1,0 +1,15 @@
+// Pictures, as the stage's program draws them.
+#pragma once
+
+#include "common/image/image.hpp"
+#include "common/render/render_settings.hpp"
+#include "common/scene/scene.hpp"
+
+namespace rt {
+
+/// The scene rendered through its first camera. For a slow picture, only every `every`-th pixel of
+/// every `every`-th row; the others are black. If the suite uses another process (common/contract),
+/// the picture is rendered there.
+[[nodiscard]] Image drawn(const Scene& scene, const Look& look = {}, int every = 1);
+
+}  // namespace rt

@@ -1,0 +1,16 @@
+// Stage 11's points of a light, many at once.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace rt {
+
+/// The results of light_point for the first `count` samples, evenly spread from the seed. If the
+/// suite uses another process (common/contract), this is one query.
+[[nodiscard]] std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed,
+                                             int count);
+
+}  // namespace rt

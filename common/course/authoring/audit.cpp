@@ -1,0 +1,176 @@
+#include "common/course/authoring/audit.hpp"
+
+#include "common/course/build/build.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/hints.hpp"
+#include "common/course/exercise/suite.hpp"
+
+#include "common/system/files.hpp"
+#include "common/system/paint.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t fewest_mistakes = 8;
+constexpr std::size_t fewest_alternatives = 3;
+
+/// The existing and missing parts of one stage.
+class Findings {
+public:
+    explicit Findings(int stage) : name_(stage_name(stage)) {}
+
+    void require(bool holds, const std::string& what) {
+        const bool told = std::count(missing_.begin(), missing_.end(), what) > 0;
+        if (!holds && !told) missing_.push_back(what);
+    }
+    void note(const std::string& what) { notes_ += (notes_.empty() ? "" : ", ") + what; }
+
+    /// Prints them. Returns true if nothing is missing.
+    [[nodiscard]] bool tell() const {
+        std::printf("%s %-22s %s\n", missing_.empty() ? "✓" : "✗", name_.c_str(), notes_.c_str());
+        for (const std::string& what : missing_)
+            std::printf("    %s\n", painted(what, Paint::bad).c_str());
+        std::fflush(stdout);
+        return missing_.empty();
+    }
+
+private:
+    std::string name_;
+    std::string notes_;
+    std::vector<std::string> missing_;
+};
+
+bool is_file(const std::string& path) {
+    std::error_code none;
+    return fs::is_regular_file(project_folder / path, none) &&
+           fs::file_size(project_folder / path, none) > 0;
+}
+
+/// The names in "figures/NAME.svg", as a page shows them.
+std::set<std::string> figures_of(const std::string& page) {
+    std::set<std::string> names;
+    const std::string word = "](figures/";
+    for (std::size_t i = page.find(word); i != std::string::npos; i = page.find(word, i + 1)) {
+        const std::size_t start = i + word.size();
+        names.insert(page.substr(start, page.find(')', start) - start));
+    }
+    return names;
+}
+
+void look_at_page(int stage, Findings& findings) {
+    const std::string name(stage_name(stage));
+    const std::string file = "docs/" + name + ".md";
+    findings.require(is_file(file), file + " does not exist");
+    if (!is_file(file)) return;
+    const std::string page = read_text(project_folder / file);
+    const std::set<std::string> figures = figures_of(page);
+    findings.require(!figures.empty(), file + " contains no figure");
+    for (const std::string& figure : figures)
+        findings.require(is_file("docs/figures/" + figure),
+                         "docs/figures/" + figure + " does not exist");
+    findings.require(page.find("pictures/" + name + ".png") != std::string::npos,
+                     file + " does not show the stage's picture");
+    for (const char* command : {"./course run ", "./course check "})
+        findings.require(page.find(command + std::to_string(stage)) != std::string::npos,
+                         file + " does not contain " + command + std::to_string(stage));
+    findings.note(std::to_string(figures.size()) + (figures.size() == 1 ? " figure" : " figures"));
+}
+
+void look_at_hints(int stage, Findings& findings) {
+    const std::string file = step_path(stage, "hints.md");
+    for (int level = 1; level <= hint_levels; ++level)
+        findings.require(is_file(file) && !hint_text(stage, level).empty(),
+                         file + " has no hint " + std::to_string(level));
+}
+
+void look_at_mistakes(int stage, Findings& findings) {
+    const std::string name(stage_name(stage));
+    const auto mistakes = files_in(project_folder / "tests/mistakes" / name, ".cpp");
+    for (const fs::path& file : mistakes) {
+        const std::string text = read_text(file);
+        for (const char* line : {"// origin: ", "// caught by: ", "// sentence: "})
+            findings.require(text.find(line) != std::string::npos,
+                             file.lexically_relative(project_folder).string() + " lacks " + line);
+    }
+    const auto alternatives = files_in(project_folder / "tests/alternatives" / name, ".cpp");
+    findings.require(mistakes.size() >= fewest_mistakes, "too few known mistakes");
+    findings.require(alternatives.size() >= fewest_alternatives, "too few other right answers");
+    findings.note(std::to_string(mistakes.size()) + " mistakes");
+    findings.note(std::to_string(alternatives.size()) + " other right answers");
+}
+
+std::set<std::string> passed_cases(const SuiteResult& suite) {
+    std::set<std::string> names;
+    for (const CaseResult& each : suite.cases)
+        if (each.passed) names.insert(each.name);
+    return names;
+}
+
+/// The reference passes all cases; the starter passes those in its folder's passes.txt, where a
+/// miss or zero is the right answer.
+void look_at_suite(int stage, Findings& findings) {
+    const std::string name(stage_name(stage));
+    const std::string list = step_path(stage, "starter/passes.txt");
+    std::set<std::string> expected;
+    if (is_file(list))
+        for (const std::string& line : lines_of(read_text(project_folder / list)))
+            expected.insert(line);
+    for (const char* precision : {"_float", "_double"}) {
+        const SuiteResult reference = run_suite(name + "_test" + precision);
+        const std::size_t cases = reference.cases.size();
+        findings.require(
+            cases > 0 && reference.ended.empty() && passed_cases(reference).size() == cases,
+            "the reference does not pass" + std::string(precision));
+        const SuiteResult starter = run_suite(name + "_starter_test" + precision);
+        const std::set<std::string> passed = passed_cases(starter);
+        findings.require(starter.ended.empty(), "the starter " + starter.ended);
+        findings.require(starter.output.find("is not written yet") != std::string::npos,
+                         "the starter does not report that it is not written yet");
+        for (const std::string& each : passed)
+            findings.require(expected.count(each) == 1, "the starter passes: " + each);
+        for (const std::string& each : expected)
+            findings.require(passed.count(each) == 1, list + " lists a case that fails: " + each);
+        if (std::string(precision) == "_double")
+            findings.note(std::to_string(cases) + " cases, the starter passes " +
+                          std::to_string(passed.size()));
+    }
+}
+
+}  // namespace
+
+int audit() {
+    choose_reference("all");
+    std::vector<int> stages;
+    std::vector<std::string> targets;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        if (stage == mesh_stage && !has_meshes) continue;
+        stages.push_back(stage);
+        for (const char* suffix :
+             {"_test_float", "_test_double", "_starter_test_float", "_starter_test_double"})
+            targets.push_back(stage_target(stage, suffix));
+    }
+    build(targets);
+    bool whole = true;
+    for (const int stage : stages) {
+        const std::string name(stage_name(stage));
+        Findings findings(stage);
+        for (const std::string& file : {"scenes/" + name + ".rt", "docs/pictures/" + name + ".png"})
+            findings.require(is_file(file), file + " does not exist");
+        look_at_suite(stage, findings);
+        look_at_page(stage, findings);
+        look_at_hints(stage, findings);
+        look_at_mistakes(stage, findings);
+        whole = findings.tell() && whole;
+    }
+    if (!has_meshes) std::puts("step13_meshes was left out: it needs OpenMesh");
+    return whole ? 0 : 1;
+}
+
+}  // namespace rt

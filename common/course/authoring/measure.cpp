@@ -1,0 +1,176 @@
+#include "common/course/authoring/measure.hpp"
+
+#include "common/course/build/build.hpp"
+#include "common/course/build/project.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+
+#include <poll.h>
+#include <unistd.h>
+
+namespace rt {
+
+namespace {
+
+/// A CSV file, and the programs measure_… that print it, in turns.
+struct File {
+    std::string study;
+    std::string name;
+    std::vector<std::string> programs;
+    int turns;            ///< more than one, where time is measured
+    double seconds;       ///< of one turn, on the machine of docs/reference/accuracy.md
+    bool meshes = false;  ///< true if it needs OpenMesh
+};
+
+const std::vector<File> files = {
+    {"shapes", "shape_costs", {"costs_float", "costs_double"}, 11, 2},
+    {"shapes", "shape_errors", {"errors_float", "errors_double"}, 1, 100},
+    {"contact", "contact", {"contact_float", "contact_double"}, 1, 2},
+    {"penumbra", "penumbra", {"penumbra"}, 3, 9},
+    {"hierarchy", "hierarchy", {"hierarchy"}, 3, 1},
+    {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
+    {"meshes", "decimation", {"decimation"}, 1, 4, true},
+    {"pictures", "pictures", {"pictures"}, 1, 18, true},
+    {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
+    {"choices", "choices", {"choices"}, 1, 120, true},
+};
+
+/// "measuring: 45 %, 80 s left", in place.
+class Meter {
+public:
+    explicit Meter(double all) : all_(all) {}
+    ~Meter() {
+        if (shown_) std::fputs("\r\033[K", stderr);
+    }
+    Meter(const Meter&) = delete;
+    Meter& operator=(const Meter&) = delete;
+
+    /// Finishes the previous part, and starts one with this expected duration.
+    void begin(double seconds) {
+        done_ += part_;
+        part_ = seconds;
+        begun_ = Clock::now();
+        tell();
+    }
+
+    void tell() const {
+        if (!shown_) return;
+        const Clock::time_point now = Clock::now();
+        const double slower = done_ > 0 ? Seconds(begun_ - start_).count() / done_ : 1;
+        const double done = done_ + std::min(Seconds(now - begun_).count() / slower, part_);
+        std::fprintf(stderr, "\rmeasuring: %.0f %%, %.0f s left\033[K", 100 * done / all_,
+                     slower * (all_ - done));
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Seconds = std::chrono::duration<double>;
+
+    bool shown_ = errors_on_terminal();
+    double all_;
+    double done_ = 0;
+    double part_ = 0;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point begun_ = start_;
+};
+
+/// All that a program prints. Throws ProgramError if it fails.
+std::string output_of(const std::string& program, const Meter& meter) {
+    std::FILE* const pipe = popen(("'" + (build_folder / program).string() + "'").c_str(), "r");
+    if (pipe == nullptr) throw InputError({}, "cannot start " + program);
+    std::string output;
+    std::array<char, 4096> buffer{};
+    pollfd words{.fd = fileno(pipe), .events = POLLIN, .revents = 0};
+    for (;;) {
+        constexpr int second = 1000;
+        if (poll(&words, 1, second) == 0) {
+            meter.tell();
+            continue;
+        }
+        const ssize_t count = read(words.fd, buffer.data(), buffer.size());
+        if (count <= 0) break;
+        output.append(buffer.data(), std::size_t(count));
+    }
+    if (exit_status(pclose(pipe)) != 0) throw ProgramError("error: " + program + " fails\n");
+    return output;
+}
+
+/// The lines of every program's table under one heading.
+std::string measured(const File& file, Meter& meter) {
+    std::string all;
+    for (int turn = 0; turn < file.turns; ++turn)
+        for (const std::string& program : file.programs) {
+            meter.begin(file.seconds / double(file.programs.size()));
+            const std::string table = output_of("measure_" + program, meter);
+            all += all.empty() ? table : table.substr(table.find('\n') + 1);
+        }
+    return all;
+}
+
+std::vector<File> chosen(const std::vector<std::string>& names) {
+    std::vector<File> found;
+    for (const File& file : files)
+        if (names.empty() || std::ranges::count(names, file.study) > 0) found.push_back(file);
+    for (const std::string& name : names)
+        if (std::ranges::none_of(files, [&](const File& file) { return file.study == name; })) {
+            std::string all;
+            for (const File& file : files)
+                if (all.find(file.study) == std::string::npos)
+                    all += std::string(all.empty() ? "" : ", ") + file.study;
+            throw InputError({}, "no study \"" + name + "\": there are " + all);
+        }
+    return found;
+}
+
+/// True if the program exists, and succeeds.
+bool can_run(const Command& command) {
+    try {
+        return listen_to(command, std::chrono::minutes(1)).status == 0;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+int measure(const std::vector<std::string>& names) {
+    const std::vector<File> studied = chosen(names);
+    const std::filesystem::path docs = project_folder / "docs";
+    const auto needs_meshes = [](const File& file) { return file.meshes; };
+    if (!has_oracle)
+        throw InputError({}, "measure needs Boost: libboost-dev, or what your system calls it");
+    if (!has_meshes && std::ranges::any_of(studied, needs_meshes))
+        throw InputError({},
+                         "measure needs OpenMesh: libopenmesh-dev; without it there are shapes, "
+                         "contact, penumbra and hierarchy");
+    const std::string draw = (docs / "accuracy/plots/draw.py").string();
+    if (!can_run({"python3", draw, "ready"}))
+        throw InputError(
+            {}, "measure needs matplotlib: python3-matplotlib, or what your system calls it");
+    choose_reference("");
+    std::vector<std::string> targets;
+    double seconds = 0;
+    for (const File& file : studied) {
+        for (const std::string& program : file.programs) targets.push_back("measure_" + program);
+        seconds += file.seconds * file.turns;
+    }
+    build(targets);
+
+    {
+        Meter meter(seconds);
+        for (const File& file : studied)
+            write_text(docs / "accuracy" / (file.name + ".csv"), measured(file, meter));
+    }
+    const int status = run_process({"python3", draw});
+    if (status == 0) std::puts("measured: read docs/reference/accuracy.md");
+    return status;
+}
+
+}  // namespace rt

@@ -1,0 +1,106 @@
+#include "common/course/build/build.hpp"
+
+#include "common/course/build/compiler_errors.hpp"
+#include "common/course/build/project.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace rt {
+
+namespace {
+
+/// An argument quoted for the shell.
+std::string quoted(const std::string& word) {
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+}
+
+/// Parses the output of ninja, line by line.
+class Listener {
+public:
+    void hear(const std::string& line) {
+        int done = 0;
+        int total = 0;
+        double seconds = 0;
+        if (std::sscanf(line.c_str(), "[%d %d %lf]", &done, &total, &seconds) == 3) {
+            if (shown_ && done > 0)
+                std::fprintf(stderr, "\rbuilding: %3d %%, %.0f s left\033[K", 100 * done / total,
+                             seconds * (total - done) / done);
+            in_failure_ = false;
+        } else if (line.rfind("FAILED: ", 0) == 0) {
+            failures_.emplace_back();
+            in_failure_ = skip_ = true;
+            // the long command line of a failed step, which does not help the student
+        } else if (skip_) {
+            skip_ = false;
+        } else if (line.rfind("ninja: ", 0) != 0 || line.rfind("ninja: error: ", 0) == 0) {
+            (in_failure_ ? failures_.back() : rest_) += line;
+        }
+    }
+
+    /// The errors; without errors, the rest of the output.
+    std::string end() {
+        if (shown_) std::fputs("\r\033[K", stderr);
+        // A file that fails in one precision fails in the other with the same message.
+        std::sort(failures_.begin(), failures_.end());
+        failures_.erase(std::unique(failures_.begin(), failures_.end()), failures_.end());
+        std::string all;
+        for (const std::string& failure : failures_) all += failure;
+        return failures_.empty() ? rest_ : all;
+    }
+
+private:
+    bool shown_ = errors_on_terminal();
+    bool in_failure_ = false;
+    bool skip_ = false;
+    std::vector<std::string> failures_;
+    std::string rest_;
+};
+
+/// A line of any length with its end; nothing at the end of the file.
+std::string read_line(std::FILE* file) {
+    std::string line;
+    std::array<char, 4096> buffer{};
+    while (std::fgets(buffer.data(), buffer.size(), file) != nullptr) {
+        line += buffer.data();
+        if (line.back() == '\n') break;
+    }
+    return line;
+}
+
+}  // namespace
+
+Build try_build(const std::vector<std::string>& targets) {
+    std::string command = "NINJA_STATUS='[%f %t %e] ' ninja -C " + quoted(build_folder.string());
+    for (const std::string& target : targets) command += " " + quoted(target);
+    std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr) throw InputError({}, "cannot start ninja");
+    Listener listener;
+    for (std::string line = read_line(pipe); !line.empty(); line = read_line(pipe))
+        listener.hear(line);
+    const int status = exit_status(pclose(pipe));
+    return {.succeeded = status == 0, .output = listener.end()};
+}
+
+void build(const std::vector<std::string>& targets) {
+    const Build built = try_build(targets);
+    if (!built.succeeded) throw ProgramError(first_error(built.output));
+}
+
+void choose_reference(const std::string& stages) {
+    const std::string setting = "RAYSTEPS_REFERENCE:STRING=" + stages;
+    for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
+        if (line == setting) return;
+    const Ending ending =
+        listen_to({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
+    if (ending.status != 0) throw ProgramError("error: cmake failed\n" + ending.output);
+}
+
+}  // namespace rt

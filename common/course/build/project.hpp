@@ -1,0 +1,30 @@
+// The paths of the project: its folder, the build, and the files of each stage.
+#pragma once
+
+#include "common/stages/stages.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace rt {
+
+extern const std::filesystem::path project_folder;
+extern const std::filesystem::path build_folder;
+
+/// True if OpenMesh is installed; without it, stage 13 is left out of the build.
+extern const bool has_meshes;
+
+/// True if Boost is installed; without it, nothing is measured against exact arithmetic.
+extern const bool has_oracle;
+
+/// A path relative to the project's folder, such as "steps/step05_triangle/student".
+[[nodiscard]] inline std::string step_path(int stage, const std::string& rest) {
+    return "steps/" + std::string(stage_name(stage)) + "/" + rest;
+}
+
+/// A program or test of the stage: "step05_triangle" + suffix.
+[[nodiscard]] inline std::string stage_target(int stage, const std::string& suffix = "") {
+    return std::string(stage_name(stage)) + suffix;
+}
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+// The report of a suite on its cases.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct CaseResult {
+    std::string name;
+    int points = 1;  ///< points if it passes
+    bool passed = false;
+    std::string
+        place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"
+    std::string failure;  ///< the message of the failure, line by line
+};
+
+/// Parses the output of tests/kit/report.cpp.
+[[nodiscard]] std::vector<CaseResult> read_report(const std::string& text);
+
+}  // namespace rt

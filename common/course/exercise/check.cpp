@@ -1,0 +1,238 @@
+#include "common/course/exercise/check.hpp"
+
+#include "common/course/build/build.hpp"
+#include "common/course/build/compiler_errors.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/diagnosis.hpp"
+#include "common/course/exercise/image_diff.hpp"
+#include "common/course/exercise/may_include.hpp"
+#include "common/course/exercise/suite.hpp"
+#include "common/course/exercise/workbook.hpp"
+#include "common/image/png.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/paint.hpp"
+#include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <future>
+#include <set>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+constexpr std::chrono::seconds picture_limit{20};
+
+/// A case in both precisions.
+struct Outcome {
+    CaseResult in_double;
+    CaseResult in_float;
+
+    [[nodiscard]] bool passed() const { return in_double.passed && in_float.passed; }
+};
+
+/// The results of both suites.
+struct Judgement {
+    SuiteResult in_double;
+    SuiteResult in_float;
+    std::vector<Outcome> outcomes;  ///< in the order of the suite
+
+    [[nodiscard]] bool ended() const { return in_double.ended.empty() && in_float.ended.empty(); }
+    [[nodiscard]] int passed() const {
+        return int(std::count_if(outcomes.begin(), outcomes.end(),
+                                 [](const Outcome& outcome) { return outcome.passed(); }));
+    }
+    [[nodiscard]] bool right() const {
+        return ended() && !outcomes.empty() && passed() == int(outcomes.size());
+    }
+    [[nodiscard]] bool written() const {
+        return in_double.output.find("is not written yet") == std::string::npos;
+    }
+};
+
+/// Runs both suites at the same time. A case that was not reached because of a crash has not
+/// passed.
+Judgement judge(const std::string& name) {
+    std::future<SuiteResult> beside =
+        std::async(std::launch::async, [&name] { return run_suite(name + "_test_float"); });
+    Judgement judgement{.in_double = run_suite(name + "_test_double")};
+    judgement.in_float = beside.get();
+    const auto& doubles = judgement.in_double.cases;
+    const auto& floats = judgement.in_float.cases;
+    for (std::size_t i = 0; i < std::max(doubles.size(), floats.size()); ++i) {
+        const std::string& asked = i < doubles.size() ? doubles[i].name : floats[i].name;
+        judgement.outcomes.push_back({i < doubles.size() ? doubles[i] : CaseResult{.name = asked},
+                                      i < floats.size() ? floats[i] : CaseResult{.name = asked}});
+    }
+    return judgement;
+}
+
+std::string now() {
+    const std::time_t time = std::time(nullptr);
+    char text[] = "2026-11-21 14:03";
+    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", std::localtime(&time));
+    return text;
+}
+
+/// Prints the output of the student's code, each line once, since code may print for every ray.
+void show_output(const SuiteResult& suite) {
+    constexpr std::size_t most = 12;
+    std::set<std::string> seen;
+    for (const std::string& line : lines_of(suite.output)) {
+        if (!seen.insert(line).second) continue;
+        if (seen.size() > most) {
+            std::puts("  …");
+            break;
+        }
+        std::printf("  %s\n", line.c_str());
+    }
+    if (!seen.empty()) std::puts("");
+}
+
+/// Explains the first failure, if there is one.
+void explain_failure(const Judgement& judgement) {
+    const auto& outcomes = judgement.outcomes;
+    const auto first = std::find_if(outcomes.begin(), outcomes.end(),
+                                    [](const Outcome& outcome) { return !outcome.passed(); });
+    if (first == outcomes.end()) return;
+    const bool float_only = first->in_double.passed;
+    const CaseResult& failed = float_only ? first->in_float : first->in_double;
+    const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
+    std::printf("\n%s%s\n", painted(failed.name, Paint::bold).c_str(),
+                float_only ? "  (in float only)" : "");
+    for (const std::string& line : lines_of(failed.failure)) std::printf("    %s\n", line.c_str());
+    if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
+    if (!suite.ended.empty() && failed.name == suite.cases.back().name)
+        std::printf("    your code %s\n    The cases after this one were not run.\n",
+                    suite.ended.c_str());
+}
+
+/// Writes the student's picture beside the reference's to a file, and prints its path.
+void show_picture(int stage) {
+    const std::string name(stage_name(stage));
+    const TemporaryFolder folder(build_folder);
+    const std::filesystem::path mine = folder.path() / "mine.png";
+    const Ending ending =
+        listen_to({(build_folder / (name + "_judged")).string(), "--quiet", "-o", mine.string()},
+                  picture_limit);
+    if (ending.out_of_time || ending.status != 0) {
+        std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
+                                                      : ending.crash.empty()
+                                                          ? ending.output.c_str()
+                                                          : ("crashed: " + ending.crash).c_str());
+        return;
+    }
+    const Comparison comparison =
+        compare(read_png(mine.string()),
+                read_png((project_folder / "docs/pictures" / (name + ".png")).string()));
+    const std::string file = "renders/" + name + "_compare.png";
+    write_png((project_folder / file).string(), comparison.side_by_side, {});
+    std::printf("\nYour picture, the reference's and the difference: %s\n  %s\n", file.c_str(),
+                summary(comparison).c_str());
+}
+
+void show_cases(const std::vector<Outcome>& all) {
+    for (const Outcome& outcome : all)
+        std::printf("%s\n", outcome.passed()
+                                ? painted("  ✓ " + outcome.in_double.name, Paint::dim).c_str()
+                                : painted("  ✗ " + outcome.in_double.name, Paint::bad).c_str());
+}
+
+/// Warns of includes that work here, and are refused when the file is graded.
+void show_refused_includes(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    for (const std::filesystem::path& file : workbook.files())
+        for (const Include& each : refused_includes(project_folder, stage, file))
+            std::printf(
+                "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
+                "headers\n",
+                step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
+                each.header.c_str(), std::string(stage_name(stage)).c_str());
+}
+
+/// Warns of each source file that is linked here, but not when the stage is graded.
+void show_ungraded_files(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    const std::string graded = stage_header(stage).stem().string() + ".cpp";
+    for (const std::filesystem::path& file : workbook.files())
+        if (file.filename() != graded)
+            std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
+                        step_path(stage, "student/" + file.filename().string()).c_str(),
+                        graded.c_str());
+}
+
+void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
+    Record record = workbook.record();
+    record.checked = now();
+    record.passed = judgement.passed();
+    record.cases = int(judgement.outcomes.size()) + (judgement.ended() ? 0 : 1);
+    record.checked_files = files;
+    workbook.remember(record);
+}
+
+void show_count(const Judgement& judgement, int stage) {
+    const std::string count = std::to_string(judgement.passed()) + " of " +
+                              std::to_string(judgement.outcomes.size()) +
+                              " cases pass, in float and double";
+    std::printf("\n%s: %s\n", painted(std::string(stage_name(stage)), Paint::bold).c_str(),
+                painted(count, judgement.right() ? Paint::good : Paint::bad).c_str());
+    if (!judgement.right())
+        std::printf("Stuck? ./course hint %d\n", stage);
+    else if (stage < int(stage_names.size()))
+        std::printf("Next: ./course start %d\n", stage + 1);
+}
+
+}  // namespace
+
+int check(int stage) {
+    Workbook workbook(stage);
+    const std::string name(stage_name(stage));
+    if (workbook.files().empty())
+        throw InputError({}, name + " is not started: ./course start " + std::to_string(stage));
+    choose_reference("");
+    const Build built = try_build({name + "_test_double", name + "_test_float", name + "_judged"});
+    if (!built.succeeded) {
+        std::fputs(first_error(built.output).c_str(), stdout);
+        return 1;
+    }
+    const std::string files = workbook.fingerprint();
+    const Judgement judgement = judge(name);
+    remember(judgement, files, workbook);
+
+    show_output(judgement.in_double);
+    show_cases(judgement.outcomes);
+    std::fputs(first_warning(built.output).c_str(), stdout);
+    show_refused_includes(workbook);
+    show_ungraded_files(workbook);
+    explain_failure(judgement);
+    if (judgement.ended()) show_picture(stage);
+    if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);
+    show_count(judgement, stage);
+    return judgement.right() ? 0 : 1;
+}
+
+void watch(int stage) {
+    using namespace std::chrono_literals;
+    std::string last;
+    for (;; std::this_thread::sleep_for(100ms)) {
+        const std::string saved = Workbook(stage).fingerprint();
+        if (saved == last) continue;
+        last = saved;
+        std::puts("");
+        try {
+            check(stage);
+        } catch (const InputError& error) {
+            std::puts(error.what());
+        }
+        std::printf("\nwaiting for a change of %s; Ctrl-C ends\n",
+                    step_path(stage, "student").c_str());
+        finish_output();
+    }
+}
+
+}  // namespace rt

@@ -1,0 +1,125 @@
+#include "common/course/exercise/image_diff.hpp"
+
+#include "common/system/input_error.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace rt {
+
+namespace {
+
+constexpr int rounding = 1;  // a color near n + ½ may be rounded up or down
+constexpr int gap = 4;       // white, between pictures
+
+int difference(Rgb a, Rgb b) {
+    int most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+}
+
+/// Dark where the pictures agree, so that differences stand out and their places are visible.
+Rgb shown_difference(Rgb mine, Rgb reference) {
+    const int most = difference(mine, reference);
+    if (most <= rounding) {
+        const auto gray =
+            static_cast<std::uint8_t>((reference[0] + reference[1] + reference[2]) / 12);
+        return {gray, gray, gray};
+    }
+    return {255, static_cast<std::uint8_t>(std::max(0, 200 - most)), 0};
+}
+
+void paste(const Image& image, Image& into, int left) {
+    for (int row = 0; row < image.resolution.height; ++row)
+        for (int column = 0; column < image.resolution.width; ++column)
+            into[{row, left + column}] = image[{row, column}];
+}
+
+/// Removes the first pixel and all pixels connected to it from the set, and returns them.
+std::vector<Pixel> take_cluster(std::vector<bool>& set, Resolution size, Pixel first) {
+    std::vector<Pixel> cluster;
+    std::vector<Pixel> todo = {first};
+    while (!todo.empty()) {
+        const Pixel pixel = todo.back();
+        todo.pop_back();
+        if (pixel.row < 0 || pixel.row >= size.height || pixel.column < 0 ||
+            pixel.column >= size.width)
+            continue;
+        const std::size_t index = std::size_t(pixel.row) * size.width + pixel.column;
+        if (!set[index]) continue;
+        set[index] = false;
+        cluster.push_back(pixel);
+        for (int row = -1; row <= 1; ++row)
+            for (int column = -1; column <= 1; ++column)
+                todo.push_back({pixel.row + row, pixel.column + column});
+    }
+    return cluster;
+}
+
+/// The pixel of the cluster that is nearest to its mean.
+Pixel middle(const std::vector<Pixel>& cluster) {
+    double row = 0;
+    double column = 0;
+    for (const Pixel& pixel : cluster) {
+        row += pixel.row;
+        column += pixel.column;
+    }
+    row /= double(cluster.size());
+    column /= double(cluster.size());
+    const auto distance = [row, column](const Pixel& pixel) {
+        return (pixel.row - row) * (pixel.row - row) +
+               (pixel.column - column) * (pixel.column - column);
+    };
+    return *std::min_element(
+        cluster.begin(), cluster.end(),
+        [&distance](const Pixel& a, const Pixel& b) { return distance(a) < distance(b); });
+}
+
+std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
+    std::vector<Pixel> largest;
+    for (int row = 0; row < size.height; ++row)
+        for (int column = 0; column < size.width; ++column) {
+            std::vector<Pixel> cluster = take_cluster(set, size, {row, column});
+            if (cluster.size() > largest.size()) largest = std::move(cluster);
+        }
+    if (largest.empty()) return std::nullopt;
+    return middle(largest);
+}
+
+}  // namespace
+
+Comparison compare(const Image& mine, const Image& reference) {
+    const Resolution size = reference.resolution;
+    if (mine.resolution.width != size.width || mine.resolution.height != size.height)
+        throw InputError({}, "the two pictures differ in size");
+    Comparison comparison;
+    Image shown(size);
+    std::vector<bool> differs(mine.pixels.size());
+    for (std::size_t i = 0; i < mine.pixels.size(); ++i) {
+        const int most = difference(mine.pixels[i], reference.pixels[i]);
+        differs[i] = most > rounding;
+        comparison.different += differs[i] ? 1 : 0;
+        comparison.most = std::max(comparison.most, most);
+        shown.pixels[i] = shown_difference(mine.pixels[i], reference.pixels[i]);
+    }
+    comparison.center = center_of_largest(std::move(differs), size);
+    comparison.side_by_side = Image({3 * size.width + 2 * gap, size.height});
+    std::fill(comparison.side_by_side.pixels.begin(), comparison.side_by_side.pixels.end(),
+              Rgb{255, 255, 255});
+    paste(mine, comparison.side_by_side, 0);
+    paste(reference, comparison.side_by_side, size.width + gap);
+    paste(shown, comparison.side_by_side, 2 * (size.width + gap));
+    return comparison;
+}
+
+std::string summary(const Comparison& comparison) {
+    if (!comparison.center) return "the same picture as the reference's";
+    const auto [row, column] = *comparison.center;
+    return std::to_string(comparison.different) + " of " +
+           std::to_string((comparison.side_by_side.resolution.width - 2 * gap) / 3 *
+                          comparison.side_by_side.resolution.height) +
+           " pixels differ from the reference's, most around row,column " + std::to_string(row) +
+           "," + std::to_string(column);
+}
+
+}  // namespace rt

@@ -1,0 +1,25 @@
+// Comparison of the student's picture with the reference.
+#pragma once
+
+#include "common/image/image.hpp"
+
+#include <optional>
+#include <string>
+
+namespace rt {
+
+/// The differences between two pictures.
+struct Comparison {
+    Image side_by_side;           ///< the student's, the reference's, and the difference, amplified
+    int different = 0;            ///< number of pixels
+    int most = 0;                 ///< the largest difference, of 255
+    std::optional<Pixel> center;  ///< of the largest cluster of different pixels
+};
+
+/// Compares two pictures. Throws InputError if their sizes differ.
+[[nodiscard]] Comparison compare(const Image& mine, const Image& reference);
+
+/// "1,234 of 307,200 pixels differ, by 255 at most; …", or a sentence that none differs.
+[[nodiscard]] std::string summary(const Comparison& comparison);
+
+}  // namespace rt

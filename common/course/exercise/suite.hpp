@@ -1,0 +1,17 @@
+// Runs a stage's suite and returns the result of each case.
+#pragma once
+
+#include "common/course/build/suite_report.hpp"
+
+namespace rt {
+
+struct SuiteResult {
+    std::vector<CaseResult> cases;
+    std::string ended;   ///< the reason for an early end, a crash or a timeout; else empty
+    std::string output;  ///< the output of the student's own code
+};
+
+/// Runs a suite's program, for at most ten seconds.
+[[nodiscard]] SuiteResult run_suite(const std::string& program);
+
+}  // namespace rt

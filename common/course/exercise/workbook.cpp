@@ -1,0 +1,145 @@
+#include "common/course/exercise/workbook.hpp"
+
+#include "common/course/build/project.hpp"
+#include "common/system/files.hpp"
+#include "common/system/hash.hpp"
+#include "common/system/input_error.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <sstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* progress_file = "progress.txt";
+
+/// "key: value" lines.
+Record read_record(const fs::path& file) {
+    Record record;
+    if (!fs::exists(file)) return record;
+    for (const std::string& line : lines_of(read_text(file))) {
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos) continue;
+        const std::string key = line.substr(0, colon);
+        const std::string value = line.substr(colon + 2);
+        std::istringstream number(value);
+        std::string of;
+        if (key == "checked") record.checked = value;
+        if (key == "passed") number >> record.passed >> of >> record.cases;
+        if (key == "files") record.checked_files = value;
+        if (key == "hints") number >> record.hints;
+        if (key == "solution asked") number >> record.solution_asked;
+    }
+    return record;
+}
+
+std::string text(const Record& record) {
+    std::ostringstream out;
+    out << "# The progress of this stage, as stored by ./course. Remove this file to reset it.\n";
+    if (!record.checked.empty())
+        out << "checked: " << record.checked << "\npassed: " << record.passed << " of "
+            << record.cases << "\nfiles: " << record.checked_files << '\n';
+    if (record.hints > 0) out << "hints: " << record.hints << '\n';
+    if (record.solution_asked > 0) out << "solution asked: " << record.solution_asked << '\n';
+    return out.str();
+}
+
+}  // namespace
+
+Workbook::Workbook(int stage)
+    : stage_(stage),
+      folder_(project_folder / step_path(stage, "student")),
+      record_(read_record(folder_ / progress_file)) {}
+
+std::vector<fs::path> Workbook::files() const {
+    return files_in(folder_, ".cpp");
+}
+
+State Workbook::state() const {
+    if (files().empty()) return State::untouched;
+    const bool passed = record_.cases > 0 && record_.passed == record_.cases;
+    return passed && record_.checked_files == fingerprint() ? State::done : State::started;
+}
+
+std::string Workbook::summary() const {
+    if (files().empty()) return "";
+    std::string line;
+    if (record_.checked.empty())
+        line = "not checked yet";
+    else if (state() != State::done && record_.passed == record_.cases)
+        line = "changed since it passed";
+    else
+        line =
+            std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases pass";
+    if (record_.hints > 0)
+        line += ", " + std::to_string(record_.hints) + (record_.hints == 1 ? " hint" : " hints");
+    return line;
+}
+
+std::string Workbook::fingerprint() const {
+    std::uint64_t all = fnv1a("");
+    for (const fs::path& folder : {folder_, folder_ / "tests"})
+        for (const fs::path& file : files_in(folder, ".cpp"))
+            all = fnv1a(read_text(file), fnv1a(file.filename().string(), all));
+    std::ostringstream out;
+    out << std::hex << all;
+    return out.str();
+}
+
+void Workbook::remember(const Record& record) {
+    std::error_code there;
+    fs::create_directories(folder_, there);
+    write_text(folder_ / progress_file, text(record));
+    record_ = record;
+}
+
+void Workbook::start() {
+    if (!files().empty())
+        throw InputError({}, step_path(stage_, "student") + " exists already: ./course reset " +
+                                 std::to_string(stage_) + " keeps it and copies the starter again");
+    std::error_code there;
+    fs::create_directories(folder_, there);
+    const TemporaryFolder workshop(folder_.parent_path());
+    for (const fs::path& file : files_in(fresh_start(workshop.path()), ".cpp"))
+        fs::rename(file, folder_ / file.filename());
+}
+
+std::string Workbook::reset() {
+    if (files().empty())
+        throw InputError({}, "nothing to reset: ./course start " + std::to_string(stage_));
+    const TemporaryFolder workshop(folder_.parent_path());
+    const fs::path fresh = fresh_start(workshop.path());
+    int number = 1;
+    std::string kept;
+    do {
+        kept = step_path(stage_, "student_" + std::to_string(number++));
+    } while (fs::exists(project_folder / kept));
+    fs::rename(folder_, project_folder / kept);
+    fs::rename(fresh, folder_);
+    record_ = {};
+    return kept;
+}
+
+fs::path Workbook::fresh_start(const fs::path& workshop) const {
+    fs::path fresh = workshop / folder_.filename();
+    fs::create_directory(fresh);
+    for (const fs::path& file : files_in(project_folder / step_path(stage_, "starter"), ".cpp"))
+        write_text(fresh / file.filename(), read_text(file));
+    return fresh;
+}
+
+int current_stage() {
+    std::optional<int> untouched;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        const State state = Workbook(stage).state();
+        if (state == State::started) return stage;
+        if (state == State::untouched && !untouched) untouched = stage;
+    }
+    return untouched.value_or(int(stage_names.size()));
+}
+
+}  // namespace rt

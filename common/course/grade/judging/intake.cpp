@@ -1,0 +1,247 @@
+#include "common/course/grade/judging/intake.hpp"
+
+#include "common/course/grade/judging/archive.hpp"
+#include "common/course/grade/judging/source_names.hpp"
+
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+#include <algorithm>
+#include <list>
+#include <optional>
+#include <tuple>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_entries = 1000000;
+constexpr int deepest = 60;
+constexpr int most_archives = 10;
+constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
+constexpr int deepest_archive = 3;
+constexpr std::size_t most_told = 6;
+
+/// A student's file whose name is a stage's, or nearly.
+struct Found {
+    fs::path path;  ///< the path that the student used
+    Fit fit = Fit::none;
+    std::optional<std::string> text;
+    std::string why_not;  ///< the reason without a text: "a link"
+};
+
+/// True if a folder of the path has this name.
+bool is_below(const fs::path& file, const std::string& folder) {
+    const fs::path parent = file.parent_path();
+    return std::find(parent.begin(), parent.end(), folder) != parent.end();
+}
+
+/// True for files of the project, which are not the student's.
+bool is_ours(const fs::path& file) {
+    return is_below(file, "reference") || is_below(file, "starter");
+}
+
+/// The better one first.
+auto rank(const Found& found) {
+    return std::tuple(found.fit != Fit::exact,
+                      is_below(found.path, "tests") || is_below(found.path, "build"),
+                      !is_below(found.path, "student"),
+                      std::distance(found.path.begin(), found.path.end()), found.path.string());
+}
+
+std::string enumerated(const std::vector<std::string>& names) {
+    std::string all;
+    for (std::size_t i = 0; i < std::min(names.size(), most_told); ++i)
+        all += (i == 0 ? "" : ", ") + names[i];
+    if (names.size() > most_told)
+        all += " and " + std::to_string(names.size() - most_told) + " more";
+    return all;
+}
+
+/// Searches everything that a student submitted.
+class Search {
+public:
+    explicit Search(const Workshop& workshop) : workshop_(workshop) {}
+
+    void add(const fs::path& place, const fs::path& name, int depth) {
+        std::error_code none;
+        const fs::file_type type = fs::symlink_status(place, none).type();
+        if (type == fs::file_type::directory)
+            add_folder(place, name, depth);
+        else if (is_archive(name.filename()))
+            add_archive(place, name, depth);
+        else
+            add_file(name, source_text(place),
+                     type == fs::file_type::regular ? "more than 256 KiB, or not readable"
+                                                    : "a link, or not a regular file");
+    }
+
+    [[nodiscard]] HandedIn chosen() {
+        HandedIn handed_in;
+        for (auto& [stage, found] : found_) choose(stage, found, handed_in);
+        std::sort(others_.begin(), others_.end());
+        handed_in.words_on_all = words_;
+        if (handed_in.files.empty() && !others_.empty())
+            handed_in.words_on_all +=
+                "No file has a stage's name. Found: " + enumerated(others_) + ".\n";
+        for (auto& [stage, words] : handed_in.words)
+            if (handed_in.files.count(stage) == 0) words += handed_in.words_on_all;
+        return handed_in;
+    }
+
+private:
+    void add_folder(const fs::path& folder, const fs::path& name, int depth) {
+        std::error_code failed;
+        fs::recursive_directory_iterator each(folder, failed);
+        std::vector<fs::path> files;
+        for (const fs::recursive_directory_iterator end; !failed && each != end;
+             each.increment(failed)) {
+            const bool is_folder = each->symlink_status(failed).type() == fs::file_type::directory;
+            const bool litter = is_litter(each->path().filename());
+            if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
+            if (is_folder && each.depth() >= deepest) words_ += "Folders are too deep.\n";
+            if (!is_folder && !litter) files.push_back(each->path());
+            if (++entries_ > most_entries) {
+                words_ += "There are more than a million files; not all were searched.\n";
+                break;
+            }
+        }
+        if (failed) words_ += name.string() + ": part of it cannot be read.\n";
+        std::sort(files.begin(), files.end());
+        for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
+    }
+
+    void add_archive(const fs::path& archive, const fs::path& name, int depth) {
+        const std::string called = name.string();
+        // One that takes too long is enough.
+        if (depth == deepest_archive || ++archives_ > most_archives || !all_whole_) {
+            words_ += called + " was not opened: too many archives, or one too large.\n";
+            return;
+        }
+        taken_out_.emplace_back(workshop_.folder);
+        const std::optional<Unpacked> unpacked =
+            unpack(workshop_, archive, taken_out_.back().path(), most_megabytes);
+        if (!unpacked) {
+            words_ += "The archive " + called +
+                      " cannot be opened: it is damaged, or not of a supported kind (zip, tar, "
+                      "7z).\n";
+            return;
+        }
+        all_whole_ = unpacked->whole;
+        if (!unpacked->whole)
+            words_ += "The archive " + called + " is damaged, or too large: not all was read.\n";
+        for (const Entry& entry : unpacked->entries) add_entry(entry, name, depth);
+    }
+
+    void add_entry(const Entry& entry, const fs::path& archive, int depth) {
+        const fs::path inside = fs::path(entry.name).lexically_normal();
+        const fs::path name = archive / inside.relative_path();
+        const bool leads_out = fs::path(entry.name).is_absolute() ||
+                               std::find(inside.begin(), inside.end(), "..") != inside.end();
+        if (leads_out) return add_file(name, {}, "its name leads out of the archive");
+        switch (entry.kind) {
+            case Entry::Kind::folder:
+                return;
+            case Entry::Kind::archive:
+                return add_archive(entry.file, name, depth + 1);
+            case Entry::Kind::source:
+                return add_file(name, source_text(entry.file), "more than 256 KiB");
+            case Entry::Kind::other:
+                return add_file(name, {}, "");
+            case Entry::Kind::link:
+                return add_file(name, {}, "a link");
+            case Entry::Kind::locked:
+                return add_file(name, {}, "it needs a password");
+            case Entry::Kind::large:
+                return add_file(name, {}, "too large");
+            case Entry::Kind::damaged:
+                return add_file(name, {}, "damaged");
+        }
+    }
+
+    void add_file(const fs::path& name, std::optional<std::string> text, std::string why_not) {
+        const std::string file = name.filename();
+        const auto [stage, fit] = named_for(file);
+        if (stage == 0) {
+            if (!why_not.empty() && is_archive(file))
+                words_ += "The archive " + name.string() + " was not opened: " + why_not + ".\n";
+            else if (is_source(file))
+                others_.push_back(name.string());
+            return;
+        }
+        // A stage's own header is in every copy of the project.
+        if (fit == Fit::suspect && name.parent_path().filename() == stage_name(stage)) return;
+        Found found{.path = name, .fit = fit, .why_not = std::move(why_not)};
+        if (is_ours(name))
+            found.why_not = "a file of the project, not yours";
+        else if (fit == Fit::suspect)
+            found.why_not = "its name is not a stage's";
+        else
+            found.text = std::move(text);
+        std::vector<Found>& all = found_[stage];
+        // An archive may contain a name twice: the last entry counts, as in every unpacker.
+        const auto twice = std::find_if(all.begin(), all.end(), [&](const Found& other) {
+            return other.path == found.path && other.text && found.text;
+        });
+        if (twice != all.end())
+            *twice = std::move(found);
+        else
+            all.push_back(std::move(found));
+    }
+
+    static void choose(int stage, std::vector<Found>& found, HandedIn& handed_in) {
+        std::sort(found.begin(), found.end(),
+                  [](const Found& a, const Found& b) { return rank(a) < rank(b); });
+        const std::string name =
+            std::string(stage_name(stage).substr(std::string_view("step05_").size())) + ".cpp";
+        const auto best = std::find_if(found.begin(), found.end(),
+                                       [](const Found& each) { return each.text.has_value(); });
+        std::string words;
+        if (best == found.end()) {
+            std::vector<std::string> not_taken;
+            for (const Found& each : found)
+                not_taken.push_back(each.path.string() + " (" + each.why_not + ")");
+            handed_in.words[stage] =
+                "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
+            return;
+        }
+        handed_in.files[stage] = *best->text;
+        if (best->fit != Fit::exact) words += best->path.string() + " was used as " + name + ".\n";
+        std::vector<std::string> differ;
+        for (const Found& each : found)
+            if (each.text && each.text != best->text) differ.push_back(each.path.string());
+        if (!differ.empty())
+            words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
+                     " that differ; " + best->path.string() + " was used, and not " +
+                     enumerated(differ) + ".\n";
+        if (!words.empty()) handed_in.words[stage] = words;
+    }
+
+    const Workshop& workshop_;
+    std::list<TemporaryFolder> taken_out_;
+    std::map<int, std::vector<Found>> found_;
+    std::vector<std::string> others_;  ///< sources of no stage's name
+    std::string words_;
+    int entries_ = 0;
+    int archives_ = 0;
+    bool all_whole_ = true;
+};
+
+}  // namespace
+
+HandedIn take_in(const Workshop& workshop, const Envelope& envelope) {
+    Search search(workshop);
+    for (const Piece& piece : envelope.pieces) {
+        // The folder's own name means nothing to the student. A place that the lecturer named may
+        // be a link.
+        if (fs::is_directory(piece.place))
+            search.add(fs::canonical(piece.place), "", 0);
+        else
+            search.add(piece.place, piece.name, 0);
+    }
+    return search.chosen();
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,39 @@
+// The files of a submission: untrusted folders and archives.
+#pragma once
+
+#include "common/course/grade/judging/workshop.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rt::grade {
+
+/// A file, a folder or an archive of one student.
+struct Piece {
+    std::filesystem::path place;
+    std::string name;  ///< the student's file name, without a learning platform's prefix
+};
+
+/// All of a student's files, unopened.
+struct Envelope {
+    std::string student;  ///< safe as the name of a folder
+    std::vector<Piece> pieces;
+};
+
+/// The contents of a submission, by stage.
+struct HandedIn {
+    std::map<int, std::string> files;
+    std::map<int, std::string> words;  ///< notes: two files for one stage, names that nearly match
+    std::string words_on_all;          ///< notes on archives that cannot be opened
+};
+
+/// Collects the files with the thirteen names, in any folder or archive. The order of preference
+/// for several files of one stage: a file in a folder "student", then the least deep one; last,
+/// files in a folder "tests" or "build", and after them files with a similar name ("Sphere.cpp").
+/// Links are not followed, and archives are opened only in the sandbox. Throws ProgramError or
+/// filesystem_error if the grader itself fails.
+[[nodiscard]] HandedIn take_in(const Workshop& workshop, const Envelope& envelope);
+
+}  // namespace rt::grade

@@ -1,0 +1,414 @@
+#include "common/course/grade/judging/judge.hpp"
+
+#include "common/course/build/suite_report.hpp"
+#include "common/course/grade/judging/load.hpp"
+#include "common/course/grade/judging/seed.hpp"
+#include "common/course/grade/judging/sha256.hpp"
+#include "common/stages/reasons.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The limits of a worker. Right answers use at most a tenth of them. A case has less than the
+// sandbox allows for a process, so that the client always ends it.
+constexpr int answer_seconds = 5;
+constexpr int case_seconds = 8;
+constexpr int suite_seconds = 20;
+// A wall-clock limit as a fallback: suite, diagnosis and picture of a stage, on an idle machine.
+constexpr std::chrono::seconds longest_asking{60};
+// A stage may take this many times as long as its reference took on this machine, under the same
+// load.
+constexpr int times_of_reference = 30;
+constexpr std::chrono::seconds longest_of_all{900};
+// The message for a case that its suite did not reach at all.
+constexpr const char* not_reached = "was not reached: the cases before it took too long\n";
+
+using Clock = std::chrono::steady_clock;
+
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+/// Runs one of the project's programs with an untrusted worker, which the launcher seals. Throws
+/// Interrupted.
+Ending run_asking(const Grading& grading, int stage, const Command& program,
+                  const Command& variables, Clock::time_point until) {
+    Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
+                    "RAYSTEPS_LIMITS=" + worker_limits(stage)};
+    command.insert(command.end(), variables.begin(), variables.end());
+    command.push_back(grading.build / program.front());
+    command.insert(command.end(), program.begin() + 1, program.end());
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    if (left.count() <= 0) return {.out_of_time = true};
+    Ending ending = listen_to(command, left, grading.workshop.stop);
+    go_on(grading.workshop);
+    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+        throw Interrupted();
+    return ending;
+}
+
+/// The cases that the stage's starter passes.
+std::set<std::string> given_cases(const Grading& grading, int stage) {
+    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
+    if (!fs::exists(file)) return {};
+    const std::vector<std::string> lines = lines_of(read_text(file));
+    return {lines.begin(), lines.end()};
+}
+
+/// The report of the stage's suite on the worker, run with these additional variables. Contains the
+/// cases that were reached.
+std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
+                                Clock::time_point until, const Command& more_variables = {}) {
+    const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
+    Command variables{"RAYSTEPS_WORKER=" + worker.string(),
+                      "RAYSTEPS_REPORT=" + report.string(),
+                      "RAYSTEPS_SEED_FILE=" + seed_file(grading.results).string(),
+                      "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
+                      "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
+                      "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
+    variables.insert(variables.end(), more_variables.begin(), more_variables.end());
+    const Ending ending =
+        run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
+                   variables, until);
+    std::vector<CaseMark> cases;
+    if (!fs::exists(report) && ending.out_of_time) return cases;
+    if (!fs::exists(report))
+        throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
+    const std::set<std::string> given = given_cases(grading, stage);
+    for (const CaseResult& each : read_report(read_text(report)))
+        cases.push_back({.name = each.name,
+                         .points = each.points,
+                         .passed = each.passed,
+                         .given = given.count(each.name) == 1,
+                         .place = each.place,
+                         .words = each.failure});
+    fs::remove(report);
+    return cases;
+}
+
+bool was_waited_for(const CaseMark& each) {
+    return !each.passed && (each.words.find("gave no answer within") != std::string::npos ||
+                            each.words.find("took longer than") != std::string::npos);
+}
+
+/// The passing cases are known. A case that also fails with the suite's own inputs is reported as
+/// by `./course check`, with inputs that a student can repeat.
+void retell(std::vector<CaseMark>& cases, const Grading& grading, int stage, const fs::path& worker,
+            Clock::time_point until) {
+    const auto fails = [](const CaseMark& each) { return !each.passed; };
+    if (std::none_of(cases.begin(), cases.end(), fails)) return;
+    if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return;  // it would be again
+    for (const CaseMark& told : ask_suite(grading, stage, worker, until, {"RAYSTEPS_AS_WRITTEN=1"}))
+        for (CaseMark& each : cases)
+            if (!each.passed && !told.passed && each.name == told.name) {
+                each.place = told.place;
+                each.words = told.words;
+            }
+}
+
+/// The same marks as if all cases had been reached.
+std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
+    for (std::size_t i = cases.size(); i < all.size(); ++i)
+        cases.push_back({.name = all[i].name,
+                         .points = all[i].points,
+                         .given = all[i].given,
+                         .words = not_reached});
+    return cases;
+}
+
+/// True if the suite ended by the limit of all its cases. A worker without an answer for that long
+/// gets no more queries.
+bool is_out_of_time(const Mark& mark) {
+    return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
+        return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
+    });
+}
+
+/// The time limit of a stage that starts now.
+Clock::time_point end_of_asking(const Yardstick& yardstick) {
+    const std::chrono::duration<double> seconds = std::max<std::chrono::duration<double>>(
+        busy() * longest_asking, times_of_reference * yardstick.took);
+    return Clock::now() + std::chrono::ceil<std::chrono::milliseconds>(
+                              std::min<std::chrono::duration<double>>(seconds, longest_of_all));
+}
+
+/// True if every function is written: the result of a stub may look like a known mistake.
+bool is_written(const std::string& text) {
+    for (const std::string& line : lines_of(text)) {
+        const std::size_t start = line.find_first_not_of(" \t");
+        if (start != std::string::npos && line.compare(start, 7, "RT_TODO") == 0) return false;
+    }
+    return true;
+}
+
+/// Parses the output of the program `diagnose`, by the first word of each line.
+void read_diagnosis(const std::string& output, Mark& mark) {
+    std::string* part = nullptr;
+    for (const std::string& line : lines_of(output)) {
+        if (line.rfind("mistake: ", 0) == 0) {
+            const std::size_t sentence = line.find(": ", 9);
+            mark.mistake += (mark.mistake.empty() ? "" : "\n") + line.substr(sentence + 2);
+            part = nullptr;
+        } else {
+            if (line.rfind("smallest: ", 0) == 0 || line.rfind("always: ", 0) == 0)
+                part = &mark.smallest;
+            if (part != nullptr) *part += line + "\n";
+        }
+    }
+}
+
+}  // namespace
+
+void compile_reference(const Grading& grading, int stage) {
+    const std::vector<fs::path> files =
+        files_in(grading.project / "steps" / stage_name(stage) / "reference", ".cpp");
+    const TemporaryFolder scratch(grading.workshop.folder);
+    const Made made = compile_submission(grading.workshop, stage, read_text(files.at(0)),
+                                         scratch.path() / "reference.o");
+    if (!made.succeeded)
+        throw ProgramError("error: even the reference of " + name_of(stage) +
+                           " does not compile in the sandbox. Is the compiler, or GLM, "
+                           "in a folder that other users cannot read?\n" +
+                           made.words + "\n");
+}
+
+Yardstick judge_reference(const Grading& grading, int stage, const fs::path& folder) {
+    Yardstick yardstick{.worker = folder / (name_of(stage) + "_reference")};
+    const Made made = link_worker(grading.workshop, stage, {}, yardstick.worker);
+    if (!made.succeeded) throw ProgramError(made.words);
+    const auto start = Clock::now();
+    yardstick.cases = ask_suite(grading, stage, yardstick.worker, start + longest_of_all);
+    yardstick.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
+    for (const CaseMark& each : yardstick.cases)
+        if (!each.passed)
+            throw ProgramError("error: the reference of " + name_of(stage) +
+                               " itself fails: " + each.name + "\n" + each.words);
+    yardstick.key = sha256_of_all(
+        grading.seed, read_text(grading.build / (name_of(stage) + "_asked_test_double")),
+        read_text(yardstick.worker));
+    return yardstick;
+}
+
+/// A submission on the table.
+class Judge::Desk {
+public:
+    Desk(const Grading& grading, const Envelope& envelope)
+        : grading_(grading),
+          student_(envelope.student),
+          handed_in_(take_in(grading.workshop, envelope)),
+          scratch_(grading.workshop.folder) {
+        // The workers in this folder are run by unprivileged users.
+        fs::permissions(scratch_.path(), fs::perms(0755));
+        fs::create_directories(student_folder(grading_.results, student_) / "submitted");
+        for (const auto& [stage, text] : handed_in_.files)
+            write_text(student_folder(grading_.results, student_) / "submitted" /
+                           (name_of(stage).substr(7) + ".cpp"),
+                       text);
+    }
+
+    [[nodiscard]] const std::string& student() const { return student_; }
+    [[nodiscard]] bool has(int stage) const { return handed_in_.files.count(stage) == 1; }
+    [[nodiscard]] const std::string& text(int stage) const { return handed_in_.files.at(stage); }
+
+    [[nodiscard]] std::string words(int stage) const {
+        const auto found = handed_in_.words.find(stage);
+        return found == handed_in_.words.end() ? handed_in_.words_on_all : found->second;
+    }
+
+    /// The hash of the student's files up to a stage.
+    [[nodiscard]] std::string chain(int stage) const {
+        std::string all;
+        for (int each = 1; each <= stage; ++each) all += has(each) ? sha256(text(each)) : "-";
+        return sha256(all);
+    }
+
+    /// The hash of everything that decides the mark of a stage.
+    [[nodiscard]] std::string key(int stage, const Yardstick& yardstick) const {
+        return sha256_of_all(yardstick.key, words(stage), chain(stage));
+    }
+
+    /// Compiled once.
+    const Made& compiled(int stage) {
+        const auto known = compiled_.find(stage);
+        if (known != compiled_.end()) return known->second;
+        return compiled_[stage] =
+                   compile_submission(grading_.workshop, stage, text(stage), object(stage));
+    }
+
+    /// The worker of the student's stage, among the references.
+    Made link(int stage) { return link(stage, {{stage, object(stage)}}); }
+
+    /// The worker of the student's own stages up to this one.
+    Made link_chain(int stage, Clock::time_point until) {
+        std::map<int, fs::path> objects;
+        for (int each = 1; each <= stage; ++each) {
+            if (Clock::now() > until) return {};
+            if (has(each) && compiled(each).succeeded) objects[each] = object(each);
+        }
+        return link(stage, objects);
+    }
+
+    [[nodiscard]] fs::path worker() const { return scratch_.path() / "worker"; }
+
+    /// In the results, beside the mark.
+    [[nodiscard]] fs::path beside(int stage, const std::string& ending) const {
+        return student_folder(grading_.results, student_) / (name_of(stage) + ending);
+    }
+
+private:
+    [[nodiscard]] fs::path object(int stage) const {
+        return scratch_.path() / (name_of(stage) + ".o");
+    }
+
+    Made link(int stage, const std::map<int, fs::path>& objects) {
+        if (linked_ == std::pair(stage, objects)) return {.succeeded = true};  // it is there
+        linked_ = {};
+        Made made = link_worker(grading_.workshop, stage, objects, worker());
+        if (made.succeeded) linked_ = {stage, objects};
+        return made;
+    }
+
+    const Grading& grading_;
+    std::string student_;
+    HandedIn handed_in_;
+    TemporaryFolder scratch_;
+    std::map<int, Made> compiled_;
+    std::pair<int, std::map<int, fs::path>> linked_;  ///< the stage and the objects of worker()
+};
+
+namespace {
+
+/// The part of the picture that the student's own stages draw.
+std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
+                                      const fs::path& file, Clock::time_point until) {
+    const Ending ending = run_asking(
+        grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()}, {}, until);
+    PictureMark mark{.file = file.filename()};
+    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) return {};
+    return mark;
+}
+
+}  // namespace
+
+Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
+    const Yardstick& yardstick = yardsticks_.at(stage);
+    Mark mark{.student = desk.student(), .stage = stage, .words = desk.words(stage)};
+    for (const CaseMark& each : yardstick.cases) mark.most += each.points;
+    if (!desk.has(stage)) return mark;
+    mark.source = sha256(desk.text(stage));
+    const std::string known = name_of(stage) + mark.source + mark.words;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = known_.find(known);
+        if (found != known_.end()) {
+            const Mark& same = found->second;
+            if (!same.slice.empty())
+                fs::copy_file(student_folder(grading_.results, same.student) / same.slice,
+                              desk.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
+            return same;
+        }
+    }
+    Made made = desk.compiled(stage);
+    if (made.succeeded) made = desk.link(stage);
+    mark.verdict = made.succeeded ? Verdict::judged : Verdict::refused;
+    mark.words += made.words;
+    if (made.succeeded) {
+        mark.cases = ask_suite(grading_, stage, desk.worker(), until);
+        retell(mark.cases, grading_, stage, desk.worker(), until);
+        mark.cases = completed(mark.cases, yardstick.cases);
+        if (mark.points() < mark.most && !is_written(desk.text(stage))) {
+            mark.words +=
+                "Your file still contains RT_TODO: it was not compared with known mistakes.\n";
+        } else if (is_out_of_time(mark)) {
+            mark.words += "Your file took too long: it was not compared with known mistakes.\n";
+        } else if (mark.points() < mark.most) {
+            const std::string probes =
+                grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
+            const Ending ending =
+                run_asking(grading_, stage,
+                           {"diagnose", probes, desk.worker().string(), yardstick.worker.string(),
+                            desk.beside(stage, ".svg").string()},
+                           {}, until);
+            if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
+            if (fs::exists(desk.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
+        }
+    }
+    const std::lock_guard lock(mutex_);
+    known_[known] = mark;
+    return mark;
+}
+
+std::optional<PictureMark> Judge::picture(Desk& desk, int stage, Clock::time_point until) {
+    const std::string known = name_of(stage) + desk.chain(stage);
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = drawn_.find(known);
+        if (found != drawn_.end()) {
+            const auto& [student, mark] = found->second;
+            fs::copy_file(student_folder(grading_.results, student) / mark.file,
+                          desk.beside(stage, ".png"), fs::copy_options::overwrite_existing);
+            return mark;
+        }
+    }
+    if (!desk.link_chain(stage, until).succeeded) return {};
+    const std::optional<PictureMark> mark =
+        picture_of(grading_, stage, desk.worker(), desk.beside(stage, ".png"), until);
+    const std::lock_guard lock(mutex_);
+    if (mark) drawn_[known] = {desk.student(), *mark};
+    return mark;
+}
+
+void Judge::judge(Desk& desk, int stage) {
+    go_on(grading_.workshop);
+    const Yardstick& yardstick = yardsticks_.at(stage);
+    const std::string key = desk.key(stage, yardstick);
+    const std::optional<Mark> before = read_mark(grading_.results, desk.student(), stage);
+    if (before && before->key == key) return;
+    const Clock::time_point until = end_of_asking(yardstick);
+    for (const char* ending : {".svg", ".png"}) fs::remove(desk.beside(stage, ending));
+    Mark came = mark(desk, stage, until);
+    came.student = desk.student();
+    came.key = key;
+    if (came.verdict == Verdict::judged && !is_out_of_time(came))
+        came.picture = picture(desk, stage, until);
+    write_mark(grading_.results, came);
+}
+
+std::string Judge::judge(const Envelope& envelope) {
+    auto next = yardsticks_.begin();
+    try {
+        Desk desk(grading_, envelope);
+        for (; next != yardsticks_.end(); ++next) judge(desk, next->first);
+        return "";
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::exception& error) {
+        const std::string why = error.what();
+        for (; next != yardsticks_.end(); ++next) {
+            Mark mark{.student = envelope.student,
+                      .stage = next->first,
+                      .verdict = Verdict::refused,
+                      .words =
+                          "Your file could not be graded, through no fault of yours. It will be "
+                          "judged again.\n"};
+            for (const CaseMark& each : next->second.cases) mark.most += each.points;
+            try {
+                write_mark(grading_.results, mark);
+            } catch (const std::exception&) {
+                // the report already gives the reason why this student is missing in the grade book
+                break;
+            }
+        }
+        return why;
+    }
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,72 @@
+// The grading of one submission.
+#pragma once
+
+#include "common/course/grade/judging/intake.hpp"
+#include "common/course/grade/results/results.hpp"
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
+
+namespace rt::grade {
+
+/// The settings for grading a class.
+struct Grading {
+    std::filesystem::path project;
+    std::filesystem::path build;
+    std::filesystem::path results;
+    Workshop workshop;
+    std::string seed;  ///< its identifier
+    std::set<int> stages;
+};
+
+/// The reference's result: the points of each case of a stage.
+struct Yardstick {
+    std::filesystem::path worker;  ///< built from the references alone
+    std::string key;               ///< hash of everything that decides a mark, apart from the
+                                   ///< student's files
+    std::vector<CaseMark> cases;   ///< all of them pass
+    std::chrono::milliseconds took{0};
+};
+
+/// Compiles the reference of a stage as a submission. Throws ProgramError if it does not compile:
+/// then no submission would, for a reason of this machine.
+void compile_reference(const Grading& grading, int stage);
+
+/// Grades the reference of a stage, and leaves its worker in the folder. Throws ProgramError if it
+/// does not get all points: then no submission could.
+[[nodiscard]] Yardstick judge_reference(const Grading& grading, int stage,
+                                        const std::filesystem::path& folder);
+
+/// Grades submissions, on several threads.
+class Judge {
+public:
+    Judge(const Grading& grading, std::map<int, Yardstick> yardsticks)
+        : grading_(grading), yardsticks_(std::move(yardsticks)) {}
+
+    /// Writes a mark for each stage, unless an up-to-date mark exists. If the grader itself fails,
+    /// returns the reason and writes it into the remaining marks, which the next run grades again.
+    /// Throws Interrupted when the workshop is stopped.
+    [[nodiscard]] std::string judge(const Envelope& envelope);
+
+private:
+    class Desk;
+
+    using Time = std::chrono::steady_clock::time_point;
+
+    void judge(Desk& desk, int stage);
+    // No worker gets a query after `until`.
+    [[nodiscard]] Mark mark(Desk& desk, int stage, Time until);
+    [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage, Time until);
+
+    const Grading& grading_;
+    const std::map<int, Yardstick> yardsticks_;
+    std::mutex mutex_;
+    // The results of identical files in this run, with the first student who submitted them.
+    std::map<std::string, Mark> known_;                                 ///< by stage and file
+    std::map<std::string, std::pair<std::string, PictureMark>> drawn_;  ///< by the files of the
+                                                                        ///< chain of stages
+};
+
+}  // namespace rt::grade

@@ -1,0 +1,137 @@
+#include "common/course/grade/judging/source_names.hpp"
+
+#include "common/stages/stages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace rt::grade {
+
+namespace {
+
+// The longer first, of those that end alike.
+constexpr std::array<std::string_view, 16> archive_endings = {
+    ".tar.gz", ".tar.xz", ".tar.bz2", ".tar.zst", ".tar.z", ".tgz", ".txz", ".tbz2",
+    ".tbz",    ".tzst",   ".tar",     ".zipx",    ".zip",   ".7z",  ".rar", ".z"};
+constexpr std::array<std::string_view, 5> source_endings = {".cpp", ".cc", ".cxx", ".c++", ".cp"};
+// Endings that an editor or a mail program appends to a source.
+constexpr std::array<std::string_view, 7> suspect_endings = {".txt",  ".c",   ".h",  ".hpp",
+                                                             ".docx", ".rtf", ".pdf"};
+
+template <std::size_t Count>
+std::string_view ending_of(const std::string& name,
+                           const std::array<std::string_view, Count>& endings) {
+    for (const std::string_view ending : endings)
+        if (name.size() > ending.size() && name.ends_with(ending)) return ending;
+    return {};
+}
+
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Letters and digits alone: "soft shadows", "Soft-Shadows" and "soft_shadows" are one.
+std::string squeezed(const std::string& text) {
+    std::string letters;
+    for (const char c : lower(text))
+        if ((c >= 'a' && c <= 'z') || is_digit(c) || static_cast<unsigned char>(c) >= 0x80)
+            letters += c;
+    return letters;
+}
+
+/// Without a stage's prefix, "step03_", and the suffix of a copy: " (1)", " copy 2".
+std::string bare(const std::string& stem) {
+    std::string name = squeezed(stem);
+    if (name.starts_with("step")) name.erase(0, 4);
+    name.erase(0, std::min(name.find_first_not_of("0123456789"), name.size()));
+    for (bool found = true; found;) {
+        const std::size_t size = name.find_last_not_of("0123456789") + 1;
+        found = size < name.size();
+        name.resize(size);
+        for (const std::string_view copy : {"copy", "copie", "kopie", "final"})
+            if (name.size() > copy.size() && name.ends_with(copy)) {
+                name.resize(name.size() - copy.size());
+                found = true;
+            }
+    }
+    return name;
+}
+
+/// The number of letters to be changed, removed, inserted, or swapped with the next.
+std::size_t distance(const std::string& one, const std::string& other) {
+    std::vector<std::vector<std::size_t>> least(one.size() + 1,
+                                                std::vector<std::size_t>(other.size() + 1));
+    for (std::size_t i = 0; i <= one.size(); ++i)
+        for (std::size_t j = 0; j <= other.size(); ++j) {
+            if (i == 0 || j == 0) {
+                least[i][j] = i + j;
+                continue;
+            }
+            least[i][j] = std::min({least[i - 1][j] + 1, least[i][j - 1] + 1,
+                                    least[i - 1][j - 1] + (one[i - 1] == other[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && one[i - 1] == other[j - 2] && one[i - 2] == other[j - 1])
+                least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
+        }
+    return least[one.size()][other.size()];
+}
+
+bool is_slip(const std::string& name, const std::string& stem) {
+    constexpr std::size_t longest = 40;
+    return name.size() < longest && distance(name, stem) <= (stem.size() < 6 ? 1 : 2);
+}
+
+}  // namespace
+
+Named named_for(const std::string& file_name) {
+    const std::string name = lower(file_name);
+    std::string_view ending = ending_of(name, source_endings);
+    if (file_name.ends_with(".C")) ending = ".c";
+    const bool source = !ending.empty();
+    std::string stem = file_name.substr(0, file_name.size() - ending.size());
+    if (!source) {
+        ending = ending_of(name, suspect_endings);
+        if (ending.empty()) return {};
+        stem.resize(stem.size() - ending.size());
+        stem.resize(stem.size() - ending_of(lower(stem), source_endings).size());
+    }
+    const std::string letters = bare(stem);
+    Named slip;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        const std::string topic(stage_name(stage).substr(std::string_view("step05_").size()));
+        if (source && file_name == topic + ".cpp") return {.stage = stage, .fit = Fit::exact};
+        if (letters == squeezed(topic))
+            return {.stage = stage, .fit = source ? Fit::near : Fit::suspect};
+        if (source && slip.stage == 0 && is_slip(letters, squeezed(topic)))
+            slip = {.stage = stage, .fit = Fit::suspect};
+    }
+    return slip;
+}
+
+bool is_source(const std::string& file_name) {
+    return !ending_of(lower(file_name), source_endings).empty() || file_name.ends_with(".C");
+}
+
+bool is_archive(const std::string& file_name) {
+    return !ending_of(lower(file_name), archive_endings).empty();
+}
+
+std::string without_archive_ending(std::string name) {
+    name.resize(name.size() - ending_of(lower(name), archive_endings).size());
+    return name;
+}
+
+bool is_litter(const std::string& file_name) {
+    constexpr std::array<std::string_view, 7> litter = {
+        "__MACOSX", ".git", ".DS_Store", "Thumbs.db", "desktop.ini", ".svn", ".hg"};
+    return file_name.starts_with("._") ||
+           std::find(litter.begin(), litter.end(), file_name) != litter.end();
+}
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return text;
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,310 @@
+#include "common/course/grade/judging/workshop.hpp"
+
+#include "common/course/exercise/may_include.hpp"
+#include "common/course/grade/judging/load.hpp"
+#include "common/course/grade/judging/repeatable.hpp"
+#include "common/course/grade/judging/symbols.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
+
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_words = 4000;
+constexpr int wall_seconds = 30;  // on an idle machine; a tool computes for at most 15 seconds
+constexpr int header_megabytes = 256;
+
+/// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
+using Options = std::multimap<std::string, std::string>;
+
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+fs::path reference_of(const Workshop& workshop, int stage) {
+    return workshop.folder / "seats/references" / (name_of(stage) + ".o");
+}
+
+Options read_options(const Workshop& workshop, int stage) {
+    const fs::path file = workshop.folder / "seats" / (name_of(stage) + ".txt");
+    Options options;
+    std::ifstream in(file);
+    if (!in) throw ProgramError(file.string() + " does not exist");
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t space = line.find(' ');
+        if (space != std::string::npos && space + 1 < line.size())
+            options.emplace(line.substr(0, space), line.substr(space + 1));
+    }
+    return options;
+}
+
+void append(Command& command, const Options& options, const std::string& name) {
+    const auto [first, last] = options.equal_range(name);
+    for (auto each = first; each != last; ++each) command.push_back(each->second);
+}
+
+/// The project's headers that a file of the stage may include.
+fs::path headers_of(const Workshop& workshop, int stage) {
+    return workshop.folder / "headers" / name_of(stage);
+}
+
+fs::path header_of(const Workshop& workshop, int stage) {
+    return headers_of(workshop, stage) / stage_header(stage);
+}
+
+StageFunctions functions_of(const Workshop& workshop, int stage) {
+    StageFunctions functions;
+    std::ifstream in(workshop.folder / "seats/graded" / (name_of(stage) + ".txt"));
+    for (std::string kind, symbol; in >> kind >> symbol;)
+        (kind == "own"        ? functions.own
+         : kind == "callable" ? functions.callable
+                              : functions.others)
+            .insert(symbol);
+    if (functions.own.empty()) throw ProgramError("seats/graded is incomplete");
+    return functions;
+}
+
+Command compiler(const Workshop& workshop, int stage) {
+    const Options options = read_options(workshop, stage);
+    Command compile;
+    append(compile, options, "compiler");
+    append(compile, options, "compile");
+    compile.push_back("-I" + headers_of(workshop, stage).string());
+    return compile;
+}
+
+/// True if a limit ended the tool. The limit that a bomb reaches first, and its progress until
+/// then, depend on the load of the machine.
+bool is_bomb(const Ending& ending) {
+    const auto says = [&ending](const char* words) {
+        return ending.output.find(words) != std::string::npos;
+    };
+    return ending.out_of_time || ending.status == 128 + SIGXCPU ||
+           says("signal terminated program") || says("out of memory") || says("memory exhausted") ||
+           says("cannot allocate memory");
+}
+
+/// The message about a failed tool: its own output, identical in every run.
+std::string told(const Ending& ending, const Workshop& workshop, int stage,
+                 const TemporaryFolder& scratch, const std::string& otherwise) {
+    if (is_bomb(ending)) return otherwise + " took too much time or memory.";
+    std::string words =
+        repeatable(ending.output, {scratch.path(), headers_of(workshop, stage), workshop.folder});
+    if (words.size() > longest_words) words.resize(longest_words);
+    return words.empty() ? otherwise + " failed." : words;
+}
+
+/// The folders of the tool's own parts, if they are not system folders, and of its include options:
+/// a compiler in /opt, headers in /home.
+std::vector<fs::path> folders_of(const Command& command) {
+    std::vector<fs::path> folders;
+    std::error_code none;
+    const fs::path prefix = fs::canonical(command.at(0), none).parent_path().parent_path();
+    if (!prefix.empty() && prefix != "/" && prefix != "/usr")
+        for (const char* folder : {"bin", "lib", "lib64", "libexec", "include", "share"})
+            folders.push_back(prefix / folder);
+    const std::string include = "-isystem";
+    for (const std::string& word : command)
+        if (word.rfind(include, 0) == 0) folders.emplace_back(word.substr(include.size()));
+    return folders;
+}
+
+/// Makes the contents readable for all users who may enter the folder, with any permissions in the
+/// project.
+void let_all_read(const fs::path& folder) {
+    using fs::perms;
+    for (const auto& each : fs::recursive_directory_iterator(folder))
+        fs::permissions(each, each.is_directory() ? perms(0755) : perms(0644));
+    fs::permissions(folder, perms(0755));
+}
+
+/// The header of the project that a compiler did not find, as the file includes it; or nothing.
+std::string refused_header(const std::string& words) {
+    for (const std::string& line : lines_of(words)) {
+        const std::size_t error = line.find("fatal error: ");
+        if (error == std::string::npos) continue;
+        std::string header = line.substr(error + 13);
+        header = header.substr(header.starts_with("'") ? 1 : 0);  // clang++'s
+        header = header.substr(0, header.find_first_of("':"));
+        for (const char* folder : {"common/", "steps/"})
+            if (header.find(folder) != std::string::npos) return header;
+    }
+    return "";
+}
+
+std::string told_of_compile(const Ending& ending, const Workshop& workshop, int stage,
+                            const TemporaryFolder& scratch) {
+    const std::string words = told(ending, workshop, stage, scratch, "The compile");
+    const std::string header = refused_header(words);
+    if (header.empty()) return words;
+    return "Your file includes " + header + ", which this stage must not include: docs/" +
+           name_of(stage) + ".md lists the allowed headers.\n" + words;
+}
+
+void copy_headers(const fs::path& project, const Workshop& workshop, int stage) {
+    for (const fs::path& header : allowed_headers(project, stage)) {
+        const fs::path copy = headers_of(workshop, stage) / header;
+        fs::create_directories(copy.parent_path());
+        fs::copy_file(project / header, copy, fs::copy_options::skip_existing);
+    }
+}
+
+/// Moves the result of a sealed tool, which owns it. It is not copied: a process started meanwhile
+/// by another thread would keep the copy open, and a program that is open for writing cannot be
+/// run.
+void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
+    fs::rename(made, to);
+    if (lchown(to.c_str(), geteuid(), getegid()) != 0) throw ProgramError(to.string() + ": owner");
+    fs::permissions(to, permissions);
+}
+
+}  // namespace
+
+Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
+    const Workshop workshop{.folder = folder, .sealed = build / "sealed"};
+    fs::copy(build / "seats", folder / "seats",
+             fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
+            copy_headers(project, workshop, stage);
+    // Copied to a place that the tool's user can read, whoever owns the build folder; and before
+    // threads exist, since a program that a process started meanwhile keeps open cannot be run.
+    if (fs::exists(build / "unpack")) {
+        fs::copy_file(build / "unpack", folder / "unpack", fs::copy_options::overwrite_existing);
+        fs::permissions(folder / "unpack", fs::perms(0755));
+    }
+    for (const char* each : {"headers", "seats"})
+        if (fs::exists(folder / each)) let_all_read(folder / each);
+    return workshop;
+}
+
+bool is_told_to_stop(int status) {
+    return status == 128 + SIGTERM || status == 128 + SIGINT || status == 128 + SIGHUP;
+}
+
+void go_on(const Workshop& workshop) {
+    if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
+}
+
+void precompile_header(const Workshop& workshop, int stage) {
+    const TemporaryFolder scratch(workshop.folder);
+    const std::string header = header_of(workshop, stage).string();
+    const std::string made = scratch.path() / "header.gch";
+    Command compile = compiler(workshop, stage);
+    compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
+    const Ending ending = run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)},
+                                     compile, header_megabytes);
+    if (ending.status != 0)
+        throw ProgramError("error: the headers of " + name_of(stage) +
+                           " do not compile in the sandbox\n" + ending.output);
+    take(made, header + ".gch", fs::perms(0644));
+}
+
+Ending run_sealed(const Workshop& workshop, const fs::path& writable,
+                  const std::vector<fs::path>& readable, const Command& command, int megabytes) {
+    const int wall = int(wall_seconds * busy());
+    Command sealed{workshop.sealed, "work=building",
+                   "cpu=15",        "wall=" + std::to_string(wall),
+                   "memory=1500",   "file=" + std::to_string(megabytes),
+                   "threads=1000",  "write=" + writable.string()};
+    for (const fs::path& each : readable) sealed.push_back("read=" + each.string());
+    for (const fs::path& each : folders_of(command)) sealed.push_back("read=" + each.string());
+    sealed.push_back("--");
+    sealed.insert(sealed.end(), command.begin(), command.end());
+    // The launcher enforces the time limit; this one is a fallback.
+    Ending ending = listen_to(sealed, std::chrono::seconds(wall + 10), workshop.stop);
+    go_on(workshop);
+    if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
+    if (ending.status == not_sealed) throw ProgramError(ending.output);
+    return ending;
+}
+
+Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
+                        const fs::path& object) {
+    const TemporaryFolder scratch(workshop.folder);
+    // The file has the student's name for it, relative to the compiler's folder, so that messages
+    // and __FILE__ are the same in every run.
+    const std::string source = name_of(stage).substr(7) + ".cpp";
+    const fs::path made = scratch.path() / "submission.o";
+    std::ofstream(scratch.path() / source) << text;
+    fs::permissions(scratch.path() / source, fs::perms(0644));
+
+    const auto compile = [&](const Command& options) {
+        Command command = compiler(workshop, stage);
+        command.insert(command.end(), options.begin(), options.end());
+        command.insert(command.end(), {"-c", source, "-o", made});
+        return run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)}, command);
+    };
+    // The stage's precompiled header works only as the first include, so it is included first. A
+    // file that does not compile this way is compiled unchanged.
+    Ending compiled = compile({"-include", header_of(workshop, stage)});
+    if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
+    if (compiled.status != 0) return {.words = told_of_compile(compiled, workshop, stage, scratch)};
+
+    take(made, object, fs::perms(0644));
+    const std::optional<ObjectFile> parsed = parse_object(read_text(object));
+    std::string words = parsed ? foreign_symbol(*parsed, functions_of(workshop, stage))
+                               : "Your object cannot be read.";
+    if (!words.empty()) {
+        fs::remove(object);
+        return {.words = std::move(words)};
+    }
+    return {.succeeded = true};
+}
+
+namespace {
+
+/// A single file is linked to the functions that it may call. Several files were linked this way
+/// one by one; together, they are linked to the references of all other stages, without the
+/// references of the students' stages.
+std::vector<fs::path> parts_of(const Workshop& workshop, int stage,
+                               const std::map<int, fs::path>& objects) {
+    const fs::path seats = workshop.folder / "seats";
+    const fs::path seat = name_of(stage) + ".o";
+    if (objects.empty()) return {seats / "graded" / seat, reference_of(workshop, stage)};
+    if (objects.size() == 1 && objects.begin()->first == stage)
+        return {seats / "graded" / seat, objects.begin()->second};
+    std::vector<fs::path> parts{seats / seat};
+    for (int each = 1; each <= int(stage_names.size()); ++each) {
+        const auto own = objects.find(each);
+        const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
+        if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
+    }
+    return parts;
+}
+
+}  // namespace
+
+Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::path>& objects,
+                 const fs::path& worker) {
+    const Options options = read_options(workshop, stage);
+    const TemporaryFolder scratch(workshop.folder);
+    const std::string made = scratch.path() / "worker";
+    const std::vector<fs::path> parts = parts_of(workshop, stage, objects);
+    Command link;
+    append(link, options, "compiler");
+    append(link, options, "link");
+    link.insert(link.end(), parts.begin(), parts.end());
+    link.insert(link.end(), {"-o", made});
+    append(link, options, "library");
+    const Ending linked = run_sealed(workshop, scratch.path(), parts, link);
+    if (linked.status != 0) return {.words = told(linked, workshop, stage, scratch, "The link")};
+    take(made, worker, fs::perms(0755));
+    return {.succeeded = true};
+}
+
+std::string worker_limits(int stage) {
+    return stage == mesh_stage ? "cpu=10 memory=1024" : "cpu=10 memory=512";
+}
+
+}  // namespace rt::grade

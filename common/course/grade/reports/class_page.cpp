@@ -1,0 +1,267 @@
+#include "common/course/grade/reports/class_page.hpp"
+
+#include "common/course/grade/reports/html.hpp"
+#include "common/course/grade/reports/html_table.hpp"
+#include "common/course/grade/results/likeness.hpp"
+#include "common/course/grade/results/submissions.hpp"
+#include "common/stages/reasons.hpp"
+#include "common/system/files.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rt::grade {
+
+namespace {
+
+std::string section(const std::string& title, const std::string& inside) {
+    return "<section>\n<h2>" + title + "</h2>\n" + inside + "</section>\n";
+}
+
+constexpr const char* missing_cell = "<td class=\"soft\" title=\"not submitted\">–</td>";
+constexpr const char* refused_cell =
+    "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>";
+
+std::string points_cell(int points, int most) {
+    return share_cell("share", points, most, std::to_string(100 * points / std::max(most, 1)));
+}
+
+std::string mark_cell(const Mark& mark, int most) {
+    if (mark.verdict == Verdict::missing) return missing_cell;
+    if (mark.verdict == Verdict::refused) return refused_cell;
+    return points_cell(mark.points(), most);
+}
+
+/// Links to the student's feedback, unless the name is hidden or there is no feedback.
+std::string student_cell(const Submission& submission) {
+    const bool linked = submission.called == submission.student && !submission.marks.empty();
+    return "<th class=\"student\">" +
+           (linked ? "<a href=\"students/" + address(submission.student) + "/feedback.html\">" +
+                         escaped(submission.student) + "</a>"
+                   : escaped(submission.called)) +
+           "</th>";
+}
+
+/// The mean result of the submitted stages.
+std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& stages) {
+    std::string cells = "<th class=\"student\">mean of submissions</th>";
+    for (const auto& [stage, most] : stages) {
+        int points = 0;
+        int most_of_all = 0;
+        for (const Mark& mark : marks)
+            if (mark.stage == stage && mark.verdict != Verdict::missing) {
+                points += mark.points();
+                most_of_all += most;
+            }
+        cells += most_of_all == 0 ? missing_cell : points_cell(points, most_of_all);
+    }
+    return row(cells + "<td></td>");
+}
+
+/// A lecturer's points take the place of the grader's.
+std::string stage_cell(const Submission& submission, int stage, int most, const Term& term) {
+    if (const auto given = term.overrides.find({submission.student, stage});
+        given != term.overrides.end())
+        return points_cell(int(given->second.points), most);
+    const auto mark = submission.marks.find(stage);
+    return mark == submission.marks.end() ? missing_cell : mark_cell(*mark->second, most);
+}
+
+std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages,
+                   const Term& term) {
+    std::string head = "<th class=\"student\"></th>";
+    for (const auto& [stage, most] : stages)
+        head += "<th class=\"stage\"><span>" + stage_title(stage) +
+                (term.bonus.count(stage) == 1 ? ", bonus" : "") + "</span></th>";
+    std::string rows = row(head + "<th>points</th>");
+    const double all = most_points(stages, term);
+    for (const Submission& submission : submissions(marks, term)) {
+        std::string cells = student_cell(submission);
+        for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
+        const int share = std::clamp(int(100 * submission.points / std::max(all, 1e-9)), 0, 100);
+        rows += row(cells + share_cell("share", share, 100, number(submission.points)));
+    }
+    return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, × "
+           "cannot "
+           "be judged.</p>\n" +
+           table("matrix", rows + mean_row(marks, stages));
+}
+
+/// The changes by the lecturer's settings, and the students without a submission.
+std::string remarks(const std::vector<Mark>& marks, const Term& term) {
+    std::string rows;
+    for (const Submission& submission : submissions(marks, term))
+        for (const std::string& line : lines_of(submission.remarks))
+            rows += row(text_cell(submission.called) + text_cell(line));
+    return rows.empty() ? "" : section("Remarks", table("list", rows));
+}
+
+/// The files that belong to no submission, and the names in the term's files that match no student.
+std::string left_over(const std::filesystem::path& results, const Term& term) {
+    const std::filesystem::path file = results / left_over_file;
+    std::string rows;
+    if (std::filesystem::exists(file))
+        for (const std::string& line : lines_of(read_text(file))) rows += row(text_cell(line));
+    for (const std::string& line : term.unknown) rows += row(text_cell(line));
+    return rows.empty() ? "" : section("Left over", table("list", rows));
+}
+
+std::string first_line(const std::string& words) {
+    return words.substr(0, words.find('\n'));
+}
+
+/// The students whose code was stopped at a forbidden operation, and those whose code was not run.
+std::string trials(const std::vector<Mark>& marks, const Term& term) {
+    std::vector<std::string> tried;
+    std::vector<std::string> refused;
+    for (const Mark& mark : marks) {
+        const std::string who =
+            text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
+        const auto cases =
+            std::count_if(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
+                return each.words.find(forbidden_operation) != std::string::npos;
+            });
+        if (cases > 0) tried.push_back(row(who + text_cell("in " + counted(int(cases), "case"))));
+        if (mark.verdict == Verdict::refused)
+            refused.push_back(row(who + text_cell(first_line(mark.words))));
+    }
+    std::string html;
+    if (!tried.empty())
+        html +=
+            "<h3>Forbidden operations: files, processes, networks</h3>\n" + first_rows("", tried);
+    if (!refused.empty()) html += "<h3>Could not be graded</h3>\n" + first_rows("", refused);
+    return html.empty() ? "<p>Nobody's.</p>\n" : html;
+}
+
+std::string mistakes(const std::vector<Mark>& marks) {
+    std::map<std::pair<int, std::string>, int> counts;
+    std::map<int, int> judged;
+    for (const Mark& mark : marks) {
+        if (mark.verdict == Verdict::judged) ++judged[mark.stage];
+        for (const std::string& sentence : lines_of(mark.mistake)) ++counts[{mark.stage, sentence}];
+    }
+    if (counts.empty()) return "<p>No known mistake was recognized.</p>\n";
+    std::vector<std::pair<std::pair<int, std::string>, int>> sorted(counts.begin(), counts.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& one, const auto& other) { return one.second > other.second; });
+    std::vector<std::string> rows;
+    for (const auto& [which, count] : sorted)
+        rows.push_back(row(share_cell("bar", count, judged[which.first], std::to_string(count)) +
+                           text_cell(stage_title(which.first)) + text_cell(which.second)));
+    return first_rows(row("<th>students</th><th class=\"text\">stage</th>"
+                          "<th class=\"text\">message to the student</th>"),
+                      rows);
+}
+
+struct CaseCount {
+    int stage = 1;
+    std::string name;
+    int passed = 0;
+    int judged = 0;
+};
+
+/// The smallest share that passes first.
+std::vector<CaseCount> hardest_cases(const std::vector<Mark>& marks) {
+    std::map<std::pair<int, std::string>, CaseCount> counts;
+    for (const Mark& mark : marks)
+        for (const CaseMark& each : mark.cases) {
+            CaseCount& count = counts[{mark.stage, each.name}];
+            count.stage = mark.stage;
+            count.name = each.name;
+            count.passed += each.passed ? 1 : 0;
+            ++count.judged;
+        }
+    std::vector<CaseCount> all;
+    for (auto& [key, count] : counts)
+        if (count.passed < count.judged) all.push_back(std::move(count));
+    std::stable_sort(all.begin(), all.end(), [](const CaseCount& one, const CaseCount& other) {
+        return one.passed * other.judged < other.passed * one.judged;
+    });
+    return all;
+}
+
+std::string cases(const std::vector<Mark>& marks) {
+    std::vector<std::string> rows;
+    for (const CaseCount& each : hardest_cases(marks))
+        rows.push_back(
+            row(share_cell("bar", each.passed, each.judged, percent(each.passed, each.judged)) +
+                "<td>" + std::to_string(each.judged) + "</td>" +
+                text_cell(stage_title(each.stage)) + text_cell(each.name)));
+    if (rows.empty()) return "<p>No case fails.</p>\n";
+    return "<p class=\"soft\">Only files that could be graded are counted.</p>\n" +
+           first_rows(row("<th>pass</th><th>of</th><th class=\"text\">stage</th>"
+                          "<th class=\"text\">case</th>"),
+                      rows);
+}
+
+std::string names(const std::vector<std::string>& students, const Term& term) {
+    std::string all;
+    for (const std::string& student : students)
+        all += (all.empty() ? "" : ", ") + term.called(student);
+    return all;
+}
+
+std::string near_stages(const NearFiles& near) {
+    std::string all;
+    for (const auto& [stage, percent] : near.percent)
+        all +=
+            (all.empty() ? "" : ", ") + stage_title(stage) + " " + std::to_string(percent) + " %";
+    return all;
+}
+
+std::string same(const std::vector<SameFile>& found, const Term& term) {
+    std::string rows;
+    for (const SameFile& each : found)
+        rows += row(text_cell(stage_title(each.stage)) + text_cell(names(each.students, term)));
+    return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
+}
+
+std::string near(const std::vector<NearFiles>& found, const Term& term) {
+    if (found.empty()) return "";
+    std::vector<std::string> rows;
+    for (const NearFiles& each : found)
+        rows.push_back(
+            row(text_cell(names({each.one, each.other}, term)) + text_cell(near_stages(each))));
+    return "<h3>Similar files</h3>\n<p class=\"soft\">The percentage of the shorter file that is "
+           "in "
+           "the longer, from " +
+           std::to_string(near_percent) +
+           " % on, apart from names and comments. Passages of the starter do not count; passages "
+           "of many "
+           "students count little.</p>\n" +
+           first_rows("", rows);
+}
+
+std::string alike(const Likeness& found, const Term& term) {
+    const std::string html =
+        "<p class=\"hint\">Similarity is no proof. Students who worked together, or from the same "
+        "page, write similar code, and a short stage leaves little choice: read the files, and "
+        "ask, "
+        "before you conclude anything.</p>\n";
+    if (found.same.empty() && found.near.empty())
+        return html + "<p>No two files are similar.</p>\n";
+    return html + same(found.same, term) + near(found.near, term);
+}
+
+}  // namespace
+
+void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
+                        const std::vector<Mark>& marks, const Term& term,
+                        const std::string& edition) {
+    const std::map<int, int> stages = graded_stages(marks);
+    const double most = most_points(stages, term);
+    const std::string body =
+        "<header><h1>Class report</h1> <p>" +
+        counted(int(submissions(marks, term).size()), "student") + ", " +
+        counted(int(stages.size()), "stage") + ", " + number(most) +
+        (most == 1 ? " point" : " points") + "</p></header>\n" +
+        (edition.empty() ? "" : "<p class=\"soft\">" + escaped(edition) + "</p>\n") +
+        section("Points", matrix(marks, stages, term)) + remarks(marks, term) +
+        left_over(results, term) + section("Known mistakes", mistakes(marks)) +
+        section("Hardest cases", cases(marks)) +
+        section("Code that was stopped or refused", trials(marks, term)) +
+        section("Similar files", alike(likeness(results, project, marks), term));
+    write_text(results / "class.html", page("Class report", body));
+}
+
+}  // namespace rt::grade

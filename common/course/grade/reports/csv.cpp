@@ -1,0 +1,106 @@
+#include "common/course/grade/reports/csv.hpp"
+
+#include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/reports/html.hpp"
+
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+
+#include <algorithm>
+
+namespace rt::grade {
+
+namespace {
+
+/// Also in full width, and after blanks: some spreadsheets read these alike.
+bool is_formula(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\n"), text.size()));
+    for (const std::string_view start : {"=", "+", "-", "@", "＝", "＋", "－", "＠"})
+        if (text.starts_with(start)) return true;
+    return false;
+}
+
+std::string quoted(std::string text) {
+    for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
+        text.insert(at, "\"");
+    return "\"" + text + "\"";
+}
+
+char separator_of(const std::string& text) {
+    const std::string first = text.substr(0, text.find('\n'));
+    const std::string separators = ",;\t";
+    return *std::max_element(separators.begin(), separators.end(), [&](char one, char other) {
+        return std::count(first.begin(), first.end(), one) <
+               std::count(first.begin(), first.end(), other);
+    });
+}
+
+}  // namespace
+
+std::string Csv::Row::at(int column) const {
+    return column >= 0 && column < int(cells.size()) ? cells[std::size_t(column)] : "";
+}
+
+int Csv::column(const std::vector<std::string>& headings) const {
+    for (const std::string& heading : headings)
+        for (std::size_t i = 0; i < head.cells.size(); ++i)
+            if (lower(head.cells[i]) == lower(heading)) return int(i);
+    return -1;
+}
+
+Csv read_csv(const std::filesystem::path& file) {
+    std::string text = read_text(file);
+    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    Csv csv{.file = file, .separator = separator_of(text)};
+    std::vector<Csv::Row> rows;
+    Csv::Row row{.line = 1};
+    std::string cell;
+    int line = 1;
+    const auto end_row = [&] {
+        row.cells.push_back(std::move(cell));
+        cell.clear();
+        if (row.cells.size() > 1 || !row.cells[0].empty()) rows.push_back(std::move(row));
+        row = {.line = line};
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\n') ++line;
+        if (c == '"' && cell.empty()) {
+            const int start = line;
+            for (++i;; ++i) {
+                if (i >= text.size())
+                    throw InputError({file.string(), start}, "this quote is not closed");
+                if (text[i] == '"' && (i + 1 == text.size() || text[i + 1] != '"')) break;
+                if (text[i] == '"') ++i;
+                if (text[i] == '\n') ++line;
+                cell += text[i];
+            }
+        } else if (c == csv.separator) {
+            row.cells.push_back(std::move(cell));
+            cell.clear();
+        } else if (c == '\n') {
+            end_row();
+        } else if (c != '\r') {
+            cell += c;
+        }
+    }
+    if (!cell.empty() || !row.cells.empty()) end_row();
+    if (rows.empty()) throw InputError({file.string()}, "is empty");
+    csv.head = std::move(rows.front());
+    csv.rows.assign(std::make_move_iterator(rows.begin() + 1), std::make_move_iterator(rows.end()));
+    return csv;
+}
+
+std::string cell(const std::string& text) {
+    std::string plain = readable(text);
+    if (is_formula(plain)) plain.insert(0, "'");
+    return plain.find_first_of(",;\"\n\t") == std::string::npos ? plain : quoted(plain);
+}
+
+std::string plain_cell(const std::string& text, char separator) {
+    const bool plain = text.find_first_of("\"\r\n") == std::string::npos &&
+                       text.find(separator) == std::string::npos;
+    return plain ? text : quoted(text);
+}
+
+}  // namespace rt::grade

@@ -1,0 +1,145 @@
+#include "common/course/grade/reports/feedback_page.hpp"
+
+#include "common/course/grade/reports/html.hpp"
+#include "common/course/grade/results/submissions.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+#include <algorithm>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string preformatted(const std::string& words, const std::string& kind = "") {
+    if (words.empty()) return "";
+    const std::string start = kind.empty() ? "<pre>" : "<pre class=\"" + kind + "\">";
+    return start + escaped(words.substr(0, words.find_last_not_of('\n') + 1)) + "</pre>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& inside) {
+    return "<details><summary>" + summary + "</summary>\n" + inside + "</details>\n";
+}
+
+/// In the page itself, so that it is one file.
+std::string drawing(const fs::path& file, const std::string& caption) {
+    std::error_code none;
+    std::string image;
+    if (fs::is_regular_file(fs::symlink_status(file, none)))
+        image = "<img src=\"" +
+                data_address(file.extension() == ".svg" ? "image/svg+xml" : "image/png",
+                             read_text(file)) +
+                "\" alt=\"" + caption + "\"/>\n";
+    return "<figure>" + image + "<figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+std::string of_points(int points, int most) {
+    return std::to_string(points) + " of " + counted(most, "point");
+}
+
+std::string failed_case(const CaseMark& each) {
+    return "<h3>" + escaped(each.name) + " <small>" + counted(each.points, "point") +
+           "</small></h3>\n" + preformatted(each.words, "wrong") + "<small>" + escaped(each.place) +
+           "</small>\n";
+}
+
+std::string diagnosis(const Mark& mark, const fs::path& folder) {
+    std::string html;
+    for (const std::string& sentence : lines_of(mark.mistake))
+        html += "<p class=\"hint\">Its answers are those of a known mistake: " + escaped(sentence) +
+                "</p>\n";
+    if (!mark.smallest.empty())
+        html += "<h3>The simplest failing input</h3>\n" + preformatted(mark.smallest, "wrong");
+    if (!mark.slice.empty()) html += drawing(folder / mark.slice, "A drawing of it");
+    return html;
+}
+
+std::string picture(const PictureMark& picture, const fs::path& folder) {
+    const std::string caption =
+        "With your stages up to this one, with the references, and the difference: " +
+        (picture.different == 0 ? "none of " + counted(picture.pixels, "pixel") + " differs"
+                                : std::to_string(picture.different) + " of " +
+                                      counted(picture.pixels, "pixel") + " differ");
+    return drawing(folder / picture.file, caption);
+}
+
+std::string judged(const Mark& mark, const fs::path& folder) {
+    std::string failed;
+    std::string passed;
+    int passes = 0;
+    for (const CaseMark& each : mark.cases) {
+        if (!each.passed) failed += failed_case(each);
+        if (each.passed) passed += "<li>" + escaped(each.name) + "</li>\n";
+        if (each.passed) ++passes;
+    }
+    const int fails = int(mark.cases.size()) - passes;
+    std::string html;
+    if (fails > 0)
+        html = "<p>" + counted(fails, "case") + " of " + std::to_string(mark.cases.size()) +
+               (fails == 1 ? " fails.</p>\n" : " fail.</p>\n");
+    if (passes > 0 && mark.points() == 0)
+        html +=
+            "<p>All passing cases pass in the starter too: they count as soon as anything "
+            "else passes.</p>\n";
+    html += diagnosis(mark, folder) + failed;
+    const bool differs = mark.picture && mark.picture->different > 0;
+    if (differs) html += "<h3>Your picture</h3>\n" + picture(*mark.picture, folder);
+    if (mark.picture && !differs)
+        html += folded("Your picture is right", picture(*mark.picture, folder));
+    const std::string what_passes =
+        fails == 0 ? "Every case passes"
+                   : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
+    if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
+    if (!mark.words.empty()) html += folded("Messages about your file", preformatted(mark.words));
+    return html;
+}
+
+std::string section(const Mark& mark, int most, const fs::path& folder) {
+    const std::string html = "<section id=\"" + std::string(stage_name(mark.stage)) +
+                             "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
+                             "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
+    if (mark.verdict == Verdict::missing)
+        return html + "<p>No file was submitted.</p>\n" + preformatted(mark.words, "wrong") +
+               "</section>\n";
+    if (mark.verdict == Verdict::refused)
+        return html + "<p>Your file cannot be graded:</p>\n" + preformatted(mark.words, "wrong") +
+               "</section>\n";
+    return html + judged(mark, folder) + "</section>\n";
+}
+
+/// The stages at a glance, each a link.
+std::string overview(const Submission& submission, const std::map<int, int>& stages) {
+    std::string html = "<ul class=\"stages\">\n";
+    for (const auto& [stage, mark] : submission.marks) {
+        const int most = stages.at(stage);
+        html += "<li><a class=\"share\" style=\"--share: " +
+                std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
+                std::string(stage_name(stage)) + "\">" + stage_title(stage) + "<small>" +
+                std::to_string(mark->points()) + " of " + std::to_string(most) +
+                (mark->verdict == Verdict::missing ? ", not submitted" : "") +
+                "</small></a></li>\n";
+    }
+    return html + "</ul>\n";
+}
+
+}  // namespace
+
+void write_feedback(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
+    const std::map<int, int> stages = graded_stages(marks);
+    const double most = most_points(stages, term);
+    for (const Submission& submission : submissions(marks, term)) {
+        if (submission.marks.empty()) continue;
+        const fs::path folder = student_folder(results, submission.student);
+        std::string body = "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
+                           number(submission.points) + " of " + number(most) +
+                           (most == 1 ? " point" : " points") + "</p></header>\n" +
+                           preformatted(submission.remarks) + overview(submission, stages);
+        for (const auto& [stage, mark] : submission.marks)
+            body += section(*mark, stages.at(stage), folder);
+        write_text(folder / "feedback.html", page(submission.called, body));
+    }
+}
+
+}  // namespace rt::grade

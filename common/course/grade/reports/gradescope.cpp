@@ -1,0 +1,65 @@
+#include "common/course/grade/reports/gradescope.hpp"
+
+#include "common/course/grade/reports/html.hpp"
+#include "common/course/grade/results/submissions.hpp"
+
+#include "common/system/files.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace rt::grade {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json test(const std::string& name, bool passed, int points, const std::string& output) {
+    return {{"name", readable(name)},     {"score", passed ? points : 0},
+            {"max_score", points},        {"status", passed ? "passed" : "failed"},
+            {"output", readable(output)}, {"output_format", "text"},
+            {"visibility", "visible"}};
+}
+
+std::string told(const CaseMark& each) {
+    return each.passed ? "" : each.place + "\n" + each.words;
+}
+
+void append_tests(Json& tests, const Mark& mark) {
+    const std::string title = stage_title(mark.stage);
+    if (mark.verdict == Verdict::missing)
+        tests.push_back(test(title, false, mark.most, "No file was submitted.\n" + mark.words));
+    if (mark.verdict == Verdict::refused)
+        tests.push_back(
+            test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
+    for (const CaseMark& each : mark.cases) {
+        tests.push_back(test(title + ": " + each.name, each.passed, each.points, told(each)));
+        if (mark.points() == 0) tests.back()["score"] = 0;  // cases that the starter passes too
+    }
+}
+
+/// The diagnosis, which belongs to no single case.
+std::string diagnosis(const Mark& mark) {
+    const std::string& words = mark.mistake.empty() ? mark.smallest : mark.mistake;
+    return words.empty() ? "" : stage_title(mark.stage) + ": " + words + "\n\n";
+}
+
+}  // namespace
+
+void write_gradescope(const std::filesystem::path& file, const std::vector<Mark>& marks) {
+    int score = 0;
+    std::string output;
+    Json tests = Json::array();
+    for (const Mark& mark : marks) {
+        score += mark.points();
+        output += diagnosis(mark);
+        append_tests(tests, mark);
+    }
+    const Json json{{"score", score},
+                    {"output", readable(output)},
+                    {"output_format", "text"},
+                    {"visibility", "visible"},
+                    {"tests", tests}};
+    write_text(file, json.dump(2) + "\n");
+}
+
+}  // namespace rt::grade

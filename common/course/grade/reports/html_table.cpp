@@ -1,0 +1,46 @@
+#include "common/course/grade/reports/html_table.hpp"
+
+#include "common/course/grade/reports/html.hpp"
+
+#include <algorithm>
+
+namespace rt::grade {
+
+namespace {
+
+constexpr std::size_t most_rows = 15;
+constexpr std::size_t most_folded = 200;
+
+}  // namespace
+
+std::string text_cell(const std::string& text) {
+    return "<td class=\"text\">" + escaped(text) + "</td>";
+}
+
+std::string share_cell(const std::string& kind, int part, int whole, const std::string& words) {
+    const std::string share = std::to_string(100 * part / std::max(whole, 1));
+    return "<td class=\"" + kind + "\" style=\"--share: " + share + "%\">" + words + "</td>";
+}
+
+std::string row(const std::string& cells) {
+    return "<tr>" + cells + "</tr>\n";
+}
+
+std::string table(const std::string& kind, const std::string& rows) {
+    return "<div class=\"scroll\"><table class=\"" + kind + "\">\n" + rows + "</table></div>\n";
+}
+
+std::string first_rows(const std::string& head, const std::vector<std::string>& rows) {
+    std::string first = head;
+    std::string folded = head;
+    const std::size_t shown = std::min(rows.size(), most_rows + most_folded);
+    for (std::size_t i = 0; i < shown; ++i) (i < most_rows ? first : folded) += rows[i];
+    if (rows.size() <= most_rows) return table("list", first);
+    const std::string summary =
+        std::to_string(rows.size() - most_rows) + " more" +
+        (shown < rows.size() ? ", of which " + std::to_string(most_folded) + " are here" : "");
+    return table("list", first) + "<details><summary>" + summary + "</summary>\n" +
+           table("list", folded) + "</details>\n";
+}
+
+}  // namespace rt::grade

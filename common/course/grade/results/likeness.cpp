@@ -1,0 +1,151 @@
+#include "common/course/grade/results/likeness.hpp"
+
+#include "common/course/grade/results/submissions.hpp"
+#include "common/course/grade/results/winnowing.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_source = 256 * 1024;
+constexpr std::size_t fewest_passages = 8;   // about 40 tokens
+constexpr std::size_t most_passages = 4096;  // no person writes more; the least hashes are a sample
+
+struct Passage {
+    std::uint64_t hash = 0;
+    double weight = 0;
+};
+
+/// A file of a stage, without passages of the starter.
+struct Text {
+    const Mark* mark = nullptr;
+    std::vector<Passage> passages;  ///< sorted by hash
+    double weight = 0;
+};
+
+/// Empty for anything but a regular file of the size of a handwritten source.
+std::string source_text(const fs::path& file) {
+    std::error_code none;
+    const bool is_file = fs::symlink_status(file, none).type() == fs::file_type::regular;
+    const std::uintmax_t size = is_file ? fs::file_size(file, none) : 0;
+    return size > 0 && size <= largest_source ? read_text(file) : "";
+}
+
+Text read(const Mark& mark, const fs::path& file, const std::vector<std::uint64_t>& starter) {
+    Text text{.mark = &mark};
+    for (const std::uint64_t hash : fingerprints(normalised(source_text(file))))
+        if (text.passages.size() < most_passages &&
+            !std::binary_search(starter.begin(), starter.end(), hash))
+            text.passages.push_back({.hash = hash});
+    return text;
+}
+
+/// Rare passages weigh most: many students write the passages that the course suggests.
+void weigh(std::vector<Text>& texts) {
+    std::unordered_map<std::uint64_t, int> having;
+    for (const Text& text : texts)
+        for (const Passage& passage : text.passages) ++having[passage.hash];
+    for (Text& text : texts)
+        for (Passage& passage : text.passages) {
+            passage.weight = std::log1p(double(texts.size()) / having[passage.hash]);
+            text.weight += passage.weight;
+        }
+}
+
+std::vector<Text> texts_of(const fs::path& results, const fs::path& project,
+                           const std::vector<Mark>& marks, int stage) {
+    const fs::path folder = project / "steps" / stage_name(stage) / "starter";
+    const std::vector<fs::path> starters = files_in(folder, ".cpp");
+    if (starters.empty()) return {};
+    const std::vector<std::uint64_t> starter = passages(normalised(read_text(starters.front())));
+    std::vector<Text> texts;
+    for (const Mark& mark : marks)
+        if (mark.stage == stage && mark.verdict != Verdict::missing)
+            texts.push_back(read(
+                mark,
+                student_folder(results, mark.student) / "submitted" / starters.front().filename(),
+                starter));
+    weigh(texts);
+    return texts;
+}
+
+int percent_alike(const Text& one, const Text& other) {
+    double common = 0;
+    auto next = other.passages.begin();
+    for (const Passage& passage : one.passages) {
+        while (next != other.passages.end() && next->hash < passage.hash) ++next;
+        if (next != other.passages.end() && next->hash == passage.hash) common += passage.weight;
+    }
+    return int(100 * common / std::min(one.weight, other.weight) + 1e-9);
+}
+
+bool are_same(const Text& one, const Text& other) {
+    return !one.mark->source.empty() && one.mark->source == other.mark->source;
+}
+
+std::vector<SameFile> same_files(const std::vector<Text>& texts, int stage) {
+    std::map<std::string, SameFile> by_source;
+    for (const Text& text : texts) {
+        if (text.mark->source.empty() || text.passages.empty()) continue;
+        SameFile& same = by_source[text.mark->source];
+        same.stage = stage;
+        same.students.push_back(text.mark->student);
+    }
+    std::vector<SameFile> all;
+    for (auto& [source, same] : by_source)
+        if (same.students.size() > 1) all.push_back(std::move(same));
+    return all;
+}
+
+using Pairs = std::map<std::pair<std::string, std::string>, NearFiles>;
+
+void compare_all(const std::vector<Text>& texts, int stage, Pairs& pairs) {
+    for (auto one = texts.begin(); one != texts.end(); ++one) {
+        if (one->passages.size() < fewest_passages) continue;
+        for (auto other = one + 1; other != texts.end(); ++other) {
+            if (other->passages.size() < fewest_passages || are_same(*one, *other)) continue;
+            const int percent = percent_alike(*one, *other);
+            if (percent < near_percent) continue;
+            NearFiles& near = pairs[{one->mark->student, other->mark->student}];
+            near.one = one->mark->student;
+            near.other = other->mark->student;
+            near.percent[stage] = percent;
+        }
+    }
+}
+
+/// The strength of the evidence: the number of stages, and the total.
+std::pair<std::size_t, int> strength(const NearFiles& near) {
+    int sum = 0;
+    for (const auto& [stage, percent] : near.percent) sum += percent;
+    return {near.percent.size(), sum};
+}
+
+}  // namespace
+
+Likeness likeness(const fs::path& results, const fs::path& project,
+                  const std::vector<Mark>& marks) {
+    Likeness all;
+    Pairs pairs;
+    for (const auto& [stage, most] : graded_stages(marks)) {
+        const std::vector<Text> texts = texts_of(results, project, marks, stage);
+        for (SameFile& same : same_files(texts, stage)) all.same.push_back(std::move(same));
+        compare_all(texts, stage, pairs);
+    }
+    for (auto& [names, near] : pairs) all.near.push_back(std::move(near));
+    std::stable_sort(all.near.begin(), all.near.end(), [](const auto& one, const auto& other) {
+        return strength(one) > strength(other);
+    });
+    return all;
+}
+
+}  // namespace rt::grade

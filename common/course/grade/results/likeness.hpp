@@ -1,0 +1,43 @@
+// Similar submissions of different students.
+#pragma once
+
+#include "common/course/grade/results/results.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rt::grade {
+
+/// Students with the same file.
+struct SameFile {
+    int stage = 1;
+    std::vector<std::string> students;
+};
+
+/// Two students with similar files.
+struct NearFiles {
+    std::string one;
+    std::string other;
+    std::map<int, int> percent;  ///< by stage: the percentage of the shorter file that the longer
+                                 ///< one contains
+};
+
+struct Likeness {
+    std::vector<SameFile> same;   ///< by stage
+    std::vector<NearFiles> near;  ///< most stages first
+};
+
+/// The threshold of similarity. Independent right answers (the references and those in
+/// tests/alternatives) share at most 31 percent; a file that is renamed and slightly edited shares
+/// more than this threshold.
+inline constexpr int near_percent = 60;
+
+/// Compares the files in results/students/<student>/submitted/, stage by stage. Passages of the
+/// project's starter do not count, and passages of many students count little. Files that are too
+/// short to compare are not reported.
+[[nodiscard]] Likeness likeness(const std::filesystem::path& results,
+                                const std::filesystem::path& project,
+                                const std::vector<Mark>& marks);
+
+}  // namespace rt::grade

@@ -1,0 +1,161 @@
+#include "common/course/grade/results/results.hpp"
+
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;  // the same mark is the same bytes
+
+constexpr int format = 1;
+constexpr const char* students = "students";
+constexpr std::array verdicts{"missing", "refused", "judged"};
+
+/// One line of JSON; bytes that are not UTF-8, which untrusted code may print, become "�".
+std::string line(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// The first line contains the number of cases, so that a truncated file is recognized.
+Json head(const Mark& mark) {
+    Json json{{"raysteps", format},
+              {"student", mark.student},
+              {"stage", mark.stage},
+              {"key", mark.key},
+              {"verdict", verdicts.at(std::size_t(mark.verdict))},
+              {"words", mark.words},
+              {"source", mark.source},
+              {"mistake", mark.mistake},
+              {"smallest", mark.smallest},
+              {"slice", mark.slice},
+              {"most", mark.most},
+              {"cases", mark.cases.size()}};
+    if (mark.picture)
+        json["picture"] = {{"pixels", mark.picture->pixels},
+                           {"different", mark.picture->different},
+                           {"file", mark.picture->file}};
+    return json;
+}
+
+Json to_json(const CaseMark& each) {
+    return {{"name", each.name},   {"points", each.points}, {"passed", each.passed},
+            {"given", each.given}, {"place", each.place},   {"words", each.words}};
+}
+
+Verdict verdict(const std::string& name) {
+    const auto found = std::find(verdicts.begin(), verdicts.end(), name);
+    if (found == verdicts.end()) throw InputError({}, "no verdict: " + name);
+    return Verdict(found - verdicts.begin());
+}
+
+Mark read_head(const Json& json) {
+    Mark mark{.student = json.at("student"),
+              .stage = json.at("stage"),
+              .key = json.at("key"),
+              .verdict = verdict(json.at("verdict")),
+              .words = json.at("words"),
+              .source = json.at("source"),
+              .mistake = json.at("mistake"),
+              .smallest = json.at("smallest"),
+              .slice = json.at("slice"),
+              .most = json.at("most")};
+    if (const auto picture = json.find("picture"); picture != json.end())
+        mark.picture = PictureMark{.pixels = picture->at("pixels"),
+                                   .different = picture->at("different"),
+                                   .file = picture->at("file")};
+    return mark;
+}
+
+CaseMark read_case(const Json& json) {
+    return {.name = json.at("name"),
+            .points = json.at("points"),
+            .passed = json.at("passed"),
+            .given = json.at("given"),
+            .place = json.at("place"),
+            .words = json.at("words")};
+}
+
+/// Throws if it is not a complete mark.
+Mark read_lines(const std::string& text, const fs::path& file) {
+    const std::vector<std::string> lines = lines_of(text);
+    const Json first = Json::parse(lines.empty() ? "" : lines.front());
+    const bool whole = text.back() == '\n' && first.at("raysteps") == format &&
+                       first.at("cases") == lines.size() - 1;
+    if (!whole) throw InputError({file.string()}, "is incomplete");
+    Mark mark = read_head(first);
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        mark.cases.push_back(read_case(Json::parse(lines[i])));
+    return mark;
+}
+
+}  // namespace
+
+int Mark::points() const {
+    int sum = 0;
+    bool any_is_own = false;
+    for (const CaseMark& each : cases) {
+        if (!each.passed) continue;
+        sum += each.points;
+        any_is_own = any_is_own || !each.given;
+    }
+    return any_is_own ? sum : 0;
+}
+
+fs::path student_folder(const fs::path& results, const std::string& student) {
+    const bool is_folder = !student.empty() && student != "." && student != ".." &&
+                           student.find_first_of(std::string("/\0", 2)) == std::string::npos;
+    if (!is_folder) throw InputError({}, "no folder can have the name \"" + student + "\"");
+    return results / students / student;
+}
+
+fs::path mark_file(const fs::path& results, const std::string& student, int stage) {
+    return student_folder(results, student) / (std::string(stage_name(stage)) + ".jsonl");
+}
+
+void write_mark(const fs::path& results, const Mark& mark) {
+    std::string text = line(head(mark));
+    for (const CaseMark& each : mark.cases) text += line(to_json(each));
+    const fs::path file = mark_file(results, mark.student, mark.stage);
+    std::error_code none;  // without a folder, writing a file fails with an error
+    fs::create_directories(file.parent_path(), none);
+    write_text(file, text);
+}
+
+std::optional<Mark> read_mark(const fs::path& results, const std::string& student, int stage) {
+    try {
+        const fs::path file = mark_file(results, student, stage);
+        Mark mark = read_lines(read_text(file), file);
+        if (mark.stage != stage) return std::nullopt;
+        mark.student = student;  // the folder's name, which may contain any byte
+        return mark;
+    } catch (const InputError&) {
+        return std::nullopt;
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+std::vector<Mark> read_marks(const fs::path& results) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
+        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    std::vector<Mark> marks;
+    for (const std::string& student : names)
+        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+            if (std::optional<Mark> mark = read_mark(results, student, stage))
+                marks.push_back(std::move(*mark));
+    return marks;
+}
+
+}  // namespace rt::grade

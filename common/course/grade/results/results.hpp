@@ -1,0 +1,82 @@
+// The stored results of a submission: one file of JSON lines per stage.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rt::grade {
+
+/// The last step of grading that a stage reached.
+enum class Verdict {
+    missing,  ///< no file was submitted
+    refused,  ///< it does not compile, or its compile was refused: `words` contains the reason
+    judged,
+};
+
+/// A case of the stage's suite.
+struct CaseMark {
+    std::string name;  ///< as in the suite: "edges belong to the triangle (MRT §5)"
+    int points = 1;    ///< its points if it passes
+    bool passed = false;
+    bool given = false;  ///< the starter passes it: "behind the origin, nothing is met"
+    std::string
+        place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"
+    std::string words;  ///< the suite's message for that failure, several lines
+};
+
+/// The picture of the stage's scene, computed with the student's stages up to this one, and with
+/// the references of missing or refused stages.
+struct PictureMark {
+    int pixels = 0;
+    int different = 0;  ///< pixels that differ from the reference's picture, where that picture is
+                        ///< certain
+    std::string file;   ///< the student's picture, the reference's and the difference, in the same
+                        ///< folder: a PNG
+};
+
+/// The stored result of one stage of a submission.
+struct Mark {
+    std::string student;
+    int stage = 1;
+    std::string key;  ///< hash of everything that decides the rest: the file, the suite, the seed
+    Verdict verdict = Verdict::missing;
+    std::string words;            ///< from the compiler or the grader
+    std::string source;           ///< the file's SHA-256
+    std::string mistake;          ///< the sentence of the recognized known mistake, if there is one
+    std::string smallest;         ///< the smallest failing input, several lines, if one was found
+    std::string slice;            ///< its drawing, in the same folder: an SVG
+    std::vector<CaseMark> cases;  ///< in the suite's order; empty if nothing was tested
+    std::optional<PictureMark> picture;
+    int most = 0;  ///< the points of all the stage's cases, tested or not
+
+    /// The points of the passed cases. 0 if the starter passes these too: then the student wrote
+    /// nothing.
+    [[nodiscard]] int points() const;
+};
+
+/// In the results: the files of the class's folder that belong to no submission, with the reasons,
+/// one line each.
+inline constexpr const char* left_over_file = "left_over.txt";
+
+/// "results/students/anna". A student's name never equals the name of one of the grader's files.
+/// Throws InputError if no folder can have this name.
+[[nodiscard]] std::filesystem::path student_folder(const std::filesystem::path& results,
+                                                   const std::string& student);
+
+/// "results/students/anna/step05_triangle.jsonl"
+[[nodiscard]] std::filesystem::path mark_file(const std::filesystem::path& results,
+                                              const std::string& student, int stage);
+
+/// Writes the mark whole, or not at all. Throws InputError.
+void write_mark(const std::filesystem::path& results, const Mark& mark);
+
+/// Returns nothing if the file does not exist, or is not a complete mark.
+[[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& results,
+                                            const std::string& student, int stage);
+
+/// All marks in the folder, by student and stage.
+[[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);
+
+}  // namespace rt::grade

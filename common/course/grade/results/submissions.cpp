@@ -1,0 +1,115 @@
+#include "common/course/grade/results/submissions.hpp"
+
+#include "common/stages/stages.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace rt::grade {
+
+namespace {
+
+void add_remark(Submission& submission, const std::string& words) {
+    submission.remarks += (submission.remarks.empty() ? "" : "\n") + words;
+}
+
+const Override* override_of(const Submission& submission, int stage, const Term& term) {
+    const auto found = term.overrides.find({submission.student, stage});
+    return found == term.overrides.end() ? nullptr : &found->second;
+}
+
+std::string reason(const Override& given) {
+    return given.comment.empty() ? "" : ": " + given.comment;
+}
+
+/// The reason why a submission has no files, such as an archive that cannot be opened.
+std::string why_nothing(const Submission& submission) {
+    std::string words;
+    for (const auto& [stage, mark] : submission.marks) {
+        if (mark->verdict != Verdict::missing) return "";
+        if (words.empty()) words = mark->words.substr(0, mark->words.find('\n'));
+    }
+    return words;
+}
+
+/// Computes the points of the marks in this term.
+void count(Submission& submission, const std::map<int, int>& graded, const Term& term) {
+    for (const auto& [stage, most] : graded) {
+        const auto mark = submission.marks.find(stage);
+        double points = mark == submission.marks.end() ? 0 : mark->second->points();
+        if (const Override* given = override_of(submission, stage, term)) {
+            add_remark(submission, stage_title(stage) + ": " + number(given->points) +
+                                       " instead of " + number(points) + reason(*given));
+            points = given->points;
+        }
+        submission.stages[stage] = points * term.weight(stage);
+        submission.points += submission.stages[stage];
+    }
+    const auto late = term.days_late.find(submission.student);
+    submission.days_late = late == term.days_late.end() ? 0 : late->second;
+    if (const double lost = std::min(100.0, term.late_percent * submission.days_late); lost > 0) {
+        add_remark(submission, number(submission.days_late) + " days late: " + number(lost) +
+                                   " % of " + number(submission.points) + " points");
+        submission.points *= 1 - lost / 100;
+    }
+    if (const Override* given = override_of(submission, Term::total, term)) {
+        add_remark(submission, "in all: " + number(given->points) + " instead of " +
+                                   number(submission.points) + reason(*given));
+        submission.points = given->points;
+    }
+}
+
+}  // namespace
+
+std::vector<Submission> submissions(const std::vector<Mark>& marks, const Term& term) {
+    std::map<std::string, Submission> by_name;
+    for (const Mark& mark : marks) by_name[mark.student].marks[mark.stage] = &mark;
+    if (term.roster)
+        for (const std::string& student : term.roster->students)
+            if (!student.empty()) by_name[student];
+    const std::map<int, int> graded = graded_stages(marks);
+    std::vector<Submission> all;
+    for (auto& [name, submission] : by_name) {
+        submission.student = name;
+        submission.called = term.called(name);
+        if (submission.marks.empty()) add_remark(submission, "submitted nothing");
+        if (const std::string why = why_nothing(submission); !why.empty())
+            add_remark(submission, why);
+        count(submission, graded, term);
+        all.push_back(std::move(submission));
+    }
+    return all;
+}
+
+std::map<int, int> graded_stages(const std::vector<Mark>& marks) {
+    std::map<int, int> stages;
+    for (const Mark& mark : marks) {
+        int& most = stages[mark.stage];
+        most = std::max(most, mark.most);
+    }
+    return stages;
+}
+
+double most_points(const std::map<int, int>& stages, const Term& term) {
+    double sum = 0;
+    for (const auto& [stage, most] : stages)
+        if (term.bonus.count(stage) == 0) sum += most * term.weight(stage);
+    return sum;
+}
+
+std::string stage_title(int stage) {
+    std::string title(stage_name(stage).substr(std::string_view("step05_").size()));
+    std::replace(title.begin(), title.end(), '_', ' ');
+    return std::to_string(stage) + " " + title;
+}
+
+std::string number(double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    std::string digits = text;
+    while (digits.back() == '0') digits.pop_back();
+    if (digits.back() == '.') digits.pop_back();
+    return digits == "-0" ? "0" : digits;
+}
+
+}  // namespace rt::grade

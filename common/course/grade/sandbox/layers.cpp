@@ -1,0 +1,128 @@
+#include "common/course/grade/sandbox/layers.hpp"
+
+#include "common/course/grade/sandbox/landlock.hpp"
+#include "common/course/grade/sandbox/seal.hpp"
+#include "common/course/grade/sandbox/seccomp_filter.hpp"
+
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <utility>
+
+namespace rt::grade {
+
+namespace {
+
+/// Returns the result of a trial in a separate process.
+template <class Trial>
+bool holds(Trial trial) {
+    const pid_t process = fork();
+    if (process == 0) _exit(trial() ? 0 : 1);
+    int status = 1;
+    while (waitpid(process, &status, 0) == -1 && errno == EINTR) continue;
+    return process > 0 && status == 0;
+}
+
+bool files_are_out_of_reach() {
+    const Landlock rules;
+    return rules.put_on() && open("/", O_RDONLY | O_DIRECTORY) == -1 && errno == EACCES;
+}
+
+bool calls_are_filtered() {
+    return filter_system_calls({.work = Work::building}) && socket(AF_UNIX, SOCK_STREAM, 0) == -1 &&
+           errno == ENOSYS;
+}
+
+bool memory_is_limited() {
+    constexpr int megabytes = 512;
+    if (!limit({.megabytes = megabytes})) return false;
+    return mmap(nullptr, std::size_t(megabytes) << 20, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS, -1,
+                0) == MAP_FAILED;
+}
+
+/// A process that stays until the pipe is closed at its other end.
+bool start_one_that_stays(const std::array<int, 2>& ends) {
+    const pid_t process = fork();
+    if (process != 0) return process > 0;
+    char byte = 0;
+    close(ends[1]);
+    _exit(read(ends[0], &byte, 1) == 0 ? 0 : 1);
+}
+
+bool processes_are_limited() {
+    constexpr int threads = 8;
+    constexpr int others = 256;  // of an ordinary user, which may end meanwhile and make room
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    if (geteuid() == 0 && !take_user_of_its_own({})) return false;
+    if (!limit({.threads = threads})) return false;
+    for (int i = 0; i <= threads + others; ++i)
+        if (!start_one_that_stays(ends)) return true;
+    return false;
+}
+
+/// The capabilities that root needs to run each process as another user, and to end it: missing in
+/// a container that has "dropped" them.
+std::string missing_capabilities() {
+    constexpr std::array<std::pair<int, const char*>, 5> needed = {
+        {{CAP_CHOWN, "CAP_CHOWN"},
+         {CAP_DAC_OVERRIDE, "CAP_DAC_OVERRIDE"},
+         {CAP_KILL, "CAP_KILL"},
+         {CAP_SETGID, "CAP_SETGID"},
+         {CAP_SETUID, "CAP_SETUID"}}};
+    __user_cap_header_struct header{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+    std::array<__user_cap_data_struct, 2> had{};
+    if (syscall(SYS_capget, &header, had.data()) != 0) return "";
+    std::string missing;
+    for (const auto& [number, name] : needed)
+        if ((had[0].effective >> number & 1) == 0)
+            missing += (missing.empty() ? ": this root lacks " : ", ") + std::string(name);
+    return missing;
+}
+
+Layer layer_of_users() {
+    const std::string name = "a user of its own for each process";
+    if (geteuid() != 0) return {name + " (only if root grades)", false};
+    const std::string missing = missing_capabilities();
+    return {name + missing, missing.empty() && holds([] { return take_user_of_its_own({}); }),
+            true};
+}
+
+}  // namespace
+
+std::vector<Layer> layers() {
+    const std::string version = std::to_string(Landlock::version());
+    return {
+        {"system calls are filtered (seccomp)", holds(calls_are_filtered), true},
+        {"files are out of reach (Landlock, version " + version + ")",
+         holds(files_are_out_of_reach), true},
+        {"time, memory and output are limited", holds(memory_is_limited), true},
+        {"processes and threads are limited", holds(processes_are_limited), true},
+        layer_of_users(),
+        {"namespaces of its own for each worker",
+         holds([] { return take_namespaces(Work::answering); })},
+        {"processes, network and mounts of its own for each compiler",
+         holds([] { return take_namespaces(Work::building); })},
+    };
+}
+
+bool hold(const std::vector<Layer>& layers) {
+    return std::all_of(layers.begin(), layers.end(),
+                       [](const Layer& layer) { return layer.holds || !layer.needed; });
+}
+
+std::string text_of(const std::vector<Layer>& layers) {
+    std::string text;
+    for (const Layer& layer : layers) text += (layer.holds ? "✓ " : "✗ ") + layer.name + "\n";
+    return text;
+}
+
+}  // namespace rt::grade

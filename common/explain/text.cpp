@@ -1,0 +1,108 @@
+#include "common/explain/text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace rt {
+
+namespace {
+
+std::string field(const char* name, const std::string& value) {
+    return std::string(".") + name + " = " + value;
+}
+
+}  // namespace
+
+std::string text(Real value) {
+    if (std::isnan(value)) return "nan";  // the sign of NaN has no meaning
+    std::array<char, 64> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end};
+}
+
+std::string text(Vec2 v) {
+    return "(" + text(v.x) + ", " + text(v.y) + ")";
+}
+
+std::string text(Vec3 v) {
+    return "(" + text(v.x) + ", " + text(v.y) + ", " + text(v.z) + ")";
+}
+
+std::string code(Real value) {
+    if (std::isnan(value)) return "std::numeric_limits<Real>::quiet_NaN()";
+    if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+    const std::string digits = text(value);
+    const bool whole = digits.find_first_of(".e") == std::string::npos;
+    // An integer literal in C++ has no −0, and is limited: 2^31 is safe.
+    const bool plain = whole && digits != "-0" && std::abs(value) <= Real(1U << 31);
+    return plain ? digits : "Real(" + digits + (whole ? ".0)" : ")");
+}
+
+std::string code(Vec3 v) {
+    return "{" + code(v.x) + ", " + code(v.y) + ", " + code(v.z) + "}";
+}
+
+std::string code(const Ray& ray) {
+    return "Ray{" + field("origin", code(ray.origin)) + ", " +
+           field("direction", code(ray.direction)) + "}";
+}
+
+std::string code(Interval interval) {
+    return "Interval{" + field("min", code(interval.min)) + ", " +
+           field("max", code(interval.max)) + "}";
+}
+
+std::string code(const Basis& basis) {
+    return "Basis{" + field("x", code(basis.x)) + ", " + field("y", code(basis.y)) + ", " +
+           field("z", code(basis.z)) + "}";
+}
+
+std::string code(const Sphere& sphere) {
+    return "Sphere{" + field("center", code(sphere.center)) + ", " +
+           field("radius", code(sphere.radius)) + "}";
+}
+
+std::string code(const Plane& plane) {
+    return "Plane{" + field("point", code(plane.point)) + ", " +
+           field("normal", code(plane.normal)) + "}";
+}
+
+std::string code(const Triangle& triangle) {
+    return "Triangle{" + field("a", code(triangle.a)) + ", " + field("b", code(triangle.b)) + ", " +
+           field("c", code(triangle.c)) + "}";
+}
+
+std::string code(const Square& square) {
+    return "Square{" + field("center", code(square.center)) + ", " +
+           field("basis", code(square.basis)) + ", " + field("side", code(square.side)) +
+           (square.one_sided ? ", .one_sided = true}" : "}");
+}
+
+std::string code(const Cylinder& cylinder) {
+    return "Cylinder{" + field("center", code(cylinder.center)) + ", " +
+           field("axis", code(cylinder.axis)) + ", " + field("radius", code(cylinder.radius)) +
+           ", " + field("height", code(cylinder.height)) + "}";
+}
+
+std::string code(const Cone& cone) {
+    return "Cone{" + field("apex", code(cone.apex)) + ", " + field("axis", code(cone.axis)) + ", " +
+           field("radius", code(cone.radius)) + ", " + field("height", code(cone.height)) + "}";
+}
+
+std::string code(const OrientedBox& box) {
+    return "OrientedBox{" + field("center", code(box.center)) + ", " +
+           field("basis", code(box.basis)) + ", " + field("half_size", code(box.half_size)) + "}";
+}
+
+std::string code(const Box& box) {
+    return "Box{" + field("min", code(box.min)) + ", " + field("max", code(box.max)) + "}";
+}
+
+std::string code(const Motion& motion) {
+    return "Motion{" + field("rotation", code(motion.rotation)) + ", " +
+           field("scale", code(motion.scale)) + ", " +
+           field("translation", code(motion.translation)) + "}";
+}
+
+}  // namespace rt

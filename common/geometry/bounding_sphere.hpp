@@ -1,0 +1,14 @@
+// A bounding sphere of a shape.
+#pragma once
+
+#include "common/math/real.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// All points at most `radius` from the center.
+struct Ball {
+    Vec3 center;
+    Real radius = 0;
+};
+
+}  // namespace rt::inline RT_PRECISION

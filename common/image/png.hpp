@@ -1,0 +1,27 @@
+// Reading and writing of PNG files, with libpng.
+#pragma once
+
+#include "common/image/image.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A text chunk: metadata of the picture ("Title", "Size", …).
+struct PngText {
+    std::string key;
+    std::string value;
+};
+
+/// Writes the picture completely or not at all: it is a WholeFile. Creates the folder if needed.
+/// Throws InputError if that fails, or if the existing file is neither a PNG nor empty.
+void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts);
+
+/// Throws InputError if write_png could not write to the file. Creates no file.
+void check_writable(const std::string& file);
+
+/// Reads any PNG file as 8-bit colors. Throws InputError if the file is not a PNG.
+[[nodiscard]] Image read_png(const std::string& file);
+
+}  // namespace rt

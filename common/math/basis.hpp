@@ -1,0 +1,20 @@
+// An orthonormal basis: three unit axes at right angles.
+#pragma once
+
+#include "common/math/real.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// A right-handed orthonormal basis: x × y = z.
+struct Basis {
+    Vec3 x{1, 0, 0};
+    Vec3 y{0, 1, 0};
+    Vec3 z{0, 0, 1};
+
+    bool operator==(const Basis&) const = default;
+};
+
+/// The type of stage 2's basis_around: returns a basis whose z axis points along `z`.
+using BasisAround = Basis(Vec3 z);
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,250 @@
+// SIMD: four or eight numbers in one instruction (GCC's and Clang's vector extensions), or one
+// after the other on a compiler without them. The results have the same bits either way.
+#pragma once
+
+#include "common/math/real.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <type_traits>
+
+#ifdef __SSE2__
+#include <immintrin.h>
+#endif
+
+// Selects the SIMD backend. Every type that contains lanes is in an inline namespace named after
+// it, so that objects compiled for different processors link into one program: a suite compares the
+// backends, and the archives of a hand-out are for any processor.
+#ifndef RT_LANES
+#if !defined(__GNUC__)
+#define RT_LANES scalar_lanes
+#elif !defined(__AVX__)
+#define RT_LANES vector_lanes
+#else
+#define RT_LANES long_vector_lanes
+#endif
+#endif
+
+namespace rt::inline RT_PRECISION {
+
+/// The unit of the lanes in each backend: a single number, a vector of the 16 bytes that every
+/// machine supports, or one of 32.
+namespace lane_parts {
+template <class Number, std::size_t count>
+struct scalar_lanes {
+    using Part = Number;
+    using Mask = int;
+};
+#ifdef __GNUC__
+template <class Number, std::size_t count>
+struct vector_lanes {
+    typedef Number Part __attribute__((vector_size(16)));
+    using Mask = decltype(Part{} < Part{});
+};
+template <class Number, std::size_t count>
+struct long_vector_lanes {
+    static constexpr std::size_t size = std::min(count * sizeof(Number), std::size_t(32));
+    typedef Number Part __attribute__((vector_size(size)));
+    using Mask = decltype(Part{} < Part{});
+};
+#endif
+}  // namespace lane_parts
+
+inline namespace RT_LANES {
+
+template <class Number, std::size_t count>
+using LanePart = typename lane_parts::RT_LANES<Number, count>::Part;
+template <class Number, std::size_t count>
+using LaneMask = typename lane_parts::RT_LANES<Number, count>::Mask;
+
+template <class Number, std::size_t count>
+inline constexpr std::size_t lane_part_count = count * sizeof(Number) /
+                                               sizeof(LanePart<Number, count>);
+
+/// Returns op(0), op(1), … for all parts. Unrolled by hand: a loop over two parts would keep them
+/// in memory.
+template <class Number, std::size_t count, template <class, std::size_t> class Result, class Op>
+[[nodiscard]] inline Result<Number, count> each_part(Op op) {
+    constexpr std::size_t parts = lane_part_count<Number, count>;
+    if constexpr (parts == 1) return {{op(0)}};
+    if constexpr (parts == 2) return {{op(0), op(1)}};
+    if constexpr (parts == 4) return {{op(0), op(1), op(2), op(3)}};
+}
+
+/// The result of a comparison in each lane.
+template <class Number, std::size_t count>
+struct MaskOf {
+    std::array<LaneMask<Number, count>, lane_part_count<Number, count>> parts;
+};
+
+/// A vector of numbers; every operation applies to each lane.
+template <class Number, std::size_t count>
+struct alignas(count * sizeof(Number)) LanesOf {
+    std::array<LanePart<Number, count>, lane_part_count<Number, count>> parts;
+};
+
+inline constexpr std::size_t lane_count = 4;
+/// The number of floats in one instruction: eight if it has room for them, else four.
+inline constexpr std::size_t float_count =
+    std::max(lane_count, sizeof(LanePart<float, 8>) / sizeof(float));
+
+using Lanes = LanesOf<Real, lane_count>;
+using Floats = LanesOf<float, lane_count>;  ///< in either precision
+using MoreFloats = LanesOf<float, float_count>;
+
+/// The same number in every lane.
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> all_of(Number value) {
+    return each_part<Number, count, LanesOf>(
+        [value](std::size_t) { return value - LanePart<Number, count>{}; });
+}
+
+[[nodiscard]] inline Lanes all_lanes(Real value) {
+    return all_of<Real, lane_count>(value);
+}
+
+[[nodiscard]] inline Floats all_floats(float value) {
+    return all_of<float, lane_count>(value);
+}
+
+[[nodiscard]] inline Floats floats_of(const std::array<float, lane_count>& values) {
+    return std::bit_cast<Floats>(values);
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline std::array<Number, count> values(LanesOf<Number, count> lanes) {
+    return std::bit_cast<std::array<Number, count>>(lanes);
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator+(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] + b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator-(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] - b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator*(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] * b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> operator/(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] / b.parts[i]; });
+}
+
+/// The smaller of each pair; b's, where either is NaN.
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> min(LanesOf<Number, count> a,
+                                                LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] < b.parts[i] ? a.parts[i] : b.parts[i]; });
+}
+
+/// The larger of each pair; b's, where either is NaN.
+template <class Number, std::size_t count>
+[[nodiscard]] inline LanesOf<Number, count> max(LanesOf<Number, count> a,
+                                                LanesOf<Number, count> b) {
+    return each_part<Number, count, LanesOf>(
+        [&](std::size_t i) { return a.parts[i] > b.parts[i] ? a.parts[i] : b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator<(LanesOf<Number, count> a,
+                                                     LanesOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>([&](std::size_t i) { return a.parts[i] < b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator<=(LanesOf<Number, count> a,
+                                                      LanesOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return a.parts[i] <= b.parts[i]; });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator&(MaskOf<Number, count> a,
+                                                     MaskOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] & b.parts[i]); });
+}
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline MaskOf<Number, count> operator|(MaskOf<Number, count> a,
+                                                     MaskOf<Number, count> b) {
+    return each_part<Number, count, MaskOf>(
+        [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] | b.parts[i]); });
+}
+
+/// One bit for each lane; the first lane's is the lowest.
+template <std::size_t count>
+[[nodiscard]] inline unsigned bits(const std::array<int, count>& lanes) {
+    unsigned result = 0;
+    for (std::size_t i = 0; i < count; ++i) result |= unsigned(lanes[i]) << i;
+    return result;
+}
+
+#ifdef __SSE2__
+[[nodiscard]] inline unsigned sign_bits(__m128 part) {
+    return unsigned(_mm_movemask_ps(part));
+}
+
+[[nodiscard]] inline unsigned sign_bits(__m128d part) {
+    return unsigned(_mm_movemask_pd(part));
+}
+#endif
+
+#ifdef __AVX__
+[[nodiscard]] inline unsigned sign_bits(__m256 part) {
+    return unsigned(_mm256_movemask_ps(part));
+}
+
+[[nodiscard]] inline unsigned sign_bits(__m256d part) {
+    return unsigned(_mm256_movemask_pd(part));
+}
+#endif
+
+template <class Number, std::size_t count>
+[[nodiscard]] inline unsigned bits(MaskOf<Number, count> mask) {
+    if constexpr (std::is_same_v<LaneMask<Number, count>, int>) {
+        return bits(mask.parts);
+    } else {
+        unsigned result = 0;
+#ifdef __SSE2__
+        for (std::size_t i = 0; i < mask.parts.size(); ++i)
+            result |= sign_bits(std::bit_cast<LanePart<Number, count>>(mask.parts[i]))
+                      << (i * count / mask.parts.size());
+#else
+        using Word = std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>;
+        const auto words = std::bit_cast<std::array<Word, count>>(mask.parts);
+        for (std::size_t i = 0; i < count; ++i) result |= unsigned(words[i] & 1) << i;
+#endif
+        return result;
+    }
+}
+
+/// Clears the lowest set bit, and returns its index.
+template <std::unsigned_integral Bits>
+[[nodiscard]] inline std::size_t take_lowest(Bits& bits) {
+    const auto lowest = std::size_t(std::countr_zero(bits));
+    bits &= bits - 1;
+    return lowest;
+}
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

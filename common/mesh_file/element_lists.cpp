@@ -1,0 +1,106 @@
+#include "common/mesh_file/element_lists.hpp"
+
+#include "common/mesh_file/mesh_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace rt {
+
+namespace {
+
+/// Returns the next line of a list. Throws InputError at the end of the file.
+std::string_view next_item(MeshLines& lines, const char* what, std::uint64_t index,
+                           std::uint64_t count) {
+    if (const auto line = lines.next()) return *line;
+    lines.refuse("the file ends after " + std::to_string(index) + " of " + std::to_string(count) +
+                 " " + what);
+}
+
+void check_vertex(std::string_view line, const MeshLines& lines, MeshLists& lists) {
+    const std::size_t words = count_words(line);
+    if (lists.words_a_vertex == 0) lists.words_a_vertex = std::max<std::size_t>(words, 3);
+    if (words == lists.words_a_vertex) return;
+    lines.refuse("a vertex has " + std::to_string(lists.words_a_vertex) +
+                 " numbers here, on a line of its own, not " + std::to_string(words));
+}
+
+/// Removes the number of corners from the line and returns it.
+int take_corner_count(std::string_view& line, const MeshLines& lines) {
+    const std::string_view word = take_word(line);
+    const auto corners = whole_number(word);
+    if (!corners || *corners < 0) {
+        lines.refuse("a face begins with the number of its corners, not " + quoted_word(word));
+    }
+    if (*corners > most_corners) {
+        lines.refuse("a face of " + std::to_string(*corners) + " corners: expected at most " +
+                     std::to_string(most_corners));
+    }
+    return static_cast<int>(*corners);
+}
+
+/// Removes the i-th corner from the line and returns it.
+std::string_view take_corner(std::string_view& line, int corners, int i, const MeshLines& lines) {
+    const std::string_view word = take_word(line);
+    if (!word.empty()) return word;
+    lines.refuse("a face of " + std::to_string(corners) + " corners ends after " +
+                 std::to_string(i));
+}
+
+[[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
+    lines.refuse("expected a number in the range of float, or an existing vertex, not " +
+                 quoted_word(word));
+}
+
+void read_vertex(std::string_view line, const MeshLines& lines, const std::vector<int>& columns,
+                 bool has_normals, MeshImporter& importer) {
+    std::array<float, 6> numbers{};
+    for (const int column : columns) {
+        const std::string_view word = take_word(line);
+        if (column < 0) continue;
+        const auto number = float_number(word);
+        if (!number) refuse_number(word, lines);
+        numbers[std::size_t(column)] = *number;
+    }
+    const auto vertex = importer.add_vertex({numbers[0], numbers[1], numbers[2]});
+    if (has_normals)
+        importer.set_normal(vertex, OpenMesh::Vec3f(numbers[3], numbers[4], numbers[5]));
+}
+
+void read_face(std::string_view line, const MeshLines& lines, std::uint64_t vertices,
+               MeshImporter& importer, MeshImporter::VHandles& face) {
+    const int corners = take_corner_count(line, lines);
+    face.clear();
+    for (int i = 0; i < corners; ++i) {
+        const std::string_view word = take_corner(line, corners, i, lines);
+        const auto vertex = whole_number(word.substr(word.starts_with('+')));
+        if (!vertex) refuse_number(word, lines);
+        if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertices)
+            lines.refuse("vertex " + std::to_string(*vertex) + " is not there: expected 0 to " +
+                         std::to_string(vertices - 1));
+        face.emplace_back(static_cast<int>(*vertex));
+    }
+    importer.add_face(face);
+}
+
+}  // namespace
+
+void read_lists(MeshLines& lines, MeshLists lists, MeshImporter& importer) {
+    // The file may promise more than it has: a line has at least six bytes, "0 0 0" and its end.
+    const std::uint64_t most = lines.left() / 6 + 1;
+    importer.reserve(unsigned(std::min(lists.vertices, most)), 0,
+                     unsigned(std::min(lists.faces, most)));
+    for (std::uint64_t i = 0; i < lists.vertices; ++i) {
+        const std::string_view line = next_item(lines, "vertices", i, lists.vertices);
+        check_vertex(line, lines, lists);
+        if (lists.words_a_vertex < lists.columns.size()) lists.columns.resize(3);
+        const bool has_normals = std::count(lists.columns.begin(), lists.columns.end(), 3) > 0;
+        read_vertex(line, lines, lists.columns, has_normals, importer);
+    }
+    MeshImporter::VHandles face;
+    for (std::uint64_t i = 0; i < lists.faces; ++i)
+        read_face(next_item(lines, "faces", i, lists.faces), lines, lists.vertices, importer, face);
+}
+
+}  // namespace rt

@@ -1,0 +1,78 @@
+#include "common/mesh_file/mesh_file.hpp"
+
+#include "common/mesh_file/checked_mesh.hpp"
+#include "common/mesh_file/openmesh_importer.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/input_file.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+using Read = void (*)(std::string content, const std::string& file, MeshImporter& importer);
+
+/// The reader of the format that the file name indicates.
+Read reader_for(const std::string& file) {
+    std::string kind = std::filesystem::path(file).extension().string();
+    for (char& c : kind) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    if (kind == ".off") return read_off;
+    if (kind == ".obj") return read_obj;
+    if (kind == ".ply") return read_ply;
+    if (kind == ".stl") return read_stl;
+    throw InputError({file},
+                     "is not a mesh: expected a name that ends in .off, .obj, .ply or .stl");
+}
+
+void require_size(std::uintmax_t size, const std::string& file) {
+    if (size <= largest_mesh_file) return;
+    throw InputError({file}, "is larger than " + std::to_string(largest_mesh_file >> 20) +
+                                 " MiB: expected a smaller mesh");
+}
+
+bool has_area(const MeshFile& mesh) {
+    return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&mesh](const auto& corners) {
+        const glm::dvec3 a = mesh.vertices[corners[0]];
+        const glm::dvec3 b = mesh.vertices[corners[1]];
+        const glm::dvec3 c = mesh.vertices[corners[2]];
+        return glm::cross(b - a, c - a) != glm::dvec3(0);
+    });
+}
+
+}  // namespace
+
+MeshFile parse_mesh_file(std::string content, const std::string& file) {
+    const Read read = reader_for(file);
+    if (content.empty()) throw InputError({file}, "is empty: expected a mesh");
+    require_size(content.size(), file);
+    MeshImporter importer;
+    read(std::move(content), file, importer);
+    MeshFile result = importer.take();
+    if (result.triangles.empty()) {
+        throw InputError({file}, "has no triangles: expected at least one");
+    }
+    if (!has_area(result))
+        result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
+    return result;
+}
+
+MeshFile read_mesh_file(const std::string& file) {
+    // Checks that need not read much. A device may be endless, and a pipe cannot be read twice.
+    static_cast<void>(reader_for(file));
+    std::error_code has_none;
+    const auto status = std::filesystem::status(file, has_none);
+    if (std::filesystem::exists(status) && std::filesystem::is_other(status))
+        throw InputError({file}, "is a device or a pipe: expected a file");
+    const std::uintmax_t size = std::filesystem::file_size(file, has_none);
+    if (!has_none) require_size(size, file);
+    return parse_mesh_file(read_input_file(file, largest_mesh_file), file);
+}
+
+}  // namespace rt

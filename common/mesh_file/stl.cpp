@@ -1,0 +1,94 @@
+#include "common/mesh_file/checked_mesh.hpp"
+#include "common/mesh_file/mesh_lines.hpp"
+#include "common/mesh_file/open_mesh.hpp"
+
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+/// The layout of a binary file: 80 arbitrary bytes, the number of triangles, then 50 bytes for
+/// each: twelve floats and two bytes more.
+constexpr std::size_t header_size = 84;
+constexpr std::size_t triangle_size = 50;
+
+std::uint64_t byte(const std::string& content, std::size_t at) {
+    return static_cast<unsigned char>(content[at]);
+}
+
+std::uint64_t triangle_count(const std::string& content) {
+    return byte(content, 80) | byte(content, 81) << 8 | byte(content, 82) << 16 |
+           byte(content, 83) << 24;
+}
+
+/// Throws InputError for NaN and infinity, which OpenMesh would look up in a sorted map: all ones
+/// in the exponent of a little-endian float. The first three floats are the face's normal, which is
+/// not used.
+void check_numbers(const std::string& content, const std::string& file) {
+    for (std::size_t at = header_size; at < content.size(); at += triangle_size) {
+        for (std::size_t i = 3; i < 12; ++i) {
+            const std::size_t high = at + 4 * i + 3;
+            if ((byte(content, high) & 0x7f) != 0x7f || byte(content, high - 1) < 0x80) continue;
+            throw InputError({file}, "triangle " +
+                                         std::to_string((at - header_size) / triangle_size) +
+                                         " has a corner that is not a place");
+        }
+    }
+}
+
+/// Checks a text file, and allows only the lines that OpenMesh recognizes: it searches for "outer"
+/// anywhere, even in the name of the solid, and parses the next three lines as vertices.
+CheckedMesh checked_text(std::string content, const std::string& file) {
+    plain_text(content);
+    MeshLines lines(content, file);
+    CheckedMesh checked = {.reader = "stl"};
+    int corners_to_come = 0;
+    std::string keyword;
+    while (const auto line = lines.next()) {
+        std::string_view rest = *line;
+        keyword = take_word(rest).substr(0, 16);
+        for (char& c : keyword) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+        if ((corners_to_come > 0) != (keyword == "vertex")) {
+            lines.refuse(
+                std::string("expected ") +
+                (corners_to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
+                ", not " + quoted_word(*line));
+        }
+        if (keyword == "outer") {
+            checked.content += "outer\n";
+            corners_to_come = 3;
+        } else if (keyword == "vertex") {
+            require_three_numbers(rest, "a vertex", lines);
+            checked.content.append(*line).append("\n");
+            --corners_to_come;
+        }
+    }
+    if (keyword != "endsolid") lines.refuse("the file ends before its \"endsolid\"");
+    return checked;
+}
+
+}  // namespace
+
+void read_stl(std::string content, const std::string& file, MeshImporter& importer) {
+    // The same criterion as OpenMesh's: a binary file may start with "solid" too.
+    const bool has_header = content.size() >= header_size;
+    const std::uint64_t count = has_header ? triangle_count(content) : 0;
+    if (has_header && content.size() == header_size + count * triangle_size) {
+        check_numbers(content, file);
+        read_checked({.content = std::move(content), .reader = "stl", .is_binary = true}, file,
+                     importer);
+        return;
+    }
+    blank_byte_order_mark(content);
+    if (content.starts_with("solid") || content.starts_with("   solid")) {
+        read_checked(checked_text(std::move(content), file), file, importer);
+        return;
+    }
+    if (!has_header) throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
+    throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
+                                 std::to_string(header_size + count * triangle_size) +
+                                 " bytes, not " + std::to_string(content.size()));
+}
+
+}  // namespace rt

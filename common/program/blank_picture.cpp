@@ -1,0 +1,128 @@
+#include "common/program/blank_picture.hpp"
+
+#include "common/explain/text.hpp"
+#include "common/geometry/bounds.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/render.hpp"
+#include "common/render/stage.hpp"
+#include "common/stages/stages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+/// A smaller picture may well have one color.
+constexpr std::size_t least_pixels = 16;
+constexpr Resolution trial_size{.width = 24, .height = 18};
+constexpr std::size_t most_cameras_tried = 16;
+
+/// The number of rays of a small picture that hit a shape.
+int hits(const Scene& scene, const Camera& camera, Look look) {
+    look.shading = Shading::normal;  // in this shading only missed pixels are black
+    const PixelRays pixel_ray = pixel_rays(camera, trial_size);
+    Context context{.look = look};
+    int count = 0;
+    for (int row = 0; row < trial_size.height; ++row)
+        for (int column = 0; column < trial_size.width; ++column) {
+            context.pixel = {.row = row, .column = column};
+            const Color color = trace(scene, pixel_ray(context.pixel), context);
+            if (to_rgb(color) != Rgb{0, 0, 0}) ++count;
+        }
+    return count;
+}
+
+/// The bounding box of all shapes except planes; empty if there are none.
+Box around(const Scene& scene) {
+    Box all;
+    for_each_kind(scene, [&all](const auto& items) { all = united(all, items.box()); });
+    return united(all, scene.meshes.box());
+}
+
+std::size_t count_shapes(const Scene& scene) {
+    std::size_t count = scene.meshes.size();
+    for_each_kind(scene, [&count](const auto& items) { count += items.size(); });
+    return count;
+}
+
+/// Candidate directions that may see more than the camera's: to the center of the shapes, and along
+/// the axes.
+std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
+    std::vector<Vec3> directions;
+    const Box box = around(scene);
+    const Vec3 way = box.min / Real(2) + box.max / Real(2) - position;
+    const Real size = largest_component(glm::abs(way));
+    if (size > 0 && size < infinity) directions.push_back(way / size);
+    for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        directions.push_back(axis);
+        directions.push_back(-axis);
+    }
+    return directions;
+}
+
+/// Two decimals: accurate enough to face that way, and short enough to type.
+std::string short_text(Vec3 v) {
+    const auto digits = [](Real value) { return text(std::round(value * 100) / 100 + Real(0)); };
+    return digits(v.x) + "," + digits(v.y) + "," + digits(v.z);
+}
+
+Vec3 rounded(Vec3 v) {
+    return glm::round(v * Real(100)) / Real(100);
+}
+
+std::string why_nothing_is_met(const Scene& scene, const Look& look) {
+    const std::string start = "no ray of the camera hits a shape: ";
+    const Camera& camera = scene.cameras.front();
+    if (camera.fov == 0) return start + "its field of view is 0; try one of 60";
+    const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
+    for (std::size_t i = 1; i < cameras; ++i)
+        if (hits(scene, scene.cameras[i], look) > 0)
+            return start + "another camera sees some; try --camera " + std::to_string(i + 1);
+
+    Camera tried = camera;
+    int most = 0;
+    Vec3 best(0);
+    for (const Vec3& direction : other_directions(scene, camera.position)) {
+        if (rounded(direction) == Vec3(0)) continue;
+        tried.direction = unit(rounded(direction));
+        const int count = hits(scene, tried, look);
+        if (count <= most) continue;
+        most = count;
+        best = rounded(direction);
+    }
+    if (most > 0)
+        return start + "it points past them; try the direction " +
+               short_text(to_its_axes(best, scene.axes)) + " in its line";
+    return start + "they may be too small or too far away; try a position nearer to them";
+}
+
+}  // namespace
+
+std::string why_blank(const Scene& scene, const Look& look, int stage, const Image& image) {
+    const std::vector<Rgb>& pixels = image.pixels;
+    const auto differs = [&pixels](Rgb pixel) { return pixel != pixels.front(); };
+    if (stage < shapes_stage || pixels.size() < least_pixels) return "";
+    if (std::any_of(pixels.begin(), pixels.end(), differs)) return "";
+    const std::string start = "all pixels have one color: ";
+    if (count_shapes(scene) == 0)
+        return start + "the scene has no shape; try a line such as \"sp 0,0,0 2 255,0,0\"";
+    if (hits(scene, scene.cameras.front(), look) == 0)
+        return start + why_nothing_is_met(scene, look);
+    const bool lit = stage >= light_stage && look.shading == Shading::color;
+    if (lit && scene.lights.empty() && !scene.ambient)
+        return start + "there is no light; try lines A and L, or --shade normal";
+    if (lit && pixels.front() == Rgb{0, 0, 0})
+        return start +
+               "shapes are in view, but no light reaches them, or that light is black; try "
+               "a line L on the camera's side, or --shade normal";
+    if (lit && pixels.front() == Rgb{255, 255, 255})
+        return start + "the lights add up to more than white; try smaller ratios in A and L";
+    return start +
+           "one surface fills the picture, or the camera is inside a shape; try another "
+           "position in its line";
+}
+
+}  // namespace rt

@@ -1,0 +1,68 @@
+#include "common/program/load_meshes.hpp"
+
+#include "common/geometry/mesh_normals.hpp"
+#include "common/mesh_file/load_mesh.hpp"
+#include "common/scene/copies.hpp"
+
+#include <array>
+#include <map>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+/// Removes duplicate triangles. Call it after the normals are computed, in which each copy counts.
+void leave_out_copied_triangles(Mesh& mesh) {
+    using Corners = std::array<std::uint32_t, 3>;
+    const auto& points = mesh.vertices;
+    leave_out_copies(
+        mesh.triangles,
+        [&](const Corners& t) {
+            return hash({points[t[0]], points[t[1]], points[t[2]]});
+        },
+        [&](const Corners& t, const Corners& u) {
+            return points[t[0]] == points[u[0]] && points[t[1]] == points[u[1]] &&
+                   points[t[2]] == points[u[2]];
+        });
+}
+
+std::shared_ptr<const Model> load_model(const std::string& file, bool smooth, const Warn& warn) {
+    Model model{.mesh = load_mesh(file, warn)};
+    Mesh& mesh = model.mesh;
+    if (!smooth) mesh.normals.clear();
+    if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
+    leave_out_copied_triangles(mesh);
+    if (mesh.triangles.size() >= packing_pays_from) model.packed.emplace(mesh);
+    model.bounds = model.packed ? model.packed->bounds() : bounds(mesh);
+    return std::make_shared<const Model>(std::move(model));
+}
+
+/// "the mesh of scene.rt:4:1"
+std::string named_by(const Place& place) {
+    std::string text = to_string(place);
+    text.resize(text.rfind(':'));
+    return "the mesh of " + text;
+}
+
+}  // namespace
+
+void load_meshes(Scene& scene, const Warn& warn) {
+    std::map<std::pair<std::string, bool>, std::shared_ptr<const Model>> models;
+    for (const NamedMesh& named : scene.named_meshes) {
+        const std::string file = path_of(named);
+        const auto warn_of_line = [&](const std::string& warning) {
+            if (warn) warn(warning + " (" + named_by(named.place) + ")");
+        };
+        auto& model = models[{file, named.smooth}];
+        try {
+            if (!model) model = load_model(file, named.smooth, warn_of_line);
+        } catch (const InputError& error) {
+            throw error.with(named_by(named.place));
+        }
+        scene.meshes.push_back(
+            {.shape = {.model = model, .placement = named.placement}, .material = named.material});
+    }
+}
+
+}  // namespace rt

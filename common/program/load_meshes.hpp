@@ -1,0 +1,14 @@
+// Loading of the meshes that a scene names.
+#pragma once
+
+#include "common/scene/scene.hpp"
+
+namespace rt {
+
+/// Loads the scene's named meshes, each file once, and adds an instance for each. Throws InputError
+/// for a file that is wrong; the error and each warning include the line of the scene that names
+/// the file. Only the program of a stage with meshes has this function: in the others
+/// no_meshes.cpp takes its place, so that they do not need OpenMesh.
+void load_meshes(Scene& scene, const Warn& warn = nullptr);
+
+}  // namespace rt

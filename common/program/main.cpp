@@ -1,0 +1,147 @@
+// The main function of every stage's program. CMake defines the stage.
+#include "common/image/png.hpp"
+#include "common/program/options.hpp"
+#include "common/program/session.hpp"
+#include "common/program/used_options.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
+#include "common/tuning/auto_settings.hpp"
+#include "common/tuning/wording.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr int bad_input = 2;
+constexpr int interrupted = 130;  // the convention of shells: 128 + SIGINT
+
+std::atomic<bool> stop = false;
+std::atomic<bool> reading = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+/// While the scene is read, the program exits at once: it has nothing to clean up, and may be in
+/// the middle of ten million triangles.
+void on_interrupt(int /*signal*/) {
+    if (reading) std::_Exit(interrupted);
+    stop = true;
+}
+
+#ifdef RT_EXACT
+constexpr bool exact = true;
+constexpr auto open_float = rt::f64::open_session;  // never called: the precision is fixed
+#else
+constexpr bool exact = false;
+constexpr auto open_float = rt::f32::open_session;
+#endif
+
+/// Checks the output file before rendering, so that no finished picture is lost.
+void check_output(const rt::Options& options) {
+    std::error_code not_there;
+    if (std::filesystem::equivalent(options.scene, options.output, not_there))
+        throw rt::InputError({options.output},
+                             "is the scene itself, which the picture would overwrite");
+    rt::check_writable(options.output);
+}
+
+std::unique_ptr<rt::Session> open(const rt::Program& program, const rt::Options& options,
+                                  rt::Precision precision) {
+    const auto open_session = precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
+    reading = true;
+    std::unique_ptr<rt::Session> session = open_session(program, options);
+    reading = false;
+    return session;
+}
+
+/// Renders with automatic settings, for a tolerance or a time.
+bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
+                    std::unique_ptr<rt::Session> session) {
+    std::unique_ptr<rt::Session> in_float;
+    rt::OpenFloat other;
+    if (!options.precision_given && !exact)
+        other = [&]() -> rt::Trials& {
+            return *(in_float = open(program, options, rt::Precision::f32));
+        };
+    const bool shown = !options.quiet && rt::errors_on_terminal();
+    if (shown) std::cerr << "trying settings\r" << std::flush;
+    const auto choice = choose(*session, other, options, start, stop);
+    if (shown) std::cerr << "\033[K" << std::flush;
+    if (!choice) return false;
+    options.look = choice->expected.look;
+    options.hierarchy_from = choice->hierarchy_from;
+    if (choice->in_float) {
+        options.precision = rt::Precision::f32;
+        session = std::move(in_float);
+    }
+    in_float.reset();
+    if (!options.quiet) {
+        for (const std::string& reason : choice->reasons) std::cout << reason << '\n';
+        if (!options.time)
+            std::cout << rt::line("equivalent", rt::equivalent_options(program, options)) << '\n';
+    }
+    return session->run(options, choice->pace.get(), stop);
+}
+
+std::vector<std::string> read_risks(const rt::Options& options) {
+    reading = true;
+    std::vector<std::string> risks = rt::f64::risks_in_float(options);
+    reading = false;
+    return risks;
+}
+
+void explain_risks(const rt::Options& options) {
+    const std::vector<std::string> risks = read_risks(options);
+    if (!risks.empty()) std::cout << "and is at risk with --precision float\n";
+    for (const std::string& risk : risks) std::cout << "  " << risk << '\n';
+}
+
+void warn_of_risks(const rt::Options& options) {
+    for (const std::string& risk : read_risks(options))
+        std::cerr << to_string(rt::Place{options.scene}) << "warning: " << risk
+                  << "; try --precision double\n";
+}
+
+int run_program(int argc, char** argv) {
+    const auto start = rt::Clock::now();
+    const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
+    const auto options = rt::parse_options(program, argc, argv);
+    if (!options) return 0;
+    if (options->makes_picture()) check_output(*options);
+    std::unique_ptr<rt::Session> session = open(program, *options, options->precision);
+    const bool is_float = options->precision == rt::Precision::f32;
+    if (is_float && !options->quiet && !options->explain) warn_of_risks(*options);
+    const bool chosen = (options->tolerance || options->time) && !options->explain;
+    const bool done = chosen ? choose_and_run(program, *options, start, std::move(session))
+                             : session->run(*options, nullptr, stop);
+    if (options->explain) explain_risks(*options);
+    return done ? 0 : interrupted;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::signal(SIGINT, on_interrupt);
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that the program reports
+#endif
+    try {
+        const int status = run_program(argc, argv);
+        rt::finish_output();
+        return status;
+    } catch (const rt::InputError& error) {
+        std::cerr << error.what() << '\n';
+    } catch (const std::bad_alloc&) {
+        std::cerr << "error: not enough memory for this\n";
+    } catch (const std::exception& error) {  // system resources are exhausted
+        std::cerr << "error: " << error.what() << '\n';
+    }
+    return bad_input;
+}

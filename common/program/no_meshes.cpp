@@ -1,0 +1,14 @@
+#include "common/program/load_meshes.hpp"
+
+#include "common/stages/stages.hpp"
+
+namespace rt {
+
+void load_meshes(Scene& scene, const Warn& /*warn*/) {
+    if (scene.named_meshes.empty()) return;
+    throw InputError(
+        scene.named_meshes.front().place,
+        "a mesh, which " + std::string(stage_name(mesh_stage)) + " introduces: run that stage");
+}
+
+}  // namespace rt

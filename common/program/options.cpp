@@ -1,0 +1,254 @@
+#include "common/program/options.hpp"
+
+#include "common/scene_file/lexer.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/input_error.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+constexpr int max_threads = 1024;
+constexpr int most_shapes = 1'000'000'000;
+constexpr int max_cameras = 1'000'000;
+
+constexpr double brightest = 255;  ///< in 8-bit levels
+constexpr double least_error = 1e-3;
+constexpr double least_time = 1e-3;  ///< seconds
+constexpr double most_time = 1e6;
+
+/// Parses two integers with `separator` between them and nothing around them.
+std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
+    std::array<int, 2> numbers{};
+    const char* const end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, numbers[0]);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
+    const auto second = std::from_chars(first.ptr + 1, end, numbers[1]);
+    if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+    return numbers;
+}
+
+Resolution parse_size(const std::string& text) {
+    const auto size = two_numbers(text, 'x');
+    const auto fits = [](int side) { return 1 <= side && side <= largest_side; };
+    if (!size || !std::all_of(size->begin(), size->end(), fits))
+        throw InputError({}, "--size must be WIDTHxHEIGHT, each 1 to " +
+                                 std::to_string(largest_side) + ", not " + rt::quoted(text));
+    return {.width = (*size)[0], .height = (*size)[1]};
+}
+
+Pixel parse_pixel(const std::string& text) {
+    const auto pixel = two_numbers(text, ',');
+    if (!pixel || (*pixel)[0] < 0 || (*pixel)[1] < 0)
+        throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not " + rt::quoted(text));
+    return {.row = (*pixel)[0], .column = (*pixel)[1]};
+}
+
+/// Adds an option whose value is a number from least to most; NaN is rejected.
+template <class Use>
+void add_number(CLI::App& app, const std::string& name, double least, double most,
+                const std::string& help, const std::string& type, Use use) {
+    app.add_option_function<double>(
+           name,
+           [=](double value) {
+               if (!(least <= value && value <= most)) {
+                   std::ostringstream range;
+                   range << name << " must be a number from " << least << " to " << most;
+                   throw InputError({}, range.str());
+               }
+               use(value);
+           },
+           help)
+        ->type_name(type);
+}
+
+/// Adds an option whose value is one of two words; the default is the first.
+void add_choice(CLI::App& app, const std::string& name, bool& second,
+                const std::array<std::string, 2>& words, const std::string& help) {
+    app.add_option_function<std::string>(
+           name, [&second, last = words[1]](const std::string& word) { second = word == last; },
+           help + "; " + words[0] + " if not given")
+        ->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())).description(""))
+        ->type_name(words[0] + "|" + words[1]);
+}
+
+void add_precision(CLI::App& app, const Program& program, Precision& precision) {
+    const std::map<std::string, Precision> words = {
+        {"double", Precision::f64}, {"float", Precision::f32}, {"exact", Precision::exact}};
+    precision = program.exact ? Precision::exact : Precision::f64;
+    app.add_option("--precision", precision,
+                   "the type of numbers; double if not given; exact: every hit is that of exact "
+                   "arithmetic, computed by the references, not by a student's file")
+        ->transform(CLI::CheckedTransformer(words).description(""))
+        ->type_name("double|float|exact");
+}
+
+/// Throws InputError with the name of the right program, if this program does not have the
+/// precision.
+void check_precision(const Program& program, Precision precision) {
+    if ((precision == Precision::exact) == program.exact) return;
+    const std::string name(stage_name(program.stage));
+    if (program.exact)
+        throw InputError({}, "--precision float and double are another program: " + name);
+    throw InputError({}, "--precision exact is another program: ninja -C build " + name +
+                             "_exact builds it, ./course run " + std::to_string(program.stage) +
+                             " --precision exact builds and runs it");
+}
+
+/// Adds the options for automatic settings.
+void add_goals(CLI::App& app, Options& options) {
+    add_number(app, "--tolerance", least_error, brightest,
+               "choose the cheapest settings with at most this error of a pixel, of 255", "E",
+               [&options](double steps) { options.tolerance = steps; });
+    add_number(app, "--time", least_time, most_time,
+               "choose the most accurate settings that take at most this many seconds", "S",
+               [&options](double seconds) { options.time = seconds; });
+}
+
+/// Adds the options of the stages with light.
+void add_light_options(CLI::App& app, int stage, Look& look) {
+    const auto add = [&app](const std::string& name, auto& value, const std::string& help,
+                            const std::string& type, auto check) {
+        return app.add_option(name, value, help)->check(check.description(""))->type_name(type);
+    };
+    if (stage >= light_stage)
+        app.add_option("--term", look.term, "show one of Phong's terms; their sum if not given")
+            ->transform(
+                CLI::CheckedTransformer(std::map<std::string, Term>{{"ambient", Term::ambient},
+                                                                    {"diffuse", Term::diffuse},
+                                                                    {"specular", Term::specular}})
+                    .description(""))
+            ->type_name("ambient|diffuse|specular");
+    if (stage >= soft_shadow_stage) {
+        add("--shadow-samples", look.shadow_samples,
+            "largest number of rays to a light with a size; 16 if not given", "N",
+            CLI::Range(1, most_shadow_samples));
+        add_number(
+            app, "--shadow-error", least_error, brightest,
+            "trace shadow rays until the estimated error of a light's part is below this, of "
+            "255",
+            "E", [&look](double steps) { look.shadow_error = steps; });
+        add("--shadow-agree", look.shadow_agree,
+            "or until this many agree: all reach the light, or none; with --shadow-error", "N",
+            CLI::Range(1, most_shadow_samples))
+            ->needs("--shadow-error");
+    }
+    if (stage >= mirror_stage)
+        add("--depth", look.depth, "largest number of successive reflections; 8 if not given", "N",
+            CLI::Range(0, most_depth));
+}
+
+/// The path of a file in the project's folder, relative to the working directory.
+std::string in_project(const Program& program, const std::string& folder, const std::string& name) {
+    const auto file = std::filesystem::path(program.root) / folder / name;
+    std::error_code
+        no_such_folder;  // the working directory no longer exists: then the path stays as it is
+    return file.lexically_proximate(std::filesystem::current_path(no_such_folder)).string();
+}
+
+std::string default_scene(const Program& program) {
+    return in_project(program, "scenes", std::string(stage_name(program.stage)) + ".rt");
+}
+
+std::string default_output(const Program& program, const std::string& scene) {
+    return in_project(program, "renders", std::filesystem::path(scene).stem().string() + ".png");
+}
+
+}  // namespace
+
+std::optional<Options> parse_options(const Program& program, int argc, const char* const* argv) {
+    const std::string name(stage_name(program.stage));
+    Options options;
+    options.threads = std::max(1, int(std::thread::hardware_concurrency()));
+    bool horizontal = false;
+    bool normal = false;
+
+    CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
+    app.option_defaults()->take_last();
+    app.add_option("scene", options.scene, "the scene; scenes/" + name + ".rt if not given")
+        ->type_name("FILE");
+    app.add_option("-o,--output", options.output, "the picture; renders/<scene>.png if not given")
+        ->type_name("PNG");
+    app.add_option_function<std::string>(
+           "--size", [&](const std::string& text) { options.size = parse_size(text); },
+           "the picture's size in pixels, in place of the scene's")
+        ->type_name("WIDTHxHEIGHT");
+    add_precision(app, program, options.precision);
+    app.add_option("--threads", options.threads, "as many as there are cores if not given")
+        ->check(CLI::Range(1, max_threads).description(""))
+        ->type_name("N");
+    app.add_option_function<std::string>(
+           "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },
+           "print the log of one pixel's ray, and make no picture")
+        ->type_name("ROW,COLUMN");
+    if (program.stage >= light_stage)
+        add_choice(app, "--shade", normal, {"phong", "normal"},
+                   "color by the scene's lights, or by abs(normal)");
+    else if (program.stage >= shapes_stage)
+        add_choice(app, "--shade", normal, {"torch", "normal"},
+                   "color by a torch at the eye, or by abs(normal)");
+    add_light_options(app, program.stage, options.look);
+    app.add_option(
+           "--hierarchy-from", options.hierarchy_from,
+           "build a hierarchy from this many shapes of a kind on; 32 if not given, 8 for meshes")
+        ->check(CLI::Range(2, most_shapes).description(""))
+        ->type_name("N");
+    add_goals(app, options);
+    add_choice(app, "--fov", horizontal, {"vertical", "horizontal"},
+               "side of the picture that a scene's field of view spans");
+    add_choice(app, "--cyl", options.reading.cylinder_from_base, {"center", "base"},
+               "meaning of a cylinder's position");
+    add_choice(app, "--hand", options.reading.axes.left_handed, {"right", "left"},
+               "handedness of a scene's axes; left: left and right are exchanged");
+    add_choice(app, "--up", options.reading.axes.z_up, {"y", "z"},
+               "axis of the scene that points up");
+    app.add_option("--camera", options.camera, "number of the scene's camera; 1 if not given")
+        ->check(CLI::Range(1, max_cameras).description(""))
+        ->type_name("N");
+    app.add_flag("--strict", options.reading.strict,
+                 "reject everything outside the format of scenes");
+    app.add_flag("--explain", options.explain,
+                 "print what the scene requires and what is omitted, and make no picture");
+    app.add_flag("--preview", options.preview, "show the picture in the terminal too");
+    app.add_flag("--quiet", options.quiet, "print errors only");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        return std::nullopt;
+    } catch (const CLI::ParseError& error) {
+        throw InputError({}, std::string(error.what()) + " (--help lists the options)");
+    }
+    if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
+    check_precision(program, options.precision);
+    if (normal) options.look.shading = Shading::normal;
+    const auto is_given = [&app](const std::string& option) {
+        const CLI::Option* const known = app.get_option_no_throw(option);
+        return known != nullptr && !known->empty();
+    };
+    if (is_given("--shadow-error") && !is_given("--shadow-samples"))
+        options.look.shadow_samples = most_shadow_samples;
+    options.precision_given = is_given("--precision");
+    options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
+                     .depth = is_given("--depth")};
+    for (const char* file : {"scene", "--output"})
+        if (is_given(file) && app.get_option(file)->as<std::string>().empty())
+            throw InputError({}, std::string(file) + " must be the name of a file, not \"\"");
+    if (options.scene.empty()) options.scene = default_scene(program);
+    if (options.output.empty()) options.output = default_output(program, options.scene);
+    return options;
+}
+
+}  // namespace rt

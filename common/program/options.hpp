@@ -1,0 +1,45 @@
+// Command line options of a stage's program.
+#pragma once
+
+#include "common/image/pixel.hpp"
+#include "common/scene_file/reader.hpp"
+#include "common/tuning/auto_settings.hpp"
+
+#include <optional>
+#include <string>
+
+namespace rt {
+
+/// The stage's program that is running.
+struct Program {
+    int stage = 1;
+    std::string root;    ///< folder of the project, which contains its scenes and pictures
+    bool exact = false;  ///< built from certified kernels
+};
+
+/// The values of `--precision`.
+enum class Precision { f32, f64, exact };
+
+/// The parsed options, with their defaults.
+struct Options : Aim {
+    std::string scene;   ///< path of the scene file
+    std::string output;  ///< path of the picture
+    SceneReading reading;
+    std::optional<Resolution> size;  ///< overrides the scene's resolution
+    int camera = 1;                  ///< number of the scene's camera, from 1
+    std::optional<Pixel> pixel;      ///< print the log of this pixel, and make no picture
+    Precision precision = Precision::f64;
+    bool precision_given = false;
+    bool explain = false;  ///< print the scene's requirements, and make no picture
+    bool preview = false;
+    bool quiet = false;
+
+    [[nodiscard]] bool makes_picture() const { return !explain && !pixel; }
+};
+
+/// Parses the command line. Returns nothing if it only requested help, which has then been printed.
+/// Throws InputError for an unknown option or an invalid value.
+[[nodiscard]] std::optional<Options> parse_options(const Program& program, int argc,
+                                                   const char* const* argv);
+
+}  // namespace rt

@@ -1,0 +1,90 @@
+#include "common/program/requirements.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// The number of materials in the scene that satisfy the predicate.
+template <class Predicate>
+std::size_t materials(const Scene& scene, Predicate is) {
+    std::size_t count = 0;
+    for_each_kind(scene, [&](const auto& items) {
+        for (const auto& item : items) count += is(item.material) ? 1 : 0;
+    });
+    for (const NamedMesh& mesh : scene.named_meshes) count += is(mesh.material) ? 1 : 0;
+    return count;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+    return text + std::string(width - std::min(text.size(), width), ' ');
+}
+
+}  // namespace
+
+std::vector<Requirement> requirements(const Scene& scene, int stage) {
+    std::vector<Requirement> found;
+    const auto require = [&found](std::size_t count, int needed, const std::string& one,
+                                  const std::string& many) {
+        if (count > 0) found.push_back({.what = counted(count, one, many), .stage = needed});
+    };
+    const auto require_shapes = [&](int from, int before) {
+        const auto of_kind = [&](const auto& kind) {
+            if (kind.stage >= from && kind.stage < before)
+                require((scene.*kind.items).size(), kind.stage, kind.one, kind.many);
+        };
+        std::apply([&](const auto&... kind) { (of_kind(kind), ...); }, shape_kinds);
+    };
+    require_shapes(0, light_stage);
+    if (stage >= light_stage) {
+        const auto shines = [](const Material& material) { return material.specular > 0; };
+        const auto has_size = [](const Light& light) { return light.radius > 0; };
+        const auto sized = std::count_if(scene.lights.begin(), scene.lights.end(), has_size);
+        require(scene.ambient ? 1 : 0, light_stage, "ambient light", "");
+        require(scene.lights.size(), light_stage, "light", "lights");
+        require(materials(scene, shines), light_stage, "shape with a highlight",
+                "shapes with a highlight");
+        require(std::size_t(sized), soft_shadow_stage, "light with a size", "lights with a size");
+    }
+    const auto reflects = [](const Material& material) { return material.mirror > 0; };
+    require(materials(scene, reflects), mirror_stage, "mirror", "mirrors");
+    require_shapes(light_stage, mesh_stage + 1);
+    require(scene.named_meshes.size(), mesh_stage, "mesh", "meshes");
+    return found;
+}
+
+std::string explanation(const Scene& scene) {
+    const std::vector<Requirement> needs = requirements(scene);
+    const auto brought_by = [&needs](int stage) {
+        return std::any_of(needs.begin(), needs.end(),
+                           [stage](const Requirement& need) { return need.stage == stage; });
+    };
+    std::string lines = " requires\n";
+    for (const auto& [what, stage] : needs)
+        lines += "  " + padded(what, 28) + std::string(stage_name(stage)) + "\n";
+    if (needs.empty()) lines += "  only rays\n";
+
+    bool many = false;
+    for_each_kind(scene, [&many](const auto& items) { many = many || items.many(); });
+    lines += "and does not use\n";
+    const auto without = [&lines](bool left_out, const std::string& what) {
+        if (left_out) lines += "  " + what + "\n";
+    };
+    for (int stage = shapes_stage; stage < light_stage; ++stage)
+        without(!brought_by(stage),
+                std::string(stage_name(stage).substr(std::string_view("stepNN_").size())) + "s");
+    without(!brought_by(mesh_stage), "boxes and meshes");
+    without(scene.lights.empty(), "light other than ambient, and shadow rays");
+    without(!brought_by(soft_shadow_stage), "several rays for a shadow: no light has a size");
+    without(!brought_by(mirror_stage), "reflections: there is no mirror");
+    without(!many && scene.named_meshes.empty(),
+            "a hierarchy of boxes: so few shapes are faster without");
+    return lines;
+}
+
+}  // namespace rt

@@ -1,0 +1,233 @@
+#include "common/program/session.hpp"
+
+#include "common/explain/pixel_log.hpp"
+#include "common/image/png.hpp"
+#include "common/image/preview.hpp"
+#include "common/program/blank_picture.hpp"
+#include "common/program/load_meshes.hpp"
+#include "common/program/requirements.hpp"
+#include "common/program/used_options.hpp"
+#include "common/render/render.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/terminal.hpp"
+#include "common/tuning/input_rounding.hpp"
+#include "common/tuning/row_budget.hpp"
+#include "common/tuning/scene_traits.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+std::string size_text(Resolution size) {
+    return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+void refuse_later_stages(const Scene& scene, const Program& program, const Options& options) {
+    const std::vector<Requirement> needs = requirements(scene, program.stage);
+    if (needs.empty() || needs.back().stage <= program.stage) return;
+    const auto& [what, stage] = needs.back();  // a program of this stage has the earlier ones too
+    throw InputError({options.scene}, what + " in the scene, which " +
+                                          std::string(stage_name(stage)) +
+                                          " introduces: run that stage, or a later one");
+}
+
+/// In the stages about shapes there are no bounding spheres, so that a wrong formula is visible.
+Arrangement arrangement(const Program& program, const Options& options) {
+    return {.hierarchy_from = options.hierarchy_from, .balls = program.stage >= light_stage};
+}
+
+/// Moves the selected camera to the front.
+void choose_camera(Scene& scene, const Options& options) {
+    const auto index = std::size_t(options.camera - 1);
+    if (index < scene.cameras.size()) return std::swap(scene.cameras[0], scene.cameras[index]);
+    const std::size_t count = scene.cameras.size();
+    throw InputError({options.scene}, "has " + std::to_string(count) +
+                                          (count == 1 ? " camera" : " cameras") +
+                                          ", and no --camera " + std::to_string(options.camera));
+}
+
+/// Throws InputError if the output is a mesh of the scene: a mesh file that starts as a PNG does
+/// could be overwritten.
+void refuse_mesh_as_output(const Scene& scene, const Options& options) {
+    for (const NamedMesh& mesh : scene.named_meshes) {
+        std::error_code not_there;
+        if (std::filesystem::equivalent(path_of(mesh), options.output, not_there))
+            throw InputError({options.output},
+                             "is a mesh of the scene, which the picture would overwrite");
+    }
+}
+
+Scene load(const Program& program, const Options& options) {
+    SceneReading reading = options.reading;
+    if (!options.quiet)
+        reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
+    Scene scene = load_scene(options.scene, basis_around, reading);
+    choose_camera(scene, options);
+    if (options.size) scene.resolution = *options.size;
+    if (options.explain) return scene;
+    refuse_later_stages(scene, program, options);
+    if (options.makes_picture()) refuse_mesh_as_output(scene, options);
+    load_meshes(scene, reading.warn);
+    arrange(scene, arrangement(program, options));
+    return scene;
+}
+
+/// The metadata of the picture: everything that determined it. The number of threads does not
+/// affect it.
+std::vector<PngText> texts(const Program& program, const Options& options, Resolution size) {
+    const bool is_float = options.precision == Precision::f32;
+    const std::string used =
+        is_float ? equivalent_options(program, options) : used_options(program, options);
+    return {{"Title", std::filesystem::path(options.scene).filename().string()},
+            {"Software", "Raysteps " + std::string(stage_name(program.stage))},
+            {"Size", size_text(size)},
+            {"Precision", name(options.precision)},
+            {"Options", used}};
+}
+
+void report(const Rendering& rendering, const Options& options, const Pace* pace, double seconds) {
+    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
+                size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
+                static_cast<long long>(rendering.rays));
+    if (rendering.sized_light_rays > 0)
+        std::printf(", %lld of them to lights with a size",
+                    static_cast<long long>(rendering.sized_light_rays));
+    if (pace != nullptr)
+        std::printf("; 99 of 100 pixels within %.2g of 255, according to the trials",
+                    pace->error());
+    std::printf("\n");
+    if (rendering.not_a_number == 0) return;
+    const Pixel first = rendering.first_not_a_number;
+    const bool one = rendering.not_a_number == 1;
+    std::printf("%lld %s not a number, and shown in magenta: see --pixel %d,%d\n",
+                static_cast<long long>(rendering.not_a_number), one ? "pixel is" : "pixels are",
+                first.row, first.column);
+}
+
+/// Warns if the picture has a single color, with the reason.
+void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
+                   const Image& image) {
+    if (program.stage < shapes_stage) return;
+    const std::string reason = why_blank(scene, options.look, program.stage, image);
+    if (!reason.empty())
+        std::cerr << to_string(Place{options.scene}) << "warning: " << reason << '\n';
+}
+
+bool make_picture(const Program& program, const Options& options, const Scene& scene, Pace* pace,
+                  const std::atomic<bool>& stop) {
+    const auto start = std::chrono::steady_clock::now();
+    std::optional<Rendering> rendering;
+    {
+        Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
+        RenderSettings settings{.threads = options.threads,
+                                .look = options.look,
+                                .row_done = [&progress] { progress.advance(); },
+                                .stop = &stop};
+        if (pace != nullptr) settings.next_look = [pace] { return pace->next(); };
+        rendering = render(scene, settings);
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (!rendering) return false;
+    write_png(options.output, rendering->image, texts(program, options, scene.resolution));
+    if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
+    if (!options.quiet) warn_if_blank(scene, program, options, rendering->image);
+    if (!options.quiet) report(*rendering, options, pace, seconds.count());
+    return true;
+}
+
+void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
+    const Resolution size = scene.resolution;
+    if (pixel.row >= size.height || pixel.column >= size.width)
+        throw InputError({}, "--pixel " + std::to_string(pixel.row) + "," +
+                                 std::to_string(pixel.column) +
+                                 " is outside the picture, which is " + size_text(size));
+    const Camera& camera = scene.cameras.front();
+    Story story(std::cout);
+    story.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
+                  size_text(size) + " pixels, " + name(options.precision));
+    tell_screen(story, pixel, size, vertical_fov(camera, size));
+    if (program.stage >= 2) tell_basis(story, camera);
+    const Ray ray = pixel_rays(camera, size)(pixel);
+    story.heading("The ray");
+    story.line("o_r", text(ray.origin));
+    story.line("d_r", text(ray.direction));
+    Context context{.look = options.look, .pixel = pixel, .story = &story};
+    const Color color = trace(scene, ray, context);
+    if (story.misses_left_out() > 0)
+        story.remark(std::to_string(story.misses_left_out()) + " more shapes were missed");
+    const Rgb rgb = to_rgb(color);
+    story.heading("The pixel");
+    story.line("color", text(color));
+    story.line("8-bit", std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
+                            std::to_string(rgb[2]));
+}
+
+class ReadScene : public Session {
+public:
+    ReadScene(const Program& program, const Options& options)
+        : program_(program),
+          look_(options.look),
+          arrangement_(arrangement(program, options)),
+          scene_(load(program, options)) {}
+
+    [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
+
+    [[nodiscard]] Demands demands() const override {
+        return demands_of(scene_, program_.stage, look_);
+    }
+
+    void arrange(std::size_t hierarchy_from) override {
+        Arrangement how = arrangement_;
+        how.hierarchy_from = hierarchy_from;
+        rt::arrange(scene_, how);
+    }
+
+    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
+        return shot_of(scene_, look, settings);
+    }
+
+    [[nodiscard]] bool run(const Options& options, Pace* pace,
+                           const std::atomic<bool>& stop) const override {
+        if (options.explain) {
+            std::cout << options.scene << explanation(scene_);
+        } else if (options.pixel) {
+            tell_pixel(program_, options, scene_, *options.pixel);
+        } else {
+            return make_picture(program_, options, scene_, pace, stop);
+        }
+        return true;
+    }
+
+private:
+    Program program_;
+    Look look_;
+    Arrangement arrangement_;
+    Scene scene_;
+};
+
+}  // namespace
+
+std::unique_ptr<Session> RT_PRECISION::open_session(const Program& program,
+                                                    const Options& options) {
+    return std::make_unique<ReadScene>(program, options);
+}
+
+#ifndef RT_FLOAT
+std::vector<std::string> f64::risks_in_float(const Options& options) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_regular_file(options.scene, unreadable)) return {};
+    SceneReading reading = options.reading;
+    reading.warn = nullptr;
+    return risks_in_float(input_rounding(load_scene(options.scene, basis_around, reading)));
+}
+#endif
+
+}  // namespace rt

@@ -1,0 +1,54 @@
+#include "common/program/used_options.hpp"
+
+#include "common/stages/stages.hpp"
+
+#include <charconv>
+
+namespace rt {
+
+namespace {
+
+/// The shortest text that identifies the number.
+std::string shortest(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+}  // namespace
+
+const char* name(Precision precision) {
+    if (precision == Precision::exact) return "exact";
+    return precision == Precision::f32 ? "float" : "double";
+}
+
+std::string used_options(const Program& program, const Options& options) {
+    const Look& look = options.look;
+    std::string used = look.shading == Shading::normal ? "--shade normal"
+                       : program.stage >= light_stage  ? "--shade phong"
+                                                       : "--shade torch";
+    if (look.term == Term::ambient) used += " --term ambient";
+    if (look.term == Term::diffuse) used += " --term diffuse";
+    if (look.term == Term::specular) used += " --term specular";
+    if (program.stage >= soft_shadow_stage)
+        used += " --shadow-samples " + std::to_string(look.shadow_samples);
+    if (look.shadow_error > 0) used += " --shadow-error " + shortest(look.shadow_error);
+    if (look.shadow_agree > 0) used += " --shadow-agree " + std::to_string(look.shadow_agree);
+    if (program.stage >= mirror_stage) used += " --depth " + std::to_string(look.depth);
+    if (options.hierarchy_from)
+        used += " --hierarchy-from " + std::to_string(*options.hierarchy_from);
+    if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";
+    if (options.reading.cylinder_from_base) used += " --cyl base";
+    if (options.reading.axes.left_handed) used += " --hand left";
+    if (options.reading.axes.z_up) used += " --up z";
+    if (options.camera != 1) used += " --camera " + std::to_string(options.camera);
+    if (options.reading.strict) used += " --strict";
+    if (options.time) used += " --time " + shortest(*options.time);
+    return used;
+}
+
+std::string equivalent_options(const Program& program, const Options& options) {
+    return std::string("--precision ") + name(options.precision) + " " +
+           used_options(program, options);
+}
+
+}  // namespace rt

@@ -1,0 +1,78 @@
+#include "common/render/render.hpp"
+
+#include "common/system/parallel_for.hpp"
+
+#include <numeric>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+struct Row {
+    std::int64_t rays = 0;
+    std::int64_t sized_light_rays = 0;
+    int not_a_number = 0;
+    int first_not_a_number = 0;  ///< column index
+};
+
+/// Renders one row. It has its own copy of the pixel rays, which no other code can change: in a
+/// unity build (common/cmake/stage.cmake), quantities that are constant in a row are computed once.
+[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
+                                const RenderSettings& settings, int row, Image& image) {
+    Context context{.look = settings.next_look ? settings.next_look() : settings.look};
+    Row result;
+    for (int column = 0; column < image.resolution.width; ++column) {
+        const Pixel pixel{.row = row, .column = column};
+        context.pixel = pixel;
+        const Color color = trace(scene, pixel_ray(pixel), context);
+        if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
+        image[pixel] = to_rgb(color);
+    }
+    result.rays = context.rays;
+    result.sized_light_rays = context.sized_light_rays;
+    return result;
+}
+
+/// The order of the rows. With a time budget, successive rows are far apart, so that every part of
+/// the picture gets its share of the time. Otherwise rows are in sequence, and use data that the
+/// previous row has brought into the cache.
+std::vector<int> order_of(int rows, bool for_a_time) {
+    constexpr double golden_ratio = 0.6180339887498949;
+    int step = for_a_time ? int(golden_ratio * rows) : 1;
+    while (std::gcd(step, rows) != 1) ++step;
+    std::vector<int> order;
+    for (int i = 0, row = 0; i < rows; ++i, row = (row + step) % rows) order.push_back(row);
+    return order;
+}
+
+Rendering sum(Image image, const std::vector<Row>& rows) {
+    Rendering result;
+    result.image = std::move(image);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        if (result.not_a_number == 0 && rows[row].not_a_number > 0)
+            result.first_not_a_number = {.row = int(row), .column = rows[row].first_not_a_number};
+        result.rays += rows[row].rays;
+        result.sized_light_rays += rows[row].sized_light_rays;
+        result.not_a_number += rows[row].not_a_number;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings) {
+    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
+    Image image(scene.resolution);
+    std::vector<Row> rows(std::size_t(scene.resolution.height));
+    const std::vector<int> order = order_of(scene.resolution.height, settings.next_look != nullptr);
+    in_parallel(settings.threads, order.size(), settings.stop, [&](std::size_t i) {
+        const int row = order[i];
+        rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
+        if (settings.row_done) settings.row_done();
+    });
+    if (settings.stop != nullptr && *settings.stop) return std::nullopt;
+    return sum(std::move(image), rows);
+}
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+// Deterministic sample points, spread evenly over a square.
+#pragma once
+
+#include "common/image/pixel.hpp"
+#include "common/math/real.hpp"
+
+#include <cstdint>
+
+namespace rt::inline RT_PRECISION {
+
+/// Returns the index-th point of a sequence in [0, 1)²: Sobol's first two dimensions, each
+/// Owen-scrambled with the seed (Burley 2020, "Practical Hash-based Owen Scrambling"). Each single
+/// point is uniformly distributed over the seeds. Of the first 2^k points, each of 2^k equal boxes
+/// contains one, for every division of the square into such boxes by halving.
+[[nodiscard]] Vec2 spread_sample(std::uint32_t index, std::uint32_t seed);
+
+/// Returns a seed that depends only on the pixel and the sampled quantity, so that the result of
+/// one thread does not depend on another.
+[[nodiscard]] std::uint32_t sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce);
+
+}  // namespace rt::inline RT_PRECISION

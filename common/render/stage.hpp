@@ -1,0 +1,34 @@
+// The functions that the main.cpp of each stage defines and the rest of its program calls. In a
+// unity build (common/cmake/stage.cmake), functions marked gnu::flatten have all their calls
+// inlined.
+#pragma once
+
+#include "common/geometry/ray.hpp"
+#include "common/math/basis.hpp"
+#include "common/render/context.hpp"
+#include "common/scene/scene.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+/// The constants of rays through pixels, computed once for each picture.
+struct PixelRays {
+    Resolution resolution;
+    Real vertical_fov = 0;
+    Basis basis;  ///< basis of the camera, like `position` from stage 2 on
+    Vec3 position;
+
+    /// Returns the ray through the pixel's center.
+    [[nodiscard, gnu::flatten]] Ray operator()(Pixel pixel) const;
+};
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// The constants of the rays of one picture.
+[[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);
+
+/// The color seen along the ray.
+[[nodiscard, gnu::flatten]] Color trace(const Scene& scene, const Ray& ray, Context& context);
+
+}  // namespace rt

@@ -1,0 +1,28 @@
+#include "common/scene/mesh_instance.hpp"
+
+#include "common/geometry/bounds.hpp"
+#include "common/math/vector.hpp"
+
+namespace rt {
+
+Box bounds(const PlacedMesh& placed) {
+    const Box& model = placed.model->bounds;
+    Box box;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        const Vec3 point((corner & 1U) != 0 ? model.max.x : model.min.x,
+                         (corner & 2U) != 0 ? model.max.y : model.min.y,
+                         (corner & 4U) != 0 ? model.max.z : model.min.z);
+        box = united(box, moved(point, placed.placement));
+    }
+    // The margin covers at most a dozen roundings of the corners, and those of the ray's transform
+    // to object space.
+    const Real largest = largest_component(box);
+    const Real margin = 32 * unit_roundoff * largest;
+    return {.min = box.min - margin, .max = box.max + margin};
+}
+
+Ball ball_around(const PlacedMesh& placed) {
+    return ball_around(bounds(placed));
+}
+
+}  // namespace rt

@@ -1,0 +1,54 @@
+// An instance of a mesh in a scene.
+#pragma once
+
+#include "common/bvh/mesh_bvh.hpp"
+#include "common/bvh/sphere_packet.hpp"
+#include "common/geometry/bounding_box.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/transform.hpp"
+
+#include <memory>
+#include <optional>
+
+namespace rt::inline RT_PRECISION {
+
+#ifdef RT_EXACT
+/// Only packed meshes can order two hits exactly whose rounded t are too close to compare.
+inline constexpr std::size_t packing_pays_from = 1;
+#else
+/// The number of triangles from which packing is faster. Smaller meshes, such as a cube of twelve
+/// triangles, are tested triangle by triangle.
+inline constexpr std::size_t packing_pays_from = 16;
+#endif
+
+/// A mesh as its file defines it and, if it has many triangles, a packed copy of them.
+struct Model {
+    Mesh mesh;
+    Box bounds;
+    std::optional<PackedMesh> packed;
+};
+
+/// An instance of a mesh: each point p of the model is at moved(p, placement). Instances may share
+/// one model, which does not change: rays are transformed to object space instead (M1, "changement
+/// de repère").
+struct PlacedMesh {
+    std::shared_ptr<const Model> model;
+    Motion placement;
+
+    bool operator==(const PlacedMesh&) const = default;
+};
+
+/// Intersecting a mesh is slow, and its bounding sphere is a loose fit.
+template <>
+inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// The bounding box of the model's transformed bounds.
+[[nodiscard]] Box bounds(const PlacedMesh& placed);
+
+[[nodiscard]] Ball ball_around(const PlacedMesh& placed);
+
+}  // namespace rt

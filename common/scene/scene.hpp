@@ -1,0 +1,124 @@
+// The content of a .rt file.
+#pragma once
+
+#include "common/geometry/shapes.hpp"
+#include "common/image/pixel.hpp"
+#include "common/scene/axes.hpp"
+#include "common/scene/mesh_instance.hpp"
+#include "common/scene/primitives.hpp"
+#include "common/system/input_error.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace rt {
+
+/// The side of the picture that the field of view spans. The format does not define it; MRT §1 uses
+/// the vertical side, and miniRT's subject the horizontal one.
+enum class FovAxis { vertical, horizontal };
+
+}  // namespace rt
+
+namespace rt::inline RT_PRECISION {
+
+/// A camera: all lengths in units of the scene.
+struct Camera {
+    Vec3 position;
+    Vec3 direction{0, 0, -1};  ///< unit length
+    Real fov = pi / 3;         ///< radians, 0 to π
+    FovAxis fov_axis = FovAxis::vertical;
+};
+
+/// Ambient light.
+struct Ambient {
+    Real ratio = 0;  ///< 0 to 1
+    Color color{1};
+};
+
+/// A point light or, with a radius, a spherical area light.
+struct Light {
+    Vec3 position;
+    Real brightness = 1;  ///< 0 to 1
+    Color color{1};
+    Real radius = 0;  ///< radius of the luminous sphere; 0 for a point light
+};
+
+/// A mesh that a scene names. It is loaded later, once the stage is known to support meshes.
+struct NamedMesh {
+    Place place;         ///< location of its element in the scene file
+    std::string file;    ///< path relative to the scene's folder
+    bool smooth = true;  ///< interpolate normals; otherwise faces are flat
+    Motion placement;
+    Material material;
+};
+
+/// A scene. Each kind of shape has its own list, so that an absent kind costs nothing and shapes
+/// need no base class.
+struct Scene {
+    Resolution resolution;
+    std::vector<Camera> cameras;  ///< at least one; a picture uses the first
+    std::optional<Ambient> ambient;
+    std::vector<Light> lights;
+
+    Items<Sphere> spheres;
+    Items<Plane> planes;
+    Items<Triangle> triangles;
+    Items<Square> squares;
+    Items<Cylinder> cylinders;
+    Items<Cone> cones;
+    Items<OrientedBox> boxes;
+    std::vector<NamedMesh> named_meshes;
+    Items<PlacedMesh> meshes;  ///< the instances, once the named meshes are loaded
+
+    Axes axes;  ///< axes of the file; all members above use the program's axes
+};
+
+/// A kind of shape: its list, the stage that brings it, and its names.
+template <class Shape>
+struct ShapeKind {
+    Items<Shape> Scene::*items;
+    int stage;
+    const char* one;
+    const char* many;
+};
+
+/// All kinds but meshes: whatever is done with each kind of shape follows this list.
+inline constexpr std::tuple shape_kinds{
+    ShapeKind<Sphere>{&Scene::spheres, 3, "sphere", "spheres"},
+    ShapeKind<Plane>{&Scene::planes, 4, "plane", "planes"},
+    ShapeKind<Triangle>{&Scene::triangles, 5, "triangle", "triangles"},
+    ShapeKind<Square>{&Scene::squares, 6, "square", "squares"},
+    ShapeKind<Cylinder>{&Scene::cylinders, 7, "cylinder", "cylinders"},
+    ShapeKind<Cone>{&Scene::cones, 8, "cone", "cones"},
+    ShapeKind<OrientedBox>{&Scene::boxes, 13, "box", "boxes"},
+};
+
+/// How many lists of shapes a scene has, meshes included.
+inline constexpr std::size_t list_count = std::tuple_size_v<decltype(shape_kinds)> + 1;
+
+}  // namespace rt::inline RT_PRECISION
+
+namespace rt {
+
+/// The angle between the top and the bottom edge of the picture, in radians, for a field of view
+/// given along either axis.
+[[nodiscard]] Real vertical_fov(const Camera& camera, Resolution resolution);
+
+/// Calls visit(list) for the list of each kind of shape, except meshes.
+template <class SomeScene, class Visit>
+void for_each_kind(SomeScene& scene, Visit visit) {
+    std::apply([&](const auto&... kind) { (visit(scene.*kind.items), ...); }, shape_kinds);
+}
+
+/// The path of the mesh's file, resolved from the scene's folder, independent of the working
+/// directory.
+[[nodiscard]] std::string path_of(const NamedMesh& mesh);
+
+/// Builds the acceleration structure of each kind of shape, once the scene is complete. Without it,
+/// pictures are the same but slower.
+void arrange(Scene& scene, const Arrangement& how = {});
+
+}  // namespace rt

@@ -1,0 +1,59 @@
+#include "common/scene_file/decimal.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <string>
+#include <system_error>
+
+namespace rt {
+
+namespace {
+
+constexpr std::string_view digits = "0123456789";
+
+/// Removes such characters from the start of the text, and returns their number.
+std::size_t take(std::string_view& text, std::string_view characters,
+                 std::size_t most = std::string_view::npos) {
+    const std::size_t count = std::min({text.find_first_not_of(characters), text.size(), most});
+    text.remove_prefix(count);
+    return count;
+}
+
+/// Returns the double nearest to an unsigned number; infinity if it is too large.
+double nearest_double(std::string_view text) {
+#ifdef __cpp_lib_to_chars  // libc++ before 20, that of macOS, cannot read a double with from_chars
+    double value = 0;
+    const auto error = std::from_chars(text.data(), text.data() + text.size(), value).ec;
+    if (error == std::errc())
+        return value;  // otherwise it does not report whether too large or too small
+#endif
+    // strtod returns the same in the "C" locale, which a program has until it selects another.
+    return std::strtod(std::string(text).c_str(), nullptr);
+}
+
+}  // namespace
+
+std::optional<Decimal> parse_decimal(std::string_view text) {
+    const bool negative = text.starts_with('-');
+    take(text, "+-", 1);
+    const std::string_view magnitude = text;
+
+    std::size_t count = take(text, digits);
+    const bool has_point = take(text, ".", 1) == 1;
+    if (has_point) count += take(text, digits);
+    if (count == 0) return std::nullopt;
+    const std::string_view mantissa = magnitude.substr(0, magnitude.size() - text.size());
+    const bool scientific = take(text, "eE", 1) == 1;
+    if (scientific) take(text, "+-", 1);
+    if (scientific && take(text, digits) == 0) return std::nullopt;
+    if (!text.empty()) return std::nullopt;
+
+    const double value = nearest_double(magnitude);
+    return Decimal{.value = negative ? -value : value,
+                   .zero = mantissa.find_first_of("123456789") == std::string_view::npos,
+                   .whole = !has_point && !scientific,
+                   .scientific = scientific};
+}
+
+}  // namespace rt

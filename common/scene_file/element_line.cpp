@@ -1,0 +1,234 @@
+#include "common/scene_file/element_line.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+std::ptrdiff_t commas(std::string_view text) {
+    return std::count(text.begin(), text.end(), ',');
+}
+
+bool is_letter(char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
+}
+
+Token trimmed(Token token) {
+    constexpr std::string_view blanks = " \t\r\v\f";
+    const std::size_t begin = std::min(token.text.find_first_not_of(blanks), token.text.size());
+    token.text.remove_prefix(begin);
+    token.column += static_cast<int>(begin);
+    token.text = token.text.substr(0, token.text.find_last_not_of(blanks) + 1);
+    return token;
+}
+
+/// Returns whether the text has the form `key:value`, with a key that starts with a letter.
+bool is_option(std::string_view text) {
+    return is_letter(text.front()) && text.find(':') != std::string_view::npos;
+}
+
+/// The three parts around two commas; nothing if there are not exactly two commas, or if a part is
+/// empty.
+std::optional<std::array<Token, 3>> three_parts(Token token) {
+    if (commas(token.text) != 2) return std::nullopt;
+    std::array<Token, 3> parts;
+    for (Token& part : parts) {
+        const std::size_t comma = std::min(token.text.find(','), token.text.size());
+        part = trimmed({token.text.substr(0, comma), token.column});
+        if (part.text.empty()) return std::nullopt;
+        token.text.remove_prefix(std::min(comma + 1, token.text.size()));
+        token.column += static_cast<int>(comma) + 1;
+    }
+    return parts;
+}
+
+}  // namespace
+
+ElementLine::ElementLine(Line line, const ElementForm& form, SceneReport& report)
+    : line_(std::move(line)), form_(form), report_(report) {}
+
+std::optional<Token> ElementLine::option(std::string_view key) {
+    for (auto token = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+         token != line_.tokens.end(); ++token) {
+        if (!token->text.starts_with(key) || !token->text.substr(key.size()).starts_with(':')) {
+            continue;
+        }
+        const std::size_t start = key.size() + 1;
+        const Token value{token->text.substr(start), token->column + static_cast<int>(start)};
+        line_.tokens.erase(token);
+        return value;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::array<Token, 3>> ElementLine::option_triple(std::string_view key) {
+    const auto value = option(key);
+    if (!value) return std::nullopt;
+    if (const auto parts = three_parts(*value)) return parts;
+    refuse(*value, what(key) + " must be three numbers as in 1,2,3");
+}
+
+int ElementLine::choice(std::string_view key, std::initializer_list<std::string_view> values) {
+    const auto value = option(key);
+    if (!value) return 0;
+    const auto* const found = std::find(values.begin(), values.end(), value->text);
+    if (found != values.end()) return static_cast<int>(found - values.begin());
+    std::string expected;
+    for (const std::string_view possible : values) {
+        expected.append(expected.empty() ? "" : " or ").append(possible);
+    }
+    refuse(*value, what(key) + " must be " + expected);
+}
+
+bool ElementLine::only_options_follow() {
+    const auto is_other = [](Token token) { return !is_option(token.text); };
+    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+    return !strict() && !at_end() && std::none_of(rest, line_.tokens.end(), is_other);
+}
+
+bool ElementLine::words_without_triple() const {
+    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+    const auto has_comma = [](Token token) { return commas(token.text) > 0; };
+    const auto is_word = [](Token token) {
+        return token.text.find_first_not_of("+-.0123456789eE") != std::string_view::npos &&
+               !is_option(token.text);
+    };
+    return std::none_of(rest, line_.tokens.end(), has_comma) &&
+           std::any_of(rest, line_.tokens.end(), is_word);
+}
+
+bool ElementLine::triple_follows() const {
+    return !at_end() && three_parts(peek_field()).has_value();
+}
+
+Place ElementLine::place() const {
+    return report_.place(line_.number, line_.tokens.front().column);
+}
+
+void ElementLine::refuse_line(const std::string& message) const {
+    report_.fail(line_.number, line_.tokens.front().column, message);
+}
+
+void ElementLine::finish() {
+    for (; !at_end(); ++next_) {
+        const Token token = line_.tokens[next_];
+        const bool option = is_option(token.text);
+        const auto key = option ? token.text.substr(0, token.text.find(':')) : "";
+        const std::size_t left = line_.tokens.size() - next_;
+        const std::string of =
+            std::string(form_.noun) + ": expected \"" + std::string(form_.layout) + "\"";
+        doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
+              quoted(token.text) +
+                  (option ? " is not an option of "
+                   : left == 1
+                       ? " is one word too many for "
+                       : " is the first of " + std::to_string(left) + " words too many for ") +
+                  of,
+              "it is ignored");
+    }
+}
+
+std::string ElementLine::what(std::string_view field) const {
+    return std::string(form_.noun) + "'s " + std::string(field);
+}
+
+void ElementLine::refuse(Token token, const std::string& message) const {
+    report_.fail(line_.number, token.column, message + ", not " + quoted(token.text));
+}
+
+void ElementLine::doubt(Token token, const std::string& kind, const std::string& message,
+                        const std::string& remedy) {
+    report_.doubt(line_.number, token.column, kind, message, remedy);
+}
+
+void ElementLine::warn(Token token, const std::string& kind, const std::string& message) {
+    report_.warn(line_.number, token.column, kind, message);
+}
+
+Token ElementLine::take_word(std::string_view field) {
+    return take(field, 1);
+}
+
+std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
+    const Token token = take(field, at_end() ? 1 : words_of_field());
+    const auto parts = three_parts(token);
+    const bool blanks = token.text.find_first_of(" \t\r\v\f") != std::string_view::npos;
+    if (parts && blanks) {
+        warn(token, "blank in triple", "blanks around the commas of " + quoted(token.text));
+    }
+    if (parts) return *parts;
+    if (strict()) refuse_blanks();
+    refuse(token, what(field) + " must be three numbers as in 1,2,3");
+}
+
+/// Throws InputError if the triple just taken is wrong because of its blanks.
+void ElementLine::refuse_blanks() {
+    --next_;
+    const Token whole =
+        joined(line_.tokens[next_], line_.tokens[next_ + words_around_commas() - 1]);
+    if (three_parts(whole))
+        report_.fail(line_.number, whole.column,
+                     "blanks around the commas of " + quoted(whole.text) +
+                         ": expected three numbers as in 1,2,3");
+    ++next_;
+}
+
+void ElementLine::skip_to_triple(std::string_view field) {
+    const auto last_comma = std::find_if(line_.tokens.rbegin(),
+                                         line_.tokens.rend() - static_cast<std::ptrdiff_t>(next_),
+                                         [](Token token) { return commas(token.text) > 0; });
+    const auto end = static_cast<std::size_t>(line_.tokens.rend() - last_comma);
+    for (; next_ < end && commas(peek_field().text) == 0; ++next_) {
+        const Token token = line_.tokens[next_];
+        doubt(token, "before color " + std::string(form_.keyword),
+              quoted(token.text) + " is in place of " + what(field), "it is skipped");
+    }
+}
+
+std::string ElementLine::missing(std::string_view field) const {
+    return what(field) + " is missing: expected \"" + std::string(form_.layout) + "\"";
+}
+
+Token ElementLine::end_of_line() const {
+    const Token last = line_.tokens.back();
+    return {{}, last.column + static_cast<int>(last.text.size())};
+}
+
+/// The number of words in the next field: more than one if a triple has blanks around its commas. A
+/// word that would add a third comma is a separate field.
+std::size_t ElementLine::words_around_commas() const {
+    std::size_t end = next_ + 1;
+    auto count = commas(line_.tokens[next_].text);
+    while (end < line_.tokens.size()) {
+        const std::string_view word = line_.tokens[end].text;
+        const bool touches = line_.tokens[end - 1].text.ends_with(',') || word.starts_with(',');
+        if (!touches || count + commas(word) > 2) break;
+        count += commas(word);
+        ++end;
+    }
+    return end - next_;
+}
+
+std::size_t ElementLine::words_of_field() const {
+    return strict() ? 1 : words_around_commas();
+}
+
+Token ElementLine::peek_field() const {
+    return joined(line_.tokens[next_], line_.tokens[next_ + words_of_field() - 1]);
+}
+
+Token ElementLine::take(std::string_view field, std::size_t words) {
+    if (at_end()) {
+        report_.fail(line_.number, end_of_line().column, missing(field));
+    }
+    Token token = joined(line_.tokens[next_], line_.tokens[next_ + words - 1]);
+    next_ += words;
+    if (strict() || token.text.size() < 2 || !token.text.ends_with(',')) return token;
+    doubt(token, "comma", quoted(token.text) + " ends with a comma", "the comma is ignored");
+    token.text.remove_suffix(1);
+    return token;
+}
+
+}  // namespace rt

@@ -1,0 +1,87 @@
+// The fields of an element as checked values, in the units of common/scene/scene.hpp.
+#pragma once
+
+#include "common/scene/scene.hpp"
+#include "common/scene_file/decimal.hpp"
+#include "common/scene_file/element_line.hpp"
+
+#include <string_view>
+#include <utility>
+
+namespace rt::inline RT_PRECISION {
+
+/// Reads typed fields. Each function consumes the next field, whose name for messages is the
+/// argument. Throws InputError with the location of the token if the field is missing or invalid.
+class Fields : public ElementLine {
+public:
+    Fields(Line line, const ElementForm& form, SceneReport& report, Axes axes)
+        : ElementLine(std::move(line), form, report), axes_(axes) {}
+
+    /// A point, converted to the program's axes.
+    [[nodiscard]] Vec3 point(std::string_view field);
+
+    /// A unit direction in the program's axes. If the vector is zero, lenient reading omits the
+    /// shape.
+    [[nodiscard]] Vec3 direction(std::string_view field);
+
+    /// Returns whether the shape is omitted because a direction of it is zero: no ray could hit it.
+    [[nodiscard]] bool is_left_out() const { return left_out_; }
+
+    /// A unit direction in the program's axes, or zero.
+    [[nodiscard]] Vec3 camera_direction(std::string_view field);
+
+    /// A positive length whose half is positive too.
+    [[nodiscard]] Real length(std::string_view field);
+
+    /// Three positive lengths.
+    [[nodiscard]] Vec3 lengths(std::string_view field);
+
+    /// A number from 0 to 1.
+    [[nodiscard]] Real ratio(std::string_view field);
+
+    /// A word without interpretation: the name of a file.
+    [[nodiscard]] std::string word(std::string_view field);
+
+    // Options; `otherwise` is the value if the line does not have the option.
+    [[nodiscard]] Real ratio_option(std::string_view key, Real otherwise);
+    [[nodiscard]] Real length_option(std::string_view key, Real otherwise);
+    [[nodiscard]] Vec3 direction_option(std::string_view key,
+                                        Vec3 otherwise);  ///< in the axes of the file
+
+    /// An angle of 0 to 180 degrees, returned in radians, less than π. If the field is missing,
+    /// lenient reading warns and returns 60 degrees.
+    [[nodiscard]] Real angle(std::string_view field);
+
+    /// A color of components 0 to 255, returned as 0 to 1. Lenient reading skips words before it,
+    /// and accepts fractions. A word in its place, such as the name of a texture, becomes white.
+    [[nodiscard]] Color color();
+
+    /// As color(), but if the field is missing, lenient reading warns and returns white.
+    [[nodiscard]] Color color_or_white();
+
+    /// A positive number of pixels; a value above largest_side is clamped, with a warning.
+    [[nodiscard]] int pixels(std::string_view field);
+
+private:
+    /// A field of three numbers: its words, their digits, and their values.
+    struct Triple {
+        std::array<Token, 3> parts;
+        std::array<Decimal, 3> numbers;
+        Vec3 value;
+    };
+
+    [[nodiscard]] Decimal decimal(Token token, const std::string& name);
+    [[nodiscard]] Triple triple(std::string_view field);
+    [[nodiscard]] Triple triple_of(const std::array<Token, 3>& parts, std::string_view field);
+    [[noreturn]] void refuse_zero(const Triple& triple, std::string_view field) const;
+    [[nodiscard]] Vec3 direction_of(const Triple& triple, std::string_view field);
+    [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
+    [[nodiscard]] Real length_of(Token token, const std::string& name);
+    [[nodiscard]] Real up_to(int bound, Token token, std::string_view field);
+    [[nodiscard]] bool word_for_color();
+
+    Axes axes_;
+    bool left_out_ = false;
+};
+
+}  // namespace rt::inline RT_PRECISION

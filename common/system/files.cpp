@@ -1,0 +1,66 @@
+#include "common/system/files.hpp"
+
+#include "common/system/input_error.hpp"
+#include "common/system/whole_file.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();  // fails on nothing
+    if (in.bad() || !in.is_open() || !text) throw InputError({file.string()}, "cannot be read");
+    return text.str();
+}
+
+void write_text(const fs::path& file, const std::string& text) {
+    WholeFile whole(file);
+    whole.write(text);
+    whole.take_its_place();
+}
+
+void copy_whole(const fs::path& from, const fs::path& to) {
+    WholeFile whole(to);
+    whole.write(read_text(from));
+    whole.take_its_place();
+    fs::permissions(to, fs::status(from).permissions() | fs::perms::owner_write);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending) {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+        if (entry.path().extension() == ending) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+fs::path make_folder(const fs::path& parent, const std::string& start) {
+    std::string name = parent / (start + "XXXXXX");  // completed by mkdtemp
+    if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");
+    return name;
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& parent)
+    : path_(make_folder(parent, "raysteps.")) {}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+}  // namespace rt

@@ -1,0 +1,153 @@
+#include "common/system/process.hpp"
+
+#include "common/system/input_error.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+constexpr std::size_t most_output = 64 * 1024;
+constexpr int signalled = 128;
+constexpr int milliseconds_between_looks = 10;
+constexpr int milliseconds_to_end = 200;
+
+enum class Group { ours, its_own };
+
+/// In the child: becomes the program, or returns why not. Calls nothing that might wait for another
+/// thread of the parent.
+int become(char** arguments, int output, Group group, pid_t parent) {
+    signal(SIGINT, SIG_DFL);
+    if (group == Group::its_own) setpgid(0, 0);
+    // A program with captured output is killed together with its caller; any other gets SIGTERM.
+    prctl(PR_SET_PDEATHSIG, output == -1 ? SIGTERM : SIGKILL);
+    if (getppid() != parent) _exit(signalled + SIGKILL);
+    if (output != -1) {
+        const int nothing = open("/dev/null", O_RDONLY);
+        if (nothing == -1 || dup2(nothing, STDIN_FILENO) == -1) return errno;
+        if (nothing != STDIN_FILENO) close(nothing);
+        for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
+            if (dup2(output, stream) == -1) return errno;
+    }
+    execvp(arguments[0], arguments);
+    return errno;
+}
+
+/// Starts the program; `output` takes both its streams, unless it is -1.
+pid_t start(const Command& command, int output, Group group) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    std::array<int, 2> failure{};
+    if (pipe2(failure.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    const pid_t parent = getpid();
+    const pid_t process = fork();
+    int error = process == -1 ? errno : 0;
+    if (process == 0) {
+        error = become(arguments.data(), output, group, parent);
+        _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
+    }
+    close(failure[1]);
+    // Nothing can be read after a successful exec.
+    while (process > 0 && read(failure[0], &error, sizeof error) == -1 && errno == EINTR) continue;
+    close(failure[0]);
+    if (error == 0) return process;
+    if (process > 0) waitpid(process, nullptr, 0);
+    throw InputError({}, command[0] + " cannot be started: " + std::strerror(error));
+}
+
+/// Collects the program's output, until it closes the pipe or `given_up` returns true.
+void listen(int ear, const std::function<bool()>& given_up, std::string& output) {
+    std::array<char, 4096> heard{};
+    while (!given_up()) {
+        pollfd question{ear, POLLIN, 0};
+        if (poll(&question, 1, milliseconds_between_looks) != 1) continue;
+        const ssize_t count = read(ear, heard.data(), heard.size());
+        if (count == -1 && errno == EINTR) continue;
+        if (count <= 0) return;
+        output.append(heard.data(), std::min(std::size_t(count), most_output - output.size()));
+    }
+}
+
+/// The status from waitpid.
+int wait_for(pid_t process) {
+    int answer = 0;
+    while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
+    return answer;
+}
+
+/// The signal's name; not to be had of an exit status, since a suite's is the number of failures.
+std::string crash(int answer) {
+    return WIFSIGNALED(answer) ? strsignal(WTERMSIG(answer)) : "";
+}
+
+}  // namespace
+
+int run_process(const Command& command) {
+    // Ctrl-C is for the program: its parent must survive to report how it ended.
+    const auto previous = std::signal(SIGINT, SIG_IGN);
+    const int answer = wait_for(start(command, -1, Group::ours));
+    std::signal(SIGINT, previous);
+    // A shell would report the crash, but it only sees this process.
+    const std::string crashed = crash(answer);
+    if (!crashed.empty() && WTERMSIG(answer) != SIGINT)
+        std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(), crashed.c_str());
+    return exit_status(answer);
+}
+
+Ending listen_to(const Command& command, std::chrono::milliseconds limit,
+                 const std::atomic<bool>* cancelled) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    const auto [ear, mouth] = ends;
+    const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
+    pid_t process = 0;
+    try {
+        process = start(command, mouth, group);
+    } catch (...) {
+        close(ear);
+        close(mouth);
+        throw;
+    }
+    close(mouth);
+    const auto deadline = std::chrono::steady_clock::now() + limit;
+    Ending ending;
+    const auto given_up = [&] {
+        ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
+        return ending.out_of_time || (cancelled != nullptr && *cancelled);
+    };
+    listen(ear, given_up, ending.output);
+    close(ear);
+    // It may continue with closed streams.
+    int answer = 0;
+    for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {
+        // It may have to end its own children first.
+        if (given_up())
+            kill(group == Group::ours ? process : -process,
+                 ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ending.status = exit_status(answer);
+    ending.crash = crash(answer);
+    return ending;
+}
+
+int exit_status(int answer) {
+    return WIFEXITED(answer) ? WEXITSTATUS(answer) : signalled + WTERMSIG(answer);
+}
+
+}  // namespace rt

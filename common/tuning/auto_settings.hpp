@@ -1,0 +1,53 @@
+// Automatic render settings for a given tolerance or time: `--tolerance`, `--time`.
+#pragma once
+
+#include "common/tuning/row_budget.hpp"
+#include "common/tuning/tradeoff.hpp"
+#include "common/tuning/trial.hpp"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// The settings that the command line fixes, and that are therefore not chosen.
+struct Given {
+    bool shadow_samples = false;  ///< also set if the criterion to stop sampling is fixed
+    bool depth = false;
+};
+
+/// The goal of the tuning, and the settings that are fixed.
+struct Aim {
+    Look look;
+    std::optional<double> tolerance;  ///< largest error of a pixel, in 8-bit levels
+    std::optional<double> time;       ///< time for the picture, in seconds
+    Given given;
+    std::optional<std::size_t>
+        hierarchy_from;  ///< fixed smallest number of shapes of a kind for a hierarchy
+    int threads = 1;
+};
+
+/// The automatic settings.
+struct Choice {
+    bool in_float = false;  ///< render in float: accurate enough, and faster than double
+    std::optional<std::size_t> hierarchy_from;  ///< as in Aim; nothing for the default
+    Trial expected;
+    std::unique_ptr<Pace> pace;        ///< set only if the picture has a time budget
+    std::vector<std::string> reasons;  ///< report lines: each setting chosen, and the reason
+};
+
+/// Opens the same scene in float precision.
+using OpenFloat = std::function<Trials&()>;
+
+/// Renders a few pixels of the scene with different settings, and chooses hierarchy, reflection
+/// depth, shadow samples and precision, as far as the aim does not fix them and the scene has a use
+/// for them. The hierarchies of the chosen trials are built on return. Without `open_float` the
+/// precision does not change. A time budget counts from `start`. Returns nothing if `stop` was set.
+[[nodiscard]] std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float,
+                                           const Aim& aim, Clock::time_point start,
+                                           const std::atomic<bool>& stop);
+
+}  // namespace rt

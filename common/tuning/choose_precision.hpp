@@ -1,0 +1,23 @@
+// The choice between float and double precision.
+#pragma once
+
+#include "common/tuning/auto_settings.hpp"
+#include "common/tuning/trial_runner.hpp"
+
+namespace rt {
+
+/// The chosen precision, and the reason for the report.
+struct PrecisionChoice {
+    bool in_float = false;
+    std::string why;
+};
+
+/// Chooses float if the scene's sizes and gaps allow it, if the trials are cheap compared to the
+/// picture, and if float renders the same colors as double in pixels spread over the whole picture,
+/// with the same shadow rays. The decision uses counts only, so that it is the same in every run.
+/// Without `open_float` the precision is fixed.
+[[nodiscard]] PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
+                                               const Demands& demands, const OpenFloat& open_float,
+                                               const Choice& choice);
+
+}  // namespace rt

@@ -1,0 +1,317 @@
+#include "common/tuning/choose_samples.hpp"
+
+#include "common/tuning/candidates.hpp"
+#include "common/tuning/penumbrae.hpp"
+#include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/wording.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace rt {
+
+namespace {
+
+/// Settings measured on pixels in penumbras.
+struct Judged {
+    Trial trial;
+    std::vector<double> off;  ///< error of each pixel, for each sample in turn
+};
+
+class Sampling {
+public:
+    Sampling(TrialRunner& runner, const Trials& trials, const Look& look)
+        : runner_(runner),
+          trials_(trials),
+          allowed_(*runner.aim().tolerance),
+          look_(look),
+          reference_(reference_look(look, allowed_)),
+          penumbrae_(find_penumbrae(runner, trials, look)) {
+        const Shot clear = shot(with_rays(look, 1), some_of(penumbrae_.clear, 128), ++round_);
+        without_light_rays_ = clear.rays - mean(clear.light_rays);
+        seconds_of_a_ray_ = clear.rays > 0 ? clear.seconds / clear.rays : 0;
+        sort_doubtful();
+    }
+
+    [[nodiscard]] Trial best() {
+        if (share_ > 0 && share_ * all_pixels() < fewest_pixels) return untried();
+        for (const int rays : {1, 2, 4}) {
+            const Judged few = judged(with_rays(look_, rays));
+            if (keeps(few)) return confirmed(few);
+            if (few.trial.error > 4 * allowed_) break;  // more than four times the rays can reduce
+        }
+        return confirmed(found());
+    }
+
+private:
+    [[nodiscard]] double all_pixels() const {
+        return double(runner_.size().width) * double(runner_.size().height);
+    }
+
+    /// Sorts the doubtful pixels into those in a penumbra and those whose light rays all agree.
+    void sort_doubtful() {
+        const double wanted = std::clamp(penumbrae_.share * all_pixels() / 64, 128., 1000.);
+        const std::vector<Pixel> doubtful = some_of(penumbrae_.doubtful, std::size_t(wanted));
+        const Shot right = shot(reference_, doubtful, ++round_);
+        const std::vector<double> off =
+            distances(shot(with_rays(look_, 1), doubtful, ++round_), right);
+        std::vector<Pixel> calm = penumbrae_.asked;
+        for (std::size_t i = 0; i < doubtful.size(); ++i)
+            if (off[i] > allowed_) {
+                pixels_.push_back(doubtful[i]);
+                right_.shades.push_back(right.shades[i]);
+            } else if (right.light_rays[i] > 0) {
+                calm.push_back(doubtful[i]);
+            }
+        const auto share_of = [](std::size_t some, std::size_t all) {
+            return all > 0 ? double(some) / double(all) : 0;
+        };
+        share_ = penumbrae_.share * share_of(pixels_.size(), doubtful.size());
+        const std::size_t doubtful_calm = calm.size() - penumbrae_.asked.size();
+        calm_share_ =
+            penumbrae_.share * share_of(doubtful_calm, doubtful.size()) +
+            (1 - penumbrae_.share) * share_of(penumbrae_.asked.size(), penumbrae_.clear.size());
+        calm_ = some_of(calm, 32);
+    }
+
+    Shot shot(const Look& look, const std::vector<Pixel>& pixels, int round) {
+        Shot shot = runner_.shot(trials_, look, pixels, round);
+        rays_spent_ += shot.rays * double(pixels.size());
+        return shot;
+    }
+
+    /// Returns whether better settings would save less than more trials cost.
+    [[nodiscard]] bool has_tried_enough(const Trial& best) const {
+        return rays_spent_ > 0.06 * best.rays * all_pixels();
+    }
+
+    [[nodiscard]] static double mean(const std::vector<int>& counts) {
+        const double all = std::reduce(counts.begin(), counts.end(), 0.);
+        return counts.empty() ? 0 : all / double(counts.size());
+    }
+
+    [[nodiscard]] bool keeps(const Judged& judged) const { return judged.trial.error <= allowed_; }
+
+    [[nodiscard]] bool is_better(const Judged& a, const Judged& b) const {
+        if (keeps(a) != keeps(b)) return keeps(a);
+        return keeps(a) ? a.trial.rays < b.trial.rays : a.trial.error < b.trial.error;
+    }
+
+    /// The smallest error that is tried: a smaller one changes nothing that counts.
+    [[nodiscard]] double least_error() const { return two_digits(0.35 * allowed_); }
+
+    /// The error at which sampling can stop, if share_error (stage 11) estimates it correctly. It
+    /// is smaller if more of the picture is in a penumbra, because then a smaller fraction of those
+    /// pixels may exceed the tolerance.
+    [[nodiscard]] double likely_error() const {
+        return allowed_ * std::clamp(0.85 - share_ / 2, 0.45, 0.7);
+    }
+
+    /// The fraction of the pixels in penumbras that may exceed the tolerance on average, so that
+    /// the random rays of the final picture do not break the promise.
+    [[nodiscard]] double few() const {
+        const double all = share_ * all_pixels();
+        const double promised =
+            std::min(few_in_penumbrae, few_pixels / std::max(share_, few_pixels));
+        return all < 1 ? promised : double(exceptions(std::size_t(all), promised)) / all;
+    }
+
+    Judged judged(Look look, std::size_t fewest = 64) {
+        if (look.shadow_error > 0) look.shadow_error = two_digits(look.shadow_error);
+        Judged result{.trial = {.look = look}};
+        int round = first_round;  // all settings are compared with the same rays
+        judge(result, fewest, round);
+        return result;
+    }
+
+    /// Adds samples, one at least, until so many distances are known, to the measured cost and
+    /// error of the settings.
+    void judge(Judged& judged, std::size_t distances_known, int& round) {
+        const Look& look = judged.trial.look;
+        Shot next;
+        do {
+            next = shot(look, pixels_, ++round);
+            for (const double off : distances(next, right_))
+                judged.off.push_back(off / excess(look, reference_));
+        } while (!pixels_.empty() && judged.off.size() < distances_known);
+        judged.trial.error = error_but_for_share(few(), judged.off);
+        tell_costs(judged.trial, next);
+    }
+
+    /// Computes the cost of the settings from the pixels in penumbras and the others.
+    void tell_costs(Trial& trial, const Shot& in_penumbrae) {
+        const double light_rays =
+            calm_share_ * mean(shot(trial.look, calm_, first_round).light_rays);
+        const double elsewhere = light_rays + (1 - share_) * without_light_rays_;
+        trial.rays = share_ * in_penumbrae.rays + elsewhere;
+        // Outside penumbras, rays to a light take about as long as inside.
+        const double of_a_ray =
+            in_penumbrae.rays > 0 ? in_penumbrae.seconds / in_penumbrae.rays : seconds_of_a_ray_;
+        trial.seconds =
+            runner_.picture_seconds(share_ * in_penumbrae.seconds + light_rays * of_a_ray +
+                                    (elsewhere - light_rays) * seconds_of_a_ray_);
+    }
+
+    /// Settings with about the largest error that still meets the tolerance.
+    Judged tuned(double error, int agree) {
+        Judged first = judged(to_error(look_, error, agree));
+        const double room = first.trial.error > 0 ? allowed_ / first.trial.error : 10;
+        if (1 <= room && (room < 1.25 || has_tried_enough(first.trial))) return first;
+        const double before = error;
+        error = std::clamp(error * std::clamp(0.95 * room, 0.5, 1.6), least_error(),
+                           std::max(1.2 * allowed_, least_error()));
+        if (error == before) return first;
+        Judged second = judged(to_error(look_, error, agree));
+        return is_better(second, first) ? second : first;
+    }
+
+    /// The number of agreeing rays with which the search starts.
+    [[nodiscard]] int usual_agree() const {
+        return int(std::bit_floor(unsigned(std::clamp(32 / std::sqrt(allowed_), 4., 1024.))));
+    }
+
+    /// Settings for penumbras with so few pixels that their rays cost less than trials would.
+    [[nodiscard]] Trial untried() {
+        return judged(to_error(look_, least_error(), 2 * usual_agree()), 1).trial;
+    }
+
+    /// Searches for settings that meet the tolerance.
+    Judged found() {
+        constexpr int tries = 12;
+        Judged best = tuned(likely_error(), usual_agree());
+        for (int i = 0; i < tries && !keeps(best) && !is_finest(best.trial.look); ++i)
+            best = finer(best);
+        return best;
+    }
+
+    [[nodiscard]] bool is_finest(const Look& look) const {
+        return look.shadow_error > 0 && look.shadow_error <= least_error() &&
+               look.shadow_agree >= reference_.shadow_agree;
+    }
+
+    /// A smaller error or a larger number of agreeing rays, whichever reduces the error more for
+    /// its cost.
+    Judged finer(const Judged& before) {
+        const Look look = before.trial.look;
+        if (look.shadow_error == 0)
+            return look.shadow_samples < 4 ? judged(with_rays(look, 2 * look.shadow_samples))
+                                           : judged(to_error(look, likely_error(), 16));
+        const double part = std::clamp(0.95 * allowed_ / before.trial.error, 0.5, 0.8);
+        const Look to_less =
+            to_error(look, std::max(part * look.shadow_error, least_error()), look.shadow_agree);
+        const Look of_more = to_error(look, look.shadow_error, look.shadow_agree * 2);
+        if (look.shadow_agree >= reference_.shadow_agree) return judged(to_less);
+        if (look.shadow_error <= least_error()) return judged(of_more);
+        Judged less = judged(to_less);
+        Judged more = judged(of_more);
+        const auto worth = [&](const Judged& judged) {
+            const double price = std::max(judged.trial.rays / before.trial.rays, 1.01);
+            return std::log(before.trial.error / judged.trial.error) / std::log(price);
+        };
+        return worth(less) > worth(more) ? less : more;
+    }
+
+    /// The settings, or finer ones, that meet the tolerance with other random rays too, and in the
+    /// worst tile.
+    Trial confirmed(Judged judged) {
+        constexpr int tries = 6;
+        constexpr std::size_t fewest = 64;
+        for (int i = 0;; ++i) {
+            judge(judged, fewest, round_);
+            if (i == tries || is_finest(judged.trial.look) ||
+                (keeps(judged) && worst_tile_keeps(judged)))
+                return judged.trial;
+            judged = finer(judged);
+        }
+    }
+
+    /// Returns whether the tile with most pixels above the tolerance meets it, judged by all of its
+    /// trial pixels.
+    bool worst_tile_keeps(const Judged& judged) {
+        std::map<int, int> beyond;
+        for (std::size_t i = 0; i < judged.off.size(); ++i)
+            if (judged.off[i] > allowed_)
+                ++beyond[tile_of(pixels_[i % pixels_.size()], runner_.size())];
+        const auto worst =
+            std::ranges::max_element(beyond, {}, [](const auto& tile) { return tile.second; });
+        if (worst == beyond.end() || worst->second < 2) return true;
+        const auto is_there = [&](Pixel pixel) {
+            return tile_of(pixel, runner_.size()) == worst->first;
+        };
+        std::vector<Pixel> pixels;
+        std::ranges::copy_if(penumbrae_.doubtful, std::back_inserter(pixels), is_there);
+        const auto clear = double(std::ranges::count_if(penumbrae_.clear, is_there));
+        const double most_beyond =
+            few_in_a_tile * (double(pixels.size()) + clear * penumbrae_.draws);
+        if (double(pixels.size()) <= most_beyond) return true;
+        const Look& look = judged.trial.look;
+        const Shot right = shot(reference_, pixels, ++round_);
+        const std::vector<double> off = distances(shot(look, pixels, ++round_), right);
+        const double allowed = allowed_ * excess(look, reference_);
+        return double(std::ranges::count_if(off, [=](double d) { return d > allowed; })) <=
+               most_beyond;
+    }
+
+    static constexpr double fewest_pixels = 70;  ///< in penumbrae, for trials to pay
+    static constexpr int first_round = 500;      ///< of looks that are compared
+
+    TrialRunner& runner_;
+    const Trials& trials_;
+    double allowed_;
+    Look look_;
+    int round_ = 2;  ///< as many as were looked for penumbrae with
+    double rays_spent_ = 0;
+    Look reference_;
+    Penumbrae penumbrae_;
+    std::vector<Pixel> pixels_;  ///< pixels in penumbras, for trials of settings
+    Shot right_;                 ///< those pixels rendered with the reference settings
+    double share_ = 0;           ///< fraction of the picture that they represent
+    std::vector<Pixel> calm_;    ///< other pixels that send rays to an area light
+    double calm_share_ = 0;
+    double without_light_rays_ = 0;  ///< number of other rays of a pixel
+    double seconds_of_a_ray_ = 0;    ///< CPU seconds of one of them
+};
+
+}  // namespace
+
+Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const Look& look) {
+    return Sampling(runner, trials, look).best();
+}
+
+Ladder climb(TrialRunner& runner, const Trials& trials, const Look& look) {
+    const std::vector<Pixel> scattered = runner.spread().pixels();
+    const std::vector<Pixel> pixels =
+        some_of(scattered, std::max<std::size_t>(1000, scattered.size() / 8));
+    const std::vector<Look> looks = sampling_looks(look);
+    const double time = *runner.aim().time;
+    Ladder ladder;
+    Shot finest = runner.shot(trials, looks[0], pixels, 1);
+    for (std::size_t i = 1; i < looks.size(); ++i) {
+        const Shot before =
+            std::exchange(finest, runner.shot(trials, looks[i], pixels, int(i) + 1));
+        ladder.add({.look = looks[i - 1],
+                    .seconds = runner.picture_seconds(before.seconds),
+                    .rays = before.rays,
+                    .error = error_but_for_share(few_pixels, distances(before, finest)) /
+                             excess(looks[i - 1], looks[i])});
+        if (ladder.top().seconds > time) break;
+        if (runner.no_time_left() && ladder.top().look.shadow_error > 0) {
+            ladder.extend({looks.begin() + std::ptrdiff_t(i), looks.end()}, time);
+            break;
+        }
+    }
+    return ladder;
+}
+
+std::string samples_in_words(const Look& look) {
+    if (look.shadow_error == 0)
+        return std::to_string(look.shadow_samples) + " to a light with a size";
+    return "until the estimated error of a light is below " + steps(look.shadow_error) +
+           (look.shadow_agree > 0 ? ", or " + std::to_string(look.shadow_agree) + " rays agree"
+                                  : "");
+}
+
+}  // namespace rt

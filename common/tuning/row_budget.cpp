@@ -1,0 +1,34 @@
+#include "common/tuning/row_budget.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+double seconds(Clock::duration time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+}  // namespace
+
+Pace::Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point start)
+    : ladder_(std::move(ladder)), rows_(rows), start_(start), end_(end) {}
+
+Look Pace::next(Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    // The measured slowdown compared to the expected times, damped because the first rows alone are
+    // not representative.
+    const double doubt = 0.02 * seconds(end_ - start_);
+    const double slower = (seconds(now - start_) + doubt) / (expected_ + doubt);
+    const int left = std::max(rows_ - given_, 1);
+    const double all_rows = seconds(end_ - now) / slower * rows_ / left;
+    const Trial trial = ladder_.within_time(all_rows);
+    expected_ += trial.seconds / rows_;
+    errors_ += trial.error;
+    ++given_;
+    return trial.look;
+}
+
+}  // namespace rt

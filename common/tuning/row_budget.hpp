@@ -1,0 +1,38 @@
+// The time budget of a picture: each row is rendered with the best settings that the remaining time
+// allows.
+#pragma once
+
+#include "common/tuning/tradeoff.hpp"
+
+#include <chrono>
+#include <mutex>
+
+namespace rt {
+
+using Clock = std::chrono::steady_clock;
+
+/// Distributes a time budget over the rows of a picture.
+class Pace {
+public:
+    /// A budget for `rows` rows of about equal cost, until `end`. The times in the ladder are for
+    /// all rows together, and may be wrong by a factor.
+    Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point start = Clock::now());
+
+    /// Returns the settings for the next row. Thread-safe.
+    [[nodiscard]] Look next(Clock::time_point now = Clock::now());
+
+    /// The mean expected error of the rows started so far, in the units of Trial::error.
+    [[nodiscard]] double error() const { return given_ == 0 ? 0 : errors_ / given_; }
+
+private:
+    std::mutex mutex_;
+    Ladder ladder_;
+    int rows_;
+    int given_ = 0;
+    double expected_ = 0;  ///< expected seconds of the rows started
+    double errors_ = 0;
+    Clock::time_point start_;
+    Clock::time_point end_;
+};
+
+}  // namespace rt

@@ -1,0 +1,46 @@
+// Render settings sorted from cheap to accurate.
+#pragma once
+
+#include "common/render/render_settings.hpp"
+
+#include <vector>
+
+namespace rt {
+
+/// Render settings that have been measured.
+struct Trial {
+    Look look;
+    double seconds = 0;  ///< for the whole picture on all threads
+    double rays = 0;     ///< mean for each pixel: unlike the seconds, the same in every run
+    double error = 0;    ///< in 8-bit levels: 99 of 100 pixels have an error of at most this
+};
+
+/// Settings sorted by cost. Clocks are noisy: a trial that seems faster than a cheaper one counts
+/// as taking the same time, so that no time is negative and none decreases. A query beyond either
+/// end returns that end. Between two settings that stop sampling at an error, or once rays agree,
+/// it interpolates their thresholds.
+class Ladder {
+public:
+    void add(Trial trial);
+
+    /// Adds settings that were not measured, each with about 1/√2 of the error of the one before,
+    /// up to those that exceed the time in seconds. Their error is given as that of the last trial,
+    /// an upper bound.
+    void extend(const std::vector<Look>& looks, double seconds);
+
+    /// Makes the trial the most accurate entry, in place of all that cost as much.
+    void end_with(const Trial& trial);
+
+    [[nodiscard]] const Trial& top() const { return trials_.back(); }
+
+    /// The most accurate settings that take at most this time in seconds.
+    [[nodiscard]] Trial within_time(double seconds) const;
+
+    /// The cheapest settings with at most this error in 8-bit levels.
+    [[nodiscard]] Trial within_error(double error) const;
+
+private:
+    std::vector<Trial> trials_;  ///< their seconds do not decrease
+};
+
+}  // namespace rt

@@ -1,0 +1,76 @@
+#include "common/tuning/trial_pixels.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace rt {
+
+namespace {
+
+/// The number of pixels above which cells are larger.
+constexpr std::size_t large_picture = 160'000;
+
+/// A hash in which every bit of the result depends on every bit of the value (Appleby's finalizer
+/// of MurmurHash3).
+std::uint32_t mixed(std::uint32_t value) {
+    value ^= value >> 16;
+    value *= 0x85ebca6bU;
+    value ^= value >> 13;
+    value *= 0xc2b2ae35U;
+    return value ^ (value >> 16);
+}
+
+int cells(int pixels, int side) {
+    return (pixels + side - 1) / side;
+}
+
+}  // namespace
+
+int tile_of(Pixel pixel, Resolution size) {
+    return pixel.row / tile_side * cells(size.width, tile_side) + pixel.column / tile_side;
+}
+
+SpreadPixels::SpreadPixels(Resolution size)
+    : size_(size),
+      side_(std::size_t(size.width) * std::size_t(size.height) > large_picture ? 8 : 4),
+      rows_(cells(size.height, side_)),
+      columns_(cells(size.width, side_)) {}
+
+std::vector<Pixel> SpreadPixels::pixels(int draw) const {
+    std::vector<Pixel> all;
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            const int height = std::min(side_, size_.height - row * side_);
+            const int width = std::min(side_, size_.width - column * side_);
+            const auto cell = std::uint32_t(row * columns_ + column);
+            // An odd step visits all residues modulo a power of two before it repeats one.
+            const std::uint32_t place =
+                (mixed(cell) + std::uint32_t(draw) * 11) % std::uint32_t(height * width);
+            all.push_back({.row = row * side_ + int(place) / width,
+                           .column = column * side_ + int(place) % width});
+        }
+    return all;
+}
+
+std::vector<bool> SpreadPixels::with_neighbors(const std::vector<bool>& marked) const {
+    std::vector<bool> all(marked.size());
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            if (!marked[std::size_t(row * columns_ + column)]) continue;
+            for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r)
+                for (int c = std::max(column - 1, 0); c <= std::min(column + 1, columns_ - 1); ++c)
+                    all[std::size_t(r * columns_ + c)] = true;
+        }
+    return all;
+}
+
+std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count, int part) {
+    if (count == 0 || pixels.empty()) return {};
+    const std::size_t step = std::max<std::size_t>(pixels.size() / count, 1);
+    std::vector<Pixel> some;
+    for (std::size_t i = std::size_t(part) * (step / 2); i < pixels.size(); i += step)
+        some.push_back(pixels[i]);
+    return some;
+}
+
+}  // namespace rt

@@ -1,0 +1,62 @@
+// Sample pixels that represent a picture in trials: one in each cell of a grid.
+#pragma once
+
+#include "common/image/pixel.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// The side in pixels of the tiles in which a picture is judged.
+inline constexpr int tile_side = 32;
+
+/// The index of the tile that contains the pixel.
+[[nodiscard]] int tile_of(Pixel pixel, Resolution size);
+
+/// A grid of cells over a picture.
+class SpreadPixels {
+public:
+    /// Uses cells of 4 x 4 pixels, or 8 x 8 in large pictures, so that each tile has 64 or 16
+    /// cells.
+    explicit SpreadPixels(Resolution size);
+
+    /// One pixel in each cell, row by row. Another `draw` returns other pixels of the cells, up to
+    /// the number of pixels in a cell.
+    [[nodiscard]] std::vector<Pixel> pixels(int draw = 0) const;
+
+    /// Returns the marked cells and the cells that touch one.
+    [[nodiscard]] std::vector<bool> with_neighbors(const std::vector<bool>& marked) const;
+
+    /// Returns the cells that differ from a cell that touches them; differ(a, b) compares two cells
+    /// by index.
+    template <class Differ>
+    [[nodiscard]] std::vector<bool> differing_neighbors(Differ differ) const {
+        std::vector<bool> all(std::size_t(rows_) * std::size_t(columns_));
+        const auto compare = [&](int a, int b) {
+            if (differ(std::size_t(a), std::size_t(b)))
+                all[std::size_t(a)] = all[std::size_t(b)] = true;
+        };
+        for (int row = 0; row < rows_; ++row)
+            for (int column = 0; column < columns_; ++column) {
+                const int cell = row * columns_ + column;
+                if (column + 1 < columns_) compare(cell, cell + 1);
+                if (row + 1 < rows_) compare(cell, cell + columns_);
+            }
+        return all;
+    }
+
+private:
+    Resolution size_;
+    int side_;
+    int rows_;
+    int columns_;
+};
+
+/// Returns about `count` of the pixels, spread evenly: every k-th, or all. Parts 0 and 1 have no
+/// pixel in common if there are enough for both.
+[[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count,
+                                         int part = 0);
+
+}  // namespace rt

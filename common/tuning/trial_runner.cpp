@@ -1,0 +1,39 @@
+#include "common/tuning/trial_runner.hpp"
+
+namespace rt {
+
+double TrialRunner::limit() const {
+    constexpr double unseen = 0.5;  // rounding to the picture's colors has an error of half a level
+    return aim_.tolerance.value_or(unseen);
+}
+
+Shot TrialRunner::shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
+                       int round) {
+    Shot shot = trials.shot(
+        look, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
+    if (stop_) throw Stopped();
+    drawn_ += pixels.size();
+    return shot;
+}
+
+double TrialRunner::picture_seconds(double of_a_pixel) const {
+    return of_a_pixel * double(size_.width) * double(size_.height) / aim_.threads;
+}
+
+double TrialRunner::seconds_since_start() const {
+    return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+bool TrialRunner::no_time_left() const {
+    return aim_.time && seconds_since_start() > *aim_.time / 10;
+}
+
+Look with_one_shadow_ray(Look look, const Aim& aim) {
+    if (aim.given.shadow_samples) return look;
+    look.shadow_samples = 1;
+    look.shadow_error = 0;
+    look.shadow_agree = 0;
+    return look;
+}
+
+}  // namespace rt

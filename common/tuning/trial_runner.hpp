@@ -1,0 +1,77 @@
+// Renders sample pixels of a scene to measure the cost and the error of settings.
+#pragma once
+
+#include "common/tuning/auto_settings.hpp"
+#include "common/tuning/trial_pixels.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rt {
+
+/// Thrown between trials when the program is to stop.
+struct Stopped {};
+
+/// Measures settings on sample pixels, and counts the pixels rendered.
+class TrialRunner {
+public:
+    /// The aim and the flag must outlive this object.
+    TrialRunner(Resolution size, const Aim& aim, const std::atomic<bool>& stop)
+        : aim_(aim), stop_(stop), size_(size), spread_(size) {}
+
+    [[nodiscard]] const Aim& aim() const { return aim_; }
+    [[nodiscard]] Resolution size() const { return size_; }
+    [[nodiscard]] const SpreadPixels& spread() const { return spread_; }
+
+    /// The largest error that is not significant.
+    [[nodiscard]] double limit() const;
+
+    /// Renders the pixels with these settings. Another `round` uses other random samples. Throws
+    /// Stopped if the program is to stop.
+    [[nodiscard]] Shot shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
+                            int round);
+
+    /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
+    /// `of_a_pixel` seconds of CPU time.
+    [[nodiscard]] double picture_seconds(double of_a_pixel) const;
+
+    /// The seconds that two configurations take for a pixel: the minimum over a few alternating
+    /// runs.
+    template <class First, class Second>
+    [[nodiscard]] std::pair<double, double> in_turn(const Look& look, std::span<const Pixel> pixels,
+                                                    First first, Second second);
+
+    [[nodiscard]] double seconds_since_start() const;
+
+    /// Returns whether the trials have used up a tenth of the time budget, if there is one.
+    [[nodiscard]] bool no_time_left() const;
+
+    [[nodiscard]] std::size_t pixels_drawn() const { return drawn_; }
+
+private:
+    const Aim& aim_;
+    const std::atomic<bool>& stop_;
+    Resolution size_;
+    SpreadPixels spread_;
+    Clock::time_point start_ = Clock::now();
+    std::size_t drawn_ = 0;
+};
+
+template <class First, class Second>
+std::pair<double, double> TrialRunner::in_turn(const Look& look, std::span<const Pixel> pixels,
+                                               First first, Second second) {
+    constexpr int turns = 3;
+    std::pair least{shot(first(), look, pixels, 0).seconds,
+                    shot(second(), look, pixels, 0).seconds};
+    for (int i = 1; i < turns; ++i) {
+        least.first = std::min(least.first, shot(first(), look, pixels, 0).seconds);
+        least.second = std::min(least.second, shot(second(), look, pixels, 0).seconds);
+    }
+    return least;
+}
+
+/// The settings for trials of precision, depth and hierarchy: one shadow ray, unless the number is
+/// fixed.
+[[nodiscard]] Look with_one_shadow_ray(Look look, const Aim& aim);
+
+}  // namespace rt

@@ -1,0 +1,161 @@
+// Stage 7: a cylinder along its axis and from the side, and both roots tried.
+#include "docs/figures/source/figures.hpp"
+#include "docs/figures/source/sketch.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
+#include "steps/step07_cylinder/cylinder.hpp"
+
+namespace rt::figures {
+
+namespace {
+
+/// The same tube without ends, whose roots are those of the quadratic.
+Cylinder endless(Cylinder cylinder) {
+    cylinder.height = 100;
+    return cylinder;
+}
+
+/// The point of the side at a height z, in a direction across the axis.
+Vec3 side_point(const Cylinder& cylinder, Real z, Vec3 across) {
+    const Ray ray{.origin = cylinder.center + z * cylinder.axis, .direction = across};
+    return first_hit(ray, endless(cylinder));
+}
+
+/// The outline seen across the axis, and its extension without ends.
+void draw_side(Sketch& sketch, const Cylinder& cylinder, Vec3 x, Real reach) {
+    const Real half = cylinder.height / 2;
+    const auto left = [&](Real z) { return side_point(cylinder, z, -x); };
+    const auto right = [&](Real z) { return side_point(cylinder, z, x); };
+    sketch.polygon({left(-half), right(-half), right(half), left(half)}, tint, no_pen);
+    sketch.line(left(-reach), left(reach), dashed);
+    sketch.line(right(-reach), right(reach), dashed);
+    sketch.line(left(-half), left(half), {.width = 2});
+    sketch.line(right(-half), right(half), {.width = 2});
+    sketch.line(left(half), right(half), {.color = gray, .width = 1});
+    sketch.line(left(-half), right(-half), {.color = gray, .width = 1});
+}
+
+/// Marks the roots of the endless tube: the hit of the real one, and the rejected roots.
+void mark_roots(Sketch& sketch, const Ray& ray, const Cylinder& cylinder) {
+    const std::optional<Real> hit = intersect(ray, cylinder, {});
+    for (const Real t : all_roots(ray, endless(cylinder)))
+        sketch.mark(at(ray, t), t == hit ? Mark::hit : Mark::refused);
+}
+
+constexpr Cylinder tube{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 1.7};
+
+void draw_section(Svg& svg, Vec2 place, const Basis& basis, const Ray& ray) {
+    Sketch sketch(svg, {.place = place, .scale = 82, .right = basis.x, .up = basis.y});
+    const Vec2 rim = sketch(side_point(tube, 0, basis.x));
+    const std::vector<Real> roots = all_roots(ray, endless(tube));
+    const Vec3 p = first_hit(ray, tube);
+    svg.circle(place, distance(place, rim), tint, {.width = 2});
+    sketch.arrow(tube.center, tube.center + Real(1.4) * basis.x, {.color = green, .width = 1.5});
+    sketch.arrow(tube.center, tube.center + Real(1.4) * basis.y, {.color = green, .width = 1.5});
+    const Vec3 rim_point = side_point(tube, 0, -basis.x - basis.y);
+    sketch.arrow(tube.center, rim_point, thin);
+    sketch.ray(ray, Real(3.5));
+    sketch.normal(p, normal(tube, p), 34);
+    sketch.mark(tube.center, Mark::given);
+    sketch.mark(ray.origin, Mark::given);
+    mark_roots(sketch, ray, tube);
+    const TextStyle of_axis{.color = green};
+    const TextStyle of_root{.color = red};
+    sketch.label(Real(1.4) * basis.x, {10, 5}, "$X$", of_axis);
+    sketch.label(Real(1.4) * basis.y, {14, 8}, "$Y$", of_axis);
+    sketch.label(rim_point / Real(2), {10, 10}, "$r$");
+    sketch.label(ray.origin, {0, -12}, "$o_R$");
+    sketch.label(at(ray, roots[0]), {14, 18}, "$t_1$", of_root);
+    sketch.label(at(ray, roots[1]), {14, 18}, "$t_2$", of_root);
+    svg.text(place + Vec2(0, 146), "along $Z$: $x_p$² + $y_p$² = $r$²");
+}
+
+/// Across the axis: the heights decide.
+void draw_heights(Svg& svg, Vec2 place, const Basis& basis, const Ray& ray) {
+    Sketch sketch(svg, {.place = place, .scale = 82, .right = basis.x, .up = basis.z});
+    const Real half = tube.height / 2;
+    constexpr Real edge = 1.55;
+    const TextStyle after{.anchor = Anchor::start};
+    draw_side(sketch, tube, basis.x, Real(1.4));
+    sketch.arrow(tube.center, tube.center + Real(1.4) * basis.z, {.color = green, .width = 1.5});
+    for (const Real z : {half, -half}) {
+        sketch.line(side_point(tube, z, basis.x), {edge, z, 0}, dashed);
+        sketch.label({edge, z, 0}, {6, 5}, z > 0 ? "$h$ / 2" : "−$h$ / 2", after);
+    }
+    for (const Real t : all_roots(ray, endless(tube))) {
+        const Vec3 p = at(ray, t);
+        const bool met = t == intersect(ray, tube, {});
+        sketch.line(p, {edge, dot(p - tube.center, tube.axis), 0},
+                    {.color = red, .width = 1, .dashes = "2 4"});
+        sketch.label({edge, dot(p - tube.center, tube.axis), 0}, {6, 5},
+                     met ? "$z_p$ of $t_2$" : "$z_p$ of $t_1$",
+                     {.color = red, .anchor = Anchor::start});
+    }
+    sketch.ray(ray, Real(3.4));
+    sketch.mark(ray.origin, Mark::given);
+    sketch.mark(tube.center, Mark::given);
+    mark_roots(sketch, ray, tube);
+    sketch.label(tube.center, {-10, 5}, "$o$");
+    sketch.label(Real(1.4) * basis.z, {13, 8}, "$Z$", {.color = green});
+    sketch.label(ray.origin, {-8, 5}, "$o_R$", {.anchor = Anchor::end});
+    svg.text(place + Vec2(0, 146), "from the side: |$z_p$| ≤ $h$ / 2");
+}
+
+}  // namespace
+
+std::string cylinder_section() {
+    Svg svg({640, 330}, "A cylinder and one ray, seen along the axis and from the side");
+    const Basis basis = basis_around(tube.axis);
+    const auto in_frame = [&basis](Vec3 v) {
+        return v.x * basis.x + v.y * basis.y + v.z * basis.z;
+    };
+    const Ray ray{.origin = in_frame({-1.75, -0.35, 1.6}), .direction = in_frame({1, 0.3, -0.6})};
+    draw_section(svg, {170, 158}, basis, ray);
+    draw_heights(svg, {446, 158}, basis, ray);
+    return svg.source();
+}
+
+namespace {
+
+constexpr Cylinder open_tube{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
+
+void draw_case(Sketch& sketch, std::string_view letter, Vec3 origin, Vec3 direction, Real end) {
+    const Ray ray{.origin = origin, .direction = direction};
+    const std::optional<Real> hit = intersect(ray, open_tube, {});
+    sketch.ray(ray, end);
+    if (hit) sketch.normal(at(ray, *hit), normal(open_tube, at(ray, *hit)), 32);
+    sketch.mark(origin, Mark::given);
+    mark_roots(sketch, ray, open_tube);
+    sketch.label(origin, {-14, 5}, letter, {.color = blue, .bold = true});
+}
+
+/// A line of the key: a letter, and the result of its ray.
+void draw_key(Svg& svg, Vec2 place, std::string_view letter, std::string_view meaning) {
+    svg.text(place, letter, {.color = blue, .bold = true});
+    svg.text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});
+}
+
+}  // namespace
+
+std::string cylinder_both_roots() {
+    Svg svg({640, 376},
+            "Rays at an open tube: the near root, the far one, the rim, none, the axis");
+    Sketch sketch(svg, {.place = {196, 188}, .scale = 78});
+    const Vec3 x = basis_around(open_tube.axis).x;
+    draw_side(sketch, open_tube, x, Real(2.2));
+    draw_case(sketch, "A", {-2, -0.4, 0}, {1, 0.1, 0}, 4);
+    draw_case(sketch, "B", {-2, 2, 0}, {1, -0.55, 0}, Real(3.9));
+    draw_case(sketch, "C", {-2, -1, 0}, {1, 0, 0}, Real(4));
+    draw_case(sketch, "D", {1.32, 2.1, 0}, {-1, -1.65, 0}, Real(2.52));
+    draw_case(sketch, "E", {0, 2.1, 0}, {0, -1, 0}, Real(4.2));
+    const Vec3 top = side_point(open_tube, open_tube.height / 2, x);
+    sketch.label(top, {8, 5}, "$z_p$ = $h$ / 2", {.anchor = Anchor::start, .size = 13});
+    draw_key(svg, {396, 96}, "A", "the near root is within: met");
+    draw_key(svg, {396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is met");
+    draw_key(svg, {396, 172}, "C", "|$z_p$| = $h$ / 2: the rim belongs");
+    draw_key(svg, {396, 210}, "D", "neither root is within: missed");
+    draw_key(svg, {396, 248}, "E", "along the axis $a$ = 0: missed");
+    return svg.source();
+}
+
+}  // namespace rt::figures

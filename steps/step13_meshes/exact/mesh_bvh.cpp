@@ -1,0 +1,78 @@
+// The intersection of a packed mesh for `--precision exact`: stage 5's certified kernel, applied to
+// one triangle after the other.
+#include "common/bvh/mesh_bvh.hpp"
+#include "common/exact/leader.hpp"
+#include "common/math/vector.hpp"
+
+#include "steps/step05_triangle/triangle.hpp"
+
+namespace rt::inline RT_PRECISION {
+
+inline namespace RT_LANES {
+
+namespace {
+
+/// A triangle of a mesh. Of two hits at the same t, the triangle that is first in the mesh is
+/// reported.
+struct MetTriangle {
+    std::uint32_t index = 0;
+    Triangle triangle;
+
+    friend bool operator<(const MetTriangle& a, const MetTriangle& b) { return a.index < b.index; }
+};
+
+/// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
+/// a call returns true. Returns whether one did.
+template <class Visit>
+bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
+               const TrianglePacket& packet, Visit visit) {
+    for (std::size_t lane = 0; lane < lane_count && leaf.indices[lane] != Leaf::none; ++lane) {
+        const auto corner = [&](std::size_t vertex) {
+            const auto& [x, y, z] = packet.vertices[vertex];
+            return Vec3(values(x)[lane], values(y)[lane], values(z)[lane]);
+        };
+        const Triangle triangle{.a = corner(0), .b = corner(1), .c = corner(2)};
+        const auto t = intersect(ray, triangle, interval);
+        if (t && visit(MetTriangle{.index = leaf.indices[lane], .triangle = triangle}, *t))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
+    const Ray seen = scaled(ray);
+    Interval left = scaled(interval);
+    const auto root_of = [&seen, asked = left](const MetTriangle& met) {
+        return exact_root(seen, met.triangle, asked);
+    };
+    Leader<MetTriangle> leader;
+    SlabTests slabs(seen);
+    hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
+        return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
+                         [&](const MetTriangle& met, Real t) {
+                             leader.yields_to(t, met, root_of, left);
+                             return false;
+                         });
+    });
+    if (!(leader.t() < infinity)) return std::nullopt;
+    const auto& [index, triangle] = leader.met();
+    return MeshHit{.t = leader.t() / scale_,
+                   .triangle = index,
+                   .weights = barycentric(triangle, at(seen, leader.t()))};
+}
+
+bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
+    const Ray seen = scaled(ray);
+    const Interval left = scaled(interval);
+    SlabTests slabs(seen);
+    return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
+        return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
+                         [](const MetTriangle& /*met*/, Real /*t*/) { return true; });
+    });
+}
+
+}  // namespace RT_LANES
+
+}  // namespace rt::inline RT_PRECISION

@@ -1,0 +1,20 @@
+#define RT_LANES scalar_lanes
+
+#include "tests/common/bvh/scalar_lanes.hpp"
+
+#include "common/bvh/binned_sah.cpp"
+#include "common/bvh/bvh.cpp"
+#include "common/bvh/mesh_bvh.cpp"
+
+namespace rt {
+
+std::vector<std::optional<MeshHit>> hits_without_vectors(const Mesh& mesh,
+                                                         const std::vector<Ray>& rays) {
+    const PackedMesh packed(mesh);
+    std::vector<std::optional<MeshHit>> hits;
+    hits.reserve(rays.size());
+    for (const Ray& ray : rays) hits.push_back(packed.nearest(ray, {}));
+    return hits;
+}
+
+}  // namespace rt

@@ -1,0 +1,236 @@
+// Pictures as files.
+
+#include "common/image/png.hpp"
+#include "common/system/input_error.hpp"
+
+#include "tests/kit/for_all.hpp"
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+using namespace rt;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty folder with the lifetime of this object. Both precisions may be tested at the same
+/// time.
+class Scratch {
+public:
+    Scratch() : folder_(fs::path(sizeof(Real) == 4 ? "picture_float" : "picture_double")) {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+
+    [[nodiscard]] std::string file(const std::string& name) const {
+        return (folder_ / name).string();
+    }
+    /// The number of files and folders in it, at any depth.
+    [[nodiscard]] auto count() const {
+        return std::distance(fs::recursive_directory_iterator(folder_), {});
+    }
+
+private:
+    fs::path folder_;
+};
+
+Image noise(Resolution size) {
+    Random random(7);
+    Image image(size);
+    for (Rgb& pixel : image.pixels)
+        for (std::uint8_t& part : pixel) part = static_cast<std::uint8_t>(random.below(256));
+    return image;
+}
+
+std::string content(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const std::string& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// The iTXt chunks of a PNG, as its specification lays them out.
+std::vector<PngText> text_chunks(std::string_view png) {
+    std::vector<PngText> texts;
+    png.remove_prefix(8);  // the signature
+    while (png.size() >= 12) {
+        std::size_t length = 0;
+        for (int i = 0; i < 4; ++i) length = length * 256 + std::uint8_t(png[std::size_t(i)]);
+        const std::string_view data = png.substr(8, length);
+        if (png.substr(4, 4) == "iTXt") {
+            // key, 0, not compressed, method 0, no language, 0, no translated key, 0, text
+            const std::size_t key = data.find('\0');
+            texts.push_back({std::string(data.substr(0, key)), std::string(data.substr(key + 5))});
+        }
+        png.remove_prefix(length + 12);
+    }
+    return texts;
+}
+
+std::string refusal(const std::string& file) {
+    try {
+        write_png(file, noise({2, 2}), {});
+        return "written";
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a picture that is written is read back as it was") {
+    const Scratch scratch;
+    for (const Resolution size : {Resolution{1, 1}, {3, 2}, {257, 5}, {1, 300}}) {
+        const Image image = noise(size);
+        write_png(scratch.file("a.png"), image, {});
+        const Image back = read_png(scratch.file("a.png"));
+        CHECK(back.resolution.width == size.width);
+        CHECK(back.resolution.height == size.height);
+        CHECK(back.pixels == image.pixels);
+    }
+    CHECK(scratch.count() == 1);
+}
+
+TEST_CASE("a picture's settings are in its text chunks, in UTF-8") {
+    const Scratch scratch;
+    const std::vector<PngText> texts = {
+        {"Title", "été.rt"}, {"Software", "Raysteps step03_sphere"}, {"Options", ""}};
+    write_png(scratch.file("a.png"), noise({2, 2}), texts);
+    const std::vector<PngText> back = text_chunks(content(scratch.file("a.png")));
+    REQUIRE(back.size() == texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        CHECK(back[i].key == texts[i].key);
+        CHECK(back[i].value == texts[i].value);
+    }
+}
+
+TEST_CASE("a picture makes its folders, and takes an older one's place") {
+    const Scratch scratch;
+    const std::string file = scratch.file("new/deep/a.png");
+    write_png(file, noise({9, 9}), {});
+    write_png(file, noise({3, 3}), {});
+    CHECK(read_png(file).resolution.width == 3);
+    CHECK(scratch.count() == 3);
+}
+
+TEST_CASE("a picture that cannot be written is an error with a reason, and leaves nothing") {
+    const Scratch scratch;
+    fs::create_directory(scratch.file("folder.png"));
+    write(scratch.file("file"), "as it was");
+    const std::string no_folder = scratch.file("file") + ": error: cannot be made: ";
+    CHECK(refusal(scratch.file("file/a.png")).starts_with(no_folder));
+    CHECK(refusal(scratch.file("file/deep/a.png")).find(": error: ") != std::string::npos);
+    CHECK(refusal(scratch.file("folder.png")) ==
+          scratch.file("folder.png") +
+              ": error: is a folder or a device: expected a name for the picture");
+    CHECK_THROWS_AS(check_writable(scratch.file("folder.png")), InputError);
+    CHECK_THROWS_AS(check_writable(scratch.file("file/a.png")), InputError);
+    CHECK_THROWS_AS(check_writable(scratch.file("file")), InputError);
+    CHECK_NOTHROW(check_writable(scratch.file("a.png")));
+    CHECK(content(scratch.file("file")) == "as it was");
+    CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("a picture replaces a picture, or an empty file, and nothing else") {
+    const Scratch scratch;
+    for (const std::string_view kept : {"R 640 480\n", "\x89PNG", "\x89PNG\r\n\x1a", " "}) {
+        write(scratch.file("kept"), std::string(kept));
+        CHECK(refusal(scratch.file("kept"))
+                  .starts_with(scratch.file("kept") + ": error: exists and is not a PNG"));
+        CHECK_THROWS_AS(check_writable(scratch.file("kept")), InputError);
+        CHECK(content(scratch.file("kept")) == kept);
+    }
+    write(scratch.file("empty"), "");
+    CHECK_NOTHROW(check_writable(scratch.file("empty")));
+    CHECK(refusal(scratch.file("empty")) == "written");
+    CHECK(refusal(scratch.file("empty")) == "written");  // a picture by now
+    CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("files beside a picture stay, whatever they are called") {
+    const Scratch scratch;
+    const std::vector<std::string> names = {"a.png.part", ".a.png.new", "a.png~",
+                                            ".raysteps-.part"};
+    for (const std::string& name : names) write(scratch.file(name), "mine");
+    CHECK(refusal(scratch.file("a.png")) == "written");
+    for (const std::string& name : names) CHECK(content(scratch.file(name)) == "mine");
+    CHECK(std::size_t(scratch.count()) == names.size() + 1);
+}
+
+TEST_CASE("a place is checked without a trace") {
+    const Scratch scratch;
+    CHECK_NOTHROW(check_writable(scratch.file("new/deep/a.png")));
+    CHECK(scratch.count() == 0);
+}
+
+TEST_CASE("a name as long as the system has them is fine") {
+    const Scratch scratch;
+    const std::string file = scratch.file(std::string(255, 'a'));
+    CHECK(refusal(file) == "written");
+    CHECK(read_png(file).resolution.width == 2);
+}
+
+TEST_CASE("a symbolic link is followed, and its target is written") {
+    const Scratch scratch;
+    fs::create_directory(scratch.file("folder"));
+    std::error_code no_links;  // of a system, or a user
+    fs::create_symlink("folder/a.png", scratch.file("link.png"), no_links);
+    if (no_links) return;
+    CHECK(refusal(scratch.file("link.png")) == "written");  // it leads to nothing yet
+    CHECK(refusal(scratch.file("link.png")) == "written");
+    CHECK(fs::is_symlink(scratch.file("link.png")));
+    CHECK(read_png(scratch.file("folder/a.png")).resolution.width == 2);
+    write(scratch.file("folder/source.cpp"), "int main() {}");
+    fs::create_symlink("source.cpp", scratch.file("folder/other.png"));
+    CHECK(refusal(scratch.file("folder/other.png")).find(": error: exists and is not a PNG") !=
+          std::string::npos);
+    CHECK(content(scratch.file("folder/source.cpp")) == "int main() {}");
+    fs::create_symlink("round.png", scratch.file("round.png"));
+    CHECK(refusal(scratch.file("round.png")).find(": error: ") != std::string::npos);
+}
+
+TEST_CASE("several writers of one picture each write a whole one") {
+    const Scratch scratch;
+    const std::string file = scratch.file("a.png");
+    constexpr int writers = 8;
+    std::vector<std::thread> threads;
+    std::atomic<int> wrong = 0;
+    for (int i = 1; i <= writers; ++i)
+        threads.emplace_back([&, i] {
+            for (int turn = 0; turn < 20; ++turn) {
+                write_png(file, noise({8 * i, 8 * i}), {});
+                const Image back = read_png(file);  // another file
+                const int side = back.resolution.width;
+                if (back.pixels != noise({side, side}).pixels) ++wrong;
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    CHECK(wrong == 0);
+    CHECK(scratch.count() == 1);
+}
+
+TEST_CASE("a file that is not a PNG is refused by name") {
+    const Scratch scratch;
+    const std::string file = scratch.file("a.png");
+    CHECK_THROWS_AS(read_png(file), InputError);
+    write(file, "R 640 480\n");
+    CHECK_THROWS_AS(read_png(file), InputError);
+    fs::remove(file);
+    write_png(file, noise({50, 50}), {});
+    fs::resize_file(file, 1000);  // cut in the middle
+    CHECK_THROWS_WITH(read_png(file), Catch::Matchers::StartsWith(file + ": error: "));
+}

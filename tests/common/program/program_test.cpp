@@ -1,0 +1,227 @@
+// Tests of common/: stages, requirements, the field of view, transforms, the closest hit.
+
+#include "common/geometry/transform.hpp"
+#include "common/program/requirements.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/stages/stages.hpp"
+
+#include "tests/kit/for_all.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+namespace rt {
+
+namespace {
+
+/// A shape with given answers that records its queries.
+struct Probe {
+    std::optional<Real> t;
+    Vec3 normal_there{0, 0, 1};
+    Interval* asked = nullptr;
+};
+
+std::optional<Real> intersect(const Ray& /*ray*/, const Probe& probe, Interval interval) {
+    if (probe.asked != nullptr) *probe.asked = interval;
+    return probe.t && interval.contains(*probe.t) ? probe.t : std::nullopt;
+}
+
+Vec3 normal(const Probe& probe, Vec3 /*point*/) {
+    return probe.normal_there;
+}
+
+SurfacePoint projected(const Probe& /*probe*/, Vec3 point) {
+    return {.point = point, .error = 0};
+}
+
+std::string code(const Probe& probe) {
+    return probe.t ? "Probe at " + text(*probe.t) : "Probe nowhere";
+}
+
+std::string tell(Story& /*story*/, const Ray& /*ray*/, const Probe& probe) {
+    return probe.t ? "" : "it is nowhere";
+}
+
+const Ray along_x{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
+
+}  // namespace
+
+}  // namespace rt
+
+TEST_CASE("a stage is found by its number, its topic and its name") {
+    for (const char* name : {"5", "05", "step5", "step05", "triangle", "step05_triangle"})
+        CHECK(find_stage(name) == 5);
+    for (int stage = 1; stage <= 13; ++stage) {
+        CHECK(find_stage(stage_name(stage)) == stage);
+        CHECK(find_stage(std::to_string(stage)) == stage);
+    }
+    for (const char* name : {"", "0", "14", "-5", "+5", "5 ", "5.0", "step", "stepstep5", "tri",
+                             "Triangle", "step05_", "step06_triangle", "99999999999999999999"})
+        CHECK(find_stage(name) == std::nullopt);
+}
+
+TEST_CASE("a scene's requirements are listed in the order of the stages") {
+    Scene scene;
+    scene.cameras.resize(2);
+    scene.cones = {Item<Cone>()};
+    scene.spheres = {Item<Sphere>(), Item<Sphere>()};
+    scene.triangles = Items<Triangle>(std::vector<Item<Triangle>>(11302));
+    const std::vector<Requirement> needs = requirements(scene);
+    REQUIRE(needs.size() == 3);
+    CHECK((needs[0].what == "2 spheres" && needs[0].stage == 3));
+    CHECK((needs[1].what == "11302 triangles" && needs[1].stage == 5));
+    CHECK((needs[2].what == "1 cone" && needs[2].stage == 8));
+    scene.planes = {Item<Plane>()};
+    scene.squares = {Item<Square>()};
+    scene.cylinders = {Item<Cylinder>()};
+    scene.boxes = {Item<OrientedBox>()};
+    scene.named_meshes.resize(1);
+    CHECK(requirements(scene).size() == 8);
+    CHECK(requirements(scene).back().what == "1 mesh");
+}
+
+TEST_CASE("light is required from stage 9 on, which brings it, and a mirror always") {
+    Scene scene;
+    scene.ambient = Ambient{};
+    scene.lights = {Light{}, Light{.radius = 1}, Light{}};
+    scene.spheres = {{.shape = {}, .material = {.specular = Real(0.5), .mirror = Real(0.5)}}};
+    const std::vector<Requirement> by_torch = requirements(scene, 8);
+    REQUIRE(by_torch.size() == 2);
+    CHECK((by_torch[0].what == "1 sphere" && by_torch[0].stage == 3));
+    CHECK((by_torch[1].what == "1 mirror" && by_torch[1].stage == 12));
+    const std::vector<Requirement> by_light = requirements(scene, 9);
+    REQUIRE(by_light.size() == 6);
+    CHECK((by_light[1].what == "1 ambient light" && by_light[1].stage == 9));
+    CHECK((by_light[2].what == "3 lights" && by_light[2].stage == 9));
+    CHECK((by_light[3].what == "1 shape with a highlight" && by_light[3].stage == 9));
+    CHECK((by_light[4].what == "1 light with a size" && by_light[4].stage == 11));
+    CHECK(by_light[5].what == "1 mirror");
+}
+
+TEST_CASE("the vertical field of view is the one that is given, or follows from the horizontal") {
+    const Camera vertical{.fov = 1};
+    CHECK(vertical_fov(vertical, {.width = 640, .height = 480}) == 1);
+    const Camera horizontal{.fov = pi / 2, .fov_axis = FovAxis::horizontal};
+    CHECK(close(vertical_fov(horizontal, {.width = 100, .height = 100}), pi / 2));
+    // tan 45° = 1 half the width away: half the height is 3/4, then 2.
+    CHECK(
+        close(vertical_fov(horizontal, {.width = 640, .height = 480}), 2 * std::atan(Real(0.75))));
+    CHECK(close(vertical_fov(horizontal, {.width = 240, .height = 480}), 2 * std::atan(Real(2))));
+    const Camera closed{.fov = 0, .fov_axis = FovAxis::horizontal};
+    CHECK(vertical_fov(closed, {.width = 640, .height = 480}) == 0);
+}
+
+TEST_CASE("a motion turns, then scales, then moves, every part of every shape") {
+    // A quarter turn about z: x becomes y, y becomes −x.
+    const Motion motion{.rotation = {.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}},
+                        .scale = 2,
+                        .translation = {10, 20, 30}};
+    const Vec3 p(1, 2, 3);
+    const Vec3 there(6, 22, 36);
+    const Vec3 up(0, 1, 0);
+    const Vec3 left(-1, 0, 0);
+    CHECK(turned(p, motion) == Vec3(-2, 1, 3));
+    CHECK(moved(p, motion) == there);
+    CHECK(moved(p, Motion{}) == p);
+
+    const Ray ray = moved(Ray{.origin = p, .direction = {1, 0, 0}}, motion);
+    CHECK((ray.origin == there && ray.direction == Vec3(0, 2, 0)));
+    const Sphere sphere = moved(Sphere{.center = p, .radius = 3}, motion);
+    CHECK((sphere.center == there && sphere.radius == 6));
+    const Plane plane = moved(Plane{.point = p, .normal = up}, motion);
+    CHECK((plane.point == there && plane.normal == left));
+    const Triangle triangle = moved(Triangle{.a = p, .b = {0, 0, 0}, .c = {1, 0, 0}}, motion);
+    CHECK(
+        (triangle.a == there && triangle.b == Vec3(10, 20, 30) && triangle.c == Vec3(10, 22, 30)));
+    const Square square = moved(Square{.center = p, .side = 4, .one_sided = true}, motion);
+    CHECK((square.center == there && square.side == 8 && square.one_sided));
+    CHECK((square.basis.x == up && square.basis.y == left && square.basis.z == Vec3(0, 0, 1)));
+    const auto cylinder =
+        moved(Cylinder{.center = p, .axis = up, .radius = 3, .height = 5}, motion);
+    CHECK((cylinder.center == there && cylinder.axis == left));
+    CHECK((cylinder.radius == 6 && cylinder.height == 10));
+    const Cone cone = moved(Cone{.apex = p, .axis = up, .radius = 3, .height = 5}, motion);
+    CHECK((cone.apex == there && cone.axis == left && cone.radius == 6 && cone.height == 10));
+}
+
+TEST_CASE("a moved ray's points keep their t (HAI)") {
+    CHECK(for_all([](Random& random) {
+        const Motion motion{.rotation = random.basis(),
+                            .scale = random.power_of_two(),
+                            .translation = random.point(4)};
+        const Ray ray{.origin = random.point(4), .direction = random.direction()};
+        const Real t = random.between(0, 4);
+        const Vec3 came = (at(moved(ray, motion), t) - motion.translation) / motion.scale;
+        const Vec3 expected = (moved(at(ray, t), motion) - motion.translation) / motion.scale;
+        // Taking off the translation leaves its rounding, in units of the scale.
+        const Real slack = tolerance * (8 + 4 / motion.scale);
+        return verdict(length(came - expected) <= slack,
+                       text(came) + " is not " + text(expected) + " for " + code(ray));
+    }));
+}
+
+TEST_CASE("an open interval: neither its ends, nor infinity, nor NaN") {
+    const Interval whole;
+    CHECK(whole.contains(std::numeric_limits<Real>::denorm_min()));
+    CHECK(whole.contains(std::numeric_limits<Real>::max()));
+    for (const Real t : {Real(0), Real(-0.0), Real(-1), infinity, -infinity, Real(NAN)})
+        CHECK_FALSE(whole.contains(t));
+    const Interval part{.min = 1, .max = 2};
+    CHECK(part.contains(Real(1.5)));
+    CHECK_FALSE(part.contains(1));
+    CHECK_FALSE(part.contains(2));
+}
+
+TEST_CASE("the nearest of all kinds of shapes, with its own point, normal and material (M1)") {
+    const Items<Probe> first(
+        {{.shape = {.t = Real(4)}}, {.shape = {.t = std::nullopt}}, {.shape = {.t = Real(3)}}});
+    const Items<Probe> second(
+        {{.shape = {.t = Real(2), .normal_there = {0, 1, 0}}, .material = {Color(1, 0, 0)}},
+         {.shape = {.t = Real(5)}}});
+    for (const bool exchanged : {false, true}) {
+        Context context;
+        Nearest nearest(along_x, context);
+        CHECK_FALSE(nearest.hit());
+        nearest.among(exchanged ? second : first);
+        nearest.among(Items<Probe>());
+        nearest.among(exchanged ? first : second);
+        const std::optional<Hit> hit = nearest.hit();
+        REQUIRE(hit);
+        CHECK(hit->t == 2);
+        CHECK(hit->point == Vec3(2, 0, 0));
+        CHECK(hit->normal == Vec3(0, 1, 0));
+        CHECK(hit->material == &second[0].material);
+        CHECK(context.rays == 1);
+    }
+}
+
+TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays with the first") {
+    Interval asked;
+    const Items<Probe> shapes(
+        {{.shape = {.t = Real(2)}}, {.shape = {.t = Real(2), .asked = &asked}}});
+    Context context;
+    Nearest nearest(along_x, context);
+    nearest.among(shapes);
+    CHECK(asked.min == 0);
+    CHECK(asked.max == 2);
+    CHECK(nearest.hit()->material == &shapes[0].material);
+}
+
+TEST_CASE("the story contains each tested shape, and counts the misses that it leaves out") {
+    std::ostringstream out;
+    Story story(out);
+    Context context{.story = &story};
+    Nearest nearest(along_x, context);
+    nearest.among(Items<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
+    nearest.among(Items<Probe>(std::vector(100, Item<Probe>{.shape = {.t = std::nullopt}})));
+    CHECK(
+        out.str().starts_with("Probe at 2\n    → hit at t = 2\n"
+                              "Probe at 3\n    → not nearer than the hit at t = 2\n"
+                              "Probe nowhere\n    → missed: it is nowhere\n"));
+    CHECK(story.misses_left_out() == 101 - 24);
+}

@@ -1,0 +1,195 @@
+#!/bin/sh
+# A student's way through stage 3, from the starter on: course_test.sh PROJECT_FOLDER
+#
+# It runs in a copy of the project, since the student's files are among the sources; the needed
+# parts are built there again, so that this is a part of .ci/run, and not of `./course test`.
+project=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+(cd "$project" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
+    --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
+cd "$folder" || exit 1
+stage=steps/step03_sphere
+mine=$stage/student/sphere.cpp
+failed=0
+
+fail() {
+    echo "FAILED: $1"
+    sed 's/^/    /' out
+    failed=1
+}
+
+# course STATUS WORDS…: runs it; its output is in the file out.
+course() {
+    expected=$1
+    shift
+    ./course "$@" > out 2>&1
+    came=$?
+    [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
+}
+
+says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
+says_not() { ! grep -qF -- "$1" out || fail "it does not say \"$1\""; }
+
+course 0
+[ "$(grep -c '[0-9]  step[01][0-9]_' out)" = 13 ] || fail "thirteen lines"
+says "Next: ./course start 1"
+
+course 2 check 3
+says "./course start 3"
+course 0 start 3
+cmp -s $stage/starter/sphere.cpp $mine || fail "the starter is there"
+course 2 start sphere
+says "./course reset 3"
+course 1 check
+says "intersect is not written yet"
+says "✗ "
+says "./course hint 3"
+course 0
+says "▸  3  step03_sphere"
+
+# Right, and then changed.
+cp $stage/reference/sphere.cpp $mine
+course 0 check 3
+says "the same picture as the reference's"
+says "Next: ./course start 4"
+says_not "✗"
+says_not "warning: "
+course 0
+says "✓  3  step03_sphere"
+grep -q '^passed: ' $stage/student/progress.txt || fail "what is remembered can be read"
+echo >> $mine
+course 0
+says "changed since it passed"
+
+# A forbidden include in a graded file: it passes here, with a warning. An allowed one: the headers
+# of its own header. A comment includes nothing. A second source file: linked here, with a warning.
+echo "// of mine" > $stage/student/helpers.hpp
+echo "// of mine" > $stage/student/helpers.cpp
+{
+    printf '#include "%s"\n' common/./ray.hpp common/scene/scene.hpp helpers.hpp ../sphere.hpp
+    printf '# include <steps/step04_plane/plane.hpp>\n'
+    printf '/* not so:\n#include "common/image/png.hpp"\n*/ // #include "common/render/render.hpp"\n'
+    cat $stage/reference/sphere.cpp
+} > $mine
+course 0 check 3
+says "$mine:2: warning: a graded file may not include common/scene/scene.hpp: docs/step03_sphere.md lists the allowed headers"
+says "$mine:3: warning: a graded file may not include helpers.hpp: "
+says "$mine:4: warning: a graded file may not include ../sphere.hpp: "
+says "$mine:5: warning: a graded file may not include steps/step04_plane/plane.hpp: "
+says "$stage/student/helpers.cpp: warning: only sphere.cpp is graded: "
+[ "$(grep -c 'warning: ' out)" = 5 ] || fail "five warnings"
+rm $stage/student/helpers.hpp $stage/student/helpers.cpp
+cp $stage/reference/sphere.cpp $mine
+echo >> $mine
+
+# A syntax error: the compiler's message at the student's own line, and nothing else.
+printf 'int broken(\n' >> $mine
+lines=$(wc -l < $mine)
+course 1 check 3
+head -n 1 out | grep -q "^$mine:$lines:.*: error: " || fail "the first error is at line $lines"
+[ "$(wc -l < out)" -le 4 ] || fail "nothing else"
+course 2 run 4 -o picture.png
+says "$mine:"
+says "--reference 3"
+[ ! -e picture.png ] || fail "no picture"
+course 0 run 4 --reference 3 -o picture.png
+[ -s picture.png ] || fail "a picture without that stage"
+
+# A missing and a duplicate symbol: the linker's message, made readable.
+sed 's/^Vec3 normal(/Vec3 normal_of(/' $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "nothing defines rt::normal("
+sed 's/^}  \/\/ namespace rt$/float drawn_twice() { return 1; }\n&/' $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "anonymous namespace"
+
+# A wrong answer: the case, the call, the line to paste, and the pixels.
+cp tests/mistakes/step03_sphere/near_root_only.cpp $mine
+course 1 check 3
+says "inside"
+says "paste:    CHECK(hits("
+says "asked:    tests/suites/step03_sphere_test.cpp:"
+cp tests/mistakes/step03_sphere/subtracts_r_squared.cpp $mine
+course 1 compare 3
+says "pixels differ"
+[ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
+course 0 explain 3
+says "mine "
+says "The first difference: "
+course 0 explain 3 0,0
+course 2 explain 3 9999,0
+says "outside the picture"
+
+# The output cannot be written; a foreign file has the picture's name.
+./course > /dev/full 2> out
+[ $? = 2 ] || fail "a full disk is told by the status"
+says "the standard output cannot be written"
+cp README.md renders/step03_sphere_compare.png
+course 2 compare 3
+cmp -s README.md renders/step03_sphere_compare.png || fail "what is no picture stays"
+rm renders/step03_sphere_compare.png
+
+# A crash, an endless loop.
+printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s\n%s\n}\n' $stage \
+    'std::optional<Real> intersect(const Ray&, const Sphere&, Interval) { std::raise(SIGSEGV); return {}; }' \
+    'Vec3 normal(const Sphere&, Vec3 point) { return point; }' \
+    'Color color_from_normal(Vec3 normal) { return normal; }' \
+    'Real torch(Vec3, Vec3, Vec3) { return 1; }' > $mine
+course 1 check 3
+says "your code crashed: Segmentation fault"
+sed -i 's/std::raise(SIGSEGV);/for (volatile bool on = true; on;) continue;/' $mine
+course 1 check 3
+says "your code does not end"
+
+# Hints, the solution.
+course 0 hint 3
+says "hint 1 of 3"
+course 0 hint 3
+course 0 hint 3
+course 0 hint 3
+says "hint 3 of 3"
+course 1 solution 3
+course 0 solution 3
+says "std::optional<Real> intersect("
+
+# Saved, checked.
+cp $stage/reference/sphere.cpp $mine
+./course watch 3 > watched 2>&1 &
+watcher=$!
+tries=0
+until grep -q "cases pass" watched || [ $tries = 300 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+printf 'int broken(\n' >> $mine
+until grep -q "^$mine:.*: error: " watched || [ $tries = 600 ]; do
+    sleep 0.1
+    tries=$((tries + 1))
+done
+kill $watcher
+cp watched out
+says "cases pass, in float and double"
+says "error: "
+
+# Nothing is lost: not by a new start, not by a full disk. Files beside it are the student's too.
+cp $mine kept
+mkdir $stage/student_new
+echo "mine" > $stage/student_new/notes.txt
+course 0 reset 3
+[ -s $stage/student_new/notes.txt ] || fail "a folder beside it stays"
+[ -z "$(find $stage -name 'raysteps.*' -o -name '.raysteps-*')" ] || fail "nothing is left over"
+says "$stage/student_1"
+cmp -s kept $stage/student_1/sphere.cpp || fail "what was there is kept"
+cmp -s $stage/starter/sphere.cpp $mine || fail "the starter is back"
+echo "mine" >> $mine
+cp $mine kept
+(
+    trap '' XFSZ
+    ulimit -f 0
+    build/course reset 3 2>&1
+) | cat > out
+says "error: "
+cmp -s kept $mine || fail "a full disk leaves what was there"
+[ ! -e $stage/student_2 ] || fail "and nothing else"
+exit $failed

@@ -1,0 +1,181 @@
+// Stage 3 against MRT §3, M1, HAI, CR §2.1–2.2 and PHY.
+#include "common/render/closest_hit.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+using namespace rt;
+
+namespace {
+
+const Sphere unit_sphere{.center = {0, 0, 0}, .radius = 1};
+const Ray ahead{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
+
+Sample<Sphere> draw(Random& random) {
+    const Sphere sphere{.center = random.point(3), .radius = random.between(Real(0.5), 2)};
+    const Vec3 normal = random.direction();
+    return {.shape = sphere, .point = sphere.center + sphere.radius * normal, .normal = normal};
+}
+
+/// In eighths, the radius a power of two: with rays along the axes nothing is rounded.
+Sphere draw_in_eighths(Random& random) {
+    return {.center = random.point_in_eighths(3), .radius = Real(1 << random.below(3))};
+}
+
+}  // namespace
+
+TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)",
+          "[3 points]") {
+    CHECK(hits(ahead, unit_sphere, 4));
+}
+
+TEST_CASE("the radius and the center count (MRT §3)") {
+    CHECK(hits(ahead, Sphere{.center = {0, 0, 0}, .radius = 2}, 3));
+    CHECK(hits(ahead, Sphere{.center = {0, 0, -3}, .radius = 1}, 7));
+    CHECK(hits(ahead, Sphere{.center = {3, 0, 0}, .radius = 5}, 1));
+    CHECK(misses(ahead, Sphere{.center = {2, 0, 0}, .radius = 1}));
+    CHECK(misses(ahead, Sphere{.center = {0, -2, 0}, .radius = 1}));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -2}}, unit_sphere, 2));
+    CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.25)}}, unit_sphere, 16));
+    // d = (0, −3, 5), ‖d‖² = 34: a ray to the center from three lengths away.
+    CHECK(hits(Ray{.origin = {0, 9, -15}, .direction = {0, -3, 5}},
+               Sphere{.center = {0, 0, 0}, .radius = 1}, 3 - 1 / std::sqrt(Real(34))));
+}
+
+TEST_CASE("situation B, as it is given and as it is worked, is a miss (PHY)") {
+    const Ray ray{.origin = {3, 2, 0}, .direction = {0, -3, 5}};
+    CHECK(misses(ray, Sphere{.center = {1, 0, -3}, .radius = 3}));
+    CHECK(misses(ray, Sphere{.center = {1, -3, 0}, .radius = 3}));
+    // With a radius that reaches it: A = 34, B = −30, C = 29 − 36 = −7, and t its positive root.
+    CHECK(hits(ray, Sphere{.center = {1, -3, 0}, .radius = 6}, (30 + std::sqrt(Real(1852))) / 68));
+}
+
+TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exact]") {
+    CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, unit_sphere, 5));
+    CHECK(hits(Ray{.origin = {-3, 0, -2}, .direction = {2, 0, 0}},
+               Sphere{.center = {0, 0, 0}, .radius = 2}, Real(1.5)));
+    CHECK(for_all([](Random& random) {
+        const Sphere sphere = draw_in_eighths(random);
+        const Basis axes = random.axes();
+        const Real t = random.eighths(1, 32);
+        const Vec3 touched = sphere.center + sphere.radius * axes.x;
+        return hits({.origin = touched - t * axes.y, .direction = axes.y}, sphere, t);
+    }));
+}
+
+TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root)") {
+    CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, unit_sphere, 1));
+    CHECK(hits(Ray{.origin = {0, 0, Real(0.5)}, .direction = {0, 0, -1}}, unit_sphere, Real(1.5)));
+    CHECK(for_all([](Random& random) {
+        const Sample<Sphere> sample = draw(random);
+        const Real depth = random.between(Real(0.1), Real(0.9));
+        const Vec3 origin = sample.shape.center + depth * sample.shape.radius * random.direction();
+        return hits({.origin = origin, .direction = sample.point - origin}, sample.shape, 1);
+    }));
+}
+
+TEST_CASE("behind the origin, nothing is met (CR §2.2, PHY)") {
+    CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, unit_sphere));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)", "[exact]") {
+    CHECK(misses(Ray{.origin = {0, 0, 1}, .direction = {0, 0, 1}}, unit_sphere));
+    CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}}, unit_sphere, 2));
+    CHECK(for_all([](Random& random) {
+        const Sphere sphere = draw_in_eighths(random);
+        const Vec3 out = random.axes().x;
+        const Vec3 origin = sphere.center + sphere.radius * out;
+        if (random.coin()) return misses({.origin = origin, .direction = out}, sphere);
+        return hits({.origin = origin, .direction = -out}, sphere, 2 * sphere.radius);
+    }));
+}
+
+TEST_CASE("near hits count as much as far ones (CR §2.1)") {
+    CHECK(
+        hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
+    CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
+    CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 4, .max = infinity}));
+    CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 5, .max = 7}));
+    CHECK(misses(ahead, unit_sphere, Interval{.min = 0, .max = 4}));
+    CHECK(misses(ahead, unit_sphere, Interval{.min = 4, .max = 6}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point of the sphere meet it there (MRT §3)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed past the sphere miss it (MRT §3)") {
+    CHECK(for_all([](Random& random) {
+        const Sample<Sphere> sample = draw(random);
+        // Through a point outside, at right angles to the line to the center: no other point is
+        // closer.
+        const Basis basis = random.basis();
+        const Real distance = sample.shape.radius * random.between(Real(1.01), 2);
+        const Vec3 passed = sample.shape.center + distance * basis.x;
+        const Real back = random.between(-4, 4);
+        return misses({.origin = passed - back * basis.y, .direction = basis.y}, sample.shape);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("the normal points away from the center, with unit length (M1)") {
+    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
+    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the nearest of several spheres is seen, in any order (M1, CR §2.1)") {
+    const Item<Sphere> near{.shape = {.center = {0, 0, 1}, .radius = 1},
+                            .material = {Color(1, 0, 0)}};
+    const Item<Sphere> far{.shape = {.center = {0, 0, -2}, .radius = 2},
+                           .material = {Color(0, 1, 0)}};
+    for (const auto& spheres : {Items<Sphere>({near, far}), Items<Sphere>({far, near})}) {
+        Context context;
+        Nearest nearest(ahead, context);
+        nearest.among(spheres);
+        const std::optional<Hit> hit = nearest.hit();
+        REQUIRE(hit);
+        CHECK(close(hit->t, 3));
+        CHECK(hit->material->color == Color(1, 0, 0));
+        CHECK(gives("the hit's point", hit->point, Vec3(0, 0, 2)));
+        CHECK(gives("the hit's normal", hit->normal, Vec3(0, 0, 1)));
+    }
+}
+
+TEST_CASE("a normal's color is the size of its coordinates (M1)") {
+    CHECK(gives("color_from_normal({0, 0, -1})", color_from_normal({0, 0, -1}), Color(0, 0, 1)));
+    CHECK(gives("color_from_normal({-3, 0, 4})", color_from_normal({-3, 0, 4}),
+                Color(Real(0.6), 0, Real(0.8))));
+}
+
+TEST_CASE("the torch lights by the cosine between normal and eye (M1)") {
+    const Vec3 point(1, 1, 1);
+    const Vec3 eye(1, 1, 4);
+    CHECK(close(torch(point, {0, 0, 1}, eye), 1));
+    CHECK(close(torch(point, {0, 3, 4}, eye), Real(0.8)));
+    CHECK(close(torch(point, {1, 0, 0}, eye), 0));
+    CHECK(close(torch(point, {0, 0, -1}, eye), 0));
+    CHECK(close(torch(point, {0, 0, 1}, Vec3(4, 1, 5)), Real(0.8)));
+    CHECK(torch(point, {0, 0, 1}, point) == 0);  // no direction, hence no angle
+}
+
+TEST_CASE("the picture of the stage (HAI; CR §2.2)") {
+    CHECK(picture_matches("step03_sphere"));
+}

@@ -1,0 +1,204 @@
+// Stage 6 against MRT §6, HAI and CR §2.3–2.4.
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
+#include "steps/step06_square/square.hpp"
+
+#include "tests/kit/picture.hpp"
+#include "tests/kit/shape_checks.hpp"
+
+#include "common/scene_file/reader.hpp"
+
+using namespace rt;
+
+namespace {
+
+/// Side 4, in the plane z = 0, seen from above with x to the right and y upwards.
+const Square flat{.center = {0, 0, 0}, .basis = {}, .side = 4};
+
+Ray down_at(Real x, Real y) {
+    return {.origin = {x, y, 2}, .direction = {0, 0, -1}};
+}
+
+Square draw_square(Random& random) {
+    return {.center = random.point(3), .basis = random.basis(), .side = random.between(1, 3)};
+}
+
+/// x and y in units of half a side, at most 0.9: rounding does not decide what is inside.
+Sample<Square> draw(Random& random) {
+    const Square square = draw_square(random);
+    const Real x = random.between(Real(-0.9), Real(0.9)) * square.side / 2;
+    const Real y = random.between(Real(-0.9), Real(0.9)) * square.side / 2;
+    return {.shape = square,
+            .point = square.center + x * square.basis.x + y * square.basis.y,
+            .normal = square.basis.z};
+}
+
+}  // namespace
+
+TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[3 points]") {
+    CHECK(hits(down_at(0, 0), flat, 2));
+    CHECK(hits(down_at(Real(1.75), Real(-1.75)), flat, 2));
+    CHECK(misses(down_at(Real(2.25), 0), flat));
+    CHECK(misses(down_at(Real(-2.25), 0), flat));
+    CHECK(misses(down_at(0, Real(2.25)), flat));
+    CHECK(misses(down_at(0, Real(-2.25)), flat));
+    CHECK(misses(down_at(3, 3), flat));
+}
+
+TEST_CASE("the center counts (MRT §6)") {
+    const Square square{.center = {5, -3, 1}, .basis = {}, .side = 2};
+    CHECK(hits(down_at(Real(5.5), Real(-3.5)), square, 1));
+    CHECK(misses(down_at(0, 0), square));
+}
+
+TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)", "[exact]") {
+    CHECK(hits(down_at(2, 0), flat, 2));
+    CHECK(hits(down_at(-2, 1), flat, 2));
+    CHECK(hits(down_at(0, 2), flat, 2));
+    CHECK(hits(down_at(1, -2), flat, 2));
+    CHECK(hits(down_at(2, 2), flat, 2));
+    CHECK(hits(down_at(-2, 2), flat, 2));
+    CHECK(for_all([](Random& random) {
+        // In eighths: nothing is rounded.
+        const Square square{.center = random.point_in_eighths(3),
+                            .basis = random.axes(),
+                            .side = Real(1 << random.below(4))};
+        Vec2 p(random.eighths(-1, 1), random.eighths(-1, 1));
+        p[random.below(2)] = random.coin() ? 1 : -1;
+        p *= square.side / 2;
+        const auto& [x, y, z] = square.basis;
+        const Real t = random.eighths(1, 32);
+        return hits({.origin = square.center + p.x * x + p.y * y + t * z, .direction = -z}, square,
+                    t);
+    }));
+}
+
+TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
+    // Turned by an eighth: its corners are on the world's axes, 2.83 away.
+    const Real half = std::sqrt(Real(0.5));
+    const Square turned{.center = {0, 0, 0},
+                        .basis = {.x = {half, half, 0}, .y = {-half, half, 0}, .z = {0, 0, 1}},
+                        .side = 4};
+    CHECK(hits(down_at(Real(2.75), 0), turned, 2));
+    CHECK(misses(down_at(Real(1.75), Real(1.75)), turned));
+    // Upright: in the plane x = 0.
+    const Square upright{
+        .center = {0, 0, 0}, .basis = {.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}}, .side = 4};
+    CHECK(hits(Ray{.origin = {3, 1, Real(1.5)}, .direction = {-1, 0, 0}}, upright, 3));
+    CHECK(misses(Ray{.origin = {3, 1, Real(2.5)}, .direction = {-1, 0, 0}}, upright));
+}
+
+TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
+    const Ray from_below{.origin = {1, 1, -3}, .direction = {0, 0, 1}};
+    CHECK(hits(from_below, flat, 3));
+    Square front_only = flat;
+    front_only.one_sided = true;
+    CHECK(hits(down_at(1, 1), front_only, 2));
+    CHECK(misses(from_below, front_only));
+}
+
+TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HAI, CR §2.4)") {
+    const Scene scene =
+        load_scene(project_file("scenes/cornell_box.rt"), basis_around, {.strict = true});
+    const auto nearest = [&scene](const Ray& ray) {
+        std::optional<Real> t;
+        for (const Item<Square>& item : scene.squares)
+            if (const auto hit =
+                    intersect(ray, item.shape, {.min = 0, .max = t.value_or(infinity)}))
+                t = hit;
+        return t;
+    };
+    // The box is from -1 to 1 on every axis.
+    const auto in = nearest({.origin = {0, Real(0.5), 3}, .direction = {0, 0, -1}});
+    const auto out = nearest({.origin = {0, Real(0.5), 0}, .direction = {0, 0, 1}});
+    CHECK(verdict(in && close(*in, 4),
+                  "From outside the back wall is seen, 4 ahead: came " + came_text(in)));
+    CHECK(verdict(out && close(*out, 1),
+                  "From inside the front wall is seen, 1 ahead: came " + came_text(out)));
+}
+
+TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+    CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, flat));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
+TEST_CASE("a ray in the square's plane misses (MRT §6)", "[exact]") {
+    CHECK(misses(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, flat));
+    CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, 0, 0}}, flat));
+    CHECK(misses(Ray{.origin = {-5, 0, 1}, .direction = {1, 0, 0}}, flat));
+}
+
+TEST_CASE("a grazing ray meets the square: there is no epsilon (MRT §6)", "[exact]") {
+    const Real slope = std::ldexp(Real(1), -20);
+    CHECK(hits(Ray{.origin = {0, -4, 5 * slope}, .direction = {0, 1, -slope}}, flat, 5));
+    CHECK(for_all([slope](Random& random) {
+        const Vec3 point(random.eighths(-1, 1), random.eighths(-1, 1), 0);
+        const Real t = random.eighths(1, 9);
+        const Vec3 direction(0, 1, -slope);
+        return hits({.origin = point - t * direction, .direction = direction}, flat, t);
+    }));
+}
+
+TEST_CASE("t counts in the length of the direction (PHY, any v)") {
+    CHECK(hits(Ray{.origin = {1, 1, 2}, .direction = {0, 0, -4}}, flat, Real(0.5)));
+    CHECK(hits(Ray{.origin = {1, 1, 2}, .direction = {0, 0, Real(-0.25)}}, flat, 8));
+}
+
+TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
+    CHECK(misses(down_at(1, 1), flat, Interval{.min = 0, .max = 2}));
+    CHECK(misses(down_at(1, 1), flat, Interval{.min = 2, .max = 9}));
+    CHECK(interval_is_kept(draw));
+}
+
+TEST_CASE("rays aimed at a point of the square meet it there (MRT §6)") {
+    CHECK(aimed_rays_hit(draw));
+}
+
+TEST_CASE("rays aimed at its plane beside the square miss (MRT §6)") {
+    CHECK(for_all([](Random& random) {
+        const Square square = draw_square(random);
+        Vec2 p(random.between(-1, 1), random.between(-1, 1));
+        p[random.below(2)] = (random.coin() ? -1 : 1) * random.between(Real(1.1), 2);
+        p *= square.side / 2;
+        const Vec3 point = square.center + p.x * square.basis.x + p.y * square.basis.y;
+        const auto aimed = aimed_from_outside<Square>({square, point, square.basis.z}, random);
+        return misses(aimed.ray, square);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
+    CHECK(nan_misses(draw));
+}
+
+TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum 10, HAI)") {
+    CHECK(gives("uv at C", square_uv(flat, {-2, -2, 0}), Vec2(0, 0)));
+    CHECK(gives("uv at C + U", square_uv(flat, {2, -2, 0}), Vec2(1, 0)));
+    CHECK(gives("uv at C + V", square_uv(flat, {-2, 2, 0}), Vec2(0, 1)));
+    CHECK(gives("uv at C + U + V", square_uv(flat, {2, 2, 0}), Vec2(1, 1)));
+    CHECK(gives("uv at (1, -1, 0)", square_uv(flat, {1, -1, 0}), Vec2(Real(0.75), Real(0.25))));
+    CHECK(for_all([](Random& random) {
+        const Square square = draw_square(random);
+        const Vec2 uv(random.between(0, 1), random.between(0, 1));
+        const Vec3 corner = square.center - square.side / 2 * (square.basis.x + square.basis.y);
+        const Vec3 point = corner + square.side * (uv.x * square.basis.x + uv.y * square.basis.y);
+        return gives("square_uv(" + code(square) + ", " + code(point) + ")",
+                     square_uv(square, point), uv);
+    }));
+}
+
+TEST_CASE("the normal is the square's Z (MRT §6)") {
+    CHECK(normal_is(flat, {1, 1, 0}, {0, 0, 1}));
+    CHECK(normals_point_outward(draw));
+}
+
+TEST_CASE("the picture of the stage (MRT §6, HAI)") {
+    CHECK(picture_matches("step06_square"));
+}
+
+TEST_CASE("the picture of the Cornell box (HAI, CR §2.4)") {
+    CHECK(picture_matches("cornell_box"));
+}

@@ -1,0 +1,435 @@
+// Stage 9 against CR §3.1 and M1's torch.
+#include "steps/step02_camera_basis/camera_basis.hpp"
+#include "steps/step09_phong/phong.hpp"
+
+#include "tests/kit/light.hpp"
+#include "tests/kit/picture.hpp"
+
+#include "common/image/png.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
+#include "common/scene_file/reader.hpp"
+
+#include <cstdlib>
+
+using namespace rt;
+
+namespace {
+
+constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
+/// The call, the answer, the expected answer, and a line to paste into a test.
+Verdict answers(const std::string& function, const std::string& check, const std::string& asked,
+                Vec3 came, Vec3 expected) {
+    return verdict(close(came, expected), function + "(" + asked + ")\n  came:     " + text(came) +
+                                              "\n  expected: " + text(expected) +
+                                              "\n  paste:    CHECK(" + check + "(" + asked + ", " +
+                                              code(expected) + "));");
+}
+
+Verdict reflects(Vec3 to_light, Vec3 normal, Vec3 expected) {
+    return answers("reflected", "reflects", "Vec3" + code(to_light) + ", Vec3" + code(normal),
+                   reflected(to_light, normal), expected);
+}
+
+Verdict ambient_is(const Surface& surface, const Ambient& ambient, Color expected) {
+    const std::string light =
+        "Ambient{.ratio = " + code(ambient.ratio) + ", .color = " + code(ambient.color) + "}";
+    return answers("ambient_term", "ambient_is", code(surface) + ",\n          " + light,
+                   ambient_term(surface, ambient), expected);
+}
+
+Verdict diffuse_is(const Surface& surface, const Light& light, Color expected) {
+    return answers("diffuse_term", "diffuse_is", code(surface) + ",\n          " + code(light),
+                   diffuse_term(surface, light), expected);
+}
+
+Verdict specular_is(const Surface& surface, const Light& light, Color expected) {
+    return answers("specular_term", "specular_is", code(surface) + ",\n          " + code(light),
+                   specular_term(surface, light), expected);
+}
+
+Verdict dark(const Surface& surface, const Light& light) {
+    if (const Verdict none = diffuse_is(surface, light, Color(0)); !none) return none;
+    return specular_is(surface, light, Color(0));
+}
+
+const Light white{.position = {0, 0, 5}};
+const Vec3 slanting(Real(0.6), 0, Real(0.8));  // a direction by whole numbers: 3, 4, 5
+const Vec3 mirrored(Real(-0.6), 0, Real(0.8));
+
+/// White, at the origin, facing +z.
+Surface facing_z(Vec3 to_eye, Real shininess = 32) {
+    return {.point = {0, 0, 0},
+            .normal = {0, 0, 1},
+            .side = {0, 0, 1},
+            .to_eye = to_eye,
+            .material = {.specular = 1, .shininess = shininess}};
+}
+
+Light light_at(Vec3 position) {
+    return {.position = position};
+}
+
+/// Five from the origin.
+Light light_along(Vec3 direction) {
+    return {.position = Real(5) * direction};
+}
+
+/// A surface and a light with known angles (CR §3.1): θ between L and N, α between R and V.
+struct Lit {
+    Surface surface;
+    Light light;
+    Real theta;
+    Real alpha;
+};
+
+/// N, L and R in a plane in any orientation, and V rotated around R; any brightness, any colors.
+Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
+    const Basis basis = random.basis();
+    const Vec3 l = std::sin(theta) * basis.x + std::cos(theta) * basis.z;
+    const Vec3 r = std::cos(theta) * basis.z - std::sin(theta) * basis.x;
+    Vec3 beside = std::cos(round) * cross(basis.y, r) + std::sin(round) * basis.y;
+    if (dot(std::cos(alpha) * r + std::sin(alpha) * beside, basis.z) < 0) beside = -beside;
+
+    Lit lit{.theta = theta, .alpha = alpha};
+    lit.surface = draw_surface(random, random.point(3));
+    lit.surface.normal = basis.z;
+    lit.surface.side = unit(basis.z + Real(0.4) * random.direction());  // as on a smooth mesh
+    lit.surface.to_eye = std::cos(alpha) * r + std::sin(alpha) * beside;
+    lit.surface.material.shininess = random.between(Real(0.5), 64);
+    lit.light = {.position = lit.surface.point + random.between(Real(0.5), 8) * l,
+                 .brightness = random.between(Real(0.1), 1),
+                 .color = abs(random.point(1))};
+    return lit;
+}
+
+/// Lit, and seen inside or outside the highlight.
+Lit draw(Random& random) {
+    const Real theta = random.between(0, Real(1.5));
+    const Real alpha = random.between(0, Real(1.4));
+    return make_lit(random, theta, alpha, random.between(-pi, pi));
+}
+
+Color expected_diffuse(const Lit& lit) {
+    return std::cos(lit.theta) * lit.light.brightness * lit.light.color *
+           lit.surface.material.color;
+}
+
+Color expected_specular(const Lit& lit) {
+    const Material& material = lit.surface.material;
+    return material.specular * std::pow(std::cos(lit.alpha), material.shininess) *
+           lit.light.brightness * lit.light.color;
+}
+
+Color seen(const Scene& scene, const Ray& ray, Term term = Term::all) {
+    Context context;
+    context.look.term = term;
+    return trace(scene, ray, context);
+}
+
+/// The plane z = 0 with a highlight, seen along -z or +z, in ambient light of 1/8.
+Scene wall() {
+    Scene scene;
+    scene.ambient = Ambient{.ratio = Real(0.125)};
+    scene.planes.push_back({.shape = {.point = {0, 0, 0}, .normal = {0, 0, 1}},
+                            .material = {.specular = 1, .shininess = 2}});
+    return scene;
+}
+
+const Ray from_before{.origin = {0, 0, 3}, .direction = {0, 0, -1}};
+const Ray from_behind{.origin = {0, 0, -3}, .direction = {0, 0, 1}};
+
+}  // namespace
+
+TEST_CASE("light leaves on the other side of the normal, at the same angle (CR §3.1)",
+          "[3 points]") {
+    CHECK(reflects(slanting, {0, 0, 1}, mirrored));
+    CHECK(reflects({0, 0, 1}, {0, 0, 1}, {0, 0, 1}));
+    CHECK(reflects({1, 0, 0}, {0, 0, 1}, {-1, 0, 0}));
+    CHECK(reflects({0, 1, 0}, slanting, {0, -1, 0}));
+    CHECK(reflects(mirrored, slanting, {Real(0.936), 0, Real(-0.352)}));
+    CHECK(for_all([](Random& random) {
+        const Basis basis = random.basis();
+        const Real theta = random.between(0, pi);
+        const Vec3 along = std::cos(theta) * basis.z;
+        const Vec3 across = std::sin(theta) * basis.x;
+        return reflects(along + across, basis.z, along - across);
+    }));
+}
+
+TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)") {
+    Surface surface = facing_z({0, 0, 1});
+    surface.material.color = {1, Real(0.5), 0};
+    CHECK(ambient_is(surface, {.ratio = Real(0.5), .color = {Real(0.5), 1, 1}},
+                     {Real(0.25), Real(0.25), 0}));
+    CHECK(ambient_is(surface, {.ratio = 1, .color = {1, 1, 1}}, {1, Real(0.5), 0}));
+    CHECK(ambient_is(surface, {.ratio = 0, .color = {1, 1, 1}}, {0, 0, 0}));
+}
+
+TEST_CASE("ambient light is the same wherever the surface is, faces, or is seen from (CR §3.1)") {
+    CHECK(for_all([](Random& random) {
+        const Surface surface = draw_surface(random, random.point(10));
+        const Ambient ambient{.ratio = random.between(0, 1), .color = abs(random.point(1))};
+        return ambient_is(surface, ambient, ambient.ratio * ambient.color * surface.material.color);
+    }));
+}
+
+TEST_CASE("a light straight above shows the full color (CR §3.1)") {
+    Surface surface = facing_z(slanting);
+    surface.material.color = {1, Real(0.5), Real(0.25)};
+    CHECK(diffuse_is(surface, white, {1, Real(0.5), Real(0.25)}));
+    CHECK(for_all([](Random& random) {  // rounding may make the cosine more than 1
+        const Lit above = make_lit(random, 0, random.between(0, 1), 0);
+        return diffuse_is(above.surface, above.light, expected_diffuse(above));
+    }));
+}
+
+TEST_CASE("diffuse light is by the cosine between L and N (CR §3.1, M1)") {
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_along(slanting), Color(Real(0.8))));
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({-4, 0, 3}), Color(Real(0.6))));
+    CHECK(for_all([](Random& random) {
+        const Lit lit = draw(random);
+        return diffuse_is(lit.surface, lit.light, expected_diffuse(lit));
+    }));
+}
+
+TEST_CASE("L leads from the point to the light, wherever both are (CR §3.1)") {
+    Surface surface = facing_z({0, 0, 1});
+    surface.point = {10, 0, 0};
+    CHECK(diffuse_is(surface, light_at({13, 0, 4}), Color(Real(0.8))));
+    CHECK(diffuse_is(surface, light_at({4, 0, 8}), Color(Real(0.8))));
+    surface.to_eye = mirrored;
+    CHECK(specular_is(surface, light_at({13, 0, 4}), Color(1)));
+}
+
+TEST_CASE("how far away the light is does not matter (CR §3.1)") {
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, Real(0.125)}), Color(1)));
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, 512}), Color(1)));
+    CHECK(for_all([](Random& random) {
+        Lit lit = draw(random);
+        const Real scale = random.power_of_two();
+        lit.surface.point *= scale;
+        lit.light.position *= scale;
+        const Verdict diffuse = diffuse_is(lit.surface, lit.light, expected_diffuse(lit));
+        return diffuse ? specular_is(lit.surface, lit.light, expected_specular(lit)) : diffuse;
+    }));
+}
+
+TEST_CASE("brightness and color of the light multiply what it shows (CR §3.1)") {
+    const Light dim{.position = {0, 0, 5}, .brightness = Real(0.25), .color = {1, Real(0.5), 0}};
+    CHECK(diffuse_is(facing_z({0, 0, 1}), dim, {Real(0.25), Real(0.125), 0}));
+    CHECK(specular_is(facing_z({0, 0, 1}), dim, {Real(0.25), Real(0.125), 0}));
+    const Light off{.position = {0, 0, 5}, .brightness = 0};
+    CHECK(dark(facing_z({0, 0, 1}), off));
+}
+
+TEST_CASE("a light at the eye is the torch: cos θ between N and the way to the eye (M1)") {
+    const Surface surface = facing_z(slanting);
+    CHECK(diffuse_is(surface, light_along(surface.to_eye), Color(Real(0.8))));
+}
+
+TEST_CASE("diffuse light does not depend on the eye or on the highlight (CR §3.1)") {
+    CHECK(diffuse_is(facing_z(mirrored), light_along(slanting), Color(Real(0.8))));
+    CHECK(diffuse_is(facing_z({1, 0, 0}), light_along(slanting), Color(Real(0.8))));
+    Surface matt = facing_z(mirrored);
+    matt.material.specular = 0;
+    CHECK(diffuse_is(matt, light_along(slanting), Color(Real(0.8))));
+}
+
+TEST_CASE("a light behind the surface takes nothing away and adds nothing (erratum 27, M1)") {
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, -5}), Color(0)));
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({3, 0, -4}), Color(0)));
+    CHECK(for_all([](Random& random) {
+        Lit lit = draw(random);
+        lit.light.position = Real(2) * lit.surface.point - lit.light.position;  // through the point
+        return diffuse_is(lit.surface, lit.light, Color(0));
+    }));
+}
+
+TEST_CASE("a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR §3.1)", "[exact]") {
+    CHECK(dark(facing_z({0, 0, 1}), light_at({5, 0, 0})));
+    CHECK(dark(facing_z({-1, 0, 0}), light_at({5, 0, 0})));  // R points to the eye
+}
+
+TEST_CASE("where R points to the eye, the highlight is full (CR §3.1)") {
+    CHECK(specular_is(facing_z({0, 0, 1}), white, Color(1)));
+    CHECK(specular_is(facing_z(mirrored), light_along(slanting), Color(1)));
+    Surface half = facing_z(mirrored);
+    half.material.specular = Real(0.5);
+    CHECK(specular_is(half, light_along(slanting), Color(Real(0.5))));
+    CHECK(for_all([](Random& random) {  // rounding may make the cosine more than 1
+        const Lit full = make_lit(random, random.between(0, Real(1.5)), 0, 0);
+        return specular_is(full.surface, full.light, expected_specular(full));
+    }));
+}
+
+TEST_CASE("beside R the highlight is ⟨R, V⟩ to the power of the shininess (CR §3.1)") {
+    CHECK(specular_is(facing_z(slanting, 2), white, Color(Real(0.64))));
+    CHECK(specular_is(facing_z(slanting, 1), white, Color(Real(0.8))));
+    CHECK(specular_is(facing_z(slanting, 3), white, Color(Real(0.512))));
+    CHECK(specular_is(facing_z(slanting, 3), light_along(slanting), Color(Real(0.021952))));
+    CHECK(for_all([](Random& random) {
+        const Lit lit = draw(random);
+        return specular_is(lit.surface, lit.light, expected_specular(lit));
+    }));
+}
+
+TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)", "[exact]") {
+    const Vec3 at_30_degrees(Real(0.5), 0, std::sqrt(Real(0.75)));
+    CHECK(specular_is(facing_z(at_30_degrees, 4), white, Color(Real(0.5625))));
+    CHECK(specular_is(facing_z(at_30_degrees, Real(0.5)), white,
+                      Color(std::pow(Real(0.75), Real(0.25)))));
+    CHECK(specular_is(facing_z(at_30_degrees, Real(2.5)), white,
+                      Color(std::pow(Real(0.75), Real(1.25)))));
+    const Vec3 at_2_degrees(Real(0.03125), 0, std::sqrt(Real(0.9990234375)));
+    CHECK(specular_is(facing_z(at_2_degrees, 1024), light_at({0, 0, 4}),
+                      Color(std::pow(Real(0.9990234375), Real(512)))));
+    CHECK(specular_is(facing_z({0, 0, 1}, 100000), light_at({0, 0, 4}), Color(1)));
+    CHECK(specular_is(facing_z(at_30_degrees, 100000), white, Color(0)));
+    CHECK(for_all([](Random& random) {
+        Lit lit = draw(random);
+        lit.surface.material.shininess = random.between(Real(0.5), 256);
+        return specular_is(lit.surface, lit.light, expected_specular(lit));
+    }));
+}
+
+TEST_CASE("the highlight moves with the eye (CR §3.1)") {
+    const Light light = light_along(slanting);
+    CHECK(specular_is(facing_z(mirrored, 2), light, Color(1)));
+    CHECK(specular_is(facing_z({0, 0, 1}, 2), light, Color(Real(0.64))));
+    CHECK(specular_is(facing_z({-1, 0, 0}, 2), light, Color(Real(0.36))));
+    CHECK(specular_is(facing_z({0, 1, 0}, 2), light, Color(0)));
+}
+
+TEST_CASE("the highlight has the light's color, not the surface's (CR §3.1)") {
+    Surface blue = facing_z({0, 0, 1});
+    blue.material.color = {0, 0, 1};
+    const Light warm{.position = {0, 0, 5}, .color = {1, Real(0.5), 0}};
+    CHECK(specular_is(blue, warm, {1, Real(0.5), 0}));
+}
+
+TEST_CASE("where R points away from the eye, there is no highlight (CR §3.1)") {
+    // ⟨R, V⟩ = -0.352, whose square is positive, its cube negative, and its root not a number.
+    const Vec3 low(Real(0.96), 0, Real(0.28));
+    for (const Real shininess : {Real(2), Real(3), Real(2.5)})
+        CHECK(specular_is(facing_z(low, shininess), light_along(slanting), Color(0)));
+    CHECK(for_all([](Random& random) {
+        const Real theta = random.between(Real(0.2), Real(1.5));
+        const Real alpha = random.between(pi / 2 + Real(0.05), pi / 2 + theta - Real(0.05));
+        Lit away = make_lit(random, theta, alpha, 0);
+        if (random.coin()) away.surface.material.shininess = Real(1 + random.below(4));
+        return specular_is(away.surface, away.light, Color(0));
+    }));
+}
+
+TEST_CASE("without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 14, CR §3.1)") {
+    // The numbers of docs/errata.md: printed, the highlight is 0.28.
+    const Vec3 behind(Real(0.8), 0, Real(-0.6));
+    CHECK(dark(facing_z({Real(-0.8), 0, Real(0.6)}, 1), light_along(behind)));
+    CHECK(for_all([](Random& random) {
+        const Real theta = random.between(pi / 2 + Real(0.02), Real(2.2));
+        // R is below the surface: V must be above it, and at most 90° from R.
+        const Real alpha = random.between(theta - pi / 2 + Real(0.1), pi / 2 - Real(0.1));
+        const Lit hidden = make_lit(random, theta, alpha, 0);
+        return dark(hidden.surface, hidden.light);
+    }));
+}
+
+TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
+    Surface matt = facing_z({0, 0, 1});
+    matt.material.specular = 0;
+    CHECK(specular_is(matt, white, Color(0)));
+}
+
+TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)") {
+    CHECK(dark(facing_z({0, 0, 1}), light_at({0, 0, 0})));
+    CHECK(for_all([](Random& random) {
+        const Surface surface = draw_surface(random, random.point(3));
+        return dark(surface, light_at(surface.point));
+    }));
+}
+
+TEST_CASE("NaN is dark: it is not positive (contract)") {
+    CHECK(for_all([](Random& random) {
+        Lit lit = draw(random);
+        Vec3* const parts[] = {&lit.surface.point, &lit.surface.normal, &lit.light.position,
+                               &lit.surface.to_eye};
+        Vec3& part = *parts[random.below(4)];
+        part[random.below(3)] = not_a_number;
+        if (&part == &lit.surface.to_eye)  // diffuse light does not depend on it
+            return specular_is(lit.surface, lit.light, Color(0));
+        return dark(lit.surface, lit.light);
+    }));
+}
+
+TEST_CASE("ambient light is added once, however many lights there are (erratum 14, CR §3.1)") {
+    Scene scene = wall();
+    CHECK(gives("no light", seen(scene, from_before), Color(Real(0.125))));
+    scene.lights = {light_at({0, 0, -5}), light_at({3, 0, -4})};  // behind the wall
+    CHECK(gives("two lights behind the wall", seen(scene, from_before), Color(Real(0.125))));
+    scene.lights.push_back(light_at({4, 0, 3}));
+    CHECK(gives("and one before it", seen(scene, from_before, Term::diffuse), Color(Real(0.6))));
+    CHECK(gives("and one before it, ambient", seen(scene, from_before, Term::ambient),
+                Color(Real(0.125))));
+    const Ray away{.origin = {0, 0, 3}, .direction = {0, 0, 1}};
+    CHECK(gives("a ray that meets nothing", seen(scene, away), Color(0)));
+}
+
+TEST_CASE("several lights add up (CR §3.1)") {
+    Scene scene = wall();
+    scene.ambient.reset();
+    scene.lights = {{.position = {3, 0, 4}, .brightness = Real(0.5), .color = {1, 0, 0}},
+                    {.position = {-4, 0, 3}, .brightness = Real(0.25), .color = {0, 1, 1}}};
+    CHECK(gives("diffuse, of two lights", seen(scene, from_before, Term::diffuse),
+                Color(Real(0.4), Real(0.15), Real(0.15))));
+    CHECK(gives("specular, of two lights", seen(scene, from_before, Term::specular),
+                Color(Real(0.32), Real(0.09), Real(0.09))));
+    CHECK(gives("together", seen(scene, from_before), Color(Real(0.72), Real(0.24), Real(0.24))));
+}
+
+TEST_CASE("a surface has two sides, and a light shows the one it is on (contract)") {
+    Scene scene = wall();
+    const Color ambient(Real(0.125));
+    for (const Real side : {Real(1), Real(-1)}) {
+        scene.lights = {light_at({3, 0, 4 * side})};
+        const Color full = Color(Real(0.8) + Real(0.64)) + ambient;
+        CHECK(gives("the wall from before, light at z = " + text(4 * side),
+                    seen(scene, from_before), side > 0 ? full : ambient));
+        CHECK(gives("the wall from behind, light at z = " + text(4 * side),
+                    seen(scene, from_behind), side > 0 ? ambient : full));
+    }
+    Scene bubble;
+    bubble.spheres.push_back({.shape = {.center = {0, 0, 0}, .radius = 1}});
+    bubble.lights = {light_at({0, 0, Real(0.5)})};
+    CHECK(gives("a sphere with a light in it, from inside",
+                seen(bubble, {.origin = {0, 0, 0}, .direction = {0, 0, 1}}), Color(1)));
+    CHECK(gives("a sphere with a light in it, from outside", seen(bubble, from_before), Color(0)));
+}
+
+TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
+    const Scene scene =
+        load_scene(project_file("scenes/step09_phong.rt"), basis_around, {.strict = true});
+    const auto ray_through = pixel_rays(scene.cameras.front(), scene.resolution);
+    for (Pixel pixel; pixel.row < scene.resolution.height; pixel.row += 24)
+        for (pixel.column = 0; pixel.column < scene.resolution.width; pixel.column += 24) {
+            const Ray ray = ray_through(pixel);
+            const Verdict sum =
+                gives("ambient + diffuse + specular of --pixel " + std::to_string(pixel.row) + "," +
+                          std::to_string(pixel.column),
+                      seen(scene, ray, Term::ambient) + seen(scene, ray, Term::diffuse) +
+                          seen(scene, ray, Term::specular),
+                      seen(scene, ray));
+            if (!sum) CHECK(sum);
+        }
+    CHECK(picture_matches("step09_phong_ambient",
+                          {.scene = "step09_phong", .look = {.term = Term::ambient}}));
+    CHECK(picture_matches("step09_phong_diffuse",
+                          {.scene = "step09_phong", .look = {.term = Term::diffuse}}));
+    CHECK(picture_matches("step09_phong_specular",
+                          {.scene = "step09_phong", .look = {.term = Term::specular}}));
+}
+
+TEST_CASE("the picture of the stage (CR §3.1)") {
+    CHECK(picture_matches("step09_phong"));
+}

@@ -1,0 +1,131 @@
+# raysteps_suite(<name> <source>...)
+#
+# The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
+# each, linked to the stages in STAGES (chosen or _reference) and to their dependencies.
+function(raysteps_suite name)
+    cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL" "STAGES;SOURCES")
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(program ${name}_test_${word_${precision}})
+        add_library(${program}_objects OBJECT ${suite_SOURCES})
+        target_link_libraries(${program}_objects PRIVATE raysteps_kit_${precision}_options)
+        target_precompile_headers(${program}_objects REUSE_FROM raysteps_kit_${precision})
+        raysteps_link_suite(${program} ${program}_objects ${precision} ${suite_STAGES})
+        add_test(NAME ${name}_${word_${precision}} COMMAND ${program})
+        set_tests_properties(${name}_${word_${precision}} PROPERTIES LABELS "${suite_LABEL}")
+    endforeach()
+endfunction()
+
+# raysteps_link_suite(<program> <objects> <precision> <stage>...)
+function(raysteps_link_suite program objects precision)
+    add_executable(${program} $<TARGET_OBJECTS:${objects}>)
+    target_link_libraries(${program} PRIVATE
+        raysteps_common_${precision} raysteps_kit_${precision} raysteps_drawn_${precision}
+        raysteps_kit_main raysteps_neutral Threads::Threads)
+    foreach(stage IN LISTS ARGN)
+        target_link_libraries(${program} PRIVATE ${stage}_${precision})
+    endforeach()
+endfunction()
+
+# raysteps_stage_suite(<stage>)
+#
+# The suite of a stage, and the student's own tests: the chosen file, with the references of all
+# others.
+function(raysteps_stage_suite stage)
+    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
+    list(TRANSFORM stages APPEND _reference)
+    list(REMOVE_ITEM stages ${stage}_reference)
+    file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
+    raysteps_suite(${stage} LABEL ${stage} SOURCES suites/${stage}_test.cpp ${own_tests}
+        STAGES ${stage} ${stage}_picture ${stages})
+    if(TARGET course)
+        raysteps_contract(${stage} ${stages})
+    endif()
+    raysteps_starter(${stage} ${stages} ${stage}_picture)
+    if(NOT RAYSTEPS_MISTAKES)
+        return()
+    endif()
+    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${stage}/*.cpp)
+    foreach(mistake IN LISTS mistakes)
+        raysteps_mistake(${stage} ${mistake} ${stages} ${stage}_picture)
+    endforeach()
+    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
+    foreach(alternative IN LISTS alternatives)
+        raysteps_alternative(${stage} ${alternative} ${stages} ${stage}_picture)
+    endforeach()
+    if(TARGET course)
+        raysteps_recognition(${stage} "${mistakes}" "${alternatives}" ${stages} ${stage}_picture)
+    endif()
+endfunction()
+
+# raysteps_starter(<stage> <other stages>...)
+#
+# <stage>_starter_test_float and _double: the stage's suite, linked to its starter, for `./course
+# audit`.
+function(raysteps_starter stage)
+    file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
+    raysteps_compile_twice(${stage}_starter ${starter})
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        raysteps_link_suite(${stage}_starter_test_${word} ${stage}_test_${word}_objects
+            ${precision} ${stage}_starter ${ARGN})
+        set_target_properties(${stage}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endforeach()
+endfunction()
+
+# raysteps_alternative(<stage> <file> <other stages>...)
+#
+# The stage's suite, linked to another right answer: all of it must pass.
+function(raysteps_alternative stage file)
+    get_filename_component(alternative ${file} NAME_WE)
+    raysteps_compile_twice(${stage}_${alternative} ${file})
+    raysteps_start_from_common(${stage}_${alternative})
+    foreach(precision IN ITEMS f32 f64)
+        target_compile_options(${stage}_${alternative}_${precision} PRIVATE -w)  # from its renaming
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        set(name alternative_${stage}_${alternative}_${word})
+        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
+            ${stage}_${alternative} ${ARGN})
+        set_target_properties(${name} PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/alternatives)
+        add_test(NAME ${name} COMMAND ${name})
+        set_tests_properties(${name} PROPERTIES LABELS "alternatives")
+    endforeach()
+endfunction()
+
+# raysteps_mistake(<stage> <file> <other stages>...)
+#
+# The stage's suite, linked to a known mistake: the case that the file names must fail.
+function(raysteps_mistake stage file)
+    get_filename_component(mistake ${file} NAME_WE)
+    file(STRINGS ${file} case REGEX "^// caught by: " LIMIT_COUNT 1 ENCODING UTF-8)
+    string(REGEX REPLACE "^// caught by: " "" case "${case}")
+    if(case STREQUAL "")
+        message(FATAL_ERROR "${file} does not say \"// caught by: <test case>\"")
+    endif()
+    # escaped for Catch2, and no ";" for CMake
+    string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")
+    raysteps_compile_twice(${stage}_${mistake} ${file})
+    raysteps_start_from_common(${stage}_${mistake})
+    target_compile_options(${stage}_${mistake}_f32 PRIVATE -w)  # it is wrong on purpose
+    target_compile_options(${stage}_${mistake}_f64 PRIVATE -w)
+    foreach(precision IN ITEMS f32 f64)
+        set(word_f32 float)
+        set(word_f64 double)
+        set(word ${word_${precision}})
+        set(name mistake_${stage}_${mistake}_${word})
+        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
+            ${stage}_${mistake} ${ARGN})
+        set_target_properties(${name} PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mistakes)
+        add_test(NAME ${name} COMMAND ${name} "${case}")
+        # By failing an assertion: a missing case, or a crash, does not count.
+        set_tests_properties(${name} PROPERTIES
+            LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: +1 \\| 1 failed")
+    endforeach()
+endfunction()
