@@ -3,7 +3,8 @@
 #include <numeric>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -186,4 +187,5 @@ std::array<BoxRange, 2> BoxRanges::halves(const BoxRange& range) const {
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -4,7 +4,8 @@
 
 #include <future>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -214,4 +215,5 @@ Hierarchy::Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves, const B
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -10,7 +10,8 @@
 #include <span>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The number of shapes of a kind from which a hierarchy is built. Shorter lists use bounding
 /// spheres (measured: docs/reference/accuracy.md).
@@ -150,4 +151,5 @@ bool Hierarchy::any(SlabTests& ray, Interval interval, Visit visit) const {
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

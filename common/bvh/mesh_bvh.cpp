@@ -5,7 +5,8 @@
 #include <future>
 #include <span>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -161,4 +162,5 @@ bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -12,7 +12,8 @@
 #include <cstring>
 #include <optional>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -216,4 +217,5 @@ private:
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

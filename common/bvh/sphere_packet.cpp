@@ -1,6 +1,7 @@
 #include "common/bvh/sphere_packet.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -24,4 +25,5 @@ Balls::Balls(std::span<const Ball> balls) {
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -13,7 +13,8 @@
 #include <span>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -103,4 +104,5 @@ private:
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -5,7 +5,8 @@
 
 #include <cmath>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A term for bounds of sums of products: larger than the total error of intermediate underflows.
 inline constexpr Real underflow = Real(0x1p-900);
@@ -42,4 +43,5 @@ struct Estimate {
     }
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

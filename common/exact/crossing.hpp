@@ -7,7 +7,8 @@
 
 #include <array>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// c0 + c1 t + c2 t².
 template <class T>
@@ -48,7 +49,8 @@ struct Along {
 template <class CrossingIn>
 Along(Real, CrossingIn) -> Along<CrossingIn>;
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// An integer times a power of two, which represents every Real. Sums, differences and products are
 /// exact, without overflow and underflow.
@@ -138,4 +139,5 @@ inline TwoWords Dyadic::rounded() const {
     return negative_ ? -sum : sum;
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -31,7 +31,8 @@ namespace rt {
 
 }  // namespace rt
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// (rational + surd √radicand) / denominator, which is positive; surd is -1, 0 or 1.
 template <class T>
@@ -176,7 +177,8 @@ struct InUnits {
     }
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

@@ -9,7 +9,8 @@
 #include <functional>
 #include <type_traits>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Two rounded t with a larger relative difference are in their exact order: the error of every
 /// certified kernel is at most 128 u of t.
@@ -51,7 +52,8 @@ private:
     Met met_;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 
@@ -61,7 +63,8 @@ namespace rt {
 
 }  // namespace rt
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A primitive of a scene that was hit. For boxes no exact root is available.
 struct MetItem {
@@ -113,4 +116,5 @@ private:
     Leader<MetItem> leader_;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

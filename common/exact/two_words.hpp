@@ -7,7 +7,8 @@
 #include <cmath>
 #include <optional>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The number high + low, whose distance from the exact result is at most `error`. Each operation
 /// bounds its own rounding, and the effect of its operands' errors (Joldes, Muller, Popescu 2017;
@@ -85,4 +86,5 @@ private:
     }
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

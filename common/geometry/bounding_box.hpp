@@ -3,7 +3,8 @@
 
 #include "common/math/vector.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// All points from corner `min` to corner `max`; empty if a component of min is greater than that
 /// of max.
@@ -12,7 +13,8 @@ struct Box {
     Vec3 max{-infinity};
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

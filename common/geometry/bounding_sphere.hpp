@@ -3,7 +3,8 @@
 
 #include "common/math/real.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// All points at most `radius` from the center.
 struct Ball {
@@ -11,4 +12,5 @@ struct Ball {
     Real radius = 0;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

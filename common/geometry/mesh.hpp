@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 struct Mesh {
     std::vector<Vec3> vertices;
@@ -24,4 +25,5 @@ struct MeshHit {
     Vec3 weights;  ///< barycentric coordinates, in the order of the triangle's three vertices
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

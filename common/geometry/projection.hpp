@@ -12,7 +12,8 @@
 
 #include <cmath>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A point, and an upper bound on its distance from the shape.
 struct SurfacePoint {
@@ -20,7 +21,8 @@ struct SurfacePoint {
     Real error;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

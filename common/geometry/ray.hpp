@@ -3,7 +3,8 @@
 
 #include "common/math/real.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The half-line origin + t · direction, t > 0. The direction is any non-zero finite vector, and t
 /// counts in units of its length: the worked situations of PHY use directions that are not of unit
@@ -22,7 +23,8 @@ struct Interval {
     [[nodiscard]] constexpr bool contains(Real t) const { return min < t && t < max; }
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

@@ -3,7 +3,8 @@
 
 #include "common/math/basis.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 struct Sphere {
     Vec3 center;
@@ -69,4 +70,5 @@ struct OrientedBox {
     bool operator==(const OrientedBox&) const = default;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -5,7 +5,8 @@
 #include "common/geometry/ray.hpp"
 #include "common/geometry/shapes.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The transform p ↦ scale · (p rotated) + translation. The rotation maps (1, 0, 0), (0, 1, 0), (0,
 /// 0, 1) to its x, y, z. Every shape keeps its kind, and every angle its size.
@@ -17,7 +18,8 @@ struct Motion {
     bool operator==(const Motion&) const = default;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

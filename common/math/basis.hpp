@@ -3,7 +3,8 @@
 
 #include "common/math/real.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A right-handed orthonormal basis: x × y = z.
 struct Basis {
@@ -17,4 +18,5 @@ struct Basis {
 /// The type of stage 2's basis_around: returns a basis whose z axis points along `z`.
 using BasisAround = Basis(Vec3 z);
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <cstddef>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A rounded result and its rounding error: their exact sum is the exact result.
 struct Rounded {
@@ -16,7 +17,8 @@ struct Rounded {
     Real dropped;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

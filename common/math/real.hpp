@@ -22,7 +22,8 @@
 #define RT_PRECISION f64
 #endif
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 #ifdef RT_FLOAT
 using Real = float;
@@ -44,4 +45,5 @@ inline constexpr Real pi = Real(3.14159265358979323846264338327950288L);
 /// u, the largest relative error of one rounded operation: half an ulp of 1 (Higham 2002, §2.1).
 inline constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

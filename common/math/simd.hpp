@@ -28,7 +28,8 @@
 #endif
 #endif
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The unit of the lanes in each backend: a single number, a vector of the 16 bytes that every
 /// machine supports, or one of 32.
@@ -247,4 +248,5 @@ template <std::unsigned_integral Bits>
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -6,7 +6,8 @@
 #include <limits>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 namespace {
 
@@ -41,4 +42,5 @@ Mesh load_mesh(const std::string& file, const Warn& warn) {
     return mesh;
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

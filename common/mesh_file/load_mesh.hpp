@@ -6,7 +6,8 @@
 
 #include <string>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Loads an OFF, OBJ, PLY or STL file, as the end of its name indicates, with every polygon cut
 /// into triangles. The normals are the file's if it has one for every vertex, else empty
@@ -15,4 +16,5 @@ namespace rt::inline RT_PRECISION {
 /// warning for content that is hardly intended.
 [[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -19,7 +19,8 @@
 #include <type_traits>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The closest hit of a ray.
 struct Hit {
@@ -214,4 +215,5 @@ private:
     bool found_ = false;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -6,7 +6,8 @@
 
 #include <cstdint>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Returns the index-th point of a sequence in [0, 1)²: Sobol's first two dimensions, each
 /// Owen-scrambled with the seed (Burley 2020, "Practical Hash-based Owen Scrambling"). Each single
@@ -18,4 +19,5 @@ namespace rt::inline RT_PRECISION {
 /// one thread does not depend on another.
 [[nodiscard]] std::uint32_t sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce);
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -8,7 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The convex hull of a point and a sphere. It contains every ray from the point to the sphere
 /// (Haines and Wallace 1991, "Shaft Culling for Efficient Ray-Traced Radiosity").
@@ -105,4 +106,5 @@ private:
     std::size_t count_ = 0;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -8,7 +8,8 @@
 #include "common/render/context.hpp"
 #include "common/scene/scene.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The constants of rays through pixels, computed once for each picture.
 struct PixelRays {
@@ -21,7 +22,8 @@ struct PixelRays {
     [[nodiscard, gnu::flatten]] Ray operator()(Pixel pixel) const;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

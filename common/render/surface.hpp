@@ -4,7 +4,8 @@
 #include "common/render/context.hpp"
 #include "common/scene/scene.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A point on a surface as seen by an eye: lengths in units of the scene.
 struct Surface {
@@ -23,7 +24,8 @@ struct Terms {
     Color specular{0};
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

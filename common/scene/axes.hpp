@@ -15,7 +15,8 @@ struct Axes {
 
 }  // namespace rt
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Converts a point or a direction of the scene to the program's axes. Exact: components only
 /// change place and sign.
@@ -32,4 +33,5 @@ namespace rt::inline RT_PRECISION {
     return v;
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

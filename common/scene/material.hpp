@@ -3,7 +3,8 @@
 
 #include "common/math/real.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The parameters of Phong's model (CR §3.1), and the mirror strength.
 struct Material {
@@ -13,4 +14,5 @@ struct Material {
     Real mirror = 0;      ///< 0 to 1: fraction of the light that is reflected as by a mirror
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -10,7 +10,8 @@
 #include <memory>
 #include <optional>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 #ifdef RT_EXACT
 /// Only packed meshes can order two hits exactly whose rounded t are too close to compare.
@@ -42,7 +43,8 @@ struct PlacedMesh {
 template <>
 inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

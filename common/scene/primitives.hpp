@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A primitive: a shape and its material.
 template <class Shape>
@@ -161,4 +162,5 @@ private:
     Hierarchy hierarchy_;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

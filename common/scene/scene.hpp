@@ -22,7 +22,8 @@ enum class FovAxis { vertical, horizontal };
 
 }  // namespace rt
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A camera: all lengths in units of the scene.
 struct Camera {
@@ -99,7 +100,8 @@ inline constexpr std::tuple shape_kinds{
 /// How many lists of shapes a scene has, meshes included.
 inline constexpr std::size_t list_count = std::tuple_size_v<decltype(shape_kinds)> + 1;
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

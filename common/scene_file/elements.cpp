@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 namespace {
 
@@ -178,4 +179,5 @@ const Element* find_element(std::string_view keyword) {
     return found == table.end() ? nullptr : &*found;
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -8,7 +8,8 @@
 #include <span>
 #include <string_view>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The options for reading elements.
 struct ElementReading : SceneReading {
@@ -32,4 +33,5 @@ struct Element {
 /// Returns the element with this keyword; null if there is none.
 [[nodiscard]] const Element* find_element(std::string_view keyword);
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 namespace {
 
@@ -191,4 +192,5 @@ Real Fields::up_to(int bound, Token token, std::string_view field) {
     refuse(token, what(field) + " must be from 0 to " + std::to_string(bound));
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

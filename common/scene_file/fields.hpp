@@ -8,7 +8,8 @@
 #include <string_view>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Reads typed fields. Each function consumes the next field, whose name for messages is the
 /// argument. Throws InputError with the location of the token if the field is missing or invalid.
@@ -84,4 +85,5 @@ private:
     bool left_out_ = false;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

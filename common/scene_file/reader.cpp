@@ -9,7 +9,8 @@
 #include <map>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 namespace {
 
@@ -221,4 +222,5 @@ Scene load_scene(const std::string& file, BasisAround* basis, const SceneReading
     return parse_scene(read_input_file(file, largest_file), file, basis, reading);
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

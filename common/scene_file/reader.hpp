@@ -9,7 +9,8 @@
 #include <string>
 #include <string_view>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// Parses the text of a scene; `file` is the file name in messages. The sides of squares, boxes and
 /// meshes follow the basis around their direction (MRT §6). Throws InputError at the first error.
@@ -20,4 +21,5 @@ namespace rt::inline RT_PRECISION {
 [[nodiscard]] Scene load_scene(const std::string& file, BasisAround* basis,
                                const SceneReading& reading = {});
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -42,18 +42,22 @@ inline constexpr double float_unit_roundoff = std::numeric_limits<float>::epsilo
 
 }  // namespace rt
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The lengths of a scene in double precision; a scene in float has already lost them. Meshes count
 /// if they are loaded.
 [[nodiscard]] InputRounding input_rounding(const Scene& scene);
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
-namespace rt::inline f64 {
+namespace rt {
+inline namespace f64 {
 
 /// Returns one sentence for each thing in the scene that float would lose; empty if there is no
 /// risk.
 [[nodiscard]] std::vector<std::string> risks_in_float(const InputRounding& scene);
 
-}  // namespace rt::inline f64
+}  // namespace f64
+}  // namespace rt

@@ -9,7 +9,8 @@
 #include "common/geometry/ray.hpp"
 #include "common/render/surface.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A ray from a surface to a light, and the interval in which a hit occludes the light.
 struct ShadowRay {
@@ -17,7 +18,8 @@ struct ShadowRay {
     Interval interval;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

@@ -9,7 +9,8 @@
 
 #include "common/scene/scene.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// The number of shadow rays sent to a light, and the number of those that were not blocked.
 struct ShadowRays {
@@ -17,7 +18,8 @@ struct ShadowRays {
     int reached = 0;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

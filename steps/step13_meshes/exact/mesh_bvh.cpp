@@ -6,7 +6,8 @@
 
 #include "steps/step05_triangle/triangle.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
@@ -75,4 +76,5 @@ bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
 
 }  // namespace RT_LANES
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

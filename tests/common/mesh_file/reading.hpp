@@ -13,7 +13,8 @@
 #include <string_view>
 #include <utility>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A folder that is removed after the test.
 struct MeshFolder {
@@ -92,4 +93,5 @@ inline Topology topology(const Mesh& mesh) {
     return result;
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 struct Lenient {
     Scene scene;
@@ -52,4 +53,5 @@ inline std::string with_camera(const std::string& line) {
     return "R 640 480\nC 0,0,0 0,0,-1 60\n" + line + "\n";
 }
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -5,7 +5,8 @@
 // told: Your file calls rt::
 #include "steps/step13_meshes/meshes.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 class PackedMesh {
 public:
@@ -16,7 +17,8 @@ private:
     char content_[4096];
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

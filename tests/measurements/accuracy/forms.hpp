@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 /// A formula, and its name in plots and tables, without a comma.
 template <class Shape>
@@ -18,7 +19,8 @@ struct Form {
     const char* precision = precision_word;
 };
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
 
 namespace rt {
 

@@ -3,8 +3,10 @@
 
 #include "common/math/real.hpp"
 
-namespace rt::inline RT_PRECISION {
+namespace rt {
+inline namespace RT_PRECISION {
 
 inline constexpr const char* precision_word = sizeof(Real) == 4 ? "float" : "double";
 
-}  // namespace rt::inline RT_PRECISION
+}  // namespace RT_PRECISION
+}  // namespace rt
