@@ -1,0 +1,61 @@
+#!/bin/sh
+# The rooms of common/ are layers: rooms_test.sh PROJECT_FOLDER
+#
+# Fails if a file includes one of a room beside or above its own, if common/course includes anything
+# of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, and if a file
+# lies flat in common/ or in no room.
+cd "$1" || exit 2
+
+# Prints what is wrong in lines "FILE INCLUDED", and nothing for those that are right.
+judge() {
+    awk '
+        BEGIN {
+            order = "math=0 stages=0 system=0 geometry=1 image=1 bvh=2 mesh_file=2 scene=3 " \
+                "exact=4 explain=4 scene_file=4 render=5 steps=6 tuning=6 contract=7 program=7"
+            count = split(order, pairs, " ")
+            for (i = 1; i <= count; ++i) {
+                split(pairs[i], pair, "=")
+                layer[pair[1]] = pair[2]
+            }
+            course["course"] = course["system"] = course["stages"] = course["image"] = 1
+        }
+        function room(path,    parts) {
+            split(path, parts, "/")
+            return parts[1] == "common" ? parts[2] : parts[1]
+        }
+        {
+            from = room($1)
+            to = room($2)
+            if (from == to)
+                next
+            if (from == "course" ? to in course : from in layer && to in layer && layer[to] < layer[from])
+                next
+            print $1 ": includes " $2
+        }'
+}
+
+includes() {
+    grep -rE --include='*.?pp' '^ *# *include "' common steps |
+        sed -E 's/^([^:]*): *# *include "([^"]*)".*/\1 \2/'
+}
+
+flat() {
+    find common -maxdepth 1 -type f ! -name CMakeLists.txt | sed 's/$/: lies in no room/'
+}
+
+# The rules themselves: of these lines each is wrong.
+missed=$({
+    echo "common/math/real.hpp common/geometry/ray.hpp"
+    echo "common/explain/text.hpp common/exact/leader.hpp"
+    echo "common/scene_file/reader.cpp steps/step02_camera_basis/camera_basis.hpp"
+    echo "common/tuning/auto_settings.hpp common/program/options.hpp"
+    echo "common/course/main.cpp common/scene/scene.hpp"
+    echo "common/render/render.cpp common/course/main.hpp"
+    echo "common/elsewhere/new.cpp common/math/real.hpp"
+    echo "steps/step03_sphere/main.cpp tests/kit/picture.hpp"
+} | judge | wc -l)
+[ "$missed" = 8 ] || { echo "of 8 wrong includes only $missed are found"; exit 1; }
+[ "$(includes | wc -l)" -gt 500 ] || { echo "includes are not found"; exit 1; }
+
+wrong=$(includes | judge; flat)
+[ -z "$wrong" ] || { echo "$wrong"; exit 1; }
