@@ -2,6 +2,7 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/handout/for_students.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <regex>
 #include <version>
 
 namespace rt {
@@ -23,24 +23,6 @@ namespace {
 
 constexpr std::chrono::minutes time_limit{5};
 constexpr const char* archive_ending = ".tar.gz";
-
-/// The files for students. A file that does not match stays out: tests/mistakes, tests/alternatives
-/// and tests/contract/wrong include references, tests/mutation quotes them, tests/oracle and
-/// tests/stability contain their formulas in exact arithmetic, common/exact and steps/…/exact in
-/// certified arithmetic, and the stories as `explain` prints them. The grader is for instructors
-/// only.
-const std::regex for_students(  //
-    R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
-    R"(|common/exact/exact\.cmake|common/(?!exact/|course/grade/|story_parts).*)"
-    R"(|docs/.*\.(md|svg|png))"
-    R"(|scenes/.*\.(rt|obj|off|ply|stl))"
-    R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
-    R"(|tests/(CMakeLists\.txt|suite\.cmake|step\w*_test\.cpp|kit/.*|pictures/[^/]*\.png))"
-    R"(|tests/mistakes/\w*/probes\.txt|tests/contract/(?!wrong/|contract_test).*))");
-
-bool is_for_students(const std::string& path) {
-    return std::regex_match(path, for_students) && path.find("/.") == std::string::npos;
-}
 
 /// The output of git ls-files; nothing if the project is not a clone.
 std::vector<std::string> ask_git(const std::string& options) {

@@ -1,0 +1,51 @@
+#include "common/course/handout/for_students.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <regex>
+#include <string_view>
+
+namespace rt {
+
+namespace {
+
+/// Not exact, which has the stages' formulas in certified arithmetic; no student grades.
+constexpr auto rooms = std::to_array<std::string_view>({
+    "common",          "common/bvh",
+    "common/cmake",    "common/contract",
+    "common/course",   "common/course/authoring",
+    "common/explain",  "common/course/build",
+    "common/geometry", "common/course/exercise",
+    "common/image",    "common/course/handout",
+    "common/math",     "common/course/view",
+    "common/program",  "common/mesh_file",
+    "common/render",   "common/scene",
+    "common/stages",   "common/scene_file",
+    "common/system",   "common/tuning",
+});
+
+/// The parts of `explain` that have a document's formulas, as steps/…/story.cpp.
+constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
+
+/// Of the other folders. tests/mistakes, tests/alternatives and tests/contract/wrong include
+/// references, tests/mutation quotes them, tests/oracle and tests/stability have their formulas in
+/// exact arithmetic, and so has steps/…/exact; stories have them as `explain` tells.
+const std::regex of_other_folders(  //
+    R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
+    R"(|docs/.*\.(md|svg|png))"
+    R"(|scenes/.*\.(rt|obj|off|ply|stl))"
+    R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
+    R"(|tests/(CMakeLists\.txt|suites/[^/]*|kit/.*|programs/pictures/[^/]*\.png))"
+    R"(|tests/mistakes/\w*/probes\.txt|tests/contract/(?!wrong/|contract_test).*))");
+
+}  // namespace
+
+bool is_for_students(const std::string& path) {
+    if (path.find("/.") != std::string::npos) return false;
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    if (std::find(rooms.begin(), rooms.end(), folder) != rooms.end()) return path != solved;
+    return std::regex_match(path, of_other_folders);
+}
+
+}  // namespace rt
