@@ -7,7 +7,7 @@
 string(ASCII 1 opening)
 string(ASCII 2 closing)
 
-file(GLOB pages ${ROOT}/README.md ${ROOT}/docs/*.md ${ROOT}/docs/reference/*.md)
+file(GLOB pages ${ROOT}/README.md ${ROOT}/common/*/README.md ${ROOT}/docs/*.md ${ROOT}/docs/reference/*.md)
 foreach(page IN LISTS pages)
     get_filename_component(folder ${page} DIRECTORY)
     file(READ ${page} text)
