@@ -10,18 +10,18 @@ inline namespace RT_LANES {
 
 namespace {
 
-void grow(WideBox& box, const WideBox& other) {
+void grow(Box4& box, const Box4& other) {
     box.min = min(other.min, box.min);
     box.max = max(other.max, box.max);
 }
 
-void grow(WideBox& box, Floats point) {
+void grow(Box4& box, Float4 point) {
     box.min = min(point, box.min);
     box.max = max(point, box.max);
 }
 
 /// The center, times two.
-Floats middle(const WideBox& box) {
+Float4 middle(const Box4& box) {
     return box.min + box.max;
 }
 
@@ -33,10 +33,10 @@ struct Axes {
 
 /// For many boxes, only the axis along which their centers extend farthest: the split is as good,
 /// and found in half the time.
-Axes axes_to_try(const BoxRange& range) {
+Axes axes_to_try(const PrimitiveRange& range) {
     constexpr std::size_t many = 512;
     if (range.size() < many) return {.first = 0, .last = 3};
-    const auto [x, y, z, none] = values(range.middles.max - range.middles.min);
+    const auto [x, y, z, none] = values(range.centroids.max - range.centroids.min);
     const std::size_t longest = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
     return {.first = longest, .last = longest + 1};
 }
@@ -44,66 +44,67 @@ Axes axes_to_try(const BoxRange& range) {
 }  // namespace
 
 /// The boxes whose centers are in one slice of a range, along one axis.
-struct BoxRanges::Bin {
-    WideBox bounds;
+struct BinnedSah::Bin {
+    Box4 bounds;
     std::size_t count = 0;
 };
 
 /// The axis of a split, and the first slice of its upper part.
-struct BoxRanges::Cut {
+struct BinnedSah::Split {
     std::size_t axis = 0;
     std::size_t slice = 0;
-    float cost = WideBox::end;  ///< infinite if no split was found
+    float cost = Box4::end;  ///< infinite if no split was found
 };
 
 /// Computes slice indices in a range.
 template <std::size_t slices>
-class BoxRanges::Slicer {
+class BinnedSah::Slicer {
 public:
-    explicit Slicer(const WideBox& middles)
-        : origin_(middles.min), scale_(all_floats(slices) / (middles.max - middles.min)) {}
+    explicit Slicer(const Box4& centroids)
+        : origin_(centroids.min),
+          scale_(broadcast_float(slices) / (centroids.max - centroids.min)) {}
 
     /// The slice index along each axis. Where all centers are equal, 0 · ∞ is NaN, and the slice is
     /// 0.
-    [[nodiscard]] std::array<float, lane_count> operator()(Floats middle) const {
-        const Floats slice = (middle - origin_) * scale_;
-        return values(min(max(slice, all_floats(0)), all_floats(slices - 1)));
+    [[nodiscard]] std::array<float, lane_count> operator()(Float4 middle) const {
+        const Float4 slice = (middle - origin_) * scale_;
+        return values(min(max(slice, broadcast_float(0)), broadcast_float(slices - 1)));
     }
 
 private:
-    Floats origin_;
-    Floats scale_;
+    Float4 origin_;
+    Float4 scale_;
 };
 
-float half_area(const WideBox& box) {
+float half_area(const Box4& box) {
     const auto [x, y, z, none] = values(box.max - box.min);
     return x * y + y * z + z * x;
 }
 
-BoxRanges::BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size)
+BinnedSah::BinnedSah(std::vector<Box4> boxes, std::size_t leaf_size)
     : boxes_(std::move(boxes)), indices_(boxes_.size()), leaf_size_(leaf_size) {
     std::iota(indices_.begin(), indices_.end(), 0);
     all_ = measured(0, boxes_.size());
 }
 
-BoxRange BoxRanges::measured(std::size_t begin, std::size_t end) const {
-    BoxRange range{.begin = begin, .end = end};
+PrimitiveRange BinnedSah::measured(std::size_t begin, std::size_t end) const {
+    PrimitiveRange range{.begin = begin, .end = end};
     for (std::size_t i = begin; i < end; ++i) {
         grow(range.bounds, boxes_[i]);
-        grow(range.middles, middle(boxes_[i]));
+        grow(range.centroids, middle(boxes_[i]));
     }
     return range;
 }
 
 /// The expected cost of a part for a ray that hits it: one step for each leaf that its boxes fill.
-float BoxRanges::cost(const Bin& part) const {
+float BinnedSah::cost(const Bin& part) const {
     return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
 }
 
 template <std::size_t slices>
-BoxRanges::Bins<slices> BoxRanges::binned(const BoxRange& range) const {
+BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range) const {
     Bins<slices> bins;
-    const Slicer<slices> slice_of(range.middles);
+    const Slicer<slices> slice_of(range.centroids);
     const auto [first, last] = axes_to_try(range);
     for (std::size_t i = range.begin; i < range.end; ++i) {
         const auto slice = slice_of(middle(boxes_[i]));
@@ -117,12 +118,12 @@ BoxRanges::Bins<slices> BoxRanges::binned(const BoxRange& range) const {
 }
 
 template <std::size_t slices>
-BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
+BinnedSah::Split BinnedSah::cheapest(const Bins<slices>& bins) const {
     const auto add = [](Bin& part, const Bin& bin) {
         grow(part.bounds, bin.bounds);
         part.count += bin.count;
     };
-    Cut best;
+    Split best;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::array<float, slices> upper_cost;
         Bin upper;
@@ -141,7 +142,7 @@ BoxRanges::Cut BoxRanges::cheapest(const Bins<slices>& bins) const {
     return best;
 }
 
-std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
+std::array<PrimitiveRange, 2> BinnedSah::split(const PrimitiveRange& range) {
     // Most ranges contain few boxes, for which filling and scanning the bins would dominate the
     // time.
     constexpr std::size_t few = 64;
@@ -149,26 +150,26 @@ std::array<BoxRange, 2> BoxRanges::cut(const BoxRange& range) {
 }
 
 template <std::size_t slices>
-std::array<BoxRange, 2> BoxRanges::cut_between(const BoxRange& range) {
+std::array<PrimitiveRange, 2> BinnedSah::cut_between(const PrimitiveRange& range) {
     const Bins<slices> bins = binned<slices>(range);
-    const Cut best = cheapest<slices>(bins);
-    if (best.cost == WideBox::end) return halves(range);  // all centers are in one slice
+    const Split best = cheapest<slices>(bins);
+    if (best.cost == Box4::end) return split_middle(range);  // all centers are in one slice
 
-    BoxRange lower;
-    BoxRange upper;
+    PrimitiveRange lower;
+    PrimitiveRange upper;
     for (std::size_t i = 0; i < slices; ++i)
         grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
 
-    const Slicer<slices> slice_of(range.middles);
+    const Slicer<slices> slice_of(range.centroids);
     std::size_t low = range.begin;
     std::size_t high = range.end;
     while (low < high) {
-        const Floats center = middle(boxes_[low]);
+        const Float4 center = middle(boxes_[low]);
         if (std::size_t(slice_of(center)[best.axis]) < best.slice) {
-            grow(lower.middles, center);
+            grow(lower.centroids, center);
             ++low;
         } else {
-            grow(upper.middles, center);
+            grow(upper.centroids, center);
             --high;
             std::swap(boxes_[low], boxes_[high]);
             std::swap(indices_[low], indices_[high]);
@@ -180,7 +181,7 @@ std::array<BoxRange, 2> BoxRanges::cut_between(const BoxRange& range) {
     return {lower, upper};
 }
 
-std::array<BoxRange, 2> BoxRanges::halves(const BoxRange& range) const {
+std::array<PrimitiveRange, 2> BinnedSah::split_middle(const PrimitiveRange& range) const {
     const std::size_t middle = range.begin + range.size() / 2;
     return {measured(range.begin, middle), measured(middle, range.end)};
 }

@@ -15,34 +15,34 @@ inline namespace RT_PRECISION {
 inline namespace RT_LANES {
 
 /// A bounding box with one coordinate in each SIMD lane: x, y, z, and a lane that stays 0.
-struct WideBox {
+struct Box4 {
     static constexpr float end = std::numeric_limits<float>::infinity();
 
-    Floats min = all_floats(end);
-    Floats max = all_floats(-end);
+    Float4 min = broadcast_float(end);
+    Float4 max = broadcast_float(-end);
 };
 
 /// The consecutive boxes from index begin up to, but not including, end.
-struct BoxRange {
+struct PrimitiveRange {
     std::size_t begin = 0;
     std::size_t end = 0;
-    WideBox bounds;   ///< bounding box of all boxes in the range
-    WideBox middles;  ///< bounding box of their centers, times two
+    Box4 bounds;     ///< bounding box of all boxes in the range
+    Box4 centroids;  ///< bounding box of their centers, times two
 
     [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
 /// Half the surface area of the box.
-[[nodiscard]] float half_area(const WideBox& box);
+[[nodiscard]] float half_area(const Box4& box);
 
 /// The sequence of boxes. A split changes the order only inside its range.
-class BoxRanges {
+class BinnedSah {
 public:
     /// The boxes must lie between -1 and 1 along every axis. `leaf_size` is the largest number of
     /// boxes in a leaf.
-    BoxRanges(std::vector<WideBox> boxes, std::size_t leaf_size);
+    BinnedSah(std::vector<Box4> boxes, std::size_t leaf_size);
 
-    [[nodiscard]] const BoxRange& all() const { return all_; }
+    [[nodiscard]] const PrimitiveRange& all() const { return all_; }
 
     /// The indices of the boxes, in the current order of the sequence.
     [[nodiscard]] std::span<const std::uint32_t> indices() const { return indices_; }
@@ -50,32 +50,32 @@ public:
     /// Splits the range at the plane of least cost by the surface area heuristic over binned
     /// centers (Wald 2007, "On fast Construction of SAH-based Bounding Volume Hierarchies").
     /// Neither part is empty.
-    [[nodiscard]] std::array<BoxRange, 2> cut(const BoxRange& range);
+    [[nodiscard]] std::array<PrimitiveRange, 2> split(const PrimitiveRange& range);
 
     /// Splits the range at its middle index; the order does not change.
-    [[nodiscard]] std::array<BoxRange, 2> halves(const BoxRange& range) const;
+    [[nodiscard]] std::array<PrimitiveRange, 2> split_middle(const PrimitiveRange& range) const;
 
 private:
     struct Bin;
-    struct Cut;
+    struct Split;
     template <std::size_t slices>
     class Slicer;
     template <std::size_t slices>
     using Bins = std::array<std::array<Bin, slices>, 3>;
 
-    [[nodiscard]] BoxRange measured(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] PrimitiveRange measured(std::size_t begin, std::size_t end) const;
     template <std::size_t slices>
-    [[nodiscard]] Bins<slices> binned(const BoxRange& range) const;
+    [[nodiscard]] Bins<slices> binned(const PrimitiveRange& range) const;
     template <std::size_t slices>
-    [[nodiscard]] Cut cheapest(const Bins<slices>& bins) const;
+    [[nodiscard]] Split cheapest(const Bins<slices>& bins) const;
     [[nodiscard]] float cost(const Bin& bin) const;
     template <std::size_t slices>
-    [[nodiscard]] std::array<BoxRange, 2> cut_between(const BoxRange& range);
+    [[nodiscard]] std::array<PrimitiveRange, 2> cut_between(const PrimitiveRange& range);
 
-    std::vector<WideBox> boxes_;
+    std::vector<Box4> boxes_;
     std::vector<std::uint32_t> indices_;
     std::size_t leaf_size_;
-    BoxRange all_;
+    PrimitiveRange all_;
 };
 
 }  // namespace RT_LANES

@@ -16,7 +16,7 @@ constexpr std::size_t single_leaf_size = 1;
 
 /// From this depth on, ranges are split at their middle index. Each node then contains at most half
 /// of the boxes of its parent, so that no arrangement of boxes makes the tree deeper than
-/// Hierarchy::max_depth.
+/// Bvh::max_depth.
 constexpr std::size_t halving_depth = 32;
 
 /// From this size on, a part of the tree may be built by a separate thread.
@@ -25,8 +25,8 @@ constexpr std::size_t thread_size = 65536;
 Node empty_node() {
     Node node;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.planes[2 * axis].fill(all_of<float, float_count>(WideBox::end));
-        node.planes[2 * axis + 1].fill(all_of<float, float_count>(-WideBox::end));
+        node.planes[2 * axis].fill(all_of<float, float_count>(Box4::end));
+        node.planes[2 * axis + 1].fill(all_of<float, float_count>(-Box4::end));
     }
     node.children.fill(Node::leaf_bit);  // reached only through NaN
     return node;
@@ -38,22 +38,22 @@ void set_lane(Node::Row& row, std::size_t i, float value) {
     row = std::bit_cast<Node::Row>(all);
 }
 
-Box around(std::size_t count, const BoxOf& box) {
-    Box all;
-    for (std::size_t i = 0; i < count; ++i) all = united(all, box(i));
+BoundingBox around(std::size_t count, const BoxOf& box) {
+    BoundingBox all;
+    for (std::size_t i = 0; i < count; ++i) all = merged(all, box(i));
     return all;
 }
 
 /// The extra padding of the boxes for the shapes' tests: where all coordinates are small and near
-/// 0, the slack of SlabTest is less than the error of those tests.
-Real padding_for(const Box& bounds) {
+/// 0, the slack of RayBoxTest is less than the error of those tests.
+Real padding_for(const BoundingBox& bounds) {
     return 4 * unit_roundoff * largest_component(bounds);
 }
 
-Frame frame_around(const Box& bounds) {
+UnitSpace frame_around(const BoundingBox& bounds) {
     const Vec3 half_size = bounds.max / Real(2) - bounds.min / Real(2) + padding_for(bounds);
     const Real largest = largest_component(half_size);
-    // With unbounded boxes, NaN makes every SlabTest unreliable.
+    // With unbounded boxes, NaN makes every RayBoxTest unreliable.
     return {.center = bounds.min / Real(2) + bounds.max / Real(2),
             .scale = largest < infinity ? Real(0.5) / power_of_two_below(largest)
                                         : std::numeric_limits<Real>::quiet_NaN()};
@@ -61,18 +61,18 @@ Frame frame_around(const Box& bounds) {
 
 /// The scene's frame, unless these boxes are so small in it that rounding to its floats would make
 /// them far too wide.
-Frame frame_for(const Box& bounds, const Box& scene) {
+UnitSpace frame_for(const BoundingBox& bounds, const BoundingBox& scene) {
     constexpr Real smallest = Real(1) / 16;
-    const Frame own = frame_around(bounds);
-    const Frame shared = frame_around(united(bounds, scene));
+    const UnitSpace own = frame_around(bounds);
+    const UnitSpace shared = frame_around(merged(bounds, scene));
     return shared.scale >= smallest * own.scale ? shared : own;
 }
 
-/// The boxes in the frame's coordinates. They are not rounded outward: SlabTest allows for their
+/// The boxes in the frame's coordinates. They are not rounded outward: RayBoxTest allows for their
 /// rounding errors.
-std::vector<WideBox> in_frame(std::size_t count, const BoxOf& box, const Frame& frame,
-                              Real padding) {
-    std::vector<WideBox> result;
+std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace& frame,
+                           Real padding) {
+    std::vector<Box4> result;
     result.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto [low, high] = box(i);
@@ -87,34 +87,34 @@ std::vector<WideBox> in_frame(std::size_t count, const BoxOf& box, const Frame& 
 }  // namespace
 
 /// Builds the tree from the root down.
-class TreeGrower {
+class BvhBuilder {
 public:
-    TreeGrower(std::size_t count, const BoxOf& box, Hierarchy::Leaves leaves, const Box& scene)
-        : leaf_size_(leaves == Hierarchy::Leaves::packed ? lane_count : single_leaf_size),
+    BvhBuilder(std::size_t count, const BoxOf& box, Bvh::Leaves leaves, const BoundingBox& scene)
+        : leaf_size_(leaves == Bvh::Leaves::packed ? lane_count : single_leaf_size),
           bounds_(around(count, box)),
           frame_(frame_for(bounds_, scene)),
           ranges_(in_frame(count, box, frame_, padding_for(bounds_)), leaf_size_) {}
 
-    [[nodiscard]] Hierarchy tree();
+    [[nodiscard]] Bvh tree();
 
 private:
-    [[nodiscard]] Hierarchy with_room_for(const BoxRange& range) const;
-    [[nodiscard]] std::uint32_t grow(Hierarchy& tree, const BoxRange& range, std::size_t depth);
-    [[nodiscard]] std::vector<BoxRange> parts(const BoxRange& range, std::size_t depth);
-    [[nodiscard]] std::uint32_t add_leaf(Hierarchy& tree, const BoxRange& range) const;
-    [[nodiscard]] static std::uint32_t add(Hierarchy& tree, const Hierarchy& part);
-    static void set_child(Node& node, std::size_t i, const WideBox& box, std::uint32_t child);
+    [[nodiscard]] Bvh with_room_for(const PrimitiveRange& range) const;
+    [[nodiscard]] std::uint32_t grow(Bvh& tree, const PrimitiveRange& range, std::size_t depth);
+    [[nodiscard]] std::vector<PrimitiveRange> parts(const PrimitiveRange& range, std::size_t depth);
+    [[nodiscard]] std::uint32_t add_leaf(Bvh& tree, const PrimitiveRange& range) const;
+    [[nodiscard]] static std::uint32_t add(Bvh& tree, const Bvh& part);
+    static void set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child);
 
     std::size_t leaf_size_;
-    Box bounds_;
-    Frame frame_;
-    BoxRanges ranges_;
+    BoundingBox bounds_;
+    UnitSpace frame_;
+    BinnedSah ranges_;
 };
 
-Hierarchy TreeGrower::tree() {
-    const BoxRange& all = ranges_.all();
+Bvh BvhBuilder::tree() {
+    const PrimitiveRange& all = ranges_.all();
     if (all.size() == 0) return {};
-    Hierarchy tree = with_room_for(all);
+    Bvh tree = with_room_for(all);
     tree.bounds_ = bounds_;
     tree.frame_ = frame_;
     tree.root_ = grow(tree, all, 0);
@@ -123,8 +123,8 @@ Hierarchy TreeGrower::tree() {
 
 /// An empty tree with reserved memory. Most leaves are full, and most nodes have more than four
 /// children.
-Hierarchy TreeGrower::with_room_for(const BoxRange& range) const {
-    Hierarchy tree;
+Bvh BvhBuilder::with_room_for(const PrimitiveRange& range) const {
+    Bvh tree;
     const std::size_t leaves = range.size() / leaf_size_ + 1;
     tree.leaves_.reserve(leaves + leaves / 4);
     tree.nodes_.reserve(leaves / 4);
@@ -132,20 +132,20 @@ Hierarchy TreeGrower::with_room_for(const BoxRange& range) const {
 }
 
 /// Appends the subtree of the range, and returns the reference to its root.
-std::uint32_t TreeGrower::grow(Hierarchy& tree, const BoxRange& range, std::size_t depth) {
+std::uint32_t BvhBuilder::grow(Bvh& tree, const PrimitiveRange& range, std::size_t depth) {
     if (range.size() <= leaf_size_) return add_leaf(tree, range);
-    const std::vector<BoxRange> children = parts(range, depth);
+    const std::vector<PrimitiveRange> children = parts(range, depth);
     const std::size_t place = tree.nodes_.size();
     tree.nodes_.push_back(empty_node());
 
     // Large parts are built as separate trees and appended in order, so that the result does not
     // depend on the number of threads. If the system has no thread left, they are built here when
     // their result is needed.
-    std::array<std::future<Hierarchy>, Node::width> large;
+    std::array<std::future<Bvh>, Node::width> large;
     for (std::size_t i = 0; i < children.size(); ++i)
         if (children[i].size() >= thread_size)
             large[i] = std::async([this, &child = children[i], depth] {
-                Hierarchy part = with_room_for(child);
+                Bvh part = with_room_for(child);
                 part.root_ = grow(part, child, depth + 1);
                 return part;
             });
@@ -158,12 +158,12 @@ std::uint32_t TreeGrower::grow(Hierarchy& tree, const BoxRange& range, std::size
 }
 
 /// Splits a range into up to eight parts: the part with the largest surface is split next.
-std::vector<BoxRange> TreeGrower::parts(const BoxRange& range, std::size_t depth) {
-    std::vector<BoxRange> parts = {range};
+std::vector<PrimitiveRange> BvhBuilder::parts(const PrimitiveRange& range, std::size_t depth) {
+    std::vector<PrimitiveRange> parts = {range};
     parts.reserve(Node::width);
     while (parts.size() < Node::width) {
-        BoxRange* widest = nullptr;
-        for (BoxRange& part : parts) {
+        PrimitiveRange* widest = nullptr;
+        for (PrimitiveRange& part : parts) {
             if (part.size() <= leaf_size_) continue;
             // The area of an unbounded box is NaN, and counts as the largest.
             if (widest == nullptr || !(half_area(part.bounds) <= half_area(widest->bounds)))
@@ -171,14 +171,14 @@ std::vector<BoxRange> TreeGrower::parts(const BoxRange& range, std::size_t depth
         }
         if (widest == nullptr) break;
         const auto [lower, upper] =
-            depth < halving_depth ? ranges_.cut(*widest) : ranges_.halves(*widest);
+            depth < halving_depth ? ranges_.split(*widest) : ranges_.split_middle(*widest);
         *widest = lower;
         parts.push_back(upper);
     }
     return parts;
 }
 
-std::uint32_t TreeGrower::add_leaf(Hierarchy& tree, const BoxRange& range) const {
+std::uint32_t BvhBuilder::add_leaf(Bvh& tree, const PrimitiveRange& range) const {
     Leaf leaf;
     std::ranges::copy(ranges_.indices().subspan(range.begin, range.size()), leaf.indices.begin());
     tree.leaves_.push_back(leaf);
@@ -186,7 +186,7 @@ std::uint32_t TreeGrower::add_leaf(Hierarchy& tree, const BoxRange& range) const
 }
 
 /// Appends a separate tree, and returns the new reference to its root.
-std::uint32_t TreeGrower::add(Hierarchy& tree, const Hierarchy& part) {
+std::uint32_t BvhBuilder::add(Bvh& tree, const Bvh& part) {
     const auto nodes = std::uint32_t(tree.nodes_.size());
     const auto leaves = std::uint32_t(tree.leaves_.size());
     const auto renamed = [&](std::uint32_t child) {
@@ -200,7 +200,7 @@ std::uint32_t TreeGrower::add(Hierarchy& tree, const Hierarchy& part) {
     return renamed(part.root_);
 }
 
-void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box, std::uint32_t child) {
+void BvhBuilder::set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child) {
     const auto min = values(box.min);
     const auto max = values(box.max);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -210,8 +210,8 @@ void TreeGrower::set_child(Node& node, std::size_t i, const WideBox& box, std::u
     node.children[i] = child;
 }
 
-Hierarchy::Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves, const Box& scene)
-    : Hierarchy(TreeGrower(count, box, leaves, scene).tree()) {}
+Bvh::Bvh(std::size_t count, const BoxOf& box, Leaves leaves, const BoundingBox& scene)
+    : Bvh(BvhBuilder(count, box, leaves, scene).tree()) {}
 
 }  // namespace RT_LANES
 

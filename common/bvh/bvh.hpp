@@ -16,7 +16,7 @@ inline namespace RT_PRECISION {
 /// The number of shapes of a kind from which a hierarchy is built. Shorter lists use bounding
 /// spheres (measured: docs/reference/accuracy.md).
 template <class Shape>
-inline constexpr std::size_t hierarchy_pays_from = 32;
+inline constexpr std::size_t bvh_pays_from = 32;
 
 inline namespace RT_LANES {
 
@@ -28,64 +28,64 @@ struct Leaf {
 };
 
 /// Returns the box of an index 0, 1, …; called on demand, so that the boxes need no memory.
-using BoxOf = std::function<Box(std::size_t)>;
+using BoxOf = std::function<BoundingBox(std::size_t)>;
 
 /// The hierarchy: nodes with eight children each, and leaves of up to four boxes.
-class Hierarchy {
+class Bvh {
 public:
     /// The cost of a leaf: one step for each box or, if its contents are packed, one step for all
     /// four.
     enum class Leaves { one_by_one, packed };
 
-    Hierarchy() = default;
+    Bvh() = default;
     /// Builds the hierarchy over `count` boxes. `box(i)` is called twice for each index instead of
     /// storing the boxes, which would fill the memory. The result does not depend on the number of
     /// threads that build it. The frame is the one around `scene`, if all boxes fit in it and it is
     /// not so large that their digits would be lost; else it is the frame around the boxes.
-    Hierarchy(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
-              const Box& scene = {});
+    Bvh(std::size_t count, const BoxOf& box, Leaves leaves = Leaves::one_by_one,
+        const BoundingBox& scene = {});
 
     [[nodiscard]] bool empty() const { return leaves_.empty(); }
-    [[nodiscard]] Box bounds() const { return bounds_; }
+    [[nodiscard]] BoundingBox bounds() const { return bounds_; }
     [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
 
     /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
     /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.
     template <class Visit>
-    void nearest(SlabTests& ray, Interval& interval, Visit visit) const;
+    void nearest(RayBoxTestCache& ray, Interval& interval, Visit visit) const;
 
     /// Returns whether visit(index) is true for any box that the ray may hit inside the interval;
     /// stops at the first such box.
     template <class Visit>
-    [[nodiscard]] bool any(SlabTests& ray, Interval interval, Visit visit) const;
+    [[nodiscard]] bool any(RayBoxTestCache& ray, Interval interval, Visit visit) const;
 
     /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
     /// inside the interval, roughly near to far, until a call returns true. Returns whether one
     /// did. A visit may lower interval.max.
     template <class Visit>
-    bool visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const;
+    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
 
 private:
-    friend class TreeGrower;
+    friend class BvhBuilder;
     static constexpr std::size_t max_depth = 64;
 
-    Box bounds_;
-    Frame frame_;
+    BoundingBox bounds_;
+    UnitSpace frame_;
     std::uint32_t root_ = Node::leaf_bit;
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
 };
 
 template <class Visit>
-bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit visit) const {
+bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
     if (empty() || !(interval.min < interval.max)) return false;
-    const SlabTest& slabs = ray.in(frame_);
-    if (!slabs.certain()) {
+    const RayBoxTest& slabs = ray.in(frame_);
+    if (!slabs.is_reliable()) {
         for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
             if (visit(leaf)) return true;
         return false;
     }
-    if (slabs.passes_by()) return false;
+    if (slabs.misses_all()) return false;
     struct Later {
         std::uint32_t child;
         float near;
@@ -104,10 +104,10 @@ bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit vis
             const auto answer = slabs(node, limit);
             if (unsigned hits = answer.hits; hits != 0) {
                 const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
-                std::size_t nearest = take_lowest(hits);
+                std::size_t nearest = pop_lowest_bit(hits);
                 const std::size_t first = waiting;
                 while (hits != 0) {
-                    std::size_t other = take_lowest(hits);
+                    std::size_t other = pop_lowest_bit(hits);
                     if (near[other] < near[nearest]) std::swap(nearest, other);
                     // Sorted from far to near by insertion: most often there are one or two.
                     std::size_t place = waiting++;
@@ -128,7 +128,7 @@ bool Hierarchy::visit_leaves(SlabTests& ray, const Interval& interval, Visit vis
 }
 
 template <class Visit>
-void Hierarchy::nearest(SlabTests& ray, Interval& interval, Visit visit) const {
+void Bvh::nearest(RayBoxTestCache& ray, Interval& interval, Visit visit) const {
     visit_leaves(ray, interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;
@@ -139,7 +139,7 @@ void Hierarchy::nearest(SlabTests& ray, Interval& interval, Visit visit) const {
 }
 
 template <class Visit>
-bool Hierarchy::any(SlabTests& ray, Interval interval, Visit visit) const {
+bool Bvh::any(RayBoxTestCache& ray, Interval interval, Visit visit) const {
     return visit_leaves(ray, interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;

@@ -14,14 +14,14 @@ namespace {
 
 /// The power of two that scales the largest coordinate to between 1 and 2, so that no area over- or
 /// underflows; limited so that its inverse is finite.
-Real scale_for(const Box& bounds) {
+Real scale_for(const BoundingBox& bounds) {
     const Real largest = largest_component(bounds);
     if (!(largest > 0 && largest < infinity)) return 1;
     constexpr int most = std::numeric_limits<Real>::max_exponent - 2;
     return std::ldexp(Real(1), std::clamp(-std::ilogb(largest), -most, most));
 }
 
-TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
+Triangle4 packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     std::array<std::array<std::array<Real, lane_count>, 3>, 3> lanes;
     for (std::size_t i = 0; i < lane_count; ++i)
@@ -33,12 +33,12 @@ TrianglePacket packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
             lanes[vertex][1][i] = point.y;
             lanes[vertex][2][i] = point.z;
         }
-    return std::bit_cast<TrianglePacket>(lanes);
+    return std::bit_cast<Triangle4>(lanes);
 }
 
 /// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one.
-std::vector<TrianglePacket> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
-    std::vector<TrianglePacket> packets(leaves.size());
+std::vector<Triangle4> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
+    std::vector<Triangle4> packets(leaves.size());
     const auto fill = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) packets[i] = packed(mesh, leaves[i], scale);
     };
@@ -57,14 +57,14 @@ Real finer(Real size) {
     return std::ldexp(Real(1), std::min(-std::ilogb(size), most));
 }
 
-Real size(const TrianglePacket& packet, std::size_t lane) {
-    Box box;
+Real size(const Triangle4& packet, std::size_t lane) {
+    BoundingBox box;
     for (const auto& [x, y, z] : packet.vertices)
-        box = united(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
+        box = merged(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
     return largest_component(box.max - box.min);
 }
 
-std::vector<std::array<Real, lane_count>> finer(const std::vector<TrianglePacket>& packets) {
+std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4>& packets) {
     std::vector<std::array<Real, lane_count>> scales(packets.size());
     bool any = false;
     for (std::size_t leaf = 0; leaf < packets.size(); ++leaf)
@@ -76,15 +76,15 @@ std::vector<std::array<Real, lane_count>> finer(const std::vector<TrianglePacket
     return scales;
 }
 
-TrianglePacket enlarged(TrianglePacket packet, Real scale) {
+Triangle4 enlarged(Triangle4 packet, Real scale) {
     for (auto& vertex : packet.vertices)
-        for (Lanes& coordinate : vertex) coordinate = all_lanes(scale) * coordinate;
+        for (RealX4& coordinate : vertex) coordinate = broadcast(scale) * coordinate;
     return packet;
 }
 
 }  // namespace
 
-PackedMesh::PackedMesh(const Mesh& mesh) {
+MeshBvh::MeshBvh(const Mesh& mesh) {
     bounds_ = rt::bounds(mesh);
     scale_ = scale_for(bounds_);
     const auto box = [&](std::size_t triangle) {
@@ -92,16 +92,16 @@ PackedMesh::PackedMesh(const Mesh& mesh) {
         const Vec3& a = mesh.vertices[i];
         const Vec3& b = mesh.vertices[j];
         const Vec3& c = mesh.vertices[k];
-        return Box{.min = scale_ * glm::min(a, glm::min(b, c)),
-                   .max = scale_ * glm::max(a, glm::max(b, c))};
+        return BoundingBox{.min = scale_ * glm::min(a, glm::min(b, c)),
+                           .max = scale_ * glm::max(a, glm::max(b, c))};
     };
-    hierarchy_ = Hierarchy(mesh.triangles.size(), box, Hierarchy::Leaves::packed);
+    hierarchy_ = Bvh(mesh.triangles.size(), box, Bvh::Leaves::packed);
     packets_ = packed(mesh, hierarchy_.leaves(), scale_);
     finer_ = finer(packets_);
 }
 
-Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::size_t leaf,
-                             const Interval& interval) const {
+Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size_t leaf,
+                          const Interval& interval) const {
     // If triangle and ray are scaled by a power of two, t does not change and areas keep their
     // signs: neighbors with different scales leave no crack.
     Crossings all = test(packets_[leaf], interval);
@@ -110,7 +110,7 @@ Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::siz
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
         const Real scale = finer_[leaf][lane];
         if (scale == 1) continue;
-        const TriangleTest near(
+        const WatertightTest near(
             {.origin = scale * seen.origin, .direction = scale * seen.direction});
         const Crossings found = near(enlarged(packets_[leaf], scale), interval);
         const unsigned bit = 1U << lane;
@@ -118,23 +118,23 @@ Crossings PackedMesh::finely(const TriangleTest& test, const Ray& seen, std::siz
         t[lane] = values(found.t)[lane];
         for (std::size_t i = 0; i < 3; ++i) areas[i][lane] = values(found.areas[i])[lane];
     }
-    all.t = std::bit_cast<Lanes>(t);
-    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<Lanes>(areas[i]);
+    all.t = std::bit_cast<RealX4>(t);
+    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<RealX4>(areas[i]);
     return all;
 }
 
 #ifndef RT_EXACT  // RT_EXACT uses steps/step13_meshes/exact/mesh_bvh.cpp
-std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
+std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const TriangleTest test(seen);
+    const WatertightTest test(seen);
     Interval left = scaled(interval);
     const std::uint32_t* triangle = nullptr;
     Vec3 areas;
-    SlabTests slabs(seen);
+    RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         const Crossings found = crossings(test, seen, leaf, left);
         for (unsigned hits = found.hits; hits != 0;) {
-            const std::size_t lane = take_lowest(hits);
+            const std::size_t lane = pop_lowest_bit(hits);
             const Real t = values(found.t)[lane];
             if (!(t < left.max)) continue;
             left.max = t;
@@ -150,11 +150,11 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
                    .weights = areas / (areas.x + areas.y + areas.z)};
 }
 
-bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
+bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const TriangleTest test(seen);
+    const WatertightTest test(seen);
     const Interval left = scaled(interval);
-    SlabTests slabs(seen);
+    RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(
         slabs, left, [&](std::size_t leaf) { return crossings(test, seen, leaf, left).hits != 0; });
 }

@@ -14,20 +14,20 @@ inline namespace RT_PRECISION {
 inline namespace RT_LANES {
 
 /// The triangles of a mesh, copied: the mesh itself is not used after construction.
-class PackedMesh {
+class MeshBvh {
 public:
-    PackedMesh() = default;
-    explicit PackedMesh(const Mesh& mesh);
+    MeshBvh() = default;
+    explicit MeshBvh(const Mesh& mesh);
 
     /// The closest hit strictly inside the interval, or nothing. No ray passes between triangles
     /// that share an edge or a vertex, however small they are compared to the mesh.
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
     /// Returns whether the ray hits the mesh anywhere strictly inside the interval.
-    [[nodiscard]] bool blocks(const Ray& ray, Interval interval) const;
+    [[nodiscard]] bool occludes(const Ray& ray, Interval interval) const;
 
     /// The bounding box of all triangles; empty if there are none.
-    [[nodiscard]] Box bounds() const { return bounds_; }
+    [[nodiscard]] BoundingBox bounds() const { return bounds_; }
 
 private:
     [[nodiscard]] Ray scaled(const Ray& ray) const {
@@ -39,20 +39,20 @@ private:
     }
 
     /// The hits on the triangles of a leaf.
-    [[nodiscard]] Crossings crossings(const TriangleTest& test, const Ray& seen, std::size_t leaf,
+    [[nodiscard]] Crossings crossings(const WatertightTest& test, const Ray& seen, std::size_t leaf,
                                       const Interval& interval) const {
         if (finer_.empty()) return test(packets_[leaf], interval);
         return finely(test, seen, leaf, interval);
     }
 
     /// As crossings, with each triangle that is too small for the test scaled separately.
-    [[nodiscard]] Crossings finely(const TriangleTest& test, const Ray& seen, std::size_t leaf,
+    [[nodiscard]] Crossings finely(const WatertightTest& test, const Ray& seen, std::size_t leaf,
                                    const Interval& interval) const;
 
-    Box bounds_;
+    BoundingBox bounds_;
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
-    Hierarchy hierarchy_;
-    std::vector<TrianglePacket> packets_;  ///< one packet for each leaf
+    Bvh hierarchy_;
+    std::vector<Triangle4> packets_;  ///< one packet for each leaf
     /// For each leaf, the factors by which its triangles must be enlarged for the test: powers of
     /// two. Empty if all triangles are large enough.
     std::vector<std::array<Real, lane_count>> finer_;

@@ -19,11 +19,11 @@ inline namespace RT_LANES {
 
 /// The coordinate system of the boxes: all of them lie between -1 and 1 along every axis. In this
 /// range floats are sufficient, and a register contains twice as many floats as doubles.
-struct Frame {
+struct UnitSpace {
     Vec3 center;
     Real scale = 1;  ///< a power of two, so that scaling is exact
 
-    friend bool operator==(const Frame& a, const Frame& b) = default;
+    friend bool operator==(const UnitSpace& a, const UnitSpace& b) = default;
 };
 
 /// Eight boxes and their children: the index of a node, or of a leaf if the leaf bit is set. An
@@ -33,7 +33,7 @@ struct alignas(64) Node {
     static constexpr std::size_t width = 8;
     static constexpr std::uint32_t leaf_bit = std::uint32_t(1) << 31;
 
-    using Row = std::array<MoreFloats, width / float_count>;
+    using Row = std::array<FloatN, width / float_count>;
 
     std::array<Row, 6>
         planes;  ///< in the frame's coordinates: smallest x, largest x, smallest y, …
@@ -51,9 +51,9 @@ struct alignas(64) Node {
 /// latest, because along no axis is it faster than along that of the direction's largest component.
 /// So at D - 2 at most 3 remain, and the ray is within 4 of the center; if it is not, it hits
 /// nothing.
-class SlabTest {
+class RayBoxTest {
 public:
-    SlabTest(const Ray& ray, const Frame& frame) {
+    RayBoxTest(const Ray& ray, const UnitSpace& frame) {
         const auto& [origin, direction] = ray;
         const Real size = largest_component(direction);
         speed_ = frame.scale * size;
@@ -69,9 +69,9 @@ public:
         // At a lower speed, the errors of components rounded to multiples of the smallest number
         // add up.
         constexpr Real slowest = std::numeric_limits<Real>::denorm_min() / unit_roundoff;
-        certain_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
+        is_reliable_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
         if (std::isnan(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z))
-            certain_ = passes_by_ = true;  // NaN must be a miss
+            is_reliable_ = passes_by_ = true;  // NaN must be a miss
         x_ = Axis(0, place.x, size / direction.x, slack_);
         y_ = Axis(1, place.y, size / direction.y, slack_);
         z_ = Axis(2, place.z, size / direction.z, slack_);
@@ -79,10 +79,10 @@ public:
 
     /// Returns whether the test is reliable. It is not for an origin so far away that all boxes are
     /// within rounding error of each other, nor for an infinite number.
-    [[nodiscard]] bool certain() const { return certain_; }
+    [[nodiscard]] bool is_reliable() const { return is_reliable_; }
 
     /// Returns whether the ray misses all boxes of every node.
-    [[nodiscard]] bool passes_by() const { return passes_by_; }
+    [[nodiscard]] bool misses_all() const { return passes_by_; }
 
     struct Answer {
         Node::Row near;     ///< distance at which the ray enters each box
@@ -91,11 +91,11 @@ public:
 
     /// Returns the boxes that the ray enters before `limit`.
     [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, float limit) const {
-        const MoreFloats latest = all(limit);
+        const FloatN latest = all(limit);
         Answer answer;
         for (std::size_t part = 0; part < answer.near.size(); ++part) {
             answer.near[part] = entry(node, part);
-            answer.hits |= bits(answer.near[part] <= exit(node, part, latest))
+            answer.hits |= mask_bits(answer.near[part] <= exit(node, part, latest))
                            << (part * float_count);
         }
         return answer;
@@ -120,16 +120,16 @@ private:
     /// 2013, §2).
     static constexpr float padding = 1 + 12 * float_roundoff;
 
-    [[nodiscard, gnu::always_inline]] static MoreFloats all(float value) {
+    [[nodiscard, gnu::always_inline]] static FloatN all(float value) {
         return all_of<float, float_count>(value);
     }
 
     /// The ray's coordinates along one axis.
     struct Axis {
-        MoreFloats near_origin;
-        MoreFloats far_origin;
-        MoreFloats near_inverse;  ///< inverse of the direction's component
-        MoreFloats far_inverse;   ///< the same inverse, padded
+        FloatN near_origin;
+        FloatN far_origin;
+        FloatN near_inverse;  ///< inverse of the direction's component
+        FloatN far_inverse;   ///< the same inverse, padded
         std::size_t near_plane;
         std::size_t far_plane;
 
@@ -148,21 +148,20 @@ private:
             far_plane = (2 * axis + 1 - backward) * sizeof(Node::Row);
         }
 
-        [[nodiscard, gnu::always_inline]] MoreFloats near(const Node& node,
-                                                          std::size_t part) const {
+        [[nodiscard, gnu::always_inline]] FloatN near(const Node& node, std::size_t part) const {
             return (plane(node, near_plane, part) - near_origin) * near_inverse;
         }
 
-        [[nodiscard, gnu::always_inline]] MoreFloats far(const Node& node, std::size_t part) const {
+        [[nodiscard, gnu::always_inline]] FloatN far(const Node& node, std::size_t part) const {
             return (plane(node, far_plane, part) - far_origin) * far_inverse;
         }
     };
 
     /// A row at its offset in bytes: computing the offset from an index would take as long as the
     /// test.
-    [[nodiscard, gnu::always_inline]] static MoreFloats plane(const Node& node, std::size_t row,
-                                                              std::size_t part) {
-        MoreFloats lanes;
+    [[nodiscard, gnu::always_inline]] static FloatN plane(const Node& node, std::size_t row,
+                                                          std::size_t part) {
+        FloatN lanes;
         std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + part * sizeof lanes,
                     sizeof lanes);
         return lanes;
@@ -171,19 +170,19 @@ private:
     // If the ray runs in a face of a box, 0 · ∞ is NaN: in this order of operands NaN only drops a
     // condition.
 
-    [[nodiscard, gnu::always_inline]] MoreFloats entry(const Node& node, std::size_t part) const {
+    [[nodiscard, gnu::always_inline]] FloatN entry(const Node& node, std::size_t part) const {
         return max(max(x_.near(node, part), y_.near(node, part)), max(z_.near(node, part), all(0)));
     }
 
-    [[nodiscard, gnu::always_inline]] MoreFloats exit(const Node& node, std::size_t part,
-                                                      MoreFloats latest) const {
+    [[nodiscard, gnu::always_inline]] FloatN exit(const Node& node, std::size_t part,
+                                                  FloatN latest) const {
         return min(min(x_.far(node, part), y_.far(node, part)), min(z_.far(node, part), latest));
     }
 
     Real start_ = 0;  ///< t of the start
     Real speed_;      ///< increase of distance for each unit of t
     float slack_;     ///< upper bound on the error of the ray's position
-    bool certain_;
+    bool is_reliable_;
     bool passes_by_ = false;
     Axis x_;
     Axis y_;
@@ -192,23 +191,23 @@ private:
 
 /// A ray prepared for several hierarchies: prepared for the first one, and again only when the
 /// frame differs. The ray must outlive it.
-class SlabTests {
+class RayBoxTestCache {
 public:
-    explicit SlabTests(const Ray& ray) : ray_(ray) {}
+    explicit RayBoxTestCache(const Ray& ray) : ray_(ray) {}
 
     [[nodiscard]] const Ray& ray() const { return ray_; }
 
-    [[nodiscard]] const SlabTest& in(const Frame& frame) {
+    [[nodiscard]] const RayBoxTest& in(const UnitSpace& frame) {
         if (!made_ || made_->frame != frame) made_.emplace(ray_, frame);
         return made_->test;
     }
 
 private:
     struct Made {
-        Made(const Ray& ray, const Frame& its_frame) : frame(its_frame), test(ray, its_frame) {}
+        Made(const Ray& ray, const UnitSpace& its_frame) : frame(its_frame), test(ray, its_frame) {}
 
-        Frame frame;
-        SlabTest test;
+        UnitSpace frame;
+        RayBoxTest test;
     };
 
     const Ray& ray_;

@@ -5,7 +5,7 @@ inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
-Balls::Balls(std::span<const Ball> balls) {
+BoundingSphereSet::BoundingSphereSet(std::span<const BoundingSphere> balls) {
     // A smaller square could have a rounding error larger than the test allows for.
     constexpr Real smallest_square =
         std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
@@ -19,7 +19,7 @@ Balls::Balls(std::span<const Ball> balls) {
             lanes[3][i] = glm::max(radius * radius, smallest_square);
             all_ |= std::uint64_t(1) << (first + i);
         }
-        packets_.push_back(std::bit_cast<BallPacket>(lanes));
+        packets_.push_back(std::bit_cast<BoundingSphere4>(lanes));
     }
 }
 

@@ -19,9 +19,9 @@ inline namespace RT_PRECISION {
 inline namespace RT_LANES {
 
 /// Four bounding spheres, one in each SIMD lane.
-struct BallPacket {
-    std::array<Lanes, 3> center;  ///< x, y and z
-    Lanes radius_squared;
+struct BoundingSphere4 {
+    std::array<RealX4, 3> center;  ///< x, y and z
+    RealX4 radius_squared;
 };
 
 /// A ray prepared for tests against bounding spheres. The test is conservative: it never rejects
@@ -33,51 +33,52 @@ struct BallPacket {
 /// first product. A shape's own test may be wrong by 16 u |f| more than its sphere is padded for,
 /// which is another 32 u of that product, as |f| > r. If a number leaves the range in which these
 /// bounds are valid, no sphere is rejected.
-class BallTest {
+class BoundingSphereTest {
 public:
-    explicit BallTest(const Ray& ray) {
+    explicit BoundingSphereTest(const Ray& ray) {
         const auto& [o, d] = ray;
-        origin_ = {all_lanes(o.x), all_lanes(o.y), all_lanes(o.z)};
-        direction_ = {all_lanes(d.x), all_lanes(d.y), all_lanes(d.z)};
+        origin_ = {broadcast(o.x), broadcast(o.y), broadcast(o.z)};
+        direction_ = {broadcast(d.x), broadcast(d.y), broadcast(d.z)};
         Real square = glm::dot(d, d);
-        if (!keeps_its_digits(square)) square = 0;  // then no comparison is true
-        square_ = all_lanes(square);
-        padded_square_ = all_lanes(square * (1 - 96 * unit_roundoff));
+        if (!is_safe_square(square)) square = 0;  // then no comparison is true
+        square_ = broadcast(square);
+        padded_square_ = broadcast(square * (1 - 96 * unit_roundoff));
     }
 
     /// Returns one bit for each sphere, set if the line of the ray misses it.
-    [[nodiscard, gnu::always_inline]] unsigned stays_away(const BallPacket& packet) const {
-        const Lanes x = origin_[0] - packet.center[0];
-        const Lanes y = origin_[1] - packet.center[1];
-        const Lanes z = origin_[2] - packet.center[2];
-        const Lanes along = x * direction_[0] + y * direction_[1] + z * direction_[2];
-        const Lanes off = (x * x + y * y + z * z) * padded_square_;
-        const Lanes near = along * along + packet.radius_squared * square_;
-        return bits((near + all_lanes(smallest) < off) & (off < all_lanes(infinity)));
+    [[nodiscard, gnu::always_inline]] unsigned certainly_misses(
+        const BoundingSphere4& packet) const {
+        const RealX4 x = origin_[0] - packet.center[0];
+        const RealX4 y = origin_[1] - packet.center[1];
+        const RealX4 z = origin_[2] - packet.center[2];
+        const RealX4 along = x * direction_[0] + y * direction_[1] + z * direction_[2];
+        const RealX4 off = (x * x + y * y + z * z) * padded_square_;
+        const RealX4 near = along * along + packet.radius_squared * square_;
+        return mask_bits((near + broadcast(smallest) < off) & (off < broadcast(infinity)));
     }
 
 private:
     /// The total of all underflow is far less than u times this number.
     static constexpr Real smallest = std::numeric_limits<Real>::min() / unit_roundoff;
 
-    std::array<Lanes, 3> origin_;
-    std::array<Lanes, 3> direction_;
-    Lanes square_;  ///< squared length of the direction
-    Lanes padded_square_;
+    std::array<RealX4, 3> origin_;
+    std::array<RealX4, 3> direction_;
+    RealX4 square_;  ///< squared length of the direction
+    RealX4 padded_square_;
 };
 
 /// Up to 64 bounding spheres, numbered as the shapes in their list.
-class Balls {
+class BoundingSphereSet {
 public:
     static constexpr std::size_t most = 64;
 
-    Balls() = default;
-    explicit Balls(std::span<const Ball> balls);
+    BoundingSphereSet() = default;
+    explicit BoundingSphereSet(std::span<const BoundingSphere> balls);
 
     [[nodiscard]] bool empty() const { return packets_.empty(); }
 
     /// The i-th bounding sphere.
-    [[nodiscard]] Ball operator[](std::size_t i) const {
+    [[nodiscard]] BoundingSphere operator[](std::size_t i) const {
         const auto& [center, radius_squared] = packets_[i / lane_count];
         const std::size_t lane = i % lane_count;
         return {
@@ -86,19 +87,19 @@ public:
     }
 
     /// Returns one bit for each sphere, set if the ray may hit it.
-    [[nodiscard]] std::uint64_t near(const Ray& ray) const {
-        const BallTest test(ray);
+    [[nodiscard]] std::uint64_t candidates(const Ray& ray) const {
+        const BoundingSphereTest test(ray);
         std::uint64_t away = 0;
         unsigned first = 0;
-        for (const BallPacket& packet : packets_) {
-            away |= std::uint64_t(test.stays_away(packet)) << first;
+        for (const BoundingSphere4& packet : packets_) {
+            away |= std::uint64_t(test.certainly_misses(packet)) << first;
             first += lane_count;
         }
         return all_ & ~away;
     }
 
 private:
-    std::vector<BallPacket> packets_;
+    std::vector<BoundingSphere4> packets_;
     std::uint64_t all_ = 0;
 };
 

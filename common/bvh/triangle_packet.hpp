@@ -12,14 +12,14 @@ inline namespace RT_PRECISION {
 inline namespace RT_LANES {
 
 /// Four triangles, one in each lane. NaN in the unused lanes makes them miss.
-struct TrianglePacket {
-    std::array<std::array<Lanes, 3>, 3> vertices;  ///< x, y and z of each vertex
+struct Triangle4 {
+    std::array<std::array<RealX4, 3>, 3> vertices;  ///< x, y and z of each vertex
 };
 
 /// The intersections of a ray with the planes of four triangles.
 struct Crossings {
-    std::array<Lanes, 3> areas;  ///< area opposite to each vertex, in the projection along the ray
-    Lanes t;
+    std::array<RealX4, 3> areas;  ///< area opposite to each vertex, in the projection along the ray
+    RealX4 t;
     unsigned hits;  ///< one bit for each triangle that is hit
 };
 
@@ -30,9 +30,9 @@ struct Crossings {
 /// the order of the two products whose difference it is: at worst the area is 0, which counts as
 /// inside. So a ray through a shared edge or vertex hits at least one of the triangles. This does
 /// not require fma, which is a function call on some processors, but it requires -ffp-contract=off.
-class TriangleTest {
+class WatertightTest {
 public:
-    [[gnu::always_inline]] explicit TriangleTest(const Ray& ray) {
+    [[gnu::always_inline]] explicit WatertightTest(const Ray& ray) {
         const auto& [origin, d] = ray;
         const Vec3 size(std::fabs(d.x), std::fabs(d.y), std::fabs(d.z));
         z_ = size.y > size.x ? 1 : 0;
@@ -42,45 +42,45 @@ public:
         const auto x = glm::length_t(x_);
         const auto y = glm::length_t(y_);
         const auto z = glm::length_t(z_);
-        origin_x_ = all_lanes(origin[x]);
-        origin_y_ = all_lanes(origin[y]);
-        origin_z_ = all_lanes(origin[z]);
-        shear_x_ = all_lanes(d[x] / d[z]);
-        shear_y_ = all_lanes(d[y] / d[z]);
-        inverse_z_ = all_lanes(1 / d[z]);
+        origin_x_ = broadcast(origin[x]);
+        origin_y_ = broadcast(origin[y]);
+        origin_z_ = broadcast(origin[z]);
+        shear_x_ = broadcast(d[x] / d[z]);
+        shear_y_ = broadcast(d[y] / d[z]);
+        inverse_z_ = broadcast(1 / d[z]);
     }
 
     /// Returns the triangles that the ray hits strictly inside the interval, edges and vertices
     /// included.
-    [[nodiscard, gnu::always_inline]] Crossings operator()(const TrianglePacket& packet,
+    [[nodiscard, gnu::always_inline]] Crossings operator()(const Triangle4& packet,
                                                            const Interval& interval) const {
         const Sheared a = sheared(packet.vertices[0]);
         const Sheared b = sheared(packet.vertices[1]);
         const Sheared c = sheared(packet.vertices[2]);
-        const Lanes alpha = b.x * c.y - b.y * c.x;
-        const Lanes beta = c.x * a.y - c.y * a.x;
-        const Lanes gamma = a.x * b.y - a.y * b.x;
-        const Lanes zero = all_lanes(0);
+        const RealX4 alpha = b.x * c.y - b.y * c.x;
+        const RealX4 beta = c.x * a.y - c.y * a.x;
+        const RealX4 gamma = a.x * b.y - a.y * b.x;
+        const RealX4 zero = broadcast(0);
         const auto left = zero <= min(min(alpha, beta), gamma);
         const auto right = max(max(alpha, beta), gamma) <= zero;
-        const Lanes t =
+        const RealX4 t =
             (alpha * a.z + beta * b.z + gamma * c.z) / (alpha + beta + gamma) * inverse_z_;
         // NaN must miss: t is NaN if an area is NaN, or if all three are 0.
-        const auto inside = (all_lanes(interval.min) < t) & (t < all_lanes(interval.max));
-        return {.areas = {alpha, beta, gamma}, .t = t, .hits = bits((left | right) & inside)};
+        const auto inside = (broadcast(interval.min) < t) & (t < broadcast(interval.max));
+        return {.areas = {alpha, beta, gamma}, .t = t, .hits = mask_bits((left | right) & inside)};
     }
 
 private:
     static constexpr std::array<std::size_t, 3> next = {1, 2, 0};
 
     struct Sheared {
-        Lanes x;
-        Lanes y;
-        Lanes z;
+        RealX4 x;
+        RealX4 y;
+        RealX4 z;
     };
 
-    [[nodiscard, gnu::always_inline]] Sheared sheared(const std::array<Lanes, 3>& vertex) const {
-        const Lanes z = vertex[z_] - origin_z_;
+    [[nodiscard, gnu::always_inline]] Sheared sheared(const std::array<RealX4, 3>& vertex) const {
+        const RealX4 z = vertex[z_] - origin_z_;
         return {.x = vertex[x_] - origin_x_ - shear_x_ * z,
                 .y = vertex[y_] - origin_y_ - shear_y_ * z,
                 .z = z};
@@ -89,12 +89,12 @@ private:
     std::size_t x_;
     std::size_t y_;
     std::size_t z_;  ///< the axis along which the direction is longest
-    Lanes origin_x_;
-    Lanes origin_y_;
-    Lanes origin_z_;
-    Lanes shear_x_;
-    Lanes shear_y_;
-    Lanes inverse_z_;
+    RealX4 origin_x_;
+    RealX4 origin_y_;
+    RealX4 origin_z_;
+    RealX4 shear_x_;
+    RealX4 shear_y_;
+    RealX4 inverse_z_;
 };
 
 }  // namespace RT_LANES

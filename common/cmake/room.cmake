@@ -2,7 +2,7 @@
 #               [ELSEWHERE <source>...])
 #
 # The sources of the room in whose folder it is called: what has no Real in it becomes a part of
-# raysteps_neutral; what has is compiled once a precision, for raysteps_common_f32 and _f64, or, if
+# raysteps_base; what has is compiled once a precision, for raysteps_common_f32 and _f64, or, if
 # only stage 13 needs it, for raysteps_meshes. Other targets compile what is ELSEWHERE. The global
 # properties RAYSTEPS_<room>_NEUTRAL and _PRECISIONS list the first two.
 function(raysteps_room)
@@ -18,7 +18,7 @@ function(raysteps_room)
         list(TRANSFORM room_${kind} PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
         set_property(GLOBAL PROPERTY RAYSTEPS_${name}_${kind} ${room_${kind}})
     endforeach()
-    target_sources(raysteps_neutral PRIVATE ${room_NEUTRAL})
+    target_sources(raysteps_base PRIVATE ${room_NEUTRAL})
     foreach(precision IN ITEMS f32 f64)
         target_sources(raysteps_common_${precision} PRIVATE ${room_PRECISIONS})
         if(TARGET raysteps_meshes_${precision})

@@ -9,7 +9,7 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             the selected one of these two, by option
-# stepNN_name                 the executable; _of_reference and _judged are the same program built
+# stepNN_name                 the executable; _reference_program and _checked are the same program built
 #                             from the references, and from this stage's selected file with the
 #                             references of the other stages
 # stepNN_name_exact           the same program built from certified kernels: common/cmake/exact.cmake
@@ -71,11 +71,11 @@ function(raysteps_stage)
     file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
     list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
     if(handed_on)
-        raysteps_compile_twice(${name}_handed_on ${handed_on})
-        raysteps_start_from_common(${name}_handed_on)
-        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_HANDED_ON ${name}_handed_on)
+        raysteps_compile_twice(${name}_shared ${handed_on})
+        raysteps_start_from_common(${name}_shared)
+        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED_LIBRARIES ${name}_shared)
     endif()
-    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_HANDED_ON)
+    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
     raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
 
     # The program built from the selected files and, for `./course compare`, from the references
@@ -88,7 +88,7 @@ function(raysteps_stage)
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
     if(reference AND NOT RAYSTEPS_SANITIZE)
-        raysteps_whole(${name} ${meshes} raysteps_render ${handed_on} ${references})
+        raysteps_unity(${name} ${meshes} raysteps_render ${handed_on} ${references})
     endif()
     set(others ${references})
     list(REMOVE_ITEM others ${name}_reference)
@@ -97,9 +97,9 @@ function(raysteps_stage)
     target_compile_definitions(${name}_program PRIVATE
         RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
     raysteps_link_program(${name} ${name} ${stages})
-    raysteps_link_program(${name}_of_reference ${name} ${references})
-    raysteps_link_program(${name}_judged ${name} ${name} ${others})
-    set_target_properties(${name}_of_reference ${name}_judged PROPERTIES EXCLUDE_FROM_ALL ON)
+    raysteps_link_program(${name}_reference_program ${name} ${references})
+    raysteps_link_program(${name}_checked ${name} ${name} ${others})
+    set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
 # raysteps_link_program(<program> <stage> <stage or _reference>...)
@@ -107,23 +107,23 @@ function(raysteps_link_program program stage)
     add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
     set(parts ${stage}_picture ${ARGN})
     if(TARGET ${stage}_whole_f64 AND NOT RAYSTEPS_STUDENT_FILES)
-        set(parts ${stage}_whole)
+        set(parts ${stage}_unity)
     endif()
     foreach(precision IN ITEMS f32 f64)
         foreach(part IN LISTS parts ITEMS raysteps_common)
             target_link_libraries(${program} PRIVATE ${part}_${precision})
         endforeach()
     endforeach()
-    target_link_libraries(${program} PRIVATE raysteps_neutral Threads::Threads)
+    target_link_libraries(${program} PRIVATE raysteps_base Threads::Threads)
 endfunction()
 
-# raysteps_whole(<stage> <meshes> <part>...)
+# raysteps_unity(<stage> <meshes> <part>...)
 #
 # Defines <stage>_whole_f32 and _f64: the stage's picture, with its main.cpp and these parts
 # compiled as a unity build, so that calls between them are inlined: this saves up to a fifth of a
 # picture's time (docs/reference/speed.md). With a student's file, programs are linked from separate parts
 # instead, so that a change compiles only one.
-function(raysteps_whole stage meshes)
+function(raysteps_unity stage meshes)
     set(sources main.cpp)
     foreach(part IN LISTS ARGN)
         list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
@@ -132,7 +132,7 @@ function(raysteps_whole stage meshes)
     raysteps_start_from_common(${stage}_whole_objects)
     set_target_properties(${stage}_whole_objects_f32 ${stage}_whole_objects_f64 PROPERTIES
         UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    raysteps_picture(${stage}_whole ${stage}_whole_objects ${meshes})
+    raysteps_picture(${stage}_unity ${stage}_whole_objects ${meshes})
 endfunction()
 
 # raysteps_picture(<name> <part>...)

@@ -226,14 +226,14 @@ std::string Worker::ask(const std::string& question, double seconds) {
     std::size_t count = 0;
     while (count < sizeof(Frame))
         count += receive(piece.data() + count, piece.size() - count, allowance);
-    Frame came{};
-    std::memcpy(&came, piece.data(), sizeof came);
-    count -= sizeof came;
-    if (came.ticket != asked.ticket || came.size < 1 || count > came.size)
+    Frame got{};
+    std::memcpy(&got, piece.data(), sizeof got);
+    count -= sizeof got;
+    if (got.ticket != asked.ticket || got.size < 1 || count > got.size)
         give_up("wrote into the channel to the grader");
-    if (came.size > largest_answer) give_up("gave an answer that is larger than any answer is");
-    std::string answer(came.size, '\0');
-    std::memcpy(answer.data(), piece.data() + sizeof came, count);
+    if (got.size > largest_answer) give_up("gave an answer that is larger than any answer is");
+    std::string answer(got.size, '\0');
+    std::memcpy(answer.data(), piece.data() + sizeof got, count);
     while (count < answer.size())
         count += receive(answer.data() + count, answer.size() - count, allowance);
     const auto outcome = static_cast<Outcome>(answer.front());

@@ -109,11 +109,11 @@ Answer read_answer(const Callee& callee, std::string_view text) {
     return answer;
 }
 
-bool same(const Answer& came, const Answer& expected, double within) {
-    if (!came.value || !expected.value)
-        return !came.value && !expected.value &&
-               first_word(came.failure) == first_word(expected.failure);
-    return same(*came.value, *expected.value, within);
+bool same(const Answer& got, const Answer& expected, double within) {
+    if (!got.value || !expected.value)
+        return !got.value && !expected.value &&
+               first_word(got.failure) == first_word(expected.failure);
+    return same(*got.value, *expected.value, within);
 }
 
 Answer Asked::operator()(const Call& call) {

@@ -48,7 +48,7 @@ struct Answer {
 [[nodiscard]] std::string code(const Answer& answer);
 [[nodiscard]] Answer read_answer(const Callee& callee, std::string_view text);
 /// Failures are equal if they start with the same word: it crashed, it gave no answer.
-[[nodiscard]] bool same(const Answer& came, const Answer& expected, double within);
+[[nodiscard]] bool same(const Answer& got, const Answer& expected, double within);
 
 /// A worker process, restarted after a crash up to a limit.
 class Asked {

@@ -34,8 +34,9 @@ struct Contract<1> {
 template <>
 struct Contract<2> {
     using Functions =
-        std::tuple<Function<"basis_around", basis_around>, Function<"camera_basis", camera_basis>,
-                   Function<"to_world", to_world>, Function<"view_matrix", view_matrix>>;
+        std::tuple<Function<"orthonormal_basis", orthonormal_basis>,
+                   Function<"camera_basis", camera_basis>, Function<"to_world", to_world>,
+                   Function<"view_matrix", view_matrix>>;
 };
 
 template <>
@@ -94,8 +95,8 @@ struct Contract<10> {
 template <>
 struct Contract<11> {
     using Functions =
-        std::tuple<Function<"light_point", light_point>, Function<"lit_share", lit_share>,
-                   Function<"share_error", share_error>>;
+        std::tuple<Function<"sample_light", sample_light>, Function<"visibility", visibility>,
+                   Function<"visibility_error", visibility_error>>;
 };
 
 template <>
@@ -106,11 +107,12 @@ struct Contract<12> {
 
 template <>
 struct Contract<13> {
-    using Functions = std::tuple<
-        Function<"overlap", overlap>, Function<"intersect", Intersect<OrientedBox>(intersect)>,
-        Function<"normal", Normal<OrientedBox>(normal)>, Function<"into_frame", into_frame>,
-        Function<"intersect", IntersectMesh(intersect)>,
-        Function<"interpolated_normal", interpolated_normal>>;
+    using Functions = std::tuple<Function<"overlap", overlap>,
+                                 Function<"intersect", Intersect<OrientedBox>(intersect)>,
+                                 Function<"normal", Normal<OrientedBox>(normal)>,
+                                 Function<"to_object_space", to_object_space>,
+                                 Function<"intersect", IntersectMesh(intersect)>,
+                                 Function<"interpolated_normal", interpolated_normal>>;
 };
 
 inline constexpr int stage_count = 13;

@@ -18,9 +18,9 @@ namespace rt::contract {
 
 namespace {
 
-void tell(const Difference& difference) {
-    const auto& [call, came, expected] = difference;
-    std::cout << "smallest: " << code(call) << "\n  came:     " << told(call, came)
+void explain(const Difference& difference) {
+    const auto& [call, got, expected] = difference;
+    std::cout << "smallest: " << code(call) << "\n  got:      " << told(call, got)
               << "\n  expected: " << told(call, expected)
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
@@ -31,15 +31,15 @@ bool tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
     bool all_do = true;
     for (const Callee& callee : callees()) {
         std::set<std::string> right;
-        std::set<std::string> came;
+        std::set<std::string> got;
         for (std::size_t i = 0; i < answers.size(); ++i) {
             if (probes.probes[i].call.callee != &callee) continue;
             if (!answers[i].value) return false;
             right.insert(code(probes.probes[i].right));
-            came.insert(code(answers[i]));
+            got.insert(code(answers[i]));
         }
-        if (right.size() > 1 && came.size() == 1)
-            std::cout << "always: " << callee.name << " answers " << *came.begin()
+        if (right.size() > 1 && got.size() == 1)
+            std::cout << "always: " << callee.name << " answers " << *got.begin()
                       << ", for all arguments\n";
         else if (right.size() > 1)
             all_do = false;
@@ -64,7 +64,7 @@ int diagnose(const std::vector<std::string>& words) {
     Asked reference(words[2]);
     const auto difference = smallest_difference(probes, answers, student, reference);
     if (!difference) return 0;
-    tell(*difference);
+    explain(*difference);
     if (words.size() > 3 && can_be_drawn(difference->call))
         std::ofstream(words[3]) << slice(*difference, reference);
     return 1;

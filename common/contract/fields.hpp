@@ -92,12 +92,14 @@ inline constexpr auto record<OrientedBox> = record_of("OrientedBox",
                                                       field("basis", &OrientedBox::basis),
                                                       field("half_size", &OrientedBox::half_size));
 template <>
-inline constexpr auto record<Box> = record_of("Box", field("min", &Box::min),
-                                              field("max", &Box::max));
+inline constexpr auto record<BoundingBox> = record_of("BoundingBox",
+                                                      field("min", &BoundingBox::min),
+                                                      field("max", &BoundingBox::max));
 template <>
-inline constexpr auto record<Motion> = record_of("Motion", field("rotation", &Motion::rotation),
-                                                 field("scale", &Motion::scale),
-                                                 field("translation", &Motion::translation));
+inline constexpr auto record<Transform> = record_of("Transform",
+                                                    field("rotation", &Transform::rotation),
+                                                    field("scale", &Transform::scale),
+                                                    field("translation", &Transform::translation));
 template <>
 inline constexpr auto record<Mesh> = record_of("Mesh", field("vertices", &Mesh::vertices),
                                                field("normals", &Mesh::normals),
@@ -112,12 +114,11 @@ inline constexpr auto record<Material> = record_of("Material", field("color", &M
                                                    field("shininess", &Material::shininess),
                                                    field("mirror", &Material::mirror));
 template <>
-inline constexpr auto record<Surface> = record_of("Surface", field("point", &Surface::point),
-                                                  field("normal", &Surface::normal),
-                                                  field("side", &Surface::side),
-                                                  field("to_eye", &Surface::to_eye),
-                                                  field("error", &Surface::error),
-                                                  field("material", &Surface::material));
+inline constexpr auto record<ShadingPoint> = record_of(
+    "ShadingPoint", field("point", &ShadingPoint::point), field("normal", &ShadingPoint::normal),
+    field("geometric_normal", &ShadingPoint::geometric_normal),
+    field("to_eye", &ShadingPoint::to_eye), field("error", &ShadingPoint::error),
+    field("material", &ShadingPoint::material));
 template <>
 inline constexpr auto record<Ambient> = record_of("Ambient", field("ratio", &Ambient::ratio),
                                                   field("color", &Ambient::color));
@@ -140,12 +141,11 @@ inline constexpr auto record<Camera> = record_of("Camera", field("position", &Ca
                                                  field("fov", &Camera::fov),
                                                  field("fov_axis", &Camera::fov_axis));
 template <>
-inline constexpr auto record<Look> = record_of("Look", field("shading", &Look::shading),
-                                               field("term", &Look::term),
-                                               field("shadow_samples", &Look::shadow_samples),
-                                               field("shadow_error", &Look::shadow_error),
-                                               field("shadow_agree", &Look::shadow_agree),
-                                               field("depth", &Look::depth));
+inline constexpr auto record<RenderSettings> = record_of(
+    "Look", field("shading", &RenderSettings::shading), field("term", &RenderSettings::term),
+    field("shadow_samples", &RenderSettings::shadow_samples),
+    field("shadow_error", &RenderSettings::shadow_error),
+    field("shadow_agree", &RenderSettings::shadow_agree), field("depth", &RenderSettings::depth));
 
 template <class T>
 inline constexpr bool is_number = std::is_arithmetic_v<T> || std::is_enum_v<T>;

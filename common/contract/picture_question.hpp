@@ -7,12 +7,12 @@
 
 namespace rt::contract {
 
-/// The same as drawn(), common/contract/drawn.hpp.
-inline std::string picture_question(const Scene& scene, const Look& look, int every) {
+/// The same as drawn(), common/contract/rendered.hpp.
+inline std::string picture_question(const Scene& scene, const RenderSettings& settings, int every) {
     Writer question;
     put(question, Number{.stage = 0, .place = picture_place});
     put_scene(question, scene);
-    put(question, look);
+    put(question, settings);
     put(question, every);
     return question.bytes();
 }

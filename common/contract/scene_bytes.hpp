@@ -8,39 +8,39 @@
 
 namespace rt::contract {
 
-inline void put(Writer& to, const PlacedMesh& placed) {
-    put(to, placed.model->mesh);
-    put(to, placed.placement);
+inline void put(Writer& to, const MeshInstance& instance) {
+    put(to, instance.model->mesh);
+    put(to, instance.placement);
 }
 
-inline PlacedMesh get_placed_mesh(Reader& from) {
-    Model model;
+inline MeshInstance get_placed_mesh(Reader& from) {
+    MeshGeometry model;
     model.mesh = get<Mesh>(from);
     model.bounds = bounds(model.mesh);
-    if (model.mesh.triangles.size() >= packing_pays_from) model.packed.emplace(model.mesh);
-    return {.model = std::make_shared<const Model>(std::move(model)),
-            .placement = get<Motion>(from)};
+    if (model.mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(model.mesh);
+    return {.model = std::make_shared<const MeshGeometry>(std::move(model)),
+            .placement = get<Transform>(from)};
 }
 
 template <class Shape>
-void put(Writer& to, const Items<Shape>& items) {
-    put(to, std::uint32_t(items.size()));
-    for (const auto& [shape, material] : items) {
+void put(Writer& to, const PrimitiveList<Shape>& primitives) {
+    put(to, std::uint32_t(primitives.size()));
+    for (const auto& [shape, material] : primitives) {
         put(to, shape);
         put(to, material);
     }
 }
 
 template <class Shape>
-void get_items(Reader& from, Items<Shape>& items) {
+void get_items(Reader& from, PrimitiveList<Shape>& primitives) {
     for (auto count = get<std::uint32_t>(from); count > 0; --count) {
-        Item<Shape> item;
-        if constexpr (std::is_same_v<Shape, PlacedMesh>)
-            item.shape = get_placed_mesh(from);
+        Primitive<Shape> primitive;
+        if constexpr (std::is_same_v<Shape, MeshInstance>)
+            primitive.shape = get_placed_mesh(from);
         else
-            item.shape = get<Shape>(from);
-        item.material = get<Material>(from);
-        items.push_back(item);
+            primitive.shape = get<Shape>(from);
+        primitive.material = get<Material>(from);
+        primitives.push_back(primitive);
     }
 }
 
@@ -50,7 +50,7 @@ inline void put_scene(Writer& to, const Scene& scene) {
     put(to, scene.cameras);
     put(to, scene.ambient);
     put(to, scene.lights);
-    for_each_kind(scene, [&](const auto& items) { put(to, items); });
+    for_each_kind(scene, [&](const auto& primitives) { put(to, primitives); });
     put(to, scene.meshes);
 }
 
@@ -60,9 +60,9 @@ inline Scene get_scene(Reader& from) {
     scene.cameras = get<std::vector<Camera>>(from);
     scene.ambient = get<std::optional<Ambient>>(from);
     scene.lights = get<std::vector<Light>>(from);
-    for_each_kind(scene, [&](auto& items) { get_items(from, items); });
+    for_each_kind(scene, [&](auto& primitives) { get_items(from, primitives); });
     get_items(from, scene.meshes);
-    arrange(scene);
+    build_acceleration(scene);
     return scene;
 }
 

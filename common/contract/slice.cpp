@@ -101,9 +101,9 @@ public:
           reference_(reference),
           ray_{.origin = vec3(call_.arguments[0].parts[0]),
                .direction = vec3(call_.arguments[0].parts[1])},
-          came_(t_of(difference.came)),
+          got_(t_of(difference.got)),
           expected_(t_of(difference.expected)),
-          came_text_(hit_text(difference.came)),
+          got_text_(hit_text(difference.got)),
           expected_text_(hit_text(difference.expected)) {
         const Value& shape = call_.arguments[1];
         const auto [middle, reach] = size_of(shape, ray_);
@@ -130,11 +130,11 @@ public:
             view_.x(ray_.origin), view_.y(ray_.origin), view_.x(end), view_.y(end));
         text += mark(ray_.origin, "#c08000", "origin", -10);
         if (expected_) text += mark(at(ray_, *expected_), "#1a7f37", "expected", -10);
-        if (came_) text += mark(at(ray_, *came_), "#cf222e", "yours", 22);
+        if (got_) text += mark(at(ray_, *got_), "#cf222e", "yours", 22);
         text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#1a7f37\">expected: %s</text>\n",
                           height - 28, expected_text_.c_str());
         text += formatted("<text x=\"10\" y=\"%.0f\" fill=\"#cf222e\">yours: %s</text>\n",
-                          height - 10, came_text_.c_str());
+                          height - 10, got_text_.c_str());
         return text + "</svg>\n";
     }
 
@@ -159,7 +159,7 @@ private:
         std::vector<Vec3> shown = {ray_.origin, middle - reach * view_.right,
                                    middle + reach * view_.right, middle - reach * view_.up,
                                    middle + reach * view_.up};
-        for (const auto& t : {came_, expected_})
+        for (const auto& t : {got_, expected_})
             if (t &&
                 std::abs(*t) * length(ray_.direction) < 20 * (reach + length(middle - ray_.origin)))
                 shown.push_back(at(ray_, *t));
@@ -231,9 +231,9 @@ private:
     Call call_;
     Asked& reference_;
     Ray ray_;
-    std::optional<Real> came_;
+    std::optional<Real> got_;
     std::optional<Real> expected_;
-    std::string came_text_;
+    std::string got_text_;
     std::string expected_text_;
     View view_;
 };

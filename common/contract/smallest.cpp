@@ -99,7 +99,7 @@ private:
             const auto [min, max] = std::pair(value.parts[0].number, value.parts[1].number);
             return min >= 0 && min < max;
         }
-        if (value.type == &type_of<Box>()) {
+        if (value.type == &type_of<BoundingBox>()) {
             const Vec3 size = vec3(value.parts[1]) - vec3(value.parts[0]);
             return size.x > 0 && size.y > 0 && size.z > 0;
         }
@@ -157,9 +157,9 @@ public:
     [[nodiscard]] std::optional<Difference> difference(const Call& call) {
         ++questions_;
         const Answer expected = reference_(call);
-        Difference difference{.call = call, .came = student_(call), .expected = expected};
-        if (!expected.value || !difference.came.asked() ||
-            same(difference.came, expected, right_tolerance))
+        Difference difference{.call = call, .got = student_(call), .expected = expected};
+        if (!expected.value || !difference.got.asked() ||
+            same(difference.got, expected, right_tolerance))
             return std::nullopt;
         return difference;
     }
@@ -170,7 +170,7 @@ public:
     [[nodiscard]] std::optional<Difference> certain_difference(const Call& call) {
         auto found = difference(call);
         if (!found) return std::nullopt;
-        const bool is_far = !same(found->came, found->expected, 1e-3);
+        const bool is_far = !same(found->got, found->expected, 1e-3);
         if (!is_far && !same_size(*found)) return std::nullopt;
         std::mt19937 random(1);
         for (int i = 0; i < 6; ++i) {
@@ -216,7 +216,7 @@ private:
 
     /// Small, but not a matter of rounding.
     static bool same_size(const Difference& difference) {
-        return !same(difference.came, difference.expected, 1e-8);
+        return !same(difference.got, difference.expected, 1e-8);
     }
 
     /// The call with less in it, or with one of its numbers plainer: large steps first.
@@ -314,7 +314,7 @@ std::vector<Difference> failed_probes(const Probes& probes, const std::vector<An
         const auto& [call, right, mistaken] = probes.probes[i];
         if (is_open(probes, *call.callee) || !answers[i].asked()) continue;
         if (!same(answers[i], right, right_tolerance))
-            failed.push_back({.call = call, .came = answers[i], .expected = right});
+            failed.push_back({.call = call, .got = answers[i], .expected = right});
     }
     return failed;
 }

@@ -10,7 +10,7 @@ namespace rt::contract {
 /// A call that the contract leaves no doubt about, and two answers to it.
 struct Difference {
     Call call;
-    Answer came;
+    Answer got;
     Answer expected;
 };
 

@@ -71,20 +71,20 @@ double read_number(std::string_view& text) {
     return number;
 }
 
-bool close_numbers(double came, double expected, double scale, double within) {
-    if (std::isnan(came) || std::isnan(expected)) return std::isnan(came) && std::isnan(expected);
-    if (came == expected) return true;
-    if (std::isinf(came) || std::isinf(expected)) return false;
-    return std::abs(came - expected) <= within * std::max(std::abs(expected), scale);
+bool close_numbers(double got, double expected, double scale, double within) {
+    if (std::isnan(got) || std::isnan(expected)) return std::isnan(got) && std::isnan(expected);
+    if (got == expected) return true;
+    if (std::isinf(got) || std::isinf(expected)) return false;
+    return std::abs(got - expected) <= within * std::max(std::abs(expected), scale);
 }
 
-bool same_at(const Value& came, const Value& expected, double scale, double within) {
+bool same_at(const Value& got, const Value& expected, double scale, double within) {
     switch (expected.type->kind) {
         case Kind::real:
-            return close_numbers(came.number, expected.number, scale, within);
+            return close_numbers(got.number, expected.number, scale, within);
         case Kind::integer:
         case Kind::truth:
-            return came.number == expected.number;
+            return got.number == expected.number;
         case Kind::optional:
             scale = 0;
             break;
@@ -98,9 +98,9 @@ bool same_at(const Value& came, const Value& expected, double scale, double with
         case Kind::record:
             break;
     }
-    if (came.parts.size() != expected.parts.size()) return false;
-    for (std::size_t i = 0; i < came.parts.size(); ++i)
-        if (!same_at(came.parts[i], expected.parts[i], scale, within)) return false;
+    if (got.parts.size() != expected.parts.size()) return false;
+    for (std::size_t i = 0; i < got.parts.size(); ++i)
+        if (!same_at(got.parts[i], expected.parts[i], scale, within)) return false;
     return true;
 }
 
@@ -217,8 +217,8 @@ Value read_value(const Type& type, std::string_view& text) {
     return value;
 }
 
-bool same(const Value& came, const Value& expected, double within) {
-    return same_at(came, expected, 1, within);
+bool same(const Value& got, const Value& expected, double within) {
+    return same_at(got, expected, 1, within);
 }
 
 const Value* find(const Value& value, std::string_view name) {

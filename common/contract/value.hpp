@@ -78,7 +78,7 @@ void put_value(Writer& to, const Value& value);
 
 /// True if the suites would accept one for the other: within the kit's `tolerance`, or `within`.
 /// NaN equals NaN, and the scale of an optional t is at least its own size.
-[[nodiscard]] bool same(const Value& came, const Value& expected, double within);
+[[nodiscard]] bool same(const Value& got, const Value& expected, double within);
 
 /// Calls visit(number's value) for each.
 template <class SomeValue, class Visit>

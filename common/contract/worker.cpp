@@ -1,9 +1,9 @@
 // Answers queries with the functions that it is linked to: a student's file, the reference, or a
 // known mistake.
 #include "common/contract/contracts.hpp"
-#include "common/contract/drawn.hpp"
 #include "common/contract/frame.hpp"
 #include "common/contract/light_points.hpp"
+#include "common/contract/rendered.hpp"
 #include "common/contract/scene_bytes.hpp"
 
 #include <sys/prctl.h>
@@ -23,14 +23,14 @@ using Answer = void (*)(Reader& question, Writer& answer);
 
 void answer_with_picture(Reader& question, Writer& answer) {
     const Scene scene = get_scene(question);
-    const auto look = get<Look>(question);
+    const auto settings = get<RenderSettings>(question);
     const int every = get<int>(question);
     question.end();
     const auto [width, height] = scene.resolution;
     if (scene.cameras.empty() || width < 1 || height < 1 || width > largest_side ||
         height > largest_side || every < 1)
         throw Malformed("no picture");
-    put(answer, drawn(scene, look, every).pixels);
+    put(answer, rendered(scene, settings, every).pixels);
 }
 
 void answer_with_light_points(Reader& question, Writer& answer) {

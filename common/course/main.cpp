@@ -111,8 +111,8 @@ int list() {
         line.resize(line.size() + 24 - rt::stage_name(stage).size(), ' ');
         line += workbook.state() == rt::State::untouched ? brings[std::size_t(stage - 1)]
                                                          : workbook.summary();
-        std::puts(workbook.state() == rt::State::done ? rt::painted(line, rt::Paint::good).c_str()
-                  : stage == current                  ? rt::painted(line, rt::Paint::bold).c_str()
+        std::puts(workbook.state() == rt::State::done ? rt::styled(line, rt::Style::good).c_str()
+                  : stage == current                  ? rt::styled(line, rt::Style::bold).c_str()
                                                       : line.c_str());
     }
     const bool started = rt::Workbook(current).state() == rt::State::started;
@@ -203,7 +203,7 @@ int run(int stage, const Words& words) {
     return rt::run_process(command);
 }
 
-rt::Contest contest(int stage, const Words& words) {
+rt::ComparisonRequest contest(int stage, const Words& words) {
     rt::choose_reference(parse_stages(words.reference));
     return {
         .stage = stage, .all_mine = words.mine || !words.reference.empty(), .words = words.rest};
@@ -233,8 +233,9 @@ int view(int stage) {
                      .build = rt::build_folder,
                      .stage = stage,
                      .rebuild = [](int shown) {
-                         const rt::Build built = rt::try_build(
-                             {rt::stage_target(shown), rt::stage_target(shown, "_of_reference")});
+                         const rt::Build built =
+                             rt::try_build({rt::stage_target(shown),
+                                            rt::stage_target(shown, "_reference_program")});
                          return built.succeeded ? "" : rt::first_error(built.output);
                      }});
 }

@@ -27,7 +27,7 @@ public:
     }
 
     /// The number rounded to two words.
-    [[nodiscard]] TwoWords rounded() const;
+    [[nodiscard]] DoubleDouble rounded() const;
 
     friend Dyadic operator-(Dyadic a) {
         a.negative_ = !a.negative_;
@@ -126,12 +126,12 @@ inline Dyadic operator*(const Dyadic& a, const Dyadic& b) {
     return product;
 }
 
-inline TwoWords Dyadic::rounded() const {
+inline DoubleDouble Dyadic::rounded() const {
     if (!number_) return std::numeric_limits<Real>::quiet_NaN();
-    TwoWords sum;
+    DoubleDouble sum;
     const int last = std::max(lowest_, end() - 6);  // lower places are less than u² of the number
     for (int place = last; place < end(); ++place)
-        sum = sum + TwoWords(std::ldexp(Real(at(place)), base * place));
+        sum = sum + DoubleDouble(std::ldexp(Real(at(place)), base * place));
     // Far from 1, places or words may be outside the range of Real.
     constexpr Real smallest = std::numeric_limits<Real>::min() * Real(0x1p200);
     sum.error += 16 * unit_roundoff * unit_roundoff * sum.high + smallest;

@@ -9,10 +9,10 @@
 
 namespace rt {
 
-[[nodiscard]] inline TwoWords two_words(const TwoWords& number) {
+[[nodiscard]] inline DoubleDouble two_words(const DoubleDouble& number) {
     return number;
 }
-[[nodiscard]] inline TwoWords two_words(const Dyadic& number) {
+[[nodiscard]] inline DoubleDouble two_words(const Dyadic& number) {
     return number.rounded();
 }
 
@@ -41,11 +41,11 @@ struct Root {
     int surd = 0;
     T radicand;
     T denominator;
-    TwoWords value;
+    DoubleDouble value;
 
     /// The sign of a polynomial at this root; nothing if two words cannot decide it.
     [[nodiscard]] std::optional<int> sign_of(const Polynomial<T>& p) const {
-        const TwoWords there =
+        const DoubleDouble there =
             (two_words(p.c2) * value + two_words(p.c1)) * value + two_words(p.c0);
         auto sign = there.sign();
         if constexpr (std::is_same_v<T, Dyadic>)
@@ -83,7 +83,7 @@ template <class T>
             b = -b;
             c = -c;
         }
-        const TwoWords value = two_words(-c) / two_words(b + b);
+        const DoubleDouble value = two_words(-c) / two_words(b + b);
         return {.count = 1,
                 .roots = {Root<T>{.rational = -c, .denominator = b + b, .value = value}, {}}};
     }
@@ -96,19 +96,19 @@ template <class T>
     const auto real = radicand.sign();
     if (!real) return {.certain = false};
     if (*real < 0) return {};
-    const TwoWords middle = -two_words(b);
+    const DoubleDouble middle = -two_words(b);
     if (*real == 0) {
-        const TwoWords value = middle / two_words(a);
+        const DoubleDouble value = middle / two_words(a);
         return {.count = 1,
                 .roots = {Root<T>{.rational = -b, .denominator = a, .value = value}, {}}};
     }
     // The root of larger magnitude is a sum without cancellation; the other one follows from their
     // product c / a.
-    const TwoWords half_chord = square_root(two_words(radicand));
+    const DoubleDouble half_chord = square_root(two_words(radicand));
     const bool positive = middle.high > 0;
-    const TwoWords sum = positive ? middle + half_chord : middle - half_chord;
-    const TwoWords further = sum / two_words(a);
-    const TwoWords nearer = two_words(c) / sum;
+    const DoubleDouble sum = positive ? middle + half_chord : middle - half_chord;
+    const DoubleDouble further = sum / two_words(a);
+    const DoubleDouble nearer = two_words(c) / sum;
     return {.count = 2,
             .roots = {Root<T>{.rational = -b,
                               .surd = -1,
@@ -191,10 +191,10 @@ template <class CrossingIn>
     const auto decide = [&]<class T>(T number) -> Decision {
         const auto found = first_root(shape.crossing_in(number, asked.ray), asked.interval);
         if (!found.certain || !found.root) return {.certain = found.certain};
-        const TwoWords& t = found.root->value;
+        const DoubleDouble& t = found.root->value;
         return {.certain = t.error <= unit_roundoff * std::abs(t.high), .t = t.high};
     };
-    Decision decision = decide(TwoWords());
+    Decision decision = decide(DoubleDouble());
     if (!decision.certain) decision = decide(Dyadic());
     if (!decision.certain || !decision.t) return std::nullopt;
     // The root is inside the interval; rounding to one word may move it outside, which is corrected

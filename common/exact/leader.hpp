@@ -18,7 +18,7 @@ inline constexpr Real undecided = 260 * unit_roundoff;
 
 /// `Met` identifies the hit object. Its order decides between two hits at exactly the same t.
 template <class Met>
-class Leader {
+class ClosestSoFar {
 public:
     /// The t of the closest hit; infinite if there is none yet.
     [[nodiscard]] Real t() const { return t_; }
@@ -28,7 +28,7 @@ public:
     /// closest hit, the interval ends where no closer hit is possible beyond it, and the function
     /// returns true. `root_of(met)` is the exact root, or nothing if it is not known.
     template <class RootOf>
-    bool yields_to(Real t, const Met& met, const RootOf& root_of, Interval& interval) {
+    bool accepts(Real t, const Met& met, const RootOf& root_of, Interval& interval) {
         const bool told = !(std::abs(t - t_) <= undecided * t);
         if (told ? t >= t_ : !is_ahead(t, met, root_of)) return false;
         t_ = t;
@@ -58,7 +58,7 @@ private:
 namespace rt {
 
 /// The exact root of the hit on the mesh's triangle of that index.
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const PlacedMesh& placed,
+[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const MeshInstance& instance,
                                                   std::uint32_t triangle, Interval interval);
 
 }  // namespace rt
@@ -68,44 +68,45 @@ inline namespace RT_PRECISION {
 
 /// A primitive of a scene that was hit. For boxes no exact root is available.
 struct MetItem {
-    const void* item = nullptr;
+    const void* primitive = nullptr;
     std::uint32_t triangle = 0;  ///< index of a mesh's triangle
     std::optional<ExactRoot> (*root)(const Ray&, const MetItem&) = nullptr;
 
     /// Between two kinds, the one that is tested first stays the closest.
     friend bool operator<(const MetItem& a, const MetItem& b) {
-        return a.root == b.root && std::less<>()(a.item, b.item);
+        return a.root == b.root && std::less<>()(a.primitive, b.primitive);
     }
 };
 
 /// The closest primitive of a scene.
-class LeadingItem {
+class ClosestPrimitive {
 public:
     [[nodiscard]] Real t() const { return leader_.t(); }
 
     template <class Shape>
-    [[nodiscard]] bool yields_to(const Ray& ray, const Item<Shape>& item, Real t,
-                                 Interval& interval) {
-        return yields_to(ray, {.item = &item, .root = &root_of<Shape>}, t, interval);
+    [[nodiscard]] bool accepts(const Ray& ray, const Primitive<Shape>& primitive, Real t,
+                               Interval& interval) {
+        return accepts(ray, {.primitive = &primitive, .root = &root_of<Shape>}, t, interval);
     }
 
-    [[nodiscard]] bool yields_to(const Ray& ray, const Item<PlacedMesh>& item, const MeshHit& hit,
-                                 Interval& interval) {
-        return yields_to(ray,
-                         {.item = &item, .triangle = hit.triangle, .root = &root_of<PlacedMesh>},
-                         hit.t, interval);
+    [[nodiscard]] bool accepts(const Ray& ray, const Primitive<MeshInstance>& primitive,
+                               const MeshHit& hit, Interval& interval) {
+        return accepts(
+            ray,
+            {.primitive = &primitive, .triangle = hit.triangle, .root = &root_of<MeshInstance>},
+            hit.t, interval);
     }
 
 private:
-    bool yields_to(const Ray& ray, const MetItem& met, Real t, Interval& interval) {
-        return leader_.yields_to(
+    bool accepts(const Ray& ray, const MetItem& met, Real t, Interval& interval) {
+        return leader_.accepts(
             t, met, [&ray](const MetItem& one) { return one.root(ray, one); }, interval);
     }
 
     template <class Shape>
     static std::optional<ExactRoot> root_of(const Ray& ray, const MetItem& met) {
-        const Shape& shape = static_cast<const Item<Shape>*>(met.item)->shape;
-        if constexpr (std::is_same_v<Shape, PlacedMesh>)
+        const Shape& shape = static_cast<const Primitive<Shape>*>(met.primitive)->shape;
+        if constexpr (std::is_same_v<Shape, MeshInstance>)
             return exact_root(ray, shape, met.triangle, {});
         else if constexpr (requires { exact_root(ray, shape, Interval()); })
             return exact_root(ray, shape, {});
@@ -113,7 +114,7 @@ private:
             return std::nullopt;
     }
 
-    Leader<MetItem> leader_;
+    ClosestSoFar<MetItem> leader_;
 };
 
 }  // namespace RT_PRECISION

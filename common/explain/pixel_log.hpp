@@ -14,9 +14,9 @@
 namespace rt {
 
 /// Writes the pixel log, one quantity on each line.
-class Story {
+class PixelLog {
 public:
-    explicit Story(std::ostream& out) : out_(out) {}
+    explicit PixelLog(std::ostream& out) : out_(out) {}
 
     /// Starts a new group of lines.
     void heading(const std::string& text);
@@ -38,44 +38,44 @@ private:
 // Each function logs the quantities by which a document decides whether the ray hits a shape. The
 // shape's stage defines it (in its story.cpp) from the documents' formulas, independent of the
 // stage's `intersect`. Each returns the reason for a miss; an empty string for a hit.
-std::string tell(Story& story, const Ray& ray, const Sphere& sphere);
-std::string tell(Story& story, const Ray& ray, const Plane& plane);
-std::string tell(Story& story, const Ray& ray, const Triangle& triangle);
-std::string tell(Story& story, const Ray& ray, const Square& square);
-std::string tell(Story& story, const Ray& ray, const Cylinder& cylinder);
-std::string tell(Story& story, const Ray& ray, const Cone& cone);
-std::string tell(Story& story, const Ray& ray, const OrientedBox& box);
-std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed);
+std::string explain(PixelLog& log, const Ray& ray, const Sphere& sphere);
+std::string explain(PixelLog& log, const Ray& ray, const Plane& plane);
+std::string explain(PixelLog& log, const Ray& ray, const Triangle& triangle);
+std::string explain(PixelLog& log, const Ray& ray, const Square& square);
+std::string explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder);
+std::string explain(PixelLog& log, const Ray& ray, const Cone& cone);
+std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box);
+std::string explain(PixelLog& log, const Ray& ray, const MeshInstance& instance);
 
 /// A description, "a mesh of 12 triangles, …": no C++ code that constructs the mesh.
-std::string code(const PlacedMesh& placed);
+std::string code(const MeshInstance& instance);
 
 /// Logs and returns the real solutions of A t² + B t + C = 0 (PHY); empty if there are none.
-std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c);
+std::vector<Real> explain_quadratic(PixelLog& log, Real a, Real b, Real c);
 
 /// Log the ray through the pixel (stage 1), and its rotation by the camera (stage 2).
-void tell_screen(Story& story, Pixel pixel, Resolution resolution, Real vertical_fov);
-void tell_basis(Story& story, const Camera& camera);
+void explain_screen(PixelLog& log, Pixel pixel, Resolution resolution, Real vertical_fov);
+void explain_basis(PixelLog& log, const Camera& camera);
 
 /// Logs the closest hit: its point, and the result of the stage's `normal` there.
-void tell_hit(Story& story, Vec3 point, Vec3 normal);
+void explain_hit(PixelLog& log, Vec3 point, Vec3 normal);
 
 /// Logs the result of `intersect` for one shape, after the quantities that explain it.
 template <class Shape>
-void tell_candidate(Story& story, const Ray& ray, const Shape& shape, Interval interval,
-                    std::optional<Real> t) {
-    if (!t && !story.room_for_miss()) return;
-    story.heading(code(shape));
-    const std::string reason = tell(story, ray, shape);
+void explain_candidate(PixelLog& log, const Ray& ray, const Shape& shape, Interval interval,
+                       std::optional<Real> t) {
+    if (!t && !log.room_for_miss()) return;
+    log.heading(code(shape));
+    const std::string reason = explain(log, ray, shape);
     if (t)
-        story.remark("hit at t = " + text(*t) +
-                     (reason.empty() ? "" : " according to intersect, although " + reason));
+        log.remark("hit at t = " + text(*t) +
+                   (reason.empty() ? "" : " according to intersect, although " + reason));
     else if (!reason.empty())
-        story.remark("missed: " + reason);
+        log.remark("missed: " + reason);
     else if (interval.max < infinity)
-        story.remark("not nearer than the hit at t = " + text(interval.max));
+        log.remark("not nearer than the hit at t = " + text(interval.max));
     else
-        story.remark("missed according to intersect, although no condition above fails");
+        log.remark("missed according to intersect, although no condition above fails");
 }
 
 }  // namespace rt

@@ -4,10 +4,10 @@
 
 namespace rt {
 
-std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c) {
+std::vector<Real> explain_quadratic(PixelLog& log, Real a, Real b, Real c) {
     const Real discriminant = b * b - 4 * a * c;
-    story.line("A, B, C", text(a) + ", " + text(b) + ", " + text(c));
-    story.line("Δ = B² − 4AC", text(discriminant));
+    log.line("A, B, C", text(a) + ", " + text(b) + ", " + text(c));
+    log.line("Δ = B² − 4AC", text(discriminant));
     std::vector<Real> roots;
     if (a == 0 && b != 0) roots = {-c / b};
     if (a != 0 && discriminant >= 0) {
@@ -16,14 +16,14 @@ std::vector<Real> tell_quadratic(Story& story, Real a, Real b, Real c) {
         const Real t2 = (-b + root) / (2 * a);
         roots = {std::min(t1, t2), std::max(t1, t2)};
     }
-    for (const Real t : roots) story.line("t", text(t));
+    for (const Real t : roots) log.line("t", text(t));
     return roots;
 }
 
-void tell_hit(Story& story, Vec3 point, Vec3 normal) {
-    story.heading("The closest hit");
-    story.line("p", text(point));
-    story.line("n", text(normal));
+void explain_hit(PixelLog& log, Vec3 point, Vec3 normal) {
+    log.heading("The closest hit");
+    log.line("p", text(point));
+    log.line("n", text(normal));
 }
 
 }  // namespace rt

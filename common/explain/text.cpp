@@ -95,14 +95,14 @@ std::string code(const OrientedBox& box) {
            field("basis", code(box.basis)) + ", " + field("half_size", code(box.half_size)) + "}";
 }
 
-std::string code(const Box& box) {
-    return "Box{" + field("min", code(box.min)) + ", " + field("max", code(box.max)) + "}";
+std::string code(const BoundingBox& box) {
+    return "BoundingBox{" + field("min", code(box.min)) + ", " + field("max", code(box.max)) + "}";
 }
 
-std::string code(const Motion& motion) {
-    return "Motion{" + field("rotation", code(motion.rotation)) + ", " +
-           field("scale", code(motion.scale)) + ", " +
-           field("translation", code(motion.translation)) + "}";
+std::string code(const Transform& transform) {
+    return "Transform{" + field("rotation", code(transform.rotation)) + ", " +
+           field("scale", code(transform.scale)) + ", " +
+           field("translation", code(transform.translation)) + "}";
 }
 
 }  // namespace rt

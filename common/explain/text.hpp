@@ -29,7 +29,7 @@ namespace rt {
 [[nodiscard]] std::string code(const Cylinder& cylinder);
 [[nodiscard]] std::string code(const Cone& cone);
 [[nodiscard]] std::string code(const OrientedBox& box);
-[[nodiscard]] std::string code(const Box& box);
-[[nodiscard]] std::string code(const Motion& motion);
+[[nodiscard]] std::string code(const BoundingBox& box);
+[[nodiscard]] std::string code(const Transform& transform);
 
 }  // namespace rt

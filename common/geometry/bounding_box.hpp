@@ -8,7 +8,7 @@ inline namespace RT_PRECISION {
 
 /// All points from corner `min` to corner `max`; empty if a component of min is greater than that
 /// of max.
-struct Box {
+struct BoundingBox {
     Vec3 min{infinity};
     Vec3 max{-infinity};
 };
@@ -19,17 +19,17 @@ struct Box {
 namespace rt {
 
 /// The largest absolute value of a coordinate in the box.
-[[nodiscard]] inline Real largest_component(const Box& box) {
+[[nodiscard]] inline Real largest_component(const BoundingBox& box) {
     return glm::max(largest_component(box.min), largest_component(box.max));
 }
 
 /// The smallest box that contains both boxes.
-[[nodiscard]] inline Box united(const Box& a, const Box& b) {
+[[nodiscard]] inline BoundingBox merged(const BoundingBox& a, const BoundingBox& b) {
     return {.min = glm::min(a.min, b.min), .max = glm::max(a.max, b.max)};
 }
 
 /// The smallest box that contains the box and the point.
-[[nodiscard]] inline Box united(const Box& box, Vec3 point) {
+[[nodiscard]] inline BoundingBox merged(const BoundingBox& box, Vec3 point) {
     return {.min = glm::min(box.min, point), .max = glm::max(box.max, point)};
 }
 

@@ -7,7 +7,7 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// All points at most `radius` from the center.
-struct Ball {
+struct BoundingSphere {
     Vec3 center;
     Real radius = 0;
 };

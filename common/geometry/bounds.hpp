@@ -10,26 +10,26 @@
 namespace rt {
 
 /// The padded bounding box of a shape, in units of the scene.
-[[nodiscard]] Box bounds(const Sphere& sphere);
-[[nodiscard]] Box bounds(const Triangle& triangle);
-[[nodiscard]] Box bounds(const Square& square);
-[[nodiscard]] Box bounds(const Cylinder& cylinder);
-[[nodiscard]] Box bounds(const Cone& cone);
-[[nodiscard]] Box bounds(const OrientedBox& box);
+[[nodiscard]] BoundingBox bounds(const Sphere& sphere);
+[[nodiscard]] BoundingBox bounds(const Triangle& triangle);
+[[nodiscard]] BoundingBox bounds(const Square& square);
+[[nodiscard]] BoundingBox bounds(const Cylinder& cylinder);
+[[nodiscard]] BoundingBox bounds(const Cone& cone);
+[[nodiscard]] BoundingBox bounds(const OrientedBox& box);
 
 /// The bounding box of the vertices that triangles use, without padding; empty if there are no
 /// triangles.
-[[nodiscard]] Box bounds(const Mesh& mesh);
+[[nodiscard]] BoundingBox bounds(const Mesh& mesh);
 
 /// The padded bounding sphere of a shape, in units of the scene.
-[[nodiscard]] Ball ball_around(const Sphere& sphere);
-[[nodiscard]] Ball ball_around(const Triangle& triangle);
-[[nodiscard]] Ball ball_around(const Square& square);
-[[nodiscard]] Ball ball_around(const Cylinder& cylinder);
-[[nodiscard]] Ball ball_around(const Cone& cone);
-[[nodiscard]] Ball ball_around(const OrientedBox& box);
+[[nodiscard]] BoundingSphere bounding_sphere(const Sphere& sphere);
+[[nodiscard]] BoundingSphere bounding_sphere(const Triangle& triangle);
+[[nodiscard]] BoundingSphere bounding_sphere(const Square& square);
+[[nodiscard]] BoundingSphere bounding_sphere(const Cylinder& cylinder);
+[[nodiscard]] BoundingSphere bounding_sphere(const Cone& cone);
+[[nodiscard]] BoundingSphere bounding_sphere(const OrientedBox& box);
 
 /// The bounding sphere of a box that is already padded.
-[[nodiscard]] Ball ball_around(const Box& box);
+[[nodiscard]] BoundingSphere bounding_sphere(const BoundingBox& box);
 
 }  // namespace rt

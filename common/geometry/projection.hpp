@@ -16,7 +16,7 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// A point, and an upper bound on its distance from the shape.
-struct SurfacePoint {
+struct PointWithError {
     Vec3 point;
     Real error;
 };
@@ -37,7 +37,7 @@ namespace rt {
 }
 
 /// The projected point with its error bound, for a shape whose own coordinates are at most `size`.
-[[nodiscard]] inline SurfacePoint bounded(Vec3 point, Real size) {
+[[nodiscard]] inline PointWithError bounded(Vec3 point, Real size) {
     return {.point = point, .error = projection_error(glm::max(largest_component(point), size))};
 }
 
@@ -50,19 +50,19 @@ namespace rt {
 // nearest to the given point, which must already be near. Where no nearest point is defined, on an
 // axis, it returns the given point.
 
-[[nodiscard]] inline SurfacePoint projected(const Sphere& sphere, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Sphere& sphere, Vec3 point) {
     const auto& [center, radius] = sphere;
     const Vec3 outward = point - center;
     if (outward == Vec3(0)) return bounded(point, radius);
     return bounded(center + radius * unit(outward), largest_component(center) + radius);
 }
 
-[[nodiscard]] inline SurfacePoint projected(const Plane& plane, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Plane& plane, Vec3 point) {
     return bounded(onto_plane(point, plane.point, unit(plane.normal)),
                    largest_component(plane.point));
 }
 
-[[nodiscard]] inline SurfacePoint projected(const Triangle& triangle, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Triangle& triangle, Vec3 point) {
     const auto& [a, b, c] = triangle;
     // For a sliver, the plain cross product has too few accurate digits to stay in the plane.
     const Vec3 normal = compensated_cross(b - a, c - a);
@@ -72,12 +72,12 @@ namespace rt {
     return bounded(onto_plane(point, a, unit(normal)), size);
 }
 
-[[nodiscard]] inline SurfacePoint projected(const Square& square, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Square& square, Vec3 point) {
     return bounded(onto_plane(point, square.center, square.basis.z),
                    largest_component(square.center) + square.side);
 }
 
-[[nodiscard]] inline SurfacePoint projected(const Cylinder& cylinder, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Cylinder& cylinder, Vec3 point) {
     const auto& [center, axis, radius, height] = cylinder;
     const Real size = largest_component(center) + radius + height;
     const Vec3 along = dot(point - center, axis) * axis;
@@ -86,7 +86,7 @@ namespace rt {
     return bounded(center + along + radius * unit(across), size);
 }
 
-[[nodiscard]] inline SurfacePoint projected(const Cone& cone, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const Cone& cone, Vec3 point) {
     const auto& [apex, axis, radius, height] = cone;
     const Real size = largest_component(apex) + radius + height;
     const Real z = dot(point - apex, axis);
@@ -99,7 +99,7 @@ namespace rt {
     return bounded(apex + dot(point - apex, side) * side, size);
 }
 
-[[nodiscard]] inline SurfacePoint projected(const OrientedBox& box, Vec3 point) {
+[[nodiscard]] inline PointWithError snapped_to(const OrientedBox& box, Vec3 point) {
     const auto& [center, basis, half_size] = box;
     const Vec3 p(dot(point - center, basis.x), dot(point - center, basis.y),
                  dot(point - center, basis.z));

@@ -10,12 +10,12 @@ inline namespace RT_PRECISION {
 
 /// The transform p ↦ scale · (p rotated) + translation. The rotation maps (1, 0, 0), (0, 1, 0), (0,
 /// 0, 1) to its x, y, z. Every shape keeps its kind, and every angle its size.
-struct Motion {
+struct Transform {
     Basis rotation;
     Real scale = 1;  ///< positive
     Vec3 translation;
 
-    bool operator==(const Motion&) const = default;
+    bool operator==(const Transform&) const = default;
 };
 
 }  // namespace RT_PRECISION
@@ -24,63 +24,69 @@ struct Motion {
 namespace rt {
 
 /// The direction rotated; its length does not change.
-[[nodiscard]] inline Vec3 turned(Vec3 v, const Motion& motion) {
-    const auto& [x, y, z] = motion.rotation;
+[[nodiscard]] inline Vec3 rotated(Vec3 v, const Transform& transform) {
+    const auto& [x, y, z] = transform.rotation;
     return v.x * x + v.y * y + v.z * z;
 }
 
 /// The point transformed.
-[[nodiscard]] inline Vec3 moved(Vec3 point, const Motion& motion) {
-    return motion.scale * turned(point, motion) + motion.translation;
+[[nodiscard]] inline Vec3 transformed(Vec3 point, const Transform& transform) {
+    return transform.scale * rotated(point, transform) + transform.translation;
 }
 
 /// The ray transformed. Each of its points keeps its t, because the direction is scaled too.
-[[nodiscard]] inline Ray moved(const Ray& ray, const Motion& motion) {
-    return {.origin = moved(ray.origin, motion),
-            .direction = motion.scale * turned(ray.direction, motion)};
+[[nodiscard]] inline Ray transformed(const Ray& ray, const Transform& transform) {
+    return {.origin = transformed(ray.origin, transform),
+            .direction = transform.scale * rotated(ray.direction, transform)};
 }
 
-[[nodiscard]] inline Sphere moved(const Sphere& sphere, const Motion& motion) {
-    return {.center = moved(sphere.center, motion), .radius = motion.scale * sphere.radius};
+[[nodiscard]] inline Sphere transformed(const Sphere& sphere, const Transform& transform) {
+    return {.center = transformed(sphere.center, transform),
+            .radius = transform.scale * sphere.radius};
 }
 
-[[nodiscard]] inline Plane moved(const Plane& plane, const Motion& motion) {
-    return {.point = moved(plane.point, motion), .normal = turned(plane.normal, motion)};
+[[nodiscard]] inline Plane transformed(const Plane& plane, const Transform& transform) {
+    return {.point = transformed(plane.point, transform),
+            .normal = rotated(plane.normal, transform)};
 }
 
-[[nodiscard]] inline Triangle moved(const Triangle& triangle, const Motion& motion) {
-    return {.a = moved(triangle.a, motion),
-            .b = moved(triangle.b, motion),
-            .c = moved(triangle.c, motion)};
+[[nodiscard]] inline Triangle transformed(const Triangle& triangle, const Transform& transform) {
+    return {.a = transformed(triangle.a, transform),
+            .b = transformed(triangle.b, transform),
+            .c = transformed(triangle.c, transform)};
 }
 
-[[nodiscard]] inline Square moved(const Square& square, const Motion& motion) {
+[[nodiscard]] inline Square transformed(const Square& square, const Transform& transform) {
     const auto& [x, y, z] = square.basis;
-    return {.center = moved(square.center, motion),
-            .basis = {.x = turned(x, motion), .y = turned(y, motion), .z = turned(z, motion)},
-            .side = motion.scale * square.side,
+    return {.center = transformed(square.center, transform),
+            .basis = {.x = rotated(x, transform),
+                      .y = rotated(y, transform),
+                      .z = rotated(z, transform)},
+            .side = transform.scale * square.side,
             .one_sided = square.one_sided};
 }
 
-[[nodiscard]] inline Cylinder moved(const Cylinder& cylinder, const Motion& motion) {
-    return {.center = moved(cylinder.center, motion),
-            .axis = turned(cylinder.axis, motion),
-            .radius = motion.scale * cylinder.radius,
-            .height = motion.scale * cylinder.height};
+[[nodiscard]] inline Cylinder transformed(const Cylinder& cylinder, const Transform& transform) {
+    return {.center = transformed(cylinder.center, transform),
+            .axis = rotated(cylinder.axis, transform),
+            .radius = transform.scale * cylinder.radius,
+            .height = transform.scale * cylinder.height};
 }
 
-[[nodiscard]] inline OrientedBox moved(const OrientedBox& box, const Motion& motion) {
+[[nodiscard]] inline OrientedBox transformed(const OrientedBox& box, const Transform& transform) {
     const auto& [x, y, z] = box.basis;
-    return {.center = moved(box.center, motion),
-            .basis = {.x = turned(x, motion), .y = turned(y, motion), .z = turned(z, motion)},
-            .half_size = motion.scale * box.half_size};
+    return {.center = transformed(box.center, transform),
+            .basis = {.x = rotated(x, transform),
+                      .y = rotated(y, transform),
+                      .z = rotated(z, transform)},
+            .half_size = transform.scale * box.half_size};
 }
 
-[[nodiscard]] inline Cone moved(const Cone& cone, const Motion& motion) {
-    return {.apex = moved(cone.apex, motion),
-            .axis = turned(cone.axis, motion),
-            .radius = motion.scale * cone.radius,
-            .height = motion.scale * cone.height};
+[[nodiscard]] inline Cone transformed(const Cone& cone, const Transform& transform) {
+    return {.apex = transformed(cone.apex, transform),
+            .axis = rotated(cone.axis, transform),
+            .radius = transform.scale * cone.radius,
+            .height = transform.scale * cone.height};
 }
 
 }  // namespace rt

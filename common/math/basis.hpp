@@ -15,7 +15,7 @@ struct Basis {
     bool operator==(const Basis&) const = default;
 };
 
-/// The type of stage 2's basis_around: returns a basis whose z axis points along `z`.
+/// The type of stage 2's orthonormal_basis: returns a basis whose z axis points along `z`.
 using BasisAround = Basis(Vec3 z);
 
 }  // namespace RT_PRECISION

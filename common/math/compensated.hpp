@@ -76,7 +76,7 @@ template <std::size_t count>
 /// Returns whether a sum, computed in twice the precision from terms whose absolute values add up
 /// to `size`, has lost at most half of its digits to cancellation. Such a sum is accurate to the
 /// last digit.
-[[nodiscard]] inline bool enough_left(Real sum, Real size) {
+[[nodiscard]] inline bool is_accurate(Real sum, Real size) {
     return std::abs(sum) >= 8 * unit_roundoff * size;
 }
 
@@ -96,7 +96,7 @@ template <std::size_t count>
                                  exact_product(a.z, b.z)};
     const Real sum = sum_with_dropped(products);
     const auto& [x, y, z] = products;
-    if (enough_left(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
+    if (is_accurate(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
         return sum;
     return compensated_sum(std::array{x.dropped, y.dropped, z.dropped, x.value, y.value, z.value});
 }
@@ -111,7 +111,7 @@ template <std::size_t count>
     const Real sum =
         sum_with_dropped(products) + glm::dot(n, Vec3(dx.dropped, dy.dropped, dz.dropped));
     const auto& [x, y, z] = products;
-    if (enough_left(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
+    if (is_accurate(sum, std::abs(x.value) + std::abs(y.value) + std::abs(z.value))) [[likely]]
         return sum;
     const Rounded small_x = exact_product(n.x, dx.dropped);
     const Rounded small_y = exact_product(n.y, dy.dropped);

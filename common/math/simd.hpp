@@ -92,9 +92,9 @@ inline constexpr std::size_t lane_count = 4;
 inline constexpr std::size_t float_count =
     std::max(lane_count, sizeof(LanePart<float, 8>) / sizeof(float));
 
-using Lanes = LanesOf<Real, lane_count>;
-using Floats = LanesOf<float, lane_count>;  ///< in either precision
-using MoreFloats = LanesOf<float, float_count>;
+using RealX4 = LanesOf<Real, lane_count>;
+using Float4 = LanesOf<float, lane_count>;  ///< in either precision
+using FloatN = LanesOf<float, float_count>;
 
 /// The same number in every lane.
 template <class Number, std::size_t count>
@@ -103,16 +103,16 @@ template <class Number, std::size_t count>
         [value](std::size_t) { return value - LanePart<Number, count>{}; });
 }
 
-[[nodiscard]] inline Lanes all_lanes(Real value) {
+[[nodiscard]] inline RealX4 broadcast(Real value) {
     return all_of<Real, lane_count>(value);
 }
 
-[[nodiscard]] inline Floats all_floats(float value) {
+[[nodiscard]] inline Float4 broadcast_float(float value) {
     return all_of<float, lane_count>(value);
 }
 
-[[nodiscard]] inline Floats floats_of(const std::array<float, lane_count>& values) {
-    return std::bit_cast<Floats>(values);
+[[nodiscard]] inline Float4 floats_of(const std::array<float, lane_count>& values) {
+    return std::bit_cast<Float4>(values);
 }
 
 template <class Number, std::size_t count>
@@ -193,7 +193,7 @@ template <class Number, std::size_t count>
 
 /// One bit for each lane; the first lane's is the lowest.
 template <std::size_t count>
-[[nodiscard]] inline unsigned bits(const std::array<int, count>& lanes) {
+[[nodiscard]] inline unsigned mask_bits(const std::array<int, count>& lanes) {
     unsigned result = 0;
     for (std::size_t i = 0; i < count; ++i) result |= unsigned(lanes[i]) << i;
     return result;
@@ -220,9 +220,9 @@ template <std::size_t count>
 #endif
 
 template <class Number, std::size_t count>
-[[nodiscard]] inline unsigned bits(MaskOf<Number, count> mask) {
+[[nodiscard]] inline unsigned mask_bits(MaskOf<Number, count> mask) {
     if constexpr (std::is_same_v<LaneMask<Number, count>, int>) {
-        return bits(mask.parts);
+        return mask_bits(mask.parts);
     } else {
         unsigned result = 0;
 #ifdef __SSE2__
@@ -240,7 +240,7 @@ template <class Number, std::size_t count>
 
 /// Clears the lowest set bit, and returns its index.
 template <std::unsigned_integral Bits>
-[[nodiscard]] inline std::size_t take_lowest(Bits& bits) {
+[[nodiscard]] inline std::size_t pop_lowest_bit(Bits& bits) {
     const auto lowest = std::size_t(std::countr_zero(bits));
     bits &= bits - 1;
     return lowest;

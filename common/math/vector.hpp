@@ -29,7 +29,7 @@ namespace rt {
 
 /// Returns whether this sum of squares is accurate: no term overflowed, and what underflowed is far
 /// less than u times the sum.
-[[nodiscard]] inline bool keeps_its_digits(Real square) {
+[[nodiscard]] inline bool is_safe_square(Real square) {
     constexpr Real smallest = std::numeric_limits<Real>::min() / (unit_roundoff * unit_roundoff);
     return smallest <= square && square < infinity;
 }
@@ -40,14 +40,14 @@ namespace rt {
 [[nodiscard]] inline Vec3 unit(Vec3 v) {
     const Real square = glm::dot(v, v);
     if (square == 1) return v;  // frequent, and the division would not change v
-    if (keeps_its_digits(square)) return v / std::sqrt(square);
+    if (is_safe_square(square)) return v / std::sqrt(square);
     const Vec3 scaled = v / largest_component(v);
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
 /// The normal, flipped if needed to face the side from which `direction` arrives. Shading requires
 /// this; the shapes' own normals point outward.
-[[nodiscard]] inline Vec3 facing(Vec3 normal, Vec3 direction) {
+[[nodiscard]] inline Vec3 face_forward(Vec3 normal, Vec3 direction) {
     return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 

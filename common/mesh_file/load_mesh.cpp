@@ -34,7 +34,7 @@ void repair_normals(Mesh& mesh) {
 Mesh load_mesh(const std::string& file, const Warn& warn) {
     MeshFile content = read_mesh_file(file);
     for (const std::string& warning : content.warnings)
-        if (warn) warn(to_string(Place{file}) + "warning: " + warning);
+        if (warn) warn(to_string(FileLocation{file}) + "warning: " + warning);
     Mesh mesh = {.vertices = as_real(content.vertices),
                  .normals = as_real(content.normals),
                  .triangles = std::move(content.triangles)};

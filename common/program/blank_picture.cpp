@@ -21,10 +21,10 @@ constexpr Resolution trial_size{.width = 24, .height = 18};
 constexpr std::size_t most_cameras_tried = 16;
 
 /// The number of rays of a small picture that hit a shape.
-int hits(const Scene& scene, const Camera& camera, Look look) {
-    look.shading = Shading::normal;  // in this shading only missed pixels are black
+int hits(const Scene& scene, const Camera& camera, RenderSettings settings) {
+    settings.shading = Shading::normal;  // in this shading only missed pixels are black
     const PixelRays pixel_ray = pixel_rays(camera, trial_size);
-    Context context{.look = look};
+    Context context{.settings = settings};
     int count = 0;
     for (int row = 0; row < trial_size.height; ++row)
         for (int column = 0; column < trial_size.width; ++column) {
@@ -36,15 +36,15 @@ int hits(const Scene& scene, const Camera& camera, Look look) {
 }
 
 /// The bounding box of all shapes except planes; empty if there are none.
-Box around(const Scene& scene) {
-    Box all;
-    for_each_kind(scene, [&all](const auto& items) { all = united(all, items.box()); });
-    return united(all, scene.meshes.box());
+BoundingBox around(const Scene& scene) {
+    BoundingBox all;
+    for_each_kind(scene, [&all](const auto& primitives) { all = merged(all, primitives.box()); });
+    return merged(all, scene.meshes.box());
 }
 
 std::size_t count_shapes(const Scene& scene) {
     std::size_t count = scene.meshes.size();
-    for_each_kind(scene, [&count](const auto& items) { count += items.size(); });
+    for_each_kind(scene, [&count](const auto& primitives) { count += primitives.size(); });
     return count;
 }
 
@@ -52,7 +52,7 @@ std::size_t count_shapes(const Scene& scene) {
 /// the axes.
 std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
     std::vector<Vec3> directions;
-    const Box box = around(scene);
+    const BoundingBox box = around(scene);
     const Vec3 way = box.min / Real(2) + box.max / Real(2) - position;
     const Real size = largest_component(glm::abs(way));
     if (size > 0 && size < infinity) directions.push_back(way / size);
@@ -73,13 +73,13 @@ Vec3 rounded(Vec3 v) {
     return glm::round(v * Real(100)) / Real(100);
 }
 
-std::string why_nothing_is_met(const Scene& scene, const Look& look) {
+std::string why_nothing_is_met(const Scene& scene, const RenderSettings& settings) {
     const std::string start = "no ray of the camera hits a shape: ";
     const Camera& camera = scene.cameras.front();
     if (camera.fov == 0) return start + "its field of view is 0; try one of 60";
     const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
     for (std::size_t i = 1; i < cameras; ++i)
-        if (hits(scene, scene.cameras[i], look) > 0)
+        if (hits(scene, scene.cameras[i], settings) > 0)
             return start + "another camera sees some; try --camera " + std::to_string(i + 1);
 
     Camera tried = camera;
@@ -88,7 +88,7 @@ std::string why_nothing_is_met(const Scene& scene, const Look& look) {
     for (const Vec3& direction : other_directions(scene, camera.position)) {
         if (rounded(direction) == Vec3(0)) continue;
         tried.direction = unit(rounded(direction));
-        const int count = hits(scene, tried, look);
+        const int count = hits(scene, tried, settings);
         if (count <= most) continue;
         most = count;
         best = rounded(direction);
@@ -101,7 +101,8 @@ std::string why_nothing_is_met(const Scene& scene, const Look& look) {
 
 }  // namespace
 
-std::string why_blank(const Scene& scene, const Look& look, int stage, const Image& image) {
+std::string why_blank(const Scene& scene, const RenderSettings& settings, int stage,
+                      const Image& image) {
     const std::vector<Rgb>& pixels = image.pixels;
     const auto differs = [&pixels](Rgb pixel) { return pixel != pixels.front(); };
     if (stage < shapes_stage || pixels.size() < least_pixels) return "";
@@ -109,9 +110,9 @@ std::string why_blank(const Scene& scene, const Look& look, int stage, const Ima
     const std::string start = "all pixels have one color: ";
     if (count_shapes(scene) == 0)
         return start + "the scene has no shape; try a line such as \"sp 0,0,0 2 255,0,0\"";
-    if (hits(scene, scene.cameras.front(), look) == 0)
-        return start + why_nothing_is_met(scene, look);
-    const bool lit = stage >= light_stage && look.shading == Shading::color;
+    if (hits(scene, scene.cameras.front(), settings) == 0)
+        return start + why_nothing_is_met(scene, settings);
+    const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
         return start + "there is no light; try lines A and L, or --shade normal";
     if (lit && pixels.front() == Rgb{0, 0, 0})

@@ -12,7 +12,7 @@ namespace rt {
 /// Returns one sentence if all pixels of the stage's picture have one color, else an empty string.
 /// The remedy that it suggests has been tried with a few rays. The picture is that of the scene's
 /// first camera.
-[[nodiscard]] std::string why_blank(const Scene& scene, const Look& look, int stage,
+[[nodiscard]] std::string why_blank(const Scene& scene, const RenderSettings& settings, int stage,
                                     const Image& image);
 
 }  // namespace rt

@@ -27,19 +27,20 @@ void leave_out_copied_triangles(Mesh& mesh) {
         });
 }
 
-std::shared_ptr<const Model> load_model(const std::string& file, bool smooth, const Warn& warn) {
-    Model model{.mesh = load_mesh(file, warn)};
+std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smooth,
+                                               const Warn& warn) {
+    MeshGeometry model{.mesh = load_mesh(file, warn)};
     Mesh& mesh = model.mesh;
     if (!smooth) mesh.normals.clear();
     if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
     leave_out_copied_triangles(mesh);
-    if (mesh.triangles.size() >= packing_pays_from) model.packed.emplace(mesh);
+    if (mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(mesh);
     model.bounds = model.packed ? model.packed->bounds() : bounds(mesh);
-    return std::make_shared<const Model>(std::move(model));
+    return std::make_shared<const MeshGeometry>(std::move(model));
 }
 
 /// "the mesh of scene.rt:4:1"
-std::string named_by(const Place& place) {
+std::string named_by(const FileLocation& place) {
     std::string text = to_string(place);
     text.resize(text.rfind(':'));
     return "the mesh of " + text;
@@ -48,8 +49,8 @@ std::string named_by(const Place& place) {
 }  // namespace
 
 void load_meshes(Scene& scene, const Warn& warn) {
-    std::map<std::pair<std::string, bool>, std::shared_ptr<const Model>> models;
-    for (const NamedMesh& named : scene.named_meshes) {
+    std::map<std::pair<std::string, bool>, std::shared_ptr<const MeshGeometry>> models;
+    for (const MeshRequest& named : scene.mesh_requests) {
         const std::string file = path_of(named);
         const auto warn_of_line = [&](const std::string& warning) {
             if (warn) warn(warning + " (" + named_by(named.place) + ")");

@@ -37,10 +37,10 @@ void on_interrupt(int /*signal*/) {
 
 #ifdef RT_EXACT
 constexpr bool exact = true;
-constexpr auto open_float = rt::f64::open_session;  // never called: the precision is fixed
+constexpr auto open_float = rt::f64::make_renderer;  // never called: the precision is fixed
 #else
 constexpr bool exact = false;
-constexpr auto open_float = rt::f32::open_session;
+constexpr auto open_float = rt::f32::make_renderer;
 #endif
 
 /// Checks the output file before rendering, so that no finished picture is lost.
@@ -52,19 +52,20 @@ void check_output(const rt::Options& options) {
     rt::check_writable(options.output);
 }
 
-std::unique_ptr<rt::Session> open(const rt::Program& program, const rt::Options& options,
-                                  rt::Precision precision) {
-    const auto open_session = precision == rt::Precision::f32 ? open_float : rt::f64::open_session;
+std::unique_ptr<rt::Renderer> open(const rt::Program& program, const rt::Options& options,
+                                   rt::Precision precision) {
+    const auto make_renderer =
+        precision == rt::Precision::f32 ? open_float : rt::f64::make_renderer;
     reading = true;
-    std::unique_ptr<rt::Session> session = open_session(program, options);
+    std::unique_ptr<rt::Renderer> session = make_renderer(program, options);
     reading = false;
     return session;
 }
 
 /// Renders with automatic settings, for a tolerance or a time.
 bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::time_point start,
-                    std::unique_ptr<rt::Session> session) {
-    std::unique_ptr<rt::Session> in_float;
+                    std::unique_ptr<rt::Renderer> session) {
+    std::unique_ptr<rt::Renderer> in_float;
     rt::OpenFloat other;
     if (!options.precision_given && !exact)
         other = [&]() -> rt::Trials& {
@@ -72,22 +73,22 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
         };
     const bool shown = !options.quiet && rt::errors_on_terminal();
     if (shown) std::cerr << "trying settings\r" << std::flush;
-    const auto choice = choose(*session, other, options, start, stop);
+    const auto chosen = choose(*session, other, options, start, stop);
     if (shown) std::cerr << "\033[K" << std::flush;
-    if (!choice) return false;
-    options.look = choice->expected.look;
-    options.hierarchy_from = choice->hierarchy_from;
-    if (choice->in_float) {
+    if (!chosen) return false;
+    options.settings = chosen->expected.settings;
+    options.hierarchy_from = chosen->hierarchy_from;
+    if (chosen->in_float) {
         options.precision = rt::Precision::f32;
         session = std::move(in_float);
     }
     in_float.reset();
     if (!options.quiet) {
-        for (const std::string& reason : choice->reasons) std::cout << reason << '\n';
+        for (const std::string& reason : chosen->reasons) std::cout << reason << '\n';
         if (!options.time)
             std::cout << rt::line("equivalent", rt::equivalent_options(program, options)) << '\n';
     }
-    return session->run(options, choice->pace.get(), stop);
+    return session->run(options, chosen->pace.get(), stop);
 }
 
 std::vector<std::string> read_risks(const rt::Options& options) {
@@ -105,7 +106,7 @@ void explain_risks(const rt::Options& options) {
 
 void warn_of_risks(const rt::Options& options) {
     for (const std::string& risk : read_risks(options))
-        std::cerr << to_string(rt::Place{options.scene}) << "warning: " << risk
+        std::cerr << to_string(rt::FileLocation{options.scene}) << "warning: " << risk
                   << "; try --precision double\n";
 }
 
@@ -115,13 +116,13 @@ int run_program(int argc, char** argv) {
     const auto options = rt::parse_options(program, argc, argv);
     if (!options) return 0;
     if (options->makes_picture()) check_output(*options);
-    std::unique_ptr<rt::Session> session = open(program, *options, options->precision);
+    std::unique_ptr<rt::Renderer> session = open(program, *options, options->precision);
     const bool is_float = options->precision == rt::Precision::f32;
-    if (is_float && !options->quiet && !options->explain) warn_of_risks(*options);
-    const bool chosen = (options->tolerance || options->time) && !options->explain;
+    if (is_float && !options->quiet && !options->requirements) warn_of_risks(*options);
+    const bool chosen = (options->tolerance || options->time) && !options->requirements;
     const bool done = chosen ? choose_and_run(program, *options, start, std::move(session))
                              : session->run(*options, nullptr, stop);
-    if (options->explain) explain_risks(*options);
+    if (options->requirements) explain_risks(*options);
     return done ? 0 : interrupted;
 }
 

@@ -5,9 +5,9 @@
 namespace rt {
 
 void load_meshes(Scene& scene, const Warn& /*warn*/) {
-    if (scene.named_meshes.empty()) return;
+    if (scene.mesh_requests.empty()) return;
     throw InputError(
-        scene.named_meshes.front().place,
+        scene.mesh_requests.front().place,
         "a mesh, which " + std::string(stage_name(mesh_stage)) + " introduces: run that stage");
 }
 

@@ -118,36 +118,36 @@ void add_goals(CLI::App& app, Options& options) {
 }
 
 /// Adds the options of the stages with light.
-void add_light_options(CLI::App& app, int stage, Look& look) {
+void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
                             const std::string& type, auto check) {
         return app.add_option(name, value, help)->check(check.description(""))->type_name(type);
     };
     if (stage >= light_stage)
-        app.add_option("--term", look.term, "show one of Phong's terms; their sum if not given")
-            ->transform(
-                CLI::CheckedTransformer(std::map<std::string, Term>{{"ambient", Term::ambient},
-                                                                    {"diffuse", Term::diffuse},
-                                                                    {"specular", Term::specular}})
-                    .description(""))
+        app.add_option("--term", settings.term, "show one of Phong's terms; their sum if not given")
+            ->transform(CLI::CheckedTransformer(
+                            std::map<std::string, PhongTerm>{{"ambient", PhongTerm::ambient},
+                                                             {"diffuse", PhongTerm::diffuse},
+                                                             {"specular", PhongTerm::specular}})
+                            .description(""))
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
-        add("--shadow-samples", look.shadow_samples,
+        add("--shadow-samples", settings.shadow_samples,
             "largest number of rays to a light with a size; 16 if not given", "N",
             CLI::Range(1, most_shadow_samples));
         add_number(
             app, "--shadow-error", least_error, brightest,
             "trace shadow rays until the estimated error of a light's part is below this, of "
             "255",
-            "E", [&look](double steps) { look.shadow_error = steps; });
-        add("--shadow-agree", look.shadow_agree,
+            "E", [&settings](double steps) { settings.shadow_error = steps; });
+        add("--shadow-agree", settings.shadow_agree,
             "or until this many agree: all reach the light, or none; with --shadow-error", "N",
             CLI::Range(1, most_shadow_samples))
             ->needs("--shadow-error");
     }
     if (stage >= mirror_stage)
-        add("--depth", look.depth, "largest number of successive reflections; 8 if not given", "N",
-            CLI::Range(0, most_depth));
+        add("--depth", settings.depth, "largest number of successive reflections; 8 if not given",
+            "N", CLI::Range(0, most_depth));
 }
 
 /// The path of a file in the project's folder, relative to the working directory.
@@ -199,7 +199,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     else if (program.stage >= shapes_stage)
         add_choice(app, "--shade", normal, {"torch", "normal"},
                    "color by a torch at the eye, or by abs(normal)");
-    add_light_options(app, program.stage, options.look);
+    add_light_options(app, program.stage, options.settings);
     app.add_option(
            "--hierarchy-from", options.hierarchy_from,
            "build a hierarchy from this many shapes of a kind on; 32 if not given, 8 for meshes")
@@ -219,7 +219,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         ->type_name("N");
     app.add_flag("--strict", options.reading.strict,
                  "reject everything outside the format of scenes");
-    app.add_flag("--explain", options.explain,
+    app.add_flag("--requirements", options.requirements,
                  "print what the scene requires and what is omitted, and make no picture");
     app.add_flag("--preview", options.preview, "show the picture in the terminal too");
     app.add_flag("--quiet", options.quiet, "print errors only");
@@ -233,13 +233,13 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     }
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
     check_precision(program, options.precision);
-    if (normal) options.look.shading = Shading::normal;
+    if (normal) options.settings.shading = Shading::normal;
     const auto is_given = [&app](const std::string& option) {
         const CLI::Option* const known = app.get_option_no_throw(option);
         return known != nullptr && !known->empty();
     };
     if (is_given("--shadow-error") && !is_given("--shadow-samples"))
-        options.look.shadow_samples = most_shadow_samples;
+        options.settings.shadow_samples = most_shadow_samples;
     options.precision_given = is_given("--precision");
     options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
                      .depth = is_given("--depth")};

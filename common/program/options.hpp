@@ -30,11 +30,11 @@ struct Options : Aim {
     std::optional<Pixel> pixel;      ///< print the log of this pixel, and make no picture
     Precision precision = Precision::f64;
     bool precision_given = false;
-    bool explain = false;  ///< print the scene's requirements, and make no picture
+    bool requirements = false;  ///< print the scene's requirements, and make no picture
     bool preview = false;
     bool quiet = false;
 
-    [[nodiscard]] bool makes_picture() const { return !explain && !pixel; }
+    [[nodiscard]] bool makes_picture() const { return !requirements && !pixel; }
 };
 
 /// Parses the command line. Returns nothing if it only requested help, which has then been printed.

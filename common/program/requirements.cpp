@@ -14,10 +14,10 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 template <class Predicate>
 std::size_t materials(const Scene& scene, Predicate is) {
     std::size_t count = 0;
-    for_each_kind(scene, [&](const auto& items) {
-        for (const auto& item : items) count += is(item.material) ? 1 : 0;
+    for_each_kind(scene, [&](const auto& primitives) {
+        for (const auto& primitive : primitives) count += is(primitive.material) ? 1 : 0;
     });
-    for (const NamedMesh& mesh : scene.named_meshes) count += is(mesh.material) ? 1 : 0;
+    for (const MeshRequest& mesh : scene.mesh_requests) count += is(mesh.material) ? 1 : 0;
     return count;
 }
 
@@ -36,7 +36,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
     const auto require_shapes = [&](int from, int before) {
         const auto of_kind = [&](const auto& kind) {
             if (kind.stage >= from && kind.stage < before)
-                require((scene.*kind.items).size(), kind.stage, kind.one, kind.many);
+                require((scene.*kind.primitives).size(), kind.stage, kind.one, kind.many);
         };
         std::apply([&](const auto&... kind) { (of_kind(kind), ...); }, shape_kinds);
     };
@@ -54,7 +54,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
     const auto reflects = [](const Material& material) { return material.mirror > 0; };
     require(materials(scene, reflects), mirror_stage, "mirror", "mirrors");
     require_shapes(light_stage, mesh_stage + 1);
-    require(scene.named_meshes.size(), mesh_stage, "mesh", "meshes");
+    require(scene.mesh_requests.size(), mesh_stage, "mesh", "meshes");
     return found;
 }
 
@@ -70,7 +70,7 @@ std::string explanation(const Scene& scene) {
     if (needs.empty()) lines += "  only rays\n";
 
     bool many = false;
-    for_each_kind(scene, [&many](const auto& items) { many = many || items.many(); });
+    for_each_kind(scene, [&many](const auto& primitives) { many = many || primitives.many(); });
     lines += "and does not use\n";
     const auto without = [&lines](bool left_out, const std::string& what) {
         if (left_out) lines += "  " + what + "\n";
@@ -82,7 +82,7 @@ std::string explanation(const Scene& scene) {
     without(scene.lights.empty(), "light other than ambient, and shadow rays");
     without(!brought_by(soft_shadow_stage), "several rays for a shadow: no light has a size");
     without(!brought_by(mirror_stage), "reflections: there is no mirror");
-    without(!many && scene.named_meshes.empty(),
+    without(!many && scene.mesh_requests.empty(),
             "a hierarchy of boxes: so few shapes are faster without");
     return lines;
 }

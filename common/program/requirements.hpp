@@ -19,8 +19,8 @@ struct Requirement {
 /// light, a torch at the eye replaces everything that concerns light.
 [[nodiscard]] std::vector<Requirement> requirements(const Scene& scene, int stage = mesh_stage);
 
-/// Returns the lines that `--explain` prints: the scene's requirements, and the parts that this
-/// program therefore omits.
+/// Returns the lines that `--requirements` prints: the scene's requirements, and the parts that
+/// this program therefore omits.
 [[nodiscard]] std::string explanation(const Scene& scene);
 
 }  // namespace rt

@@ -40,7 +40,7 @@ void refuse_later_stages(const Scene& scene, const Program& program, const Optio
 }
 
 /// In the stages about shapes there are no bounding spheres, so that a wrong formula is visible.
-Arrangement arrangement(const Program& program, const Options& options) {
+Acceleration arrangement(const Program& program, const Options& options) {
     return {.hierarchy_from = options.hierarchy_from, .balls = program.stage >= light_stage};
 }
 
@@ -57,7 +57,7 @@ void choose_camera(Scene& scene, const Options& options) {
 /// Throws InputError if the output is a mesh of the scene: a mesh file that starts as a PNG does
 /// could be overwritten.
 void refuse_mesh_as_output(const Scene& scene, const Options& options) {
-    for (const NamedMesh& mesh : scene.named_meshes) {
+    for (const MeshRequest& mesh : scene.mesh_requests) {
         std::error_code not_there;
         if (std::filesystem::equivalent(path_of(mesh), options.output, not_there))
             throw InputError({options.output},
@@ -69,14 +69,14 @@ Scene load(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
         reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
-    Scene scene = load_scene(options.scene, basis_around, reading);
+    Scene scene = load_scene(options.scene, orthonormal_basis, reading);
     choose_camera(scene, options);
     if (options.size) scene.resolution = *options.size;
-    if (options.explain) return scene;
+    if (options.requirements) return scene;
     refuse_later_stages(scene, program, options);
     if (options.makes_picture()) refuse_mesh_as_output(scene, options);
     load_meshes(scene, reading.warn);
-    arrange(scene, arrangement(program, options));
+    build_acceleration(scene, arrangement(program, options));
     return scene;
 }
 
@@ -93,7 +93,8 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
             {"Options", used}};
 }
 
-void report(const Rendering& rendering, const Options& options, const Pace* pace, double seconds) {
+void report(const Rendering& rendering, const Options& options, const TimeBudget* pace,
+            double seconds) {
     std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
                 size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
                 static_cast<long long>(rendering.rays));
@@ -116,23 +117,23 @@ void report(const Rendering& rendering, const Options& options, const Pace* pace
 void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
                    const Image& image) {
     if (program.stage < shapes_stage) return;
-    const std::string reason = why_blank(scene, options.look, program.stage, image);
+    const std::string reason = why_blank(scene, options.settings, program.stage, image);
     if (!reason.empty())
-        std::cerr << to_string(Place{options.scene}) << "warning: " << reason << '\n';
+        std::cerr << to_string(FileLocation{options.scene}) << "warning: " << reason << '\n';
 }
 
-bool make_picture(const Program& program, const Options& options, const Scene& scene, Pace* pace,
-                  const std::atomic<bool>& stop) {
+bool make_picture(const Program& program, const Options& options, const Scene& scene,
+                  TimeBudget* pace, const std::atomic<bool>& stop) {
     const auto start = std::chrono::steady_clock::now();
     std::optional<Rendering> rendering;
     {
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
-        RenderSettings settings{.threads = options.threads,
-                                .look = options.look,
-                                .row_done = [&progress] { progress.advance(); },
-                                .stop = &stop};
-        if (pace != nullptr) settings.next_look = [pace] { return pace->next(); };
-        rendering = render(scene, settings);
+        RenderJob request{.threads = options.threads,
+                          .settings = options.settings,
+                          .row_done = [&progress] { progress.advance(); },
+                          .stop = &stop};
+        if (pace != nullptr) request.next_look = [pace] { return pace->next(); };
+        rendering = render(scene, request);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
@@ -150,53 +151,54 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
                                  std::to_string(pixel.column) +
                                  " is outside the picture, which is " + size_text(size));
     const Camera& camera = scene.cameras.front();
-    Story story(std::cout);
-    story.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
-                  size_text(size) + " pixels, " + name(options.precision));
-    tell_screen(story, pixel, size, vertical_fov(camera, size));
-    if (program.stage >= 2) tell_basis(story, camera);
+    PixelLog log(std::cout);
+    log.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
+                size_text(size) + " pixels, " + name(options.precision));
+    explain_screen(log, pixel, size, vertical_fov(camera, size));
+    if (program.stage >= 2) explain_basis(log, camera);
     const Ray ray = pixel_rays(camera, size)(pixel);
-    story.heading("The ray");
-    story.line("o_r", text(ray.origin));
-    story.line("d_r", text(ray.direction));
-    Context context{.look = options.look, .pixel = pixel, .story = &story};
+    log.heading("The ray");
+    log.line("o_r", text(ray.origin));
+    log.line("d_r", text(ray.direction));
+    Context context{.settings = options.settings, .pixel = pixel, .log = &log};
     const Color color = trace(scene, ray, context);
-    if (story.misses_left_out() > 0)
-        story.remark(std::to_string(story.misses_left_out()) + " more shapes were missed");
+    if (log.misses_left_out() > 0)
+        log.remark(std::to_string(log.misses_left_out()) + " more shapes were missed");
     const Rgb rgb = to_rgb(color);
-    story.heading("The pixel");
-    story.line("color", text(color));
-    story.line("8-bit", std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
-                            std::to_string(rgb[2]));
+    log.heading("The pixel");
+    log.line("color", text(color));
+    log.line("8-bit", std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
+                          std::to_string(rgb[2]));
 }
 
-class ReadScene : public Session {
+class SceneReader : public Renderer {
 public:
-    ReadScene(const Program& program, const Options& options)
+    SceneReader(const Program& program, const Options& options)
         : program_(program),
-          look_(options.look),
+          settings_(options.settings),
           arrangement_(arrangement(program, options)),
           scene_(load(program, options)) {}
 
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
 
-    [[nodiscard]] Demands demands() const override {
-        return demands_of(scene_, program_.stage, look_);
+    [[nodiscard]] SceneTraits traits() const override {
+        return scene_traits(scene_, program_.stage, settings_);
     }
 
-    void arrange(std::size_t hierarchy_from) override {
-        Arrangement how = arrangement_;
+    void build_acceleration(std::size_t hierarchy_from) override {
+        Acceleration how = arrangement_;
         how.hierarchy_from = hierarchy_from;
-        rt::arrange(scene_, how);
+        rt::build_acceleration(scene_, how);
     }
 
-    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
-        return shot_of(scene_, look, settings);
+    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
+                                   const SampleRequest& request) const override {
+        return shot_of(scene_, settings, request);
     }
 
-    [[nodiscard]] bool run(const Options& options, Pace* pace,
+    [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
                            const std::atomic<bool>& stop) const override {
-        if (options.explain) {
+        if (options.requirements) {
             std::cout << options.scene << explanation(scene_);
         } else if (options.pixel) {
             tell_pixel(program_, options, scene_, *options.pixel);
@@ -208,16 +210,16 @@ public:
 
 private:
     Program program_;
-    Look look_;
-    Arrangement arrangement_;
+    RenderSettings settings_;
+    Acceleration arrangement_;
     Scene scene_;
 };
 
 }  // namespace
 
-std::unique_ptr<Session> RT_PRECISION::open_session(const Program& program,
-                                                    const Options& options) {
-    return std::make_unique<ReadScene>(program, options);
+std::unique_ptr<Renderer> RT_PRECISION::make_renderer(const Program& program,
+                                                      const Options& options) {
+    return std::make_unique<SceneReader>(program, options);
 }
 
 #ifndef RT_FLOAT
@@ -226,7 +228,7 @@ std::vector<std::string> f64::risks_in_float(const Options& options) {
     if (!std::filesystem::is_regular_file(options.scene, unreadable)) return {};
     SceneReading reading = options.reading;
     reading.warn = nullptr;
-    return risks_in_float(input_rounding(load_scene(options.scene, basis_around, reading)));
+    return risks_in_float(input_rounding(load_scene(options.scene, orthonormal_basis, reading)));
 }
 #endif
 

@@ -11,25 +11,27 @@
 
 namespace rt {
 
-class Pace;
+class TimeBudget;
 
-/// A loaded scene. The automatic settings are tuned on it.
-class Session : public Trials {
+/// A loaded scene. The automatic request are tuned on it.
+class Renderer : public Trials {
 public:
     /// Renders the picture, or prints the log of one pixel, and reports the result. A time budget
-    /// `pace`, if not null, changes the settings from row to row. Returns false, and leaves no
+    /// `pace`, if not null, changes the request from row to row. Returns false, and leaves no
     /// file, if it was stopped.
-    [[nodiscard]] virtual bool run(const Options& options, Pace* pace,
+    [[nodiscard]] virtual bool run(const Options& options, TimeBudget* pace,
                                    const std::atomic<bool>& stop) const = 0;
 };
 
 // Each function reads the scene in its precision. Throws InputError if the scene is wrong. A
 // program of certified kernels has only the second one.
 inline namespace f32 {
-[[nodiscard]] std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+[[nodiscard]] std::unique_ptr<Renderer> make_renderer(const Program& program,
+                                                      const Options& options);
 }
 inline namespace f64 {
-[[nodiscard]] std::unique_ptr<Session> open_session(const Program& program, const Options& options);
+[[nodiscard]] std::unique_ptr<Renderer> make_renderer(const Program& program,
+                                                      const Options& options);
 
 /// Returns one sentence for each loss of accuracy with `--precision float` (input_rounding.hpp).
 /// Reads the scene file again, without its meshes; returns nothing for a pipe, which cannot be read

@@ -22,18 +22,19 @@ const char* name(Precision precision) {
 }
 
 std::string used_options(const Program& program, const Options& options) {
-    const Look& look = options.look;
-    std::string used = look.shading == Shading::normal ? "--shade normal"
-                       : program.stage >= light_stage  ? "--shade phong"
-                                                       : "--shade torch";
-    if (look.term == Term::ambient) used += " --term ambient";
-    if (look.term == Term::diffuse) used += " --term diffuse";
-    if (look.term == Term::specular) used += " --term specular";
+    const RenderSettings& settings = options.settings;
+    std::string used = settings.shading == Shading::normal ? "--shade normal"
+                       : program.stage >= light_stage      ? "--shade phong"
+                                                           : "--shade torch";
+    if (settings.term == PhongTerm::ambient) used += " --term ambient";
+    if (settings.term == PhongTerm::diffuse) used += " --term diffuse";
+    if (settings.term == PhongTerm::specular) used += " --term specular";
     if (program.stage >= soft_shadow_stage)
-        used += " --shadow-samples " + std::to_string(look.shadow_samples);
-    if (look.shadow_error > 0) used += " --shadow-error " + shortest(look.shadow_error);
-    if (look.shadow_agree > 0) used += " --shadow-agree " + std::to_string(look.shadow_agree);
-    if (program.stage >= mirror_stage) used += " --depth " + std::to_string(look.depth);
+        used += " --shadow-samples " + std::to_string(settings.shadow_samples);
+    if (settings.shadow_error > 0) used += " --shadow-error " + shortest(settings.shadow_error);
+    if (settings.shadow_agree > 0)
+        used += " --shadow-agree " + std::to_string(settings.shadow_agree);
+    if (program.stage >= mirror_stage) used += " --depth " + std::to_string(settings.depth);
     if (options.hierarchy_from)
         used += " --hierarchy-from " + std::to_string(*options.hierarchy_from);
     if (options.reading.fov_axis == FovAxis::horizontal) used += " --fov horizontal";

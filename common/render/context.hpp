@@ -8,15 +8,15 @@
 
 namespace rt {
 
-class Story;
+class PixelLog;
 
 /// The settings, the state and the counters of the rays of one pixel.
 struct Context {
-    Look look;
+    RenderSettings settings;
     Pixel pixel;
     int bounces = 0;                    ///< reflections off mirrors since the camera
     double weight = 1;                  ///< weight of the ray's color in the pixel's color
-    Story* story = nullptr;             ///< the log of `--pixel`, or null
+    PixelLog* log = nullptr;            ///< the log of `--pixel`, or null
     std::int64_t rays = 0;              ///< number of rays traced
     std::int64_t sized_light_rays = 0;  ///< of these, rays to area lights
 };

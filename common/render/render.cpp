@@ -18,9 +18,9 @@ struct Row {
 
 /// Renders one row. It has its own copy of the pixel rays, which no other code can change: in a
 /// unity build (common/cmake/stage.cmake), quantities that are constant in a row are computed once.
-[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
-                                const RenderSettings& settings, int row, Image& image) {
-    Context context{.look = settings.next_look ? settings.next_look() : settings.look};
+[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray, const RenderJob& job,
+                                int row, Image& image) {
+    Context context{.settings = job.next_look ? job.next_look() : job.settings};
     Row result;
     for (int column = 0; column < image.resolution.width; ++column) {
         const Pixel pixel{.row = row, .column = column};
@@ -61,17 +61,17 @@ Rendering sum(Image image, const std::vector<Row>& rows) {
 
 }  // namespace
 
-std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings) {
+std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const std::vector<int> order = order_of(scene.resolution.height, settings.next_look != nullptr);
-    in_parallel(settings.threads, order.size(), settings.stop, [&](std::size_t i) {
+    const std::vector<int> order = order_of(scene.resolution.height, job.next_look != nullptr);
+    parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
         const int row = order[i];
-        rows[std::size_t(row)] = render_row(scene, pixel_ray, settings, row, image);
-        if (settings.row_done) settings.row_done();
+        rows[std::size_t(row)] = render_row(scene, pixel_ray, job, row, image);
+        if (job.row_done) job.row_done();
     });
-    if (settings.stop != nullptr && *settings.stop) return std::nullopt;
+    if (job.stop != nullptr && *job.stop) return std::nullopt;
     return sum(std::move(image), rows);
 }
 

@@ -14,12 +14,12 @@
 
 namespace rt {
 
-/// The settings of one call of render.
-struct RenderSettings {
+/// The job of one call of render.
+struct RenderJob {
     int threads = 1;
-    Look look;
-    /// If set, returns the settings of the next row; used with a time budget. Any thread calls it.
-    std::function<Look()> next_look = nullptr;
+    RenderSettings settings;
+    /// If set, returns the job of the next row; used with a time budget. Any thread calls it.
+    std::function<RenderSettings()> next_look = nullptr;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null
@@ -50,8 +50,8 @@ struct Rendering {
 }
 
 /// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the
-/// same bits for any number of threads, because no pixel depends on another, unless settings differ
+/// same bits for any number of threads, because no pixel depends on another, unless job differ
 /// from row to row.
-[[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderSettings& settings);
+[[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderJob& job);
 
 }  // namespace rt

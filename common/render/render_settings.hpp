@@ -10,15 +10,15 @@ enum class Shading {
 };
 
 /// The terms of Phong's model to show.
-enum class Term { all, ambient, diffuse, specular };
+enum class PhongTerm { all, ambient, diffuse, specular };
 
 constexpr int most_shadow_samples = 1 << 20;
 constexpr int most_depth = 1000;
 
 /// Appearance, sampling and recursion limits.
-struct Look {
+struct RenderSettings {
     Shading shading = Shading::color;
-    Term term = Term::all;
+    PhongTerm term = PhongTerm::all;
     int shadow_samples = 16;  ///< largest number of rays to an area light
     double shadow_error =
         0;  ///< stop sampling when the color's estimated error is below this, of 255; 0 for never

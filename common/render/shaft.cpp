@@ -39,7 +39,7 @@ Real Shaft::roundings(Real units, Real largest) const {
 
 bool Shaft::beside_plane(Vec3 in_plane, Vec3 normal, Real normal_error) const {
     const Real square = dot(normal, normal);
-    if (!keeps_its_digits(square)) return false;  // its length is unknown
+    if (!is_safe_square(square)) return false;  // its length is unknown
     const Real size = std::sqrt(square);
     const Real largest = largest_component(in_plane);
     const Vec3 to_point = point_ - in_plane;
@@ -60,22 +60,22 @@ bool Shaft::beside_ball(Vec3 center, Real radius) const {
     return cosine_ > 0 && across * cosine_ - along * sine_ > radius;
 }
 
-bool Shaft::may_hold(const Box& box) const {
+bool Shaft::may_intersect(const BoundingBox& box) const {
     const Real slack = roundings(test_roundings, largest_component(box));
     for (glm::length_t i = 0; i < 3; ++i)
         if (box.max[i] + slack < bounds_.min[i] || box.min[i] - slack > bounds_.max[i])
             return false;
-    const auto [middle, radius] = ball_around(box);
+    const auto [middle, radius] = bounding_sphere(box);
     return !beside_ball(middle, radius + slack);
 }
 
-bool Shaft::may_hold(const Ball& ball) const {
+bool Shaft::may_intersect(const BoundingSphere& ball) const {
     const auto& [center, radius] = ball;
     const Real slack = roundings(test_roundings, largest_component(center) + radius);
     return !beside_ball(center, radius + slack);
 }
 
-bool Shaft::may_hold(const Sphere& sphere) const {
+bool Shaft::may_intersect(const Sphere& sphere) const {
     const auto& [center, radius] = sphere;
     const Real largest = largest_component(center) + radius;
     const Real slack = roundings(test_roundings, largest);
@@ -92,21 +92,21 @@ bool Shaft::may_hold(const Sphere& sphere) const {
              dot(center_ - center, outward) > (radius + radius_ + slack) * distance);
 }
 
-bool Shaft::may_hold(const Plane& plane) const {
+bool Shaft::may_intersect(const Plane& plane) const {
     return !beside_plane(plane.point, plane.normal, 0);
 }
 
-bool Shaft::may_hold(const Triangle& triangle) const {
+bool Shaft::may_intersect(const Triangle& triangle) const {
     const auto& [a, b, c] = triangle;
     const Vec3 ab = b - a;
     const Vec3 ac = c - a;
     const Real error =
         4 * unit_roundoff * length(ab) * length(ac);  // for a sliver, as large as the normal
-    return may_hold(bounds(triangle)) && !beside_plane(a, cross(ab, ac), error);
+    return may_intersect(bounds(triangle)) && !beside_plane(a, cross(ab, ac), error);
 }
 
-bool Shaft::may_hold(const Square& square) const {
-    return may_hold(bounds(square)) && !beside_plane(square.center, square.basis.z, 0);
+bool Shaft::may_intersect(const Square& square) const {
+    return may_intersect(bounds(square)) && !beside_plane(square.center, square.basis.z, 0);
 }
 
 }  // namespace rt

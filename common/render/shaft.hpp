@@ -20,15 +20,15 @@ public:
     /// Returns false only if the shape is outside the shaft by more than the error of its rounded
     /// intersection test.
     template <class Shape>
-    [[nodiscard]] bool may_hold(const Shape& shape) const {
-        return may_hold(bounds(shape));
+    [[nodiscard]] bool may_intersect(const Shape& shape) const {
+        return may_intersect(bounds(shape));
     }
-    [[nodiscard]] bool may_hold(const Box& box) const;
-    [[nodiscard]] bool may_hold(const Ball& ball) const;
-    [[nodiscard]] bool may_hold(const Sphere& sphere) const;
-    [[nodiscard]] bool may_hold(const Plane& plane) const;
-    [[nodiscard]] bool may_hold(const Triangle& triangle) const;
-    [[nodiscard]] bool may_hold(const Square& square) const;
+    [[nodiscard]] bool may_intersect(const BoundingBox& box) const;
+    [[nodiscard]] bool may_intersect(const BoundingSphere& ball) const;
+    [[nodiscard]] bool may_intersect(const Sphere& sphere) const;
+    [[nodiscard]] bool may_intersect(const Plane& plane) const;
+    [[nodiscard]] bool may_intersect(const Triangle& triangle) const;
+    [[nodiscard]] bool may_intersect(const Square& square) const;
 
 private:
     /// Returns whether the whole shaft lies on one side of a plane. The normal, of any length, has
@@ -41,7 +41,7 @@ private:
     Vec3 point_;
     Vec3 center_;
     Real radius_;
-    Box bounds_;
+    BoundingBox bounds_;
     Real size_;      ///< largest coordinate of the shaft
     Vec3 axis_{0};   ///< unit length, toward the center of the light
     Real sine_ = 0;  ///< sine of the angle between the axis and the side
@@ -50,13 +50,13 @@ private:
 };
 
 /// The potential occluders: the shapes of a scene that may intersect a shaft.
-class Suspects {
+class PotentialOccluders {
 public:
-    explicit Suspects(const Shaft& shaft) : shaft_(shaft) {}
+    explicit PotentialOccluders(const Shaft& shaft) : shaft_(shaft) {}
 
     template <class Shape>
-    void among(const Items<Shape>& items) {
-        if (!items.empty()) look_through(items);
+    void test(const PrimitiveList<Shape>& primitives) {
+        if (!primitives.empty()) collect(primitives);
     }
 
     [[nodiscard]] bool none() const { return count_ == 0; }
@@ -64,41 +64,42 @@ public:
     /// Returns whether the ray, which must stay in the shaft, hits one of the shapes inside the
     /// interval.
     [[nodiscard]] bool block(const Ray& ray, Interval interval, Context& context) const {
-        Blocker blocker(ray, interval, context);
-        for (std::size_t i = 0; i < count_ && !blocker.found(); ++i)
-            kinds_[i].ask(blocker, kinds_[i]);
-        return blocker.found();
+        AnyHit any_hit(ray, interval, context);
+        for (std::size_t i = 0; i < count_ && !any_hit.found(); ++i)
+            kinds_[i].ask(any_hit, kinds_[i]);
+        return any_hit.found();
     }
 
 private:
     /// The potential occluders of one kind: in a short list, the primitives whose bit is set;
     /// otherwise the whole list.
     struct Kind {
-        const void* items;
+        const void* primitives;
         std::uint64_t chosen;
-        void (*ask)(Blocker& blocker, const Kind& kind);
+        void (*ask)(AnyHit& any_hit, const Kind& kind);
     };
 
     template <class Shape>
-    static void ask(Blocker& blocker, const Kind& kind) {
-        blocker.among(*static_cast<const Items<Shape>*>(kind.items), kind.chosen);
+    static void ask(AnyHit& any_hit, const Kind& kind) {
+        any_hit.test(*static_cast<const PrimitiveList<Shape>*>(kind.primitives), kind.chosen);
     }
 
     template <class Shape>
-    [[gnu::noinline]] void look_through(const Items<Shape>& items) {
+    [[gnu::noinline]] void collect(const PrimitiveList<Shape>& primitives) {
         std::uint64_t chosen = 0;
-        if (items.is_short_list()) {
+        if (primitives.is_short_list()) {
             // The test of the bounding sphere is faster, and usually decides.
-            const Balls& balls = items.balls();
-            for (std::size_t i = 0; i < items.size(); ++i) {
-                const bool held =
-                    (balls.empty() || shaft_.may_hold(balls[i])) && shaft_.may_hold(items[i].shape);
+            const BoundingSphereSet& balls = primitives.balls();
+            for (std::size_t i = 0; i < primitives.size(); ++i) {
+                const bool held = (balls.empty() || shaft_.may_intersect(balls[i])) &&
+                                  shaft_.may_intersect(primitives[i].shape);
                 chosen |= std::uint64_t(held) << i;
             }
         } else {
-            chosen = !items.arranged() || shaft_.may_hold(items.box()) ? 1 : 0;
+            chosen = !primitives.has_bvh() || shaft_.may_intersect(primitives.box()) ? 1 : 0;
         }
-        if (chosen != 0) kinds_[count_++] = {.items = &items, .chosen = chosen, .ask = &ask<Shape>};
+        if (chosen != 0)
+            kinds_[count_++] = {.primitives = &primitives, .chosen = chosen, .ask = &ask<Shape>};
     }
 
     const Shaft& shaft_;

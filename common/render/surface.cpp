@@ -4,11 +4,11 @@
 
 namespace rt {
 
-void tell(Story& story, const Terms& terms) {
-    story.heading("The terms of the light (CR §3.1)");
-    story.line("ambient", text(terms.ambient));
-    story.line("diffuse", text(terms.diffuse));
-    story.line("specular", text(terms.specular));
+void explain(PixelLog& log, const PhongTerms& terms) {
+    log.heading("The terms of the light (CR §3.1)");
+    log.line("ambient", text(terms.ambient));
+    log.line("diffuse", text(terms.diffuse));
+    log.line("specular", text(terms.specular));
 }
 
 }  // namespace rt

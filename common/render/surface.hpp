@@ -8,17 +8,17 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// A point on a surface as seen by an eye: lengths in units of the scene.
-struct Surface {
+struct ShadingPoint {
     Vec3 point;
-    Vec3 normal;     ///< unit length, on the side of the eye
-    Vec3 side;       ///< geometric normal: as normal, but never interpolated
-    Vec3 to_eye;     ///< unit length
-    Real error = 0;  ///< upper bound on the distance from the point to the shape
+    Vec3 normal;            ///< unit length, on the side of the eye
+    Vec3 geometric_normal;  ///< geometric normal: as normal, but never interpolated
+    Vec3 to_eye;            ///< unit length
+    Real error = 0;         ///< upper bound on the distance from the point to the shape
     Material material;
 };
 
 /// The separate terms of Phong's model.
-struct Terms {
+struct PhongTerms {
     Color ambient{0};
     Color diffuse{0};
     Color specular{0};
@@ -30,23 +30,23 @@ struct Terms {
 namespace rt {
 
 /// Logs the vectors and cosines of Phong's model at the shading point (CR §3.1).
-void tell(Story& story, const Surface& surface, const Light& light);
+void explain(PixelLog& log, const ShadingPoint& surface, const Light& light);
 
 /// Logs each term.
-void tell(Story& story, const Terms& terms);
+void explain(PixelLog& log, const PhongTerms& terms);
 
 /// Returns the sum of the terms, or the single one that --term selects, and logs them.
-[[nodiscard]] inline Color shown(const Terms& terms, const Context& context) {
+[[nodiscard]] inline Color visible_sum(const PhongTerms& terms, const Context& context) {
     const auto& [ambient, diffuse, specular] = terms;
-    if (context.story != nullptr) tell(*context.story, terms);
-    switch (context.look.term) {
-        case Term::ambient:
+    if (context.log != nullptr) explain(*context.log, terms);
+    switch (context.settings.term) {
+        case PhongTerm::ambient:
             return ambient;
-        case Term::diffuse:
+        case PhongTerm::diffuse:
             return diffuse;
-        case Term::specular:
+        case PhongTerm::specular:
             return specular;
-        case Term::all:
+        case PhongTerm::all:
             break;
     }
     return ambient + diffuse + specular;

@@ -11,7 +11,7 @@ Real vertical_fov(const Camera& camera, Resolution resolution) {
     return 2 * std::atan(std::tan(camera.fov / 2) * ratio);
 }
 
-std::string path_of(const NamedMesh& mesh) {
+std::string path_of(const MeshRequest& mesh) {
     return (std::filesystem::path(mesh.place.file).parent_path() / mesh.file).string();
 }
 

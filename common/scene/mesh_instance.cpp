@@ -5,14 +5,14 @@
 
 namespace rt {
 
-Box bounds(const PlacedMesh& placed) {
-    const Box& model = placed.model->bounds;
-    Box box;
+BoundingBox bounds(const MeshInstance& instance) {
+    const BoundingBox& model = instance.model->bounds;
+    BoundingBox box;
     for (unsigned corner = 0; corner < 8; ++corner) {
         const Vec3 point((corner & 1U) != 0 ? model.max.x : model.min.x,
                          (corner & 2U) != 0 ? model.max.y : model.min.y,
                          (corner & 4U) != 0 ? model.max.z : model.min.z);
-        box = united(box, moved(point, placed.placement));
+        box = merged(box, transformed(point, instance.placement));
     }
     // The margin covers at most a dozen roundings of the corners, and those of the ray's transform
     // to object space.
@@ -21,8 +21,8 @@ Box bounds(const PlacedMesh& placed) {
     return {.min = box.min - margin, .max = box.max + margin};
 }
 
-Ball ball_around(const PlacedMesh& placed) {
-    return ball_around(bounds(placed));
+BoundingSphere bounding_sphere(const MeshInstance& instance) {
+    return bounding_sphere(bounds(instance));
 }
 
 }  // namespace rt

@@ -15,33 +15,33 @@ inline namespace RT_PRECISION {
 
 #ifdef RT_EXACT
 /// Only packed meshes can order two hits exactly whose rounded t are too close to compare.
-inline constexpr std::size_t packing_pays_from = 1;
+inline constexpr std::size_t mesh_bvh_pays_from = 1;
 #else
 /// The number of triangles from which packing is faster. Smaller meshes, such as a cube of twelve
 /// triangles, are tested triangle by triangle.
-inline constexpr std::size_t packing_pays_from = 16;
+inline constexpr std::size_t mesh_bvh_pays_from = 16;
 #endif
 
 /// A mesh as its file defines it and, if it has many triangles, a packed copy of them.
-struct Model {
+struct MeshGeometry {
     Mesh mesh;
-    Box bounds;
-    std::optional<PackedMesh> packed;
+    BoundingBox bounds;
+    std::optional<MeshBvh> packed;
 };
 
 /// An instance of a mesh: each point p of the model is at moved(p, placement). Instances may share
 /// one model, which does not change: rays are transformed to object space instead (M1, "changement
 /// de repère").
-struct PlacedMesh {
-    std::shared_ptr<const Model> model;
-    Motion placement;
+struct MeshInstance {
+    std::shared_ptr<const MeshGeometry> model;
+    Transform placement;
 
-    bool operator==(const PlacedMesh&) const = default;
+    bool operator==(const MeshInstance&) const = default;
 };
 
 /// Intersecting a mesh is slow, and its bounding sphere is a loose fit.
 template <>
-inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
+inline constexpr std::size_t bvh_pays_from<MeshInstance> = 8;
 
 }  // namespace RT_PRECISION
 }  // namespace rt
@@ -49,8 +49,8 @@ inline constexpr std::size_t hierarchy_pays_from<PlacedMesh> = 8;
 namespace rt {
 
 /// The bounding box of the model's transformed bounds.
-[[nodiscard]] Box bounds(const PlacedMesh& placed);
+[[nodiscard]] BoundingBox bounds(const MeshInstance& instance);
 
-[[nodiscard]] Ball ball_around(const PlacedMesh& placed);
+[[nodiscard]] BoundingSphere bounding_sphere(const MeshInstance& instance);
 
 }  // namespace rt

@@ -18,7 +18,7 @@ inline namespace RT_PRECISION {
 
 /// A primitive: a shape and its material.
 template <class Shape>
-struct Item {
+struct Primitive {
     Shape shape;
     Material material;
 };
@@ -26,12 +26,12 @@ struct Item {
 /// A kind of shape that has a bounding box and a bounding sphere: every kind except the plane.
 template <class Shape>
 concept Bounded = requires(const Shape& shape) {
-    { bounds(shape) } -> std::same_as<Box>;
-    { ball_around(shape) } -> std::same_as<Ball>;
+    { bounds(shape) } -> std::same_as<BoundingBox>;
+    { bounding_sphere(shape) } -> std::same_as<BoundingSphere>;
 };
 
 /// The choice of acceleration structures.
-struct Arrangement {
+struct Acceleration {
     static constexpr std::size_t never = ~std::size_t(0);
 
     std::optional<std::size_t>
@@ -43,123 +43,136 @@ struct Arrangement {
 /// A list of primitives. A short list has bounding spheres and a long one a bounding volume
 /// hierarchy, so that a ray is tested only against the primitives that it may hit.
 template <class Shape>
-class Items {
+class PrimitiveList {
 public:
-    Items() = default;
-    Items(std::initializer_list<Item<Shape>> items) : items_(items) {}
-    explicit Items(std::vector<Item<Shape>> items) : items_(std::move(items)) {}
+    PrimitiveList() = default;
+    PrimitiveList(std::initializer_list<Primitive<Shape>> primitives) : primitives_(primitives) {}
+    explicit PrimitiveList(std::vector<Primitive<Shape>> primitives)
+        : primitives_(std::move(primitives)) {}
 
-    void push_back(const Item<Shape>& item) {
-        items_.push_back(item);
-        disarrange();
+    void push_back(const Primitive<Shape>& primitive) {
+        primitives_.push_back(primitive);
+        drop_acceleration();
     }
 
-    [[nodiscard]] bool empty() const { return items_.empty(); }
-    [[nodiscard]] std::size_t size() const { return items_.size(); }
-    [[nodiscard]] const Item<Shape>& operator[](std::size_t index) const { return items_[index]; }
-    [[nodiscard]] const Item<Shape>& at(std::size_t index) const { return items_.at(index); }
-    [[nodiscard]] const Item<Shape>& front() const { return items_.front(); }
-    [[nodiscard]] const Item<Shape>& back() const { return items_.back(); }
-    [[nodiscard]] auto begin() const { return items_.begin(); }
-    [[nodiscard]] auto end() const { return items_.end(); }
+    [[nodiscard]] bool empty() const { return primitives_.empty(); }
+    [[nodiscard]] std::size_t size() const { return primitives_.size(); }
+    [[nodiscard]] const Primitive<Shape>& operator[](std::size_t index) const {
+        return primitives_[index];
+    }
+    [[nodiscard]] const Primitive<Shape>& at(std::size_t index) const {
+        return primitives_.at(index);
+    }
+    [[nodiscard]] const Primitive<Shape>& front() const { return primitives_.front(); }
+    [[nodiscard]] const Primitive<Shape>& back() const { return primitives_.back(); }
+    [[nodiscard]] auto begin() const { return primitives_.begin(); }
+    [[nodiscard]] auto end() const { return primitives_.end(); }
 
     /// Returns whether the shapes have bounding boxes, and are numerous enough for a hierarchy.
-    [[nodiscard]] bool many(const Arrangement& how = {}) const {
+    [[nodiscard]] bool many(const Acceleration& how = {}) const {
         return Bounded<Shape> &&
-               items_.size() >= how.hierarchy_from.value_or(hierarchy_pays_from<Shape>);
+               primitives_.size() >= how.hierarchy_from.value_or(bvh_pays_from<Shape>);
     }
 
     /// Builds the acceleration structure. A hierarchy uses the frame around `scene`, if there are
     /// other hierarchies. Of equal shapes only the first stays: no ray hits another one before it,
     /// whatever its material, and each copy would cost a test for every ray nearby.
-    void arrange(const Arrangement& how = {}, const Box& scene = {}) {
-        disarrange();
+    void build_acceleration(const Acceleration& how = {}, const BoundingBox& scene = {}) {
+        drop_acceleration();
         if constexpr (Bounded<Shape>) {
             if (many(how))
                 leave_out_copies(
-                    items_,
-                    [](const Item<Shape>& item) {
-                        const Box box = bounds(item.shape);
+                    primitives_,
+                    [](const Primitive<Shape>& primitive) {
+                        const BoundingBox box = bounds(primitive.shape);
                         return hash({box.min, box.max});
                     },
-                    [](const Item<Shape>& a, const Item<Shape>& b) { return a.shape == b.shape; });
+                    [](const Primitive<Shape>& a, const Primitive<Shape>& b) {
+                        return a.shape == b.shape;
+                    });
             if (many(how))
-                hierarchy_ = Hierarchy(
-                    items_.size(), [this](std::size_t i) { return bounds(items_[i].shape); },
-                    Hierarchy::Leaves::one_by_one, scene);
-            else if (how.balls && items_.size() <= Balls::most)
-                balls_ = in_balls();
+                hierarchy_ = Bvh(
+                    primitives_.size(),
+                    [this](std::size_t i) { return bounds(primitives_[i].shape); },
+                    Bvh::Leaves::one_by_one, scene);
+            else if (how.balls && primitives_.size() <= BoundingSphereSet::most)
+                spheres_ = in_balls();
         }
     }
 
     /// Returns whether the list has a hierarchy.
-    [[nodiscard]] bool arranged() const { return Bounded<Shape> && !hierarchy_.empty(); }
+    [[nodiscard]] bool has_bvh() const { return Bounded<Shape> && !hierarchy_.empty(); }
 
     /// Returns whether a 64-bit mask has a bit for every primitive, and the list has no hierarchy.
-    [[nodiscard]] bool is_short_list() const { return !arranged() && items_.size() <= Balls::most; }
+    [[nodiscard]] bool is_short_list() const {
+        return !has_bvh() && primitives_.size() <= BoundingSphereSet::most;
+    }
 
     /// The bounding spheres, one for each primitive; empty if there is a hierarchy, or no
     /// acceleration structure was built.
-    [[nodiscard]] const Balls& balls() const { return balls_; }
+    [[nodiscard]] const BoundingSphereSet& balls() const { return spheres_; }
 
     /// The bounding box of all primitives, if the shapes have bounding boxes. Takes constant time
     /// if there is a hierarchy.
-    [[nodiscard]] Box box() const {
-        Box all = hierarchy_.bounds();
+    [[nodiscard]] BoundingBox box() const {
+        BoundingBox all = hierarchy_.bounds();
         if constexpr (Bounded<Shape>)
-            if (!arranged())
-                for (const Item<Shape>& item : items_) all = united(all, bounds(item.shape));
+            if (!has_bvh())
+                for (const Primitive<Shape>& primitive : primitives_)
+                    all = merged(all, bounds(primitive.shape));
         return all;
     }
 
     /// Calls visit(item) for every primitive that the ray may hit inside the interval. A visit may
     /// shorten the interval, and primitives beyond it may be skipped.
     template <class Visit>
-    void along(SlabTests& ray, Interval& interval, Visit visit) const {
-        if (arranged()) {
-            hierarchy_.nearest(ray, interval, [&](std::size_t index) { visit(items_[index]); });
+    void traverse(RayBoxTestCache& ray, Interval& interval, Visit visit) const {
+        if (has_bvh()) {
+            hierarchy_.nearest(ray, interval,
+                               [&](std::size_t index) { visit(primitives_[index]); });
         } else if (has_balls()) {
-            for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
-                visit(items_[take_lowest(near)]);
+            for (std::uint64_t near = spheres_.candidates(ray.ray()); near != 0;)
+                visit(primitives_[pop_lowest_bit(near)]);
         } else {
-            for (const Item<Shape>& item : items_) visit(item);
+            for (const Primitive<Shape>& primitive : primitives_) visit(primitive);
         }
     }
 
     /// Returns whether visit(item) is true for any primitive that the ray may hit inside the
     /// interval.
     template <class Visit>
-    [[nodiscard]] bool any_along(SlabTests& ray, Interval interval, Visit visit) const {
-        if (arranged())
+    [[nodiscard]] bool traverse_any(RayBoxTestCache& ray, Interval interval, Visit visit) const {
+        if (has_bvh())
             return hierarchy_.any(ray, interval,
-                                  [&](std::size_t index) { return visit(items_[index]); });
+                                  [&](std::size_t index) { return visit(primitives_[index]); });
         if (has_balls()) {
-            for (std::uint64_t near = balls_.near(ray.ray()); near != 0;)
-                if (visit(items_[take_lowest(near)])) return true;
+            for (std::uint64_t near = spheres_.candidates(ray.ray()); near != 0;)
+                if (visit(primitives_[pop_lowest_bit(near)])) return true;
             return false;
         }
-        for (const Item<Shape>& item : items_)
-            if (visit(item)) return true;
+        for (const Primitive<Shape>& primitive : primitives_)
+            if (visit(primitive)) return true;
         return false;
     }
 
 private:
-    [[nodiscard]] bool has_balls() const { return Bounded<Shape> && !balls_.empty(); }
+    [[nodiscard]] bool has_balls() const { return Bounded<Shape> && !spheres_.empty(); }
 
-    [[nodiscard]] Balls in_balls() const {
-        std::vector<Ball> balls;
-        for (const Item<Shape>& item : items_) balls.push_back(ball_around(item.shape));
-        return Balls(balls);
+    [[nodiscard]] BoundingSphereSet in_balls() const {
+        std::vector<BoundingSphere> balls;
+        for (const Primitive<Shape>& primitive : primitives_)
+            balls.push_back(bounding_sphere(primitive.shape));
+        return BoundingSphereSet(balls);
     }
 
-    void disarrange() {
+    void drop_acceleration() {
         hierarchy_ = {};
-        balls_ = {};
+        spheres_ = {};
     }
 
-    std::vector<Item<Shape>> items_;
-    Balls balls_;
-    Hierarchy hierarchy_;
+    std::vector<Primitive<Shape>> primitives_;
+    BoundingSphereSet spheres_;
+    Bvh hierarchy_;
 };
 
 }  // namespace RT_PRECISION

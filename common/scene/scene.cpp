@@ -2,13 +2,13 @@
 
 namespace rt {
 
-void arrange(Scene& scene, const Arrangement& how) {
+void build_acceleration(Scene& scene, const Acceleration& how) {
     // All hierarchies use one frame, so that a ray is prepared once for all kinds.
-    Box all;
-    const auto take_in = [&](const auto& items) {
-        if (items.many(how)) all = united(all, items.box());
+    BoundingBox all;
+    const auto take_in = [&](const auto& primitives) {
+        if (primitives.many(how)) all = merged(all, primitives.box());
     };
-    const auto arrange_kind = [&](auto& items) { items.arrange(how, all); };
+    const auto arrange_kind = [&](auto& primitives) { primitives.build_acceleration(how, all); };
     for_each_kind(scene, take_in);
     take_in(scene.meshes);
     for_each_kind(scene, arrange_kind);

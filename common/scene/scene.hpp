@@ -48,11 +48,11 @@ struct Light {
 };
 
 /// A mesh that a scene names. It is loaded later, once the stage is known to support meshes.
-struct NamedMesh {
-    Place place;         ///< location of its element in the scene file
+struct MeshRequest {
+    FileLocation place;  ///< location of its element in the scene file
     std::string file;    ///< path relative to the scene's folder
     bool smooth = true;  ///< interpolate normals; otherwise faces are flat
-    Motion placement;
+    Transform placement;
     Material material;
 };
 
@@ -64,15 +64,15 @@ struct Scene {
     std::optional<Ambient> ambient;
     std::vector<Light> lights;
 
-    Items<Sphere> spheres;
-    Items<Plane> planes;
-    Items<Triangle> triangles;
-    Items<Square> squares;
-    Items<Cylinder> cylinders;
-    Items<Cone> cones;
-    Items<OrientedBox> boxes;
-    std::vector<NamedMesh> named_meshes;
-    Items<PlacedMesh> meshes;  ///< the instances, once the named meshes are loaded
+    PrimitiveList<Sphere> spheres;
+    PrimitiveList<Plane> planes;
+    PrimitiveList<Triangle> triangles;
+    PrimitiveList<Square> squares;
+    PrimitiveList<Cylinder> cylinders;
+    PrimitiveList<Cone> cones;
+    PrimitiveList<OrientedBox> boxes;
+    std::vector<MeshRequest> mesh_requests;
+    PrimitiveList<MeshInstance> meshes;  ///< the instances, once the named meshes are loaded
 
     Axes axes;  ///< axes of the file; all members above use the program's axes
 };
@@ -80,7 +80,7 @@ struct Scene {
 /// A kind of shape: its list, the stage that brings it, and its names.
 template <class Shape>
 struct ShapeKind {
-    Items<Shape> Scene::*items;
+    PrimitiveList<Shape> Scene::*primitives;
     int stage;
     const char* one;
     const char* many;
@@ -112,15 +112,15 @@ namespace rt {
 /// Calls visit(list) for the list of each kind of shape, except meshes.
 template <class SomeScene, class Visit>
 void for_each_kind(SomeScene& scene, Visit visit) {
-    std::apply([&](const auto&... kind) { (visit(scene.*kind.items), ...); }, shape_kinds);
+    std::apply([&](const auto&... kind) { (visit(scene.*kind.primitives), ...); }, shape_kinds);
 }
 
 /// The path of the mesh's file, resolved from the scene's folder, independent of the working
 /// directory.
-[[nodiscard]] std::string path_of(const NamedMesh& mesh);
+[[nodiscard]] std::string path_of(const MeshRequest& mesh);
 
 /// Builds the acceleration structure of each kind of shape, once the scene is complete. Without it,
 /// pictures are the same but slower.
-void arrange(Scene& scene, const Arrangement& how = {});
+void build_acceleration(Scene& scene, const Acceleration& how = {});
 
 }  // namespace rt

@@ -65,10 +65,10 @@ Real size(const OrientedBox& box) {
     return 2 * std::min({box.half_size.x, box.half_size.y, box.half_size.z});
 }
 
-Real size(const PlacedMesh& placed) {
-    const Box& box = placed.model->bounds;
-    const auto triangles = Real(placed.model->mesh.triangles.size());
-    return placed.placement.scale * length(box.max - box.min) / std::sqrt(triangles + 1);
+Real size(const MeshInstance& instance) {
+    const BoundingBox& box = instance.model->bounds;
+    const auto triangles = Real(instance.model->mesh.triangles.size());
+    return instance.placement.scale * length(box.max - box.min) / std::sqrt(triangles + 1);
 }
 
 Vec3 point_of(const Sphere& sphere, Vec2 place) {
@@ -114,11 +114,11 @@ Vec3 point_of(const OrientedBox& box, Vec2 place) {
     return box.center + in_box.x * x + in_box.y * y + in_box.z * z;
 }
 
-Vec3 point_of(const PlacedMesh& placed, Vec2 place) {
-    const auto& vertices = placed.model->mesh.vertices;
+Vec3 point_of(const MeshInstance& instance, Vec2 place) {
+    const auto& vertices = instance.model->mesh.vertices;
     if (vertices.empty()) return Vec3(std::numeric_limits<Real>::quiet_NaN());
     const auto i = std::size_t(place.x * Real(vertices.size()));
-    return moved(vertices[std::min(i, vertices.size() - 1)], placed.placement);
+    return transformed(vertices[std::min(i, vertices.size() - 1)], instance.placement);
 }
 
 Real distance(Vec3 point, const Sphere& sphere) {
@@ -175,7 +175,7 @@ Real distance(Vec3 point, const OrientedBox& box) {
     return outside > 0 ? outside : -std::max({beyond.x, beyond.y, beyond.z});
 }
 
-Real distance(Vec3 /*point*/, const PlacedMesh& /*placed*/) {
+Real distance(Vec3 /*point*/, const MeshInstance& /*placed*/) {
     return infinity;
 }
 

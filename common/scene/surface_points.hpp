@@ -15,7 +15,7 @@ namespace rt {
 [[nodiscard]] Real size(const Cone& cone);
 [[nodiscard]] Real size(const OrientedBox& box);
 [[nodiscard]] Real size(
-    const PlacedMesh& placed);  ///< width of its triangles if all had the same size
+    const MeshInstance& instance);  ///< width of its triangles if all had the same size
 
 /// A point of the surface. The parametrization preserves ratios of areas: equal areas of the unit
 /// square map to equal areas of the surface.
@@ -24,8 +24,8 @@ namespace rt {
 [[nodiscard]] Vec3 point_of(const Square& square, Vec2 place);
 [[nodiscard]] Vec3 point_of(const Cylinder& cylinder, Vec2 place);
 [[nodiscard]] Vec3 point_of(const Cone& cone, Vec2 place);
-[[nodiscard]] Vec3 point_of(const OrientedBox& box, Vec2 place);    ///< a third for each axis
-[[nodiscard]] Vec3 point_of(const PlacedMesh& placed, Vec2 place);  ///< any of its vertices
+[[nodiscard]] Vec3 point_of(const OrientedBox& box, Vec2 place);        ///< a third for each axis
+[[nodiscard]] Vec3 point_of(const MeshInstance& instance, Vec2 place);  ///< any of its vertices
 
 /// The distance from the point to the surface; between planes, infinite unless they are parallel.
 [[nodiscard]] Real distance(Vec3 point, const Sphere& sphere);
@@ -36,6 +36,6 @@ namespace rt {
 [[nodiscard]] Real distance(Vec3 point, const Cylinder& cylinder);
 [[nodiscard]] Real distance(Vec3 point, const Cone& cone);
 [[nodiscard]] Real distance(Vec3 point, const OrientedBox& box);
-[[nodiscard]] Real distance(Vec3 point, const PlacedMesh& placed);  ///< infinite: not computed
+[[nodiscard]] Real distance(Vec3 point, const MeshInstance& instance);  ///< infinite: not computed
 
 }  // namespace rt

@@ -21,7 +21,7 @@ void SceneReport::warn(int line, int column, const std::string& kind, const std:
     if (!reading_.warn || warned_.size() > most_warnings) return;
     if (!warned_.insert(kind).second) return;
     const bool last = warned_.size() > most_warnings;
-    reading_.warn(to_string(Place{file_, line, column}) +
+    reading_.warn(to_string(FileLocation{file_, line, column}) +
                   "warning: " + (last ? "further warnings are omitted" : message));
 }
 

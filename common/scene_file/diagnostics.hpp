@@ -15,7 +15,7 @@ class SceneReport {
 public:
     SceneReport(const std::string& file, const SceneReading& reading);
 
-    [[nodiscard]] Place place(int line, int column) const { return {file_, line, column}; }
+    [[nodiscard]] FileLocation place(int line, int column) const { return {file_, line, column}; }
 
     /// Throws InputError with this location.
     [[noreturn]] void fail(int line, int column, const std::string& message) const;

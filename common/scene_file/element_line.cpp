@@ -103,7 +103,7 @@ bool ElementLine::triple_follows() const {
     return !at_end() && three_parts(peek_field()).has_value();
 }
 
-Place ElementLine::place() const {
+FileLocation ElementLine::place() const {
     return report_.place(line_.number, line_.tokens.front().column);
 }
 

@@ -41,7 +41,7 @@ public:
     [[nodiscard]] bool triple_follows() const;
 
     /// The location of the keyword.
-    [[nodiscard]] Place place() const;
+    [[nodiscard]] FileLocation place() const;
 
     /// Throws InputError at the location of the keyword.
     [[noreturn]] void refuse_line(const std::string& message) const;

@@ -86,7 +86,7 @@ void read_triangle(Fields& fields, const ElementReading&, Scene& scene) {
 
 void read_square(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 center = fields.point("position");
-    const Basis basis = reading.basis_around(fields.direction("normal"));
+    const Basis basis = reading.orthonormal_basis(fields.direction("normal"));
     const Real side = fields.length("side");
     const Material material = read_material(fields);
     const bool one_sided = fields.choice("sides", {"2", "1"}) == 1;
@@ -127,7 +127,7 @@ void read_cone(Fields& fields, const ElementReading&, Scene& scene) {
 
 void read_box(Fields& fields, const ElementReading& reading, Scene& scene) {
     const Vec3 center = fields.point("position");
-    const Basis basis = reading.basis_around(fields.direction("direction"));
+    const Basis basis = reading.orthonormal_basis(fields.direction("direction"));
     const Vec3 size = fields.lengths("size");
     const Material material = read_material(fields);
     if (fields.is_left_out()) return;
@@ -136,14 +136,14 @@ void read_box(Fields& fields, const ElementReading& reading, Scene& scene) {
 }
 
 void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
-    NamedMesh mesh{.place = fields.place(), .file = fields.word("file")};
+    MeshRequest mesh{.place = fields.place(), .file = fields.word("file")};
     mesh.placement.translation = fields.point("position");
     mesh.placement.scale = fields.length("scale");
     mesh.material = read_material(fields);
-    mesh.placement.rotation =
-        to_our_axes(reading.basis_around(fields.direction_option("dir", {0, 0, 1})), reading.axes);
+    mesh.placement.rotation = to_our_axes(
+        reading.orthonormal_basis(fields.direction_option("dir", {0, 0, 1})), reading.axes);
     mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
-    scene.named_meshes.push_back(mesh);
+    scene.mesh_requests.push_back(mesh);
 }
 
 constexpr const char* last_counts = "the last one counts";

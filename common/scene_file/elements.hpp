@@ -13,7 +13,7 @@ inline namespace RT_PRECISION {
 
 /// The options for reading elements.
 struct ElementReading : SceneReading {
-    BasisAround* basis_around = nullptr;
+    BasisAround* orthonormal_basis = nullptr;
 };
 
 /// A kind of element in a scene file.

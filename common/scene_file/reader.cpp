@@ -94,14 +94,14 @@ Vec3 axis_to_most_shapes(const Scene& scene, Vec3 from) {
         const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         if (size[axis] > 0) ++near[std::size_t(2 * axis + (way[axis] < 0 ? 1 : 0))];
     };
-    for_each_kind(scene, [&count]<class Shape>(const Items<Shape>& items) {
+    for_each_kind(scene, [&count]<class Shape>(const PrimitiveList<Shape>& primitives) {
         if constexpr (Bounded<Shape>)
-            for (const Item<Shape>& item : items) {
-                const auto [min, max] = bounds(item.shape);
+            for (const Primitive<Shape>& primitive : primitives) {
+                const auto [min, max] = bounds(primitive.shape);
                 count(min / Real(2) + max / Real(2));
             }
     });
-    for (const NamedMesh& mesh : scene.named_meshes) count(mesh.placement.translation);
+    for (const MeshRequest& mesh : scene.mesh_requests) count(mesh.placement.translation);
     std::size_t best = 5;
     for (std::size_t i = 0; i < near.size(); ++i)
         if (near[i] > near[best]) best = i;
@@ -143,7 +143,7 @@ public:
                           "the line is ignored");
             return;
         }
-        const Place place{{}, line.number, keyword.column};
+        const FileLocation place{{}, line.number, keyword.column};
         const bool first = first_.emplace(element->form.keyword, place).second;
         if (!first && element->if_repeated) {
             report_.doubt(line.number, keyword.column, "again " + std::string(keyword.text),
@@ -190,7 +190,7 @@ private:
 
     ElementReading reading_;
     SceneReport& report_;
-    std::map<std::string_view, Place> first_;
+    std::map<std::string_view, FileLocation> first_;
     std::vector<Undirected> without_direction_;
     Scene scene_;
 };

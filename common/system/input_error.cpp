@@ -16,7 +16,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-std::string to_string(const Place& place) {
+std::string to_string(const FileLocation& place) {
     if (place.file.empty()) return "";
     std::string text = one_line(place.file) + ":";
     if (place.line > 0) text += std::to_string(place.line) + ":";
@@ -24,7 +24,7 @@ std::string to_string(const Place& place) {
     return text + " ";
 }
 
-InputError::InputError(const Place& place, const std::string& message)
+InputError::InputError(const FileLocation& place, const std::string& message)
     : std::runtime_error(to_string(place) + "error: " + one_line(message)) {}
 
 InputError::InputError(const std::string& text) : std::runtime_error(text) {}

@@ -8,7 +8,7 @@
 namespace rt {
 
 /// A location in a file that the user can open. Line and column count from 1; 0 omits them.
-struct Place {
+struct FileLocation {
     std::string file;
     int line = 0;
     int column = 0;
@@ -20,7 +20,7 @@ class InputError : public std::runtime_error {
 public:
     /// what() is "file:line:column: error: message", one line; an empty file name omits the
     /// location.
-    InputError(const Place& place, const std::string& message);
+    InputError(const FileLocation& place, const std::string& message);
 
     /// Returns the same error with `remark` appended in brackets.
     [[nodiscard]] InputError with(const std::string& remark) const;
@@ -33,6 +33,6 @@ private:
 using Warn = std::function<void(const std::string&)>;
 
 /// "file:line:column: " or the known part of it, with control characters replaced by "?".
-[[nodiscard]] std::string to_string(const Place& place);
+[[nodiscard]] std::string to_string(const FileLocation& place);
 
 }  // namespace rt

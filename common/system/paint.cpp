@@ -6,13 +6,13 @@
 
 namespace rt {
 
-std::string painted(const std::string& text, Paint paint) {
+std::string styled(const std::string& text, Style paint) {
     static const bool in_color = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
     if (!in_color) return text;
     const char* code = "2";
-    if (paint == Paint::good) code = "32";
-    if (paint == Paint::bad) code = "31";
-    if (paint == Paint::bold) code = "1";
+    if (paint == Style::good) code = "32";
+    if (paint == Style::bad) code = "31";
+    if (paint == Style::bold) code = "1";
     return std::string("\033[") + code + "m" + text + "\033[0m";
 }
 

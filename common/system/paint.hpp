@@ -5,9 +5,9 @@
 
 namespace rt {
 
-enum class Paint { good, bad, bold, dim };
+enum class Style { good, bad, bold, dim };
 
 /// The text in color, if the standard output is a terminal and NO_COLOR is not set.
-[[nodiscard]] std::string painted(const std::string& text, Paint paint);
+[[nodiscard]] std::string styled(const std::string& text, Style paint);
 
 }  // namespace rt

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-void in_parallel(int threads, std::size_t count, const std::atomic<bool>* stop,
-                 const std::function<void(std::size_t)>& work) {
+void parallel_for(int threads, std::size_t count, const std::atomic<bool>* stop,
+                  const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     std::exception_ptr failure;

@@ -109,8 +109,8 @@ int run_process(const Command& command) {
     return exit_status(answer);
 }
 
-Ending listen_to(const Command& command, std::chrono::milliseconds limit,
-                 const std::atomic<bool>* cancelled) {
+ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
+                           const std::atomic<bool>* cancelled) {
     std::array<int, 2> ends{};
     if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
     const auto [ear, mouth] = ends;
@@ -125,7 +125,7 @@ Ending listen_to(const Command& command, std::chrono::milliseconds limit,
     }
     close(mouth);
     const auto deadline = std::chrono::steady_clock::now() + limit;
-    Ending ending;
+    ProcessResult ending;
     const auto given_up = [&] {
         ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
         return ending.out_of_time || (cancelled != nullptr && *cancelled);

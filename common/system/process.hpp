@@ -23,7 +23,7 @@ using Command = std::vector<std::string>;
 [[nodiscard]] int run_process(const Command& command);
 
 /// The result of a program with captured output.
-struct Ending {
+struct ProcessResult {
     int status = 0;            ///< the same as the result of run_process
     std::string crash;         ///< the name of the signal that ended it, "Segmentation fault"; or
                                ///< empty
@@ -35,8 +35,8 @@ struct Ending {
 /// cannot be started. When `*cancelled` becomes true, the program and its children are stopped, and
 /// Ctrl-C is handled by the caller instead of the program. To stop it, SIGTERM is sent, and SIGKILL
 /// a fifth of a second later. The program is also stopped when the calling thread ends.
-[[nodiscard]] Ending listen_to(const Command& command, std::chrono::milliseconds limit,
-                               const std::atomic<bool>* cancelled = nullptr);
+[[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
+                                         const std::atomic<bool>* cancelled = nullptr);
 
 /// The exit status in a result of waitpid or pclose; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);

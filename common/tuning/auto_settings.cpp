@@ -13,17 +13,17 @@ namespace rt {
 
 namespace {
 
-class Chooser {
+class Tuner {
 public:
-    Chooser(Trials& trials, const Aim& aim, Clock::time_point start, const std::atomic<bool>& stop)
+    Tuner(Trials& trials, const Aim& aim, Clock::time_point start, const std::atomic<bool>& stop)
         : trials_(trials),
           aim_(aim),
           start_(start),
           runner_(trials.resolution(), aim, stop),
-          demands_(trials.demands()),
-          look_(aim.look) {}
+          traits_(trials.traits()),
+          settings_(aim.settings) {}
 
-    Choice choose(const OpenFloat& open_float) {
+    AutoSettings choose(const OpenFloat& open_float) {
         hierarchy();
         depth();
         samples();
@@ -34,63 +34,64 @@ public:
 
 private:
     void hierarchy() {
-        const Look look = with_one_shadow_ray(look_, aim_);
-        const HierarchyChoice hierarchy = choose_hierarchy(runner_, trials_, demands_, look);
+        const RenderSettings settings = with_one_shadow_ray(settings_, aim_);
+        const HierarchyChoice hierarchy = choose_hierarchy(runner_, trials_, traits_, settings);
         choice_.hierarchy_from = hierarchy.from;
         say("hierarchy", hierarchy.why);
     }
 
     void depth() {
-        if (aim_.given.depth) return say("depth", std::to_string(look_.depth) + ", as given");
-        const double mirror = demands_.strongest_mirror;
+        if (aim_.given.depth) return say("depth", std::to_string(settings_.depth) + ", as given");
+        const double mirror = traits_.strongest_mirror;
         if (mirror == 0) return say("depth", "none: there is no mirror");
-        look_.depth = sufficient_depth(mirror, runner_.limit());
-        say("depth", std::to_string(look_.depth) + ": a mirror reflects up to " +
+        settings_.depth = sufficient_depth(mirror, runner_.limit());
+        say("depth", std::to_string(settings_.depth) + ": a mirror reflects up to " +
                          number(100 * mirror) + " % of the light");
         if (!aim_.time) return;
-        const int fits = depth_within_time(runner_, trials_, with_one_shadow_ray(look_, aim_));
-        if (fits < look_.depth) say("", "but " + std::to_string(fits) + " to keep the time");
-        look_.depth = fits;
+        const int fits = depth_within_time(runner_, trials_, with_one_shadow_ray(settings_, aim_));
+        if (fits < settings_.depth) say("", "but " + std::to_string(fits) + " to keep the time");
+        settings_.depth = fits;
     }
 
     void samples() {
-        if (aim_.given.shadow_samples || !demands_.sized_lights) return no_samples();
+        if (aim_.given.shadow_samples || !traits_.sized_lights) return no_samples();
         if (aim_.time)
             samples_for_time();
         else
-            choice_.expected = keep_tolerance(runner_, trials_, look_);
-        say("shadow samples", samples_in_words(choice_.expected.look));
+            choice_.expected = keep_tolerance(runner_, trials_, settings_);
+        say("shadow samples", samples_in_words(choice_.expected.settings));
     }
 
     void no_samples() {
         const std::vector<Pixel> all = runner_.spread().pixels();
         const std::vector<Pixel> some = some_of(all, std::max<std::size_t>(all.size() / 32, 128));
-        const Shot shot = runner_.shot(trials_, look_, some, 1);
-        choice_.expected = {
-            .look = look_, .seconds = runner_.picture_seconds(shot.seconds), .rays = shot.rays};
+        const PixelSample shot = runner_.shot(trials_, settings_, some, 1);
+        choice_.expected = {.settings = settings_,
+                            .seconds = runner_.picture_seconds(shot.seconds),
+                            .rays = shot.rays};
         say("shadow samples", aim_.given.shadow_samples ? "as given" : "one: no light has a size");
     }
 
     void samples_for_time() {
-        Ladder ladder = climb(runner_, trials_, look_);
+        QualityLadder ladder = measure_ladder(runner_, trials_, settings_);
         choice_.expected = ladder.top();
         if (aim_.tolerance && !runner_.no_time_left()) {
-            choice_.expected = keep_tolerance(runner_, trials_, look_);
+            choice_.expected = keep_tolerance(runner_, trials_, settings_);
             ladder.end_with(choice_.expected);
         }
         if (choice_.expected.seconds > *aim_.time)
             choice_.expected = ladder.within_time(*aim_.time);
-        Look& look = choice_.expected.look;
-        if (look.shadow_error > 0) look.shadow_error = two_digits(look.shadow_error);
+        RenderSettings& settings = choice_.expected.settings;
+        if (settings.shadow_error > 0) settings.shadow_error = two_digits(settings.shadow_error);
         const auto time = std::chrono::duration<double>(*aim_.time);
-        choice_.pace =
-            std::make_unique<Pace>(ladder, runner_.size().height,
-                                   start_ + std::chrono::duration_cast<Clock::duration>(time));
+        choice_.pace = std::make_unique<TimeBudget>(
+            ladder, runner_.size().height,
+            start_ + std::chrono::duration_cast<Clock::duration>(time));
     }
 
     void precision(const OpenFloat& open_float) {
         const PrecisionChoice precision =
-            choose_precision(runner_, trials_, demands_, open_float, choice_);
+            choose_precision(runner_, trials_, traits_, open_float, choice_);
         choice_.in_float = precision.in_float;
         say("precision", precision.why);
     }
@@ -106,8 +107,8 @@ private:
 
     /// The expected error and its confidence, never below the tolerance of the trials.
     [[nodiscard]] std::string expected_error() const {
-        const bool sampled = demands_.sized_lights && !aim_.given.shadow_samples;
-        if (demands_.sized_lights && !sampled) return "";
+        const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
+        if (traits_.sized_lights && !sampled) return "";
         const double error = std::max(choice_.expected.error, runner_.limit());
         std::string text = ", and 99 of 100 pixels within " + steps(error);
         if (!sampled) return text;
@@ -123,17 +124,17 @@ private:
     const Aim& aim_;
     Clock::time_point start_;
     TrialRunner runner_;
-    Demands demands_;
-    Look look_;
-    Choice choice_;
+    SceneTraits traits_;
+    RenderSettings settings_;
+    AutoSettings choice_;
 };
 
 }  // namespace
 
-std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float, const Aim& aim,
-                             Clock::time_point start, const std::atomic<bool>& stop) {
+std::optional<AutoSettings> choose(Trials& trials, const OpenFloat& open_float, const Aim& aim,
+                                   Clock::time_point start, const std::atomic<bool>& stop) {
     try {
-        return Chooser(trials, aim, start, stop).choose(open_float);
+        return Tuner(trials, aim, start, stop).choose(open_float);
     } catch (const Stopped&) {
         return std::nullopt;
     }

@@ -21,7 +21,7 @@ struct Given {
 
 /// The goal of the tuning, and the settings that are fixed.
 struct Aim {
-    Look look;
+    RenderSettings settings;
     std::optional<double> tolerance;  ///< largest error of a pixel, in 8-bit levels
     std::optional<double> time;       ///< time for the picture, in seconds
     Given given;
@@ -31,11 +31,11 @@ struct Aim {
 };
 
 /// The automatic settings.
-struct Choice {
+struct AutoSettings {
     bool in_float = false;  ///< render in float: accurate enough, and faster than double
     std::optional<std::size_t> hierarchy_from;  ///< as in Aim; nothing for the default
     Trial expected;
-    std::unique_ptr<Pace> pace;        ///< set only if the picture has a time budget
+    std::unique_ptr<TimeBudget> pace;  ///< set only if the picture has a time budget
     std::vector<std::string> reasons;  ///< report lines: each setting chosen, and the reason
 };
 
@@ -46,8 +46,8 @@ using OpenFloat = std::function<Trials&()>;
 /// depth, shadow samples and precision, as far as the aim does not fix them and the scene has a use
 /// for them. The hierarchies of the chosen trials are built on return. Without `open_float` the
 /// precision does not change. A time budget counts from `start`. Returns nothing if `stop` was set.
-[[nodiscard]] std::optional<Choice> choose(Trials& trials, const OpenFloat& open_float,
-                                           const Aim& aim, Clock::time_point start,
-                                           const std::atomic<bool>& stop);
+[[nodiscard]] std::optional<AutoSettings> choose(Trials& trials, const OpenFloat& open_float,
+                                                 const Aim& aim, Clock::time_point start,
+                                                 const std::atomic<bool>& stop);
 
 }  // namespace rt

@@ -14,15 +14,15 @@ int sufficient_depth(double strongest_mirror, double tolerance) {
     return int(std::clamp(std::ceil(reflections) - 1, 0., double(most_depth)));
 }
 
-int depth_within_time(TrialRunner& runner, const Trials& trials, Look look) {
+int depth_within_time(TrialRunner& runner, const Trials& trials, RenderSettings settings) {
     const std::vector<Pixel> all = runner.spread().pixels();
     const std::vector<Pixel> pixels = some_of(all, std::max<std::size_t>(all.size() / 8, 512));
     const auto takes_too_long = [&] {
-        const double seconds = runner.shot(trials, look, pixels, 0).seconds;
+        const double seconds = runner.shot(trials, settings, pixels, 0).seconds;
         return runner.picture_seconds(seconds) > *runner.aim().time;
     };
-    while (look.depth > 0 && takes_too_long()) look.depth /= 2;
-    return look.depth;
+    while (settings.depth > 0 && takes_too_long()) settings.depth /= 2;
+    return settings.depth;
 }
 
 }  // namespace rt

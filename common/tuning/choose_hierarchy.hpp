@@ -18,6 +18,7 @@ struct HierarchyChoice {
 /// Measures both where the number of shapes alone does not decide which is faster, and builds the
 /// faster one for the scene. The picture is the same, except where surfaces coincide.
 [[nodiscard]] HierarchyChoice choose_hierarchy(TrialRunner& runner, Trials& trials,
-                                               const Demands& demands, const Look& look);
+                                               const SceneTraits& traits,
+                                               const RenderSettings& settings);
 
 }  // namespace rt

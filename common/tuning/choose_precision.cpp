@@ -25,22 +25,22 @@ constexpr std::size_t edge_pixels = 1000;
 /// An upper bound on the effect of rounding errors on a color, in 8-bit levels. A point on a shape
 /// has an error of up to 8 u of its coordinates (docs/reference/stability.md); the normal there has
 /// that error divided by the shape's size, and a highlight that of the normal times its exponent.
-double rounding_error(const Demands& demands, double unit_roundoff) {
-    if (demands.feature == 0) return 0;
-    return 255 * 8 * unit_roundoff * demands.extent / demands.feature * demands.shininess;
+double rounding_error(const SceneTraits& traits, double unit_roundoff) {
+    if (traits.feature == 0) return 0;
+    return 255 * 8 * unit_roundoff * traits.extent / traits.feature * traits.shininess;
 }
 
 /// Returns whether rounding errors, up to 8 u of the coordinates of each surface, may exchange the
 /// order of two surfaces: as InputRounding::loses_gaps.
-bool loses_gaps(const Demands& demands, double unit_roundoff) {
-    return demands.gap > 0 && demands.gap < 4 * 8 * unit_roundoff * demands.extent;
+bool loses_gaps(const SceneTraits& traits, double unit_roundoff) {
+    return traits.gap > 0 && traits.gap < 4 * 8 * unit_roundoff * traits.extent;
 }
 
 /// The pixels whose color differs in float by more than half of the tolerance.
 std::vector<Pixel> other_pixels(TrialRunner& runner, const Trials& trials, const Trials& in_float,
-                                const Look& look, const std::vector<Pixel>& pixels) {
-    const std::vector<double> apart =
-        distances(runner.shot(trials, look, pixels, 0), runner.shot(in_float, look, pixels, 0));
+                                const RenderSettings& settings, const std::vector<Pixel>& pixels) {
+    const std::vector<double> apart = distances(runner.shot(trials, settings, pixels, 0),
+                                                runner.shot(in_float, settings, pixels, 0));
     std::vector<Pixel> others;
     for (std::size_t i = 0; i < apart.size(); ++i)
         if (apart[i] > runner.limit() / 2) others.push_back(pixels[i]);
@@ -57,35 +57,35 @@ bool are_on_edges(const std::vector<Pixel>& others, std::size_t tried, Resolutio
 
 }  // namespace
 
-PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials, const Demands& demands,
-                                 const OpenFloat& open_float, const Choice& choice) {
+PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
+                                 const SceneTraits& traits, const OpenFloat& open_float,
+                                 const AutoSettings& chosen) {
     const auto in_double = [](const std::string& why) {
         return PrecisionChoice{.why = "double" + why};
     };
     if (!open_float) return {.why = "as given"};
-    const std::string extremes = ": coordinates reach " + number(demands.extent) +
-                                 ", the smallest size is " + number(demands.feature);
-    if (rounding_error(demands, demands.unit_roundoff) > runner.limit() / 2)
+    const std::string extremes = ": coordinates reach " + number(traits.extent) +
+                                 ", the smallest size is " + number(traits.feature);
+    if (rounding_error(traits, traits.unit_roundoff) > runner.limit() / 2)
         return in_double(", though its rounding errors may be visible" + extremes +
                          "; every ray is decided with --precision exact");
-    if (rounding_error(demands, float_roundoff) > runner.limit() / 2)
+    if (rounding_error(traits, float_roundoff) > runner.limit() / 2)
         return in_double(": rounding errors of float may be visible" + extremes);
-    if (loses_gaps(demands, float_roundoff))
-        return in_double(": float may lose a gap of " + number(demands.gap));
+    if (loses_gaps(traits, float_roundoff))
+        return in_double(": float may lose a gap of " + number(traits.gap));
 
     const std::vector<Pixel> pixels = runner.spread().pixels();
     const double rays =
-        choice.expected.rays * double(runner.size().width) * double(runner.size().height);
-    if (rays < worth_trials * double(pixels.size()) ||
-        rays < worth_reading * double(demands.shapes))
+        chosen.expected.rays * double(runner.size().width) * double(runner.size().height);
+    if (rays < worth_trials * double(pixels.size()) || rays < worth_reading * double(traits.shapes))
         return in_double(": trying float costs more than it could save");
     if (runner.no_time_left())
         return in_double(": float may be sufficient, but there is no time to try it");
 
     Trials& in_float = open_float();
-    if (choice.hierarchy_from) in_float.arrange(*choice.hierarchy_from);
-    const Look look = with_one_shadow_ray(choice.expected.look, runner.aim());
-    const std::vector<Pixel> others = other_pixels(runner, trials, in_float, look, pixels);
+    if (chosen.hierarchy_from) in_float.build_acceleration(*chosen.hierarchy_from);
+    const RenderSettings settings = with_one_shadow_ray(chosen.expected.settings, runner.aim());
+    const std::vector<Pixel> others = other_pixels(runner, trials, in_float, settings, pixels);
     const std::string found =
         std::to_string(others.size()) + " of " + std::to_string(pixels.size()) +
         " pixels differ from double's by more than " + steps(runner.limit() / 2);

@@ -17,7 +17,8 @@ struct PrecisionChoice {
 /// with the same shadow rays. The decision uses counts only, so that it is the same in every run.
 /// Without `open_float` the precision is fixed.
 [[nodiscard]] PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
-                                               const Demands& demands, const OpenFloat& open_float,
-                                               const Choice& choice);
+                                               const SceneTraits& traits,
+                                               const OpenFloat& open_float,
+                                               const AutoSettings& chosen);
 
 }  // namespace rt

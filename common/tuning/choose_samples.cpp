@@ -23,14 +23,15 @@ struct Judged {
 
 class Sampling {
 public:
-    Sampling(TrialRunner& runner, const Trials& trials, const Look& look)
+    Sampling(TrialRunner& runner, const Trials& trials, const RenderSettings& settings)
         : runner_(runner),
           trials_(trials),
           allowed_(*runner.aim().tolerance),
-          look_(look),
-          reference_(reference_look(look, allowed_)),
-          penumbrae_(find_penumbrae(runner, trials, look)) {
-        const Shot clear = shot(with_rays(look, 1), some_of(penumbrae_.clear, 128), ++round_);
+          settings_(settings),
+          reference_(reference_settings(settings, allowed_)),
+          penumbrae_(find_penumbrae(runner, trials, settings)) {
+        const PixelSample clear =
+            shot(with_rays(settings, 1), some_of(penumbrae_.clear, 128), ++round_);
         without_light_rays_ = clear.rays - mean(clear.light_rays);
         seconds_of_a_ray_ = clear.rays > 0 ? clear.seconds / clear.rays : 0;
         sort_doubtful();
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] Trial best() {
         if (share_ > 0 && share_ * all_pixels() < fewest_pixels) return untried();
         for (const int rays : {1, 2, 4}) {
-            const Judged few = judged(with_rays(look_, rays));
+            const Judged few = judged(with_rays(settings_, rays));
             if (keeps(few)) return confirmed(few);
             if (few.trial.error > 4 * allowed_) break;  // more than four times the rays can reduce
         }
@@ -55,9 +56,9 @@ private:
     void sort_doubtful() {
         const double wanted = std::clamp(penumbrae_.share * all_pixels() / 64, 128., 1000.);
         const std::vector<Pixel> doubtful = some_of(penumbrae_.doubtful, std::size_t(wanted));
-        const Shot right = shot(reference_, doubtful, ++round_);
+        const PixelSample right = shot(reference_, doubtful, ++round_);
         const std::vector<double> off =
-            distances(shot(with_rays(look_, 1), doubtful, ++round_), right);
+            distances(shot(with_rays(settings_, 1), doubtful, ++round_), right);
         std::vector<Pixel> calm = penumbrae_.asked;
         for (std::size_t i = 0; i < doubtful.size(); ++i)
             if (off[i] > allowed_) {
@@ -77,8 +78,8 @@ private:
         calm_ = some_of(calm, 32);
     }
 
-    Shot shot(const Look& look, const std::vector<Pixel>& pixels, int round) {
-        Shot shot = runner_.shot(trials_, look, pixels, round);
+    PixelSample shot(const RenderSettings& settings, const std::vector<Pixel>& pixels, int round) {
+        PixelSample shot = runner_.shot(trials_, settings, pixels, round);
         rays_spent_ += shot.rays * double(pixels.size());
         return shot;
     }
@@ -103,9 +104,9 @@ private:
     /// The smallest error that is tried: a smaller one changes nothing that counts.
     [[nodiscard]] double least_error() const { return two_digits(0.35 * allowed_); }
 
-    /// The error at which sampling can stop, if share_error (stage 11) estimates it correctly. It
-    /// is smaller if more of the picture is in a penumbra, because then a smaller fraction of those
-    /// pixels may exceed the tolerance.
+    /// The error at which sampling can stop, if visibility_error (stage 11) estimates it correctly.
+    /// It is smaller if more of the picture is in a penumbra, because then a smaller fraction of
+    /// those pixels may exceed the tolerance.
     [[nodiscard]] double likely_error() const {
         return allowed_ * std::clamp(0.85 - share_ / 2, 0.45, 0.7);
     }
@@ -116,12 +117,12 @@ private:
         const double all = share_ * all_pixels();
         const double promised =
             std::min(few_in_penumbrae, few_pixels / std::max(share_, few_pixels));
-        return all < 1 ? promised : double(exceptions(std::size_t(all), promised)) / all;
+        return all < 1 ? promised : double(allowed_outliers(std::size_t(all), promised)) / all;
     }
 
-    Judged judged(Look look, std::size_t fewest = 64) {
-        if (look.shadow_error > 0) look.shadow_error = two_digits(look.shadow_error);
-        Judged result{.trial = {.look = look}};
+    Judged judged(RenderSettings settings, std::size_t fewest = 64) {
+        if (settings.shadow_error > 0) settings.shadow_error = two_digits(settings.shadow_error);
+        Judged result{.trial = {.settings = settings}};
         int round = first_round;  // all settings are compared with the same rays
         judge(result, fewest, round);
         return result;
@@ -130,21 +131,21 @@ private:
     /// Adds samples, one at least, until so many distances are known, to the measured cost and
     /// error of the settings.
     void judge(Judged& judged, std::size_t distances_known, int& round) {
-        const Look& look = judged.trial.look;
-        Shot next;
+        const RenderSettings& settings = judged.trial.settings;
+        PixelSample next;
         do {
-            next = shot(look, pixels_, ++round);
+            next = shot(settings, pixels_, ++round);
             for (const double off : distances(next, right_))
-                judged.off.push_back(off / excess(look, reference_));
+                judged.off.push_back(off / reference_bias(settings, reference_));
         } while (!pixels_.empty() && judged.off.size() < distances_known);
         judged.trial.error = error_but_for_share(few(), judged.off);
         tell_costs(judged.trial, next);
     }
 
     /// Computes the cost of the settings from the pixels in penumbras and the others.
-    void tell_costs(Trial& trial, const Shot& in_penumbrae) {
+    void tell_costs(Trial& trial, const PixelSample& in_penumbrae) {
         const double light_rays =
-            calm_share_ * mean(shot(trial.look, calm_, first_round).light_rays);
+            calm_share_ * mean(shot(trial.settings, calm_, first_round).light_rays);
         const double elsewhere = light_rays + (1 - share_) * without_light_rays_;
         trial.rays = share_ * in_penumbrae.rays + elsewhere;
         // Outside penumbras, rays to a light take about as long as inside.
@@ -157,14 +158,14 @@ private:
 
     /// Settings with about the largest error that still meets the tolerance.
     Judged tuned(double error, int agree) {
-        Judged first = judged(to_error(look_, error, agree));
+        Judged first = judged(to_error(settings_, error, agree));
         const double room = first.trial.error > 0 ? allowed_ / first.trial.error : 10;
         if (1 <= room && (room < 1.25 || has_tried_enough(first.trial))) return first;
         const double before = error;
         error = std::clamp(error * std::clamp(0.95 * room, 0.5, 1.6), least_error(),
                            std::max(1.2 * allowed_, least_error()));
         if (error == before) return first;
-        Judged second = judged(to_error(look_, error, agree));
+        Judged second = judged(to_error(settings_, error, agree));
         return is_better(second, first) ? second : first;
     }
 
@@ -175,36 +176,38 @@ private:
 
     /// Settings for penumbras with so few pixels that their rays cost less than trials would.
     [[nodiscard]] Trial untried() {
-        return judged(to_error(look_, least_error(), 2 * usual_agree()), 1).trial;
+        return judged(to_error(settings_, least_error(), 2 * usual_agree()), 1).trial;
     }
 
     /// Searches for settings that meet the tolerance.
     Judged found() {
         constexpr int tries = 12;
         Judged best = tuned(likely_error(), usual_agree());
-        for (int i = 0; i < tries && !keeps(best) && !is_finest(best.trial.look); ++i)
+        for (int i = 0; i < tries && !keeps(best) && !is_finest(best.trial.settings); ++i)
             best = finer(best);
         return best;
     }
 
-    [[nodiscard]] bool is_finest(const Look& look) const {
-        return look.shadow_error > 0 && look.shadow_error <= least_error() &&
-               look.shadow_agree >= reference_.shadow_agree;
+    [[nodiscard]] bool is_finest(const RenderSettings& settings) const {
+        return settings.shadow_error > 0 && settings.shadow_error <= least_error() &&
+               settings.shadow_agree >= reference_.shadow_agree;
     }
 
     /// A smaller error or a larger number of agreeing rays, whichever reduces the error more for
     /// its cost.
     Judged finer(const Judged& before) {
-        const Look look = before.trial.look;
-        if (look.shadow_error == 0)
-            return look.shadow_samples < 4 ? judged(with_rays(look, 2 * look.shadow_samples))
-                                           : judged(to_error(look, likely_error(), 16));
+        const RenderSettings settings = before.trial.settings;
+        if (settings.shadow_error == 0)
+            return settings.shadow_samples < 4
+                       ? judged(with_rays(settings, 2 * settings.shadow_samples))
+                       : judged(to_error(settings, likely_error(), 16));
         const double part = std::clamp(0.95 * allowed_ / before.trial.error, 0.5, 0.8);
-        const Look to_less =
-            to_error(look, std::max(part * look.shadow_error, least_error()), look.shadow_agree);
-        const Look of_more = to_error(look, look.shadow_error, look.shadow_agree * 2);
-        if (look.shadow_agree >= reference_.shadow_agree) return judged(to_less);
-        if (look.shadow_error <= least_error()) return judged(of_more);
+        const RenderSettings to_less = to_error(
+            settings, std::max(part * settings.shadow_error, least_error()), settings.shadow_agree);
+        const RenderSettings of_more =
+            to_error(settings, settings.shadow_error, settings.shadow_agree * 2);
+        if (settings.shadow_agree >= reference_.shadow_agree) return judged(to_less);
+        if (settings.shadow_error <= least_error()) return judged(of_more);
         Judged less = judged(to_less);
         Judged more = judged(of_more);
         const auto worth = [&](const Judged& judged) {
@@ -221,7 +224,7 @@ private:
         constexpr std::size_t fewest = 64;
         for (int i = 0;; ++i) {
             judge(judged, fewest, round_);
-            if (i == tries || is_finest(judged.trial.look) ||
+            if (i == tries || is_finest(judged.trial.settings) ||
                 (keeps(judged) && worst_tile_keeps(judged)))
                 return judged.trial;
             judged = finer(judged);
@@ -247,10 +250,10 @@ private:
         const double most_beyond =
             few_in_a_tile * (double(pixels.size()) + clear * penumbrae_.draws);
         if (double(pixels.size()) <= most_beyond) return true;
-        const Look& look = judged.trial.look;
-        const Shot right = shot(reference_, pixels, ++round_);
-        const std::vector<double> off = distances(shot(look, pixels, ++round_), right);
-        const double allowed = allowed_ * excess(look, reference_);
+        const RenderSettings& settings = judged.trial.settings;
+        const PixelSample right = shot(reference_, pixels, ++round_);
+        const std::vector<double> off = distances(shot(settings, pixels, ++round_), right);
+        const double allowed = allowed_ * reference_bias(settings, reference_);
         return double(std::ranges::count_if(off, [=](double d) { return d > allowed; })) <=
                most_beyond;
     }
@@ -261,13 +264,13 @@ private:
     TrialRunner& runner_;
     const Trials& trials_;
     double allowed_;
-    Look look_;
+    RenderSettings settings_;
     int round_ = 2;  ///< as many as were looked for penumbrae with
     double rays_spent_ = 0;
-    Look reference_;
+    RenderSettings reference_;
     Penumbrae penumbrae_;
     std::vector<Pixel> pixels_;  ///< pixels in penumbras, for trials of settings
-    Shot right_;                 ///< those pixels rendered with the reference settings
+    PixelSample right_;          ///< those pixels rendered with the reference settings
     double share_ = 0;           ///< fraction of the picture that they represent
     std::vector<Pixel> calm_;    ///< other pixels that send rays to an area light
     double calm_share_ = 0;
@@ -277,41 +280,43 @@ private:
 
 }  // namespace
 
-Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const Look& look) {
-    return Sampling(runner, trials, look).best();
+Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const RenderSettings& settings) {
+    return Sampling(runner, trials, settings).best();
 }
 
-Ladder climb(TrialRunner& runner, const Trials& trials, const Look& look) {
+QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
+                             const RenderSettings& settings) {
     const std::vector<Pixel> scattered = runner.spread().pixels();
     const std::vector<Pixel> pixels =
         some_of(scattered, std::max<std::size_t>(1000, scattered.size() / 8));
-    const std::vector<Look> looks = sampling_looks(look);
+    const std::vector<RenderSettings> candidates = sampling_candidates(settings);
     const double time = *runner.aim().time;
-    Ladder ladder;
-    Shot finest = runner.shot(trials, looks[0], pixels, 1);
-    for (std::size_t i = 1; i < looks.size(); ++i) {
-        const Shot before =
-            std::exchange(finest, runner.shot(trials, looks[i], pixels, int(i) + 1));
-        ladder.add({.look = looks[i - 1],
+    QualityLadder ladder;
+    PixelSample finest = runner.shot(trials, candidates[0], pixels, 1);
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        const PixelSample before =
+            std::exchange(finest, runner.shot(trials, candidates[i], pixels, int(i) + 1));
+        ladder.add({.settings = candidates[i - 1],
                     .seconds = runner.picture_seconds(before.seconds),
                     .rays = before.rays,
                     .error = error_but_for_share(few_pixels, distances(before, finest)) /
-                             excess(looks[i - 1], looks[i])});
+                             reference_bias(candidates[i - 1], candidates[i])});
         if (ladder.top().seconds > time) break;
-        if (runner.no_time_left() && ladder.top().look.shadow_error > 0) {
-            ladder.extend({looks.begin() + std::ptrdiff_t(i), looks.end()}, time);
+        if (runner.no_time_left() && ladder.top().settings.shadow_error > 0) {
+            ladder.extend({candidates.begin() + std::ptrdiff_t(i), candidates.end()}, time);
             break;
         }
     }
     return ladder;
 }
 
-std::string samples_in_words(const Look& look) {
-    if (look.shadow_error == 0)
-        return std::to_string(look.shadow_samples) + " to a light with a size";
-    return "until the estimated error of a light is below " + steps(look.shadow_error) +
-           (look.shadow_agree > 0 ? ", or " + std::to_string(look.shadow_agree) + " rays agree"
-                                  : "");
+std::string samples_in_words(const RenderSettings& settings) {
+    if (settings.shadow_error == 0)
+        return std::to_string(settings.shadow_samples) + " to a light with a size";
+    return "until the estimated error of a light is below " + steps(settings.shadow_error) +
+           (settings.shadow_agree > 0
+                ? ", or " + std::to_string(settings.shadow_agree) + " rays agree"
+                : "");
 }
 
 }  // namespace rt

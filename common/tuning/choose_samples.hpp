@@ -18,14 +18,16 @@ inline constexpr double few_in_a_tile = 0.1;
 
 /// Returns the settings that meet the tolerance with the fewest rays, or the most accurate ones
 /// found. The result is the same in every run, because rays are counted instead of seconds.
-[[nodiscard]] Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const Look& look);
+[[nodiscard]] Trial keep_tolerance(TrialRunner& runner, const Trials& trials,
+                                   const RenderSettings& settings);
 
 /// Measures settings for a time budget, cheapest first, until one exceeds the budget or no time is
 /// left for trials.
-[[nodiscard]] Ladder climb(TrialRunner& runner, const Trials& trials, const Look& look);
+[[nodiscard]] QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
+                                           const RenderSettings& settings);
 
 /// Describes the sampling, for example "until a light is estimated to be off by less than 0.7
 /// steps, or 16 rays agree".
-[[nodiscard]] std::string samples_in_words(const Look& look);
+[[nodiscard]] std::string samples_in_words(const RenderSettings& settings);
 
 }  // namespace rt

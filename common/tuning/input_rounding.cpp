@@ -21,8 +21,8 @@ constexpr std::size_t most_looks = 100'000'000;
 constexpr std::size_t looks_for_a_pair = 10'000;
 
 /// A shape of any kind.
-struct Surface {
-    Box box;
+struct ShadingPoint {
+    BoundingBox box;
     std::function<Vec3(Vec2)> point;  ///< maps a point of the unit square to the surface
     std::function<Real(Vec3)> distance;
 };
@@ -38,9 +38,9 @@ Real largest_coordinate(const Shape& shape) {
     return largest_component(bounds(shape));
 }
 
-void take_in(InputRounding& scene, const auto& items) {
-    for (const auto& item : items) {
-        const auto& shape = item.shape;  // clang++ 14 tests no structured binding by requires
+void take_in(InputRounding& scene, const auto& primitives) {
+    for (const auto& primitive : primitives) {
+        const auto& shape = primitive.shape;  // clang++ 14 tests no structured binding by requires
         scene.largest = std::max(scene.largest, double(largest_coordinate(shape)));
         if constexpr (requires { size(shape); })
             if (const double feature = size(shape); feature > 0)
@@ -49,7 +49,7 @@ void take_in(InputRounding& scene, const auto& items) {
 }
 
 /// The largest distance from `surface`'s nearest twentieth to the other surface.
-Real gap(const Surface& surface, const std::function<Real(Vec3)>& distance) {
+Real gap(const ShadingPoint& surface, const std::function<Real(Vec3)>& distance) {
     std::array<Real, samples> distances;
     for (std::size_t i = 0; i < samples; ++i)
         distances[i] = distance(surface.point(spread_sample(std::uint32_t(i), 0)));
@@ -57,16 +57,16 @@ Real gap(const Surface& surface, const std::function<Real(Vec3)>& distance) {
     return distances[twentieth];
 }
 
-bool apart(const Box& a, const Box& b, Real distance) {
+bool apart(const BoundingBox& a, const BoundingBox& b, Real distance) {
     const Vec3 way = glm::max(a.min - b.max, b.min - a.max);
     return glm::max(way.x, glm::max(way.y, way.z)) > distance;
 }
 
-std::vector<Surface> bounded_surfaces(const Scene& scene) {
-    std::vector<Surface> surfaces;
-    const auto take = [&surfaces](const auto& items) {
-        for (const auto& item : items) {
-            const auto& shape = item.shape;
+std::vector<ShadingPoint> bounded_surfaces(const Scene& scene) {
+    std::vector<ShadingPoint> surfaces;
+    const auto take = [&surfaces](const auto& primitives) {
+        for (const auto& primitive : primitives) {
+            const auto& shape = primitive.shape;
             if constexpr (requires { bounds(shape); })
                 surfaces.push_back(
                     {.box = bounds(shape),
@@ -76,7 +76,7 @@ std::vector<Surface> bounded_surfaces(const Scene& scene) {
     };
     for_each_kind(scene, take);
     take(scene.meshes);
-    std::ranges::sort(surfaces, {}, [](const Surface& surface) { return surface.box.min.x; });
+    std::ranges::sort(surfaces, {}, [](const ShadingPoint& surface) { return surface.box.min.x; });
     return surfaces;
 }
 
@@ -86,10 +86,10 @@ Real smallest_gap(const Scene& scene, Real widest) {
     const auto consider = [&](Real gap) {
         if (gap < widest) least = glm::min(least, gap);
     };
-    const std::vector<Surface> surfaces = bounded_surfaces(scene);
+    const std::vector<ShadingPoint> surfaces = bounded_surfaces(scene);
     std::size_t looks = 0;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        const Surface& a = surfaces[i];
+        const ShadingPoint& a = surfaces[i];
         for (const auto& plane : scene.planes) {
             const auto to_plane = [&](Vec3 point) { return distance(point, plane.shape); };
             const Real middle = to_plane(a.box.min / Real(2) + a.box.max / Real(2));
@@ -98,7 +98,7 @@ Real smallest_gap(const Scene& scene, Real widest) {
             looks += looks_for_a_pair;
         }
         for (std::size_t k = i + 1; k < surfaces.size() && looks < most_looks; ++k, ++looks) {
-            const Surface& b = surfaces[k];
+            const ShadingPoint& b = surfaces[k];
             if (b.box.min.x > a.box.max.x + widest) break;
             if (apart(a.box, b.box, widest)) continue;
             consider(gap(a, b.distance));
@@ -117,9 +117,9 @@ Real smallest_gap(const Scene& scene, Real widest) {
 InputRounding RT_PRECISION::input_rounding(const Scene& scene) {
     InputRounding found;
     found.largest = double(largest_component(scene.cameras.front().position));
-    for_each_kind(scene, [&](const auto& items) { take_in(found, items); });
+    for_each_kind(scene, [&](const auto& primitives) { take_in(found, primitives); });
     take_in(found, scene.meshes);
-    for (const NamedMesh& mesh : scene.named_meshes)
+    for (const MeshRequest& mesh : scene.mesh_requests)
         found.largest =
             std::max(found.largest, double(largest_component(mesh.placement.translation)));
     const double widest = InputRounding::widest_lost_gap * found.displacement(float_unit_roundoff);

@@ -17,12 +17,15 @@ constexpr int most_draws = 16;
 
 class Scan {
 public:
-    Scan(TrialRunner& runner, const Trials& trials, const Look& look)
-        : runner_(runner), trials_(trials), look_(look), pixels_(runner.spread().pixels()) {}
+    Scan(TrialRunner& runner, const Trials& trials, const RenderSettings& settings)
+        : runner_(runner),
+          trials_(trials),
+          settings_(settings),
+          pixels_(runner.spread().pixels()) {}
 
     Penumbrae penumbrae() {
         std::vector<bool> in_penumbra(pixels_.size());
-        const Shot one = runner_.shot(trials_, with_rays(look_, 1), pixels_, 1);
+        const PixelSample one = runner_.shot(trials_, with_rays(settings_, 1), pixels_, 1);
         for (const int rays : one.light_rays) asked_.push_back(rays > 0);
         mark(in_penumbra, asked_, 0);
         if (std::size_t(std::ranges::count(in_penumbra, true)) < fewest / 2) {
@@ -44,8 +47,8 @@ private:
                 places.push_back(i);
             }
         const double visible = runner_.limit() / 8;
-        const Shot one = runner_.shot(trials_, with_rays(look_, 1), some, 1);
-        const Shot four = runner_.shot(trials_, with_rays(look_, 4), some, 2);
+        const PixelSample one = runner_.shot(trials_, with_rays(settings_, 1), some, 1);
+        const PixelSample four = runner_.shot(trials_, with_rays(settings_, 4), some, 2);
         const std::vector<double> apart = distances(one, four);
         for (std::size_t i = 0; i < places.size(); ++i)
             if (apart[i] > visible) in_penumbra[places[i]] = true;
@@ -53,7 +56,7 @@ private:
 
     /// The cells that touch one of a different color where a shape may occlude a light: only there
     /// can a thin penumbra be.
-    [[nodiscard]] std::vector<bool> shadow_borders(const Shot& shot) const {
+    [[nodiscard]] std::vector<bool> shadow_borders(const PixelSample& shot) const {
         return runner_.spread().differing_neighbors([&](std::size_t a, std::size_t b) {
             return (asked_[a] || asked_[b]) &&
                    distance(shot.shades[a], shot.shades[b]) > runner_.limit();
@@ -84,15 +87,16 @@ private:
 
     TrialRunner& runner_;
     const Trials& trials_;
-    Look look_;
+    RenderSettings settings_;
     std::vector<Pixel> pixels_;
     std::vector<bool> asked_;  ///< cells whose pixel sends rays to an area light
 };
 
 }  // namespace
 
-Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials, const Look& look) {
-    return Scan(runner, trials, look).penumbrae();
+Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials,
+                         const RenderSettings& settings) {
+    return Scan(runner, trials, settings).penumbrae();
 }
 
 }  // namespace rt

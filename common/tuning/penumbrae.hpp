@@ -20,6 +20,7 @@ struct Penumbrae {
 /// Finds the pixels in which a few shadow rays disagree: one trial pixel in each cell, and more at
 /// the borders of shadows if only few were found. A pixel whose possible error is below an eighth
 /// of the tolerance is not counted as a penumbra.
-[[nodiscard]] Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials, const Look& look);
+[[nodiscard]] Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials,
+                                       const RenderSettings& settings);
 
 }  // namespace rt

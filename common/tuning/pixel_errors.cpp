@@ -5,7 +5,7 @@
 
 namespace rt {
 
-double distance(const Shade& a, const Shade& b) {
+double distance(const DisplayColor& a, const DisplayColor& b) {
     double most = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         if (std::isnan(a[i]) != std::isnan(b[i])) return 255;
@@ -14,23 +14,23 @@ double distance(const Shade& a, const Shade& b) {
     return most;
 }
 
-std::vector<double> distances(const Shot& a, const Shot& b) {
+std::vector<double> distances(const PixelSample& a, const PixelSample& b) {
     std::vector<double> all;
     for (std::size_t i = 0; i < a.shades.size(); ++i)
         all.push_back(distance(a.shades[i], b.shades[i]));
     return all;
 }
 
-std::size_t exceptions(std::size_t tried, double share) {
+std::size_t allowed_outliers(std::size_t tried, double share) {
     constexpr double certain = 1.64;  // number of standard errors for 95 %
     if (share >= 1) return tried;
     const double expected = share * double(tried);
     return std::size_t(std::max(expected - certain * std::sqrt(expected * (1 - share)), 0.));
 }
 
-double error_but_for(std::size_t exceptions, std::vector<double> distances) {
-    if (exceptions >= distances.size()) return 0;
-    const auto place = distances.end() - 1 - std::ptrdiff_t(exceptions);
+double quantile(std::size_t allowed_outliers, std::vector<double> distances) {
+    if (allowed_outliers >= distances.size()) return 0;
+    const auto place = distances.end() - 1 - std::ptrdiff_t(allowed_outliers);
     std::ranges::nth_element(distances, place);
     return *place;
 }
@@ -41,7 +41,7 @@ double error_but_for_share(double share, const std::vector<double>& distances) {
     // the fraction `share` is not: (1 - share)^n = 0.05.
     const double enough = std::log(0.05) / std::log(1 - share);
     const double too_few = std::sqrt(std::max(enough / double(distances.size()), 1.));
-    return too_few * error_but_for(exceptions(distances.size(), share), distances);
+    return too_few * quantile(allowed_outliers(distances.size(), share), distances);
 }
 
 }  // namespace rt

@@ -6,17 +6,17 @@
 namespace rt {
 
 /// The difference of two colors: that of the channel with the largest one, in 8-bit levels.
-[[nodiscard]] double distance(const Shade& a, const Shade& b);
+[[nodiscard]] double distance(const DisplayColor& a, const DisplayColor& b);
 
 /// The differences between the pixels of two samples, in 8-bit levels.
-[[nodiscard]] std::vector<double> distances(const Shot& a, const Shot& b);
+[[nodiscard]] std::vector<double> distances(const PixelSample& a, const PixelSample& b);
 
 /// The number of trial pixels that may exceed the tolerance, such that with 95 % confidence at most
 /// the fraction `share` of all pixels does.
-[[nodiscard]] std::size_t exceptions(std::size_t tried, double share);
+[[nodiscard]] std::size_t allowed_outliers(std::size_t tried, double share);
 
-/// The largest distance after the `exceptions` largest ones are removed; 0 if none remains.
-[[nodiscard]] double error_but_for(std::size_t exceptions, std::vector<double> distances);
+/// The largest distance after the `allowed_outliers` largest ones are removed; 0 if none remains.
+[[nodiscard]] double quantile(std::size_t allowed_outliers, std::vector<double> distances);
 
 /// An upper bound, with 95 % confidence, on the (1 − share) quantile of the distances. With too few
 /// pixels to establish it, the bound is larger than all distances.

@@ -13,10 +13,11 @@ double seconds(Clock::duration time) {
 
 }  // namespace
 
-Pace::Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point start)
+TimeBudget::TimeBudget(QualityLadder ladder, int rows, Clock::time_point end,
+                       Clock::time_point start)
     : ladder_(std::move(ladder)), rows_(rows), start_(start), end_(end) {}
 
-Look Pace::next(Clock::time_point now) {
+RenderSettings TimeBudget::next(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     // The measured slowdown compared to the expected times, damped because the first rows alone are
     // not representative.
@@ -28,7 +29,7 @@ Look Pace::next(Clock::time_point now) {
     expected_ += trial.seconds / rows_;
     errors_ += trial.error;
     ++given_;
-    return trial.look;
+    return trial.settings;
 }
 
 }  // namespace rt

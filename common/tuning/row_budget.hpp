@@ -12,21 +12,22 @@ namespace rt {
 using Clock = std::chrono::steady_clock;
 
 /// Distributes a time budget over the rows of a picture.
-class Pace {
+class TimeBudget {
 public:
     /// A budget for `rows` rows of about equal cost, until `end`. The times in the ladder are for
     /// all rows together, and may be wrong by a factor.
-    Pace(Ladder ladder, int rows, Clock::time_point end, Clock::time_point start = Clock::now());
+    TimeBudget(QualityLadder ladder, int rows, Clock::time_point end,
+               Clock::time_point start = Clock::now());
 
     /// Returns the settings for the next row. Thread-safe.
-    [[nodiscard]] Look next(Clock::time_point now = Clock::now());
+    [[nodiscard]] RenderSettings next(Clock::time_point now = Clock::now());
 
     /// The mean expected error of the rows started so far, in the units of Trial::error.
     [[nodiscard]] double error() const { return given_ == 0 ? 0 : errors_ / given_; }
 
 private:
     std::mutex mutex_;
-    Ladder ladder_;
+    QualityLadder ladder_;
     int rows_;
     int given_ = 0;
     double expected_ = 0;  ///< expected seconds of the rows started

@@ -7,9 +7,11 @@
 namespace rt {
 
 /// The traits of the scene that matter for the given stage's picture.
-[[nodiscard]] Demands demands_of(const Scene& scene, int stage, const Look& look);
+[[nodiscard]] SceneTraits scene_traits(const Scene& scene, int stage,
+                                       const RenderSettings& settings);
 
 /// Renders sample pixels of the scene, as Trials::shot describes.
-[[nodiscard]] Shot shot_of(const Scene& scene, const Look& look, const ShotSettings& settings);
+[[nodiscard]] PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
+                                  const SampleRequest& request);
 
 }  // namespace rt

@@ -14,10 +14,10 @@ Trial between(const Trial& cheap, const Trial& good, double share) {
         return std::pow(std::max(a, tiny), 1 - share) * std::pow(std::max(b, tiny), share);
     };
     Trial trial = good;
-    trial.look.shadow_error = mean(cheap.look.shadow_error, good.look.shadow_error);
-    if (cheap.look.shadow_agree > 0 && good.look.shadow_agree > 0)
-        trial.look.shadow_agree =
-            int(std::lround(mean(cheap.look.shadow_agree, good.look.shadow_agree)));
+    trial.settings.shadow_error = mean(cheap.settings.shadow_error, good.settings.shadow_error);
+    if (cheap.settings.shadow_agree > 0 && good.settings.shadow_agree > 0)
+        trial.settings.shadow_agree =
+            int(std::lround(mean(cheap.settings.shadow_agree, good.settings.shadow_agree)));
     trial.seconds = mean(cheap.seconds, good.seconds);
     trial.error = mean(cheap.error, good.error);
     return trial;
@@ -31,35 +31,35 @@ double place_between(double a, double b, double x) {
 }
 
 bool stop_at_errors(const Trial& a, const Trial& b) {
-    return a.look.shadow_error > 0 && b.look.shadow_error > 0;
+    return a.settings.shadow_error > 0 && b.settings.shadow_error > 0;
 }
 
 }  // namespace
 
-void Ladder::add(Trial trial) {
+void QualityLadder::add(Trial trial) {
     constexpr double least = 1e-9;  // a clock's resolution may be too low to measure
     trial.seconds = std::max(trial.seconds, trials_.empty() ? least : top().seconds);
     trials_.push_back(trial);
 }
 
-void Ladder::extend(const std::vector<Look>& looks, double seconds) {
+void QualityLadder::extend(const std::vector<RenderSettings>& candidates, double seconds) {
     // Only the rays of the next candidate take longer: their time grows as the error to the power
     // of -4/3. If there are many of them, they take at least half of the time.
     const double without_rays = std::min(trials_.front().seconds, top().seconds / 2);
-    for (const Look& look : looks) {
+    for (const RenderSettings& settings : candidates) {
         const Trial last = top();
         if (last.seconds > seconds) return;
         const double rays = (last.seconds - without_rays) * std::exp2(2.0 / 3);
-        add({.look = look, .seconds = without_rays + rays, .error = last.error});
+        add({.settings = settings, .seconds = without_rays + rays, .error = last.error});
     }
 }
 
-void Ladder::end_with(const Trial& trial) {
+void QualityLadder::end_with(const Trial& trial) {
     std::erase_if(trials_, [&](const Trial& other) { return other.seconds >= trial.seconds; });
     add(trial);
 }
 
-Trial Ladder::within_time(double seconds) const {
+Trial QualityLadder::within_time(double seconds) const {
     const auto dearer =
         std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.seconds > seconds; });
     if (dearer == trials_.begin()) return trials_.front();
@@ -68,7 +68,7 @@ Trial Ladder::within_time(double seconds) const {
     return between(fits, *dearer, place_between(fits.seconds, dearer->seconds, seconds));
 }
 
-Trial Ladder::within_error(double error) const {
+Trial QualityLadder::within_error(double error) const {
     const auto good =
         std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.error <= error; });
     if (good == trials_.end()) return trials_.back();

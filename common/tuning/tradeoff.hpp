@@ -9,7 +9,7 @@ namespace rt {
 
 /// Render settings that have been measured.
 struct Trial {
-    Look look;
+    RenderSettings settings;
     double seconds = 0;  ///< for the whole picture on all threads
     double rays = 0;     ///< mean for each pixel: unlike the seconds, the same in every run
     double error = 0;    ///< in 8-bit levels: 99 of 100 pixels have an error of at most this
@@ -19,14 +19,14 @@ struct Trial {
 /// as taking the same time, so that no time is negative and none decreases. A query beyond either
 /// end returns that end. Between two settings that stop sampling at an error, or once rays agree,
 /// it interpolates their thresholds.
-class Ladder {
+class QualityLadder {
 public:
     void add(Trial trial);
 
     /// Adds settings that were not measured, each with about 1/√2 of the error of the one before,
     /// up to those that exceed the time in seconds. Their error is given as that of the last trial,
     /// an upper bound.
-    void extend(const std::vector<Look>& looks, double seconds);
+    void extend(const std::vector<RenderSettings>& candidates, double seconds);
 
     /// Makes the trial the most accurate entry, in place of all that cost as much.
     void end_with(const Trial& trial);

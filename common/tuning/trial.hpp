@@ -1,4 +1,4 @@
-// The interface between the automatic settings and a scene: the traits of the scene, and samples of
+// The interface between the automatic request and a scene: the traits of the scene, and samples of
 // its pixels.
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace rt {
 
-/// The traits of a scene that affect the choice of settings.
-struct Demands {
+/// The traits of a scene that affect the choice of request.
+struct SceneTraits {
     bool sized_lights = false;
     double shininess = 1;                                  ///< largest exponent of a highlight
     double extent = 0;                                     ///< as InputRounding::largest
@@ -29,10 +29,10 @@ struct Demands {
 };
 
 /// A color as displayed but not rounded: 0 to 255 for each component.
-using Shade = std::array<double, 3>;
+using DisplayColor = std::array<double, 3>;
 
 /// The pixels of a sample, and the way to render them.
-struct ShotSettings {
+struct SampleRequest {
     std::span<const Pixel> pixels;
     int round = 0;  ///< each round uses its own random samples
     int threads = 1;
@@ -42,14 +42,14 @@ struct ShotSettings {
 
 /// The colors and the cost of sample pixels. The rays are the same in every run, the seconds are
 /// not.
-struct Shot {
-    std::vector<Shade> shades;    ///< in the order of the pixels
-    std::vector<int> light_rays;  ///< for each pixel: rays to area lights
-    double rays = 0;              ///< mean number of rays of all kinds for each pixel
-    double seconds = 0;           ///< mean CPU seconds for each pixel
+struct PixelSample {
+    std::vector<DisplayColor> shades;  ///< in the order of the pixels
+    std::vector<int> light_rays;       ///< for each pixel: rays to area lights
+    double rays = 0;                   ///< mean number of rays of all kinds for each pixel
+    double seconds = 0;                ///< mean CPU seconds for each pixel
 };
 
-/// A scene on which settings can be measured.
+/// A scene on which request can be measured.
 class Trials {
 public:
     Trials() = default;
@@ -58,14 +58,15 @@ public:
     virtual ~Trials() = default;
 
     [[nodiscard]] virtual Resolution resolution() const = 0;
-    [[nodiscard]] virtual Demands demands() const = 0;
+    [[nodiscard]] virtual SceneTraits traits() const = 0;
 
     /// Builds a hierarchy for each kind of shape with at least this many shapes.
-    virtual void arrange(std::size_t hierarchy_from) = 0;
+    virtual void build_acceleration(std::size_t hierarchy_from) = 0;
 
     /// Renders the pixels. The result does not depend on the number of threads. If stopped early,
     /// it is meaningless.
-    [[nodiscard]] virtual Shot shot(const Look& look, const ShotSettings& settings) const = 0;
+    [[nodiscard]] virtual PixelSample shot(const RenderSettings& settings,
+                                           const SampleRequest& request) const = 0;
 };
 
 }  // namespace rt

@@ -7,10 +7,10 @@ double TrialRunner::limit() const {
     return aim_.tolerance.value_or(unseen);
 }
 
-Shot TrialRunner::shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
-                       int round) {
-    Shot shot = trials.shot(
-        look, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
+PixelSample TrialRunner::shot(const Trials& trials, const RenderSettings& settings,
+                              std::span<const Pixel> pixels, int round) {
+    PixelSample shot = trials.shot(
+        settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
     if (stop_) throw Stopped();
     drawn_ += pixels.size();
     return shot;
@@ -28,12 +28,12 @@ bool TrialRunner::no_time_left() const {
     return aim_.time && seconds_since_start() > *aim_.time / 10;
 }
 
-Look with_one_shadow_ray(Look look, const Aim& aim) {
-    if (aim.given.shadow_samples) return look;
-    look.shadow_samples = 1;
-    look.shadow_error = 0;
-    look.shadow_agree = 0;
-    return look;
+RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim) {
+    if (aim.given.shadow_samples) return settings;
+    settings.shadow_samples = 1;
+    settings.shadow_error = 0;
+    settings.shadow_agree = 0;
+    return settings;
 }
 
 }  // namespace rt

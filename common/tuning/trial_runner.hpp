@@ -28,8 +28,8 @@ public:
 
     /// Renders the pixels with these settings. Another `round` uses other random samples. Throws
     /// Stopped if the program is to stop.
-    [[nodiscard]] Shot shot(const Trials& trials, const Look& look, std::span<const Pixel> pixels,
-                            int round);
+    [[nodiscard]] PixelSample shot(const Trials& trials, const RenderSettings& settings,
+                                   std::span<const Pixel> pixels, int round);
 
     /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
     /// `of_a_pixel` seconds of CPU time.
@@ -38,8 +38,9 @@ public:
     /// The seconds that two configurations take for a pixel: the minimum over a few alternating
     /// runs.
     template <class First, class Second>
-    [[nodiscard]] std::pair<double, double> in_turn(const Look& look, std::span<const Pixel> pixels,
-                                                    First first, Second second);
+    [[nodiscard]] std::pair<double, double> in_turn(const RenderSettings& settings,
+                                                    std::span<const Pixel> pixels, First first,
+                                                    Second second);
 
     [[nodiscard]] double seconds_since_start() const;
 
@@ -58,20 +59,21 @@ private:
 };
 
 template <class First, class Second>
-std::pair<double, double> TrialRunner::in_turn(const Look& look, std::span<const Pixel> pixels,
-                                               First first, Second second) {
+std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
+                                               std::span<const Pixel> pixels, First first,
+                                               Second second) {
     constexpr int turns = 3;
-    std::pair least{shot(first(), look, pixels, 0).seconds,
-                    shot(second(), look, pixels, 0).seconds};
+    std::pair least{shot(first(), settings, pixels, 0).seconds,
+                    shot(second(), settings, pixels, 0).seconds};
     for (int i = 1; i < turns; ++i) {
-        least.first = std::min(least.first, shot(first(), look, pixels, 0).seconds);
-        least.second = std::min(least.second, shot(second(), look, pixels, 0).seconds);
+        least.first = std::min(least.first, shot(first(), settings, pixels, 0).seconds);
+        least.second = std::min(least.second, shot(second(), settings, pixels, 0).seconds);
     }
     return least;
 }
 
 /// The settings for trials of precision, depth and hierarchy: one shadow ray, unless the number is
 /// fixed.
-[[nodiscard]] Look with_one_shadow_ray(Look look, const Aim& aim);
+[[nodiscard]] RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim);
 
 }  // namespace rt

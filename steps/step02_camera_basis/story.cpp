@@ -4,14 +4,14 @@
 
 namespace rt {
 
-void tell_basis(Story& story, const Camera& camera) {
+void explain_basis(PixelLog& log, const Camera& camera) {
     const Basis basis = camera_basis(camera.direction);
-    story.heading("The camera's basis (MRT §2)");
-    story.line("o_C", text(camera.position));
-    story.line("c", text(camera.direction));
-    story.line("X", text(basis.x));
-    story.line("Y", text(basis.y));
-    story.line("Z", text(basis.z));
+    log.heading("The camera's basis (MRT §2)");
+    log.line("o_C", text(camera.position));
+    log.line("c", text(camera.direction));
+    log.line("X", text(basis.x));
+    log.line("Y", text(basis.y));
+    log.line("Z", text(basis.z));
 }
 
 }  // namespace rt

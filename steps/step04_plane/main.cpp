@@ -9,13 +9,14 @@
 namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    Nearest nearest(ray, context);
-    nearest.among(scene.spheres);
-    nearest.among(scene.planes);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    closest.test(scene.spheres);
+    closest.test(scene.planes);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
-    return hit->material->color * torch(hit->point, facing(hit->normal, ray.direction), ray.origin);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+    return hit->material->color *
+           torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);
 }
 
 }  // namespace rt

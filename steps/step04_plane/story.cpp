@@ -2,13 +2,13 @@
 
 namespace rt {
 
-std::string tell(Story& story, const Ray& ray, const Plane& plane) {
+std::string explain(PixelLog& log, const Ray& ray, const Plane& plane) {
     const Real distance = dot(plane.point - ray.origin, plane.normal);
     const Real approach = dot(ray.direction, plane.normal);
-    story.line("⟨o − o_r, n⟩", text(distance));
-    story.line("⟨d_r, n⟩", text(approach));
+    log.line("⟨o − o_r, n⟩", text(distance));
+    log.line("⟨d_r, n⟩", text(approach));
     if (approach == 0) return "⟨d_r, n⟩ = 0: the ray is parallel to the plane (MRT §4)";
-    story.line("t", text(distance / approach));
+    log.line("t", text(distance / approach));
     if (distance / approach <= 0) return "t is not positive: the plane is behind (MRT §4)";
     return "";
 }

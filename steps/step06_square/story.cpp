@@ -4,21 +4,21 @@
 
 namespace rt {
 
-std::string tell(Story& story, const Ray& ray, const Square& square) {
+std::string explain(PixelLog& log, const Ray& ray, const Square& square) {
     const auto& [x_axis, y_axis, normal] = square.basis;
     const Real approach = dot(ray.direction, normal);
-    story.line("X, Y, Z", text(x_axis) + ", " + text(y_axis) + ", " + text(normal));
-    story.line("⟨d_r, Z⟩", text(approach));
+    log.line("X, Y, Z", text(x_axis) + ", " + text(y_axis) + ", " + text(normal));
+    log.line("⟨d_r, Z⟩", text(approach));
     if (approach == 0) return "⟨d_r, Z⟩ = 0: the square is seen edge-on (MRT §6)";
     if (square.one_sided && approach > 0) return "⟨d_r, Z⟩ > 0: its back is not seen (HAI)";
     const Real t = dot(square.center - ray.origin, normal) / approach;
     const Vec3 p = at(ray, t) - square.center;
     const Real x = dot(p, x_axis);
     const Real y = dot(p, y_axis);
-    story.line("t", text(t));
-    story.line("x = ⟨p − o, X⟩", text(x));
-    story.line("y = ⟨p − o, Y⟩", text(y));
-    story.line("h / 2", text(square.side / 2));
+    log.line("t", text(t));
+    log.line("x = ⟨p − o, X⟩", text(x));
+    log.line("y = ⟨p − o, Y⟩", text(y));
+    log.line("h / 2", text(square.side / 2));
     if (t <= 0) return "t is not positive: the square is behind (MRT §6)";
     if (std::abs(x) > square.side / 2) return "|x| > h / 2 (MRT §6)";
     if (std::abs(y) > square.side / 2) return "|y| > h / 2 (MRT §6)";

@@ -14,13 +14,13 @@ namespace rt {
 
 /// Tests a closest-hit or any-hit query against all these shapes, as stage 8's main.cpp does.
 template <class Query>
-void among_shapes(Query& query, const Scene& scene) {
-    query.among(scene.spheres);
-    query.among(scene.planes);
-    query.among(scene.triangles);
-    query.among(scene.squares);
-    query.among(scene.cylinders);
-    query.among(scene.cones);
+void visit_shapes(Query& query, const Scene& scene) {
+    query.test(scene.spheres);
+    query.test(scene.planes);
+    query.test(scene.triangles);
+    query.test(scene.squares);
+    query.test(scene.cylinders);
+    query.test(scene.cones);
 }
 
 }  // namespace rt

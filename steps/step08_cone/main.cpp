@@ -13,17 +13,18 @@
 namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    Nearest nearest(ray, context);
-    nearest.among(scene.spheres);
-    nearest.among(scene.planes);
-    nearest.among(scene.triangles);
-    nearest.among(scene.squares);
-    nearest.among(scene.cylinders);
-    nearest.among(scene.cones);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    closest.test(scene.spheres);
+    closest.test(scene.planes);
+    closest.test(scene.triangles);
+    closest.test(scene.squares);
+    closest.test(scene.cylinders);
+    closest.test(scene.cones);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
-    return hit->material->color * torch(hit->point, facing(hit->normal, ray.direction), ray.origin);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+    return hit->material->color *
+           torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);
 }
 
 }  // namespace rt

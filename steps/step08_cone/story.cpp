@@ -2,7 +2,7 @@
 
 namespace rt {
 
-std::string tell(Story& story, const Ray& ray, const Cone& cone) {
+std::string explain(PixelLog& log, const Ray& ray, const Cone& cone) {
     const Vec3 from_apex = ray.origin - cone.apex;
     const Real slope = cone.radius / cone.height;
     // x_u x_v + y_u y_v − (r / h)² z_u z_v of two vectors u and v: the three coefficients of MRT
@@ -12,13 +12,13 @@ std::string tell(Story& story, const Ray& ray, const Cone& cone) {
                slope * slope * dot(u, cone.axis) * dot(v, cone.axis);
     };
     const auto roots =
-        tell_quadratic(story, off_cone(ray.direction, ray.direction),
-                       2 * off_cone(ray.direction, from_apex), off_cone(from_apex, from_apex));
+        explain_quadratic(log, off_cone(ray.direction, ray.direction),
+                          2 * off_cone(ray.direction, from_apex), off_cone(from_apex, from_apex));
     if (roots.empty()) return "no t is real: the line passes by (MRT §8)";
     bool within_height = false;
     for (const Real t : roots) {
         const Real z = dot(from_apex + t * ray.direction, cone.axis);
-        story.line("z_p at t = " + text(t), text(z));
+        log.line("z_p at t = " + text(t), text(z));
         within_height = within_height || (t > 0 && 0 <= z && z <= cone.height);
     }
     if (roots.back() <= 0) return "no t is positive: the cone is behind (PHY)";

@@ -9,21 +9,21 @@
 namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    Nearest nearest(ray, context);
-    among_shapes(nearest, scene);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const Surface surface = surface_at(*hit, ray);
-    Terms terms;
+    const ShadingPoint surface = shading_point(*hit, ray);
+    PhongTerms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
     for (const Light& light : scene.lights) {
-        if (context.story != nullptr) tell(*context.story, surface, light);
+        if (context.log != nullptr) explain(*context.log, surface, light);
         terms.diffuse += diffuse_term(surface, light);
         terms.specular += specular_term(surface, light);
     }
-    return shown(terms, context);
+    return visible_sum(terms, context);
 }
 
 }  // namespace rt

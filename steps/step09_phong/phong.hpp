@@ -24,14 +24,14 @@ namespace rt {
 [[nodiscard]] Vec3 reflected(Vec3 to_light, Vec3 normal);
 
 /// The ambient term: the ambient light that the surface reflects, once for any number of lights.
-[[nodiscard]] Color ambient_term(const Surface& surface, const Ambient& ambient);
+[[nodiscard]] Color ambient_term(const ShadingPoint& surface, const Ambient& ambient);
 
 /// The diffuse term: light reflected evenly in all directions, proportional to ⟨L, N⟩. Black where
 /// that is not positive, or if the light is at the point itself.
-[[nodiscard]] Color diffuse_term(const Surface& surface, const Light& light);
+[[nodiscard]] Color diffuse_term(const ShadingPoint& surface, const Light& light);
 
 /// The specular term: the highlight, proportional to ⟨R, V⟩ to the power of the shininess. Black
 /// where ⟨L, N⟩ or ⟨R, V⟩ is not positive, or if the light is at the point itself.
-[[nodiscard]] Color specular_term(const Surface& surface, const Light& light);
+[[nodiscard]] Color specular_term(const ShadingPoint& surface, const Light& light);
 
 }  // namespace rt

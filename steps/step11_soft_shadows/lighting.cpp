@@ -12,15 +12,15 @@ constexpr int fewest_samples = 8;
 }  // namespace
 
 bool accurate(const ShadowRays& rays, const Color& color, const Context& context) {
-    const Look& look = context.look;
-    if (look.shadow_error <= 0) return false;
+    const RenderSettings& settings = context.settings;
+    if (settings.shadow_error <= 0) return false;
     const bool agree = rays.reached == 0 || rays.reached == rays.sent;
-    if (agree && look.shadow_agree > 0 && rays.sent >= look.shadow_agree) return true;
+    if (agree && settings.shadow_agree > 0 && rays.sent >= settings.shadow_agree) return true;
     // Evaluated at powers of two, where the points are most even.
     if (rays.sent < fewest_samples || !std::has_single_bit(unsigned(rays.sent))) return false;
     const Real largest = glm::max(color.r, glm::max(color.g, color.b));
-    const Real steps = 255 * share_error(rays) * largest * Real(context.weight);
-    return steps <= Real(look.shadow_error);
+    const Real steps = 255 * visibility_error(rays) * largest * Real(context.weight);
+    return steps <= Real(settings.shadow_error);
 }
 
 }  // namespace rt

@@ -29,55 +29,55 @@ namespace rt {
 /// no potential occluder. Takes copies of the shading point and the context, so that the caller's
 /// remain in registers.
 template <class Obstacles>
-[[nodiscard, gnu::noinline]] ShadowRays rays_to(const Light& light, Surface surface, Color color,
-                                                std::uint32_t seed, const Obstacles& obstacles,
-                                                Context context) {
+[[nodiscard, gnu::noinline]] ShadowRays rays_to(const Light& light, ShadingPoint surface,
+                                                Color color, std::uint32_t seed,
+                                                const Obstacles& obstacles, Context context) {
     const Shaft shaft(shadow_ray(surface, light.position).ray.origin, light);
-    Suspects suspects(shaft);
-    obstacles(suspects);
+    PotentialOccluders occluders(shaft);
+    obstacles(occluders);
     ShadowRays rays;
-    if (suspects.none()) {
-        if (context.story != nullptr) context.story->remark("no shape can occlude the light");
+    if (occluders.none()) {
+        if (context.log != nullptr) context.log->remark("no shape can occlude the light");
         return rays;
     }
     const Color seen = (1 - surface.material.mirror) * color;
     // Computed a few rays ahead: a processor computes several at once if no traversal is in
     // between.
     std::array<ShadowRay, 8> ways;
-    while (rays.sent < context.look.shadow_samples && !accurate(rays, seen, context)) {
+    while (rays.sent < context.settings.shadow_samples && !accurate(rays, seen, context)) {
         const std::size_t next = std::size_t(rays.sent) % ways.size();
         for (std::size_t i = 0; next == 0 && i < ways.size(); ++i) {
             const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
-            ways[i] = shadow_ray(surface, light_point(light, surface.point, sample));
+            ways[i] = shadow_ray(surface, sample_light(light, surface.point, sample));
         }
-        if (!suspects.block(ways[next].ray, ways[next].interval, context)) ++rays.reached;
+        if (!occluders.block(ways[next].ray, ways[next].interval, context)) ++rays.reached;
         ++rays.sent;
     }
-    if (context.story != nullptr)
-        context.story->line("shadow rays that reach the light",
-                            std::to_string(rays.reached) + " of " + std::to_string(rays.sent));
+    if (context.log != nullptr)
+        context.log->line("shadow rays that reach the light",
+                          std::to_string(rays.reached) + " of " + std::to_string(rays.sent));
     return rays;
 }
 
 /// Returns whether the surface is visible from a point light.
 template <class Obstacles>
-[[nodiscard]] bool reached(const Surface& surface, const Light& light, const Obstacles& obstacles,
-                           Context& context) {
+[[nodiscard]] bool reached(const ShadingPoint& surface, const Light& light,
+                           const Obstacles& obstacles, Context& context) {
     const ShadowRay way = shadow_ray(surface, light.position);
-    Blocker blocker(way.ray, way.interval, context);
-    obstacles(blocker);
-    return !blocker.found();
+    AnyHit any_hit(way.ray, way.interval, context);
+    obstacles(any_hit);
+    return !any_hit.found();
 }
 
 /// The terms of all lights at the shading point. An area light is sampled with several rays, until
 /// the limit of --shadow-samples or --shadow-error.
 template <class Obstacles>
-[[nodiscard]] Terms lighting(const Scene& scene, const Surface& surface, const Obstacles& obstacles,
-                             Context& context) {
-    Terms terms;
+[[nodiscard]] PhongTerms lighting(const Scene& scene, const ShadingPoint& surface,
+                                  const Obstacles& obstacles, Context& context) {
+    PhongTerms terms;
     if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
     for (const Light& light : scene.lights) {
-        if (context.story != nullptr) tell(*context.story, surface, light);
+        if (context.log != nullptr) explain(*context.log, surface, light);
         const Color diffuse = diffuse_term(surface, light);
         const Color specular = specular_term(surface, light);
         if (diffuse + specular == Color(0)) continue;  // nothing that an occluder could remove
@@ -87,7 +87,7 @@ template <class Obstacles>
                 sample_seed(context.pixel, number, std::uint32_t(context.bounces));
             const ShadowRays rays =
                 rays_to(light, surface, diffuse + specular, seed, obstacles, context);
-            const Real share = rays.sent == 0 ? 1 : lit_share(rays);
+            const Real share = rays.sent == 0 ? 1 : visibility(rays);
             context.rays += rays.sent;
             context.sized_light_rays += rays.sent;
             terms.diffuse += share * diffuse;

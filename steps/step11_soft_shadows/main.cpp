@@ -8,14 +8,14 @@
 namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    Nearest nearest(ray, context);
-    among_shapes(nearest, scene);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
-    return shown(lighting(scene, surface_at(*hit, ray), obstacles, context), context);
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    return visible_sum(lighting(scene, shading_point(*hit, ray), obstacles, context), context);
 }
 
 }  // namespace rt

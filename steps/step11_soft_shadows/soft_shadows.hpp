@@ -3,8 +3,8 @@
 //   CR                 here
 //   light.radius       light.radius, of a sphere around light.position
 //   x, y, z            sample, two evenly spread numbers from 0 to 1, not rand()
-//   pos                light_point(…)
-//   counter / SAMPLES  1 − lit_share(…): CR counts the blocked rays
+//   pos                sample_light(…)
+//   counter / SAMPLES  1 − visibility(…): CR counts the blocked rays
 #pragma once
 
 #include "common/scene/scene.hpp"
@@ -27,15 +27,15 @@ namespace rt {
 /// spread evenly over [0, 1)² give points spread evenly over the visible part of the light: over
 /// its solid angle. From inside the light, and for a light without a size, it is the light's
 /// center.
-[[nodiscard]] Vec3 light_point(const Light& light, Vec3 from, Vec2 sample);
+[[nodiscard]] Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample);
 
 /// The fraction of the light that reaches the surface. `sent` must be positive.
-[[nodiscard]] Real lit_share(const ShadowRays& rays);
+[[nodiscard]] Real visibility(const ShadowRays& rays);
 
-/// The estimated standard error of lit_share, for sample points that are at least as even as
+/// The estimated standard error of visibility, for sample points that are at least as even as
 /// independent ones, and at best as even as this stage's. It is positive even if all rays or none
 /// were blocked, does not change if blocked and unblocked are exchanged, and approaches 0 as more
 /// rays are sent.
-[[nodiscard]] Real share_error(const ShadowRays& rays);
+[[nodiscard]] Real visibility_error(const ShadowRays& rays);
 
 }  // namespace rt

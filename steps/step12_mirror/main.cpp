@@ -10,19 +10,20 @@
 namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    Nearest nearest(ray, context);
-    among_shapes(nearest, scene);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
-    const Surface surface = surface_at(*hit, ray);
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    const ShadingPoint surface = shading_point(*hit, ray);
     const Real mirror = surface.material.mirror;
-    const Terms terms = mirror < 1 ? lighting(scene, surface, obstacles, context) : Terms{};
-    if (mirror == 0) return shown(terms, context);
+    const PhongTerms terms =
+        mirror < 1 ? lighting(scene, surface, obstacles, context) : PhongTerms{};
+    if (mirror == 0) return visible_sum(terms, context);
 
-    const Color own = mirror < 1 ? shown(terms, context) : Color(0);
+    const Color own = mirror < 1 ? visible_sum(terms, context) : Color(0);
     return mixed(own, reflection(scene, ray, surface, context), mirror);
 }
 

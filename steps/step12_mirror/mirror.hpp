@@ -12,9 +12,9 @@
 namespace rt {
 
 /// The reflected ray, with direction d − 2 n ⟨d, n⟩, which has the length of d. Its origin is off
-/// the surface, by surface.error or a little more along surface.side. Its direction points away
-/// from the surface even if the interpolated normal would reflect it into the surface.
-[[nodiscard]] Ray mirrored(const Ray& ray, const Surface& surface);
+/// the surface, by surface.error or a little more along surface.geometric_normal. Its direction
+/// points away from the surface even if the interpolated normal would reflect it into the surface.
+[[nodiscard]] Ray mirrored(const Ray& ray, const ShadingPoint& surface);
 
 /// The color of the reflection, weighted with `mirror`, plus the surface's own color, weighted with
 /// the rest.

@@ -6,10 +6,12 @@
 
 namespace rt {
 
-Color reflection(const Scene& scene, const Ray& ray, const Surface& surface, Context& context) {
+Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface,
+                 Context& context) {
     Context there = context;
     there.weight *= double(surface.material.mirror);
-    if (!worth_reflecting(context.bounces, context.look.depth, Real(there.weight))) return Color(0);
+    if (!worth_reflecting(context.bounces, context.settings.depth, Real(there.weight)))
+        return Color(0);
     ++there.bounces;
     const Color color = trace(scene, mirrored(ray, surface), there);
     context.rays = there.rays;

@@ -9,7 +9,7 @@
 namespace rt {
 
 /// The color along the ray that the surface reflects; black if there have been enough reflections.
-[[nodiscard]] Color reflection(const Scene& scene, const Ray& ray, const Surface& surface,
+[[nodiscard]] Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface,
                                Context& context);
 
 }  // namespace rt

@@ -13,22 +13,23 @@ namespace rt {
 
 Color trace(const Scene& scene, const Ray& ray, Context& context) {
     const auto everything = [&](auto& query) {
-        among_shapes(query, scene);
-        query.among(scene.boxes);
-        query.among(scene.meshes);
+        visit_shapes(query, scene);
+        query.test(scene.boxes);
+        query.test(scene.meshes);
     };
-    Nearest nearest(ray, context);
-    everything(nearest);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    everything(closest);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return Color(0);
-    if (context.look.shading == Shading::normal) return color_from_normal(hit->normal);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
-    const Surface surface = surface_at(*hit, ray);
+    const ShadingPoint surface = shading_point(*hit, ray);
     const Real mirror = surface.material.mirror;
-    const Terms terms = mirror < 1 ? lighting(scene, surface, everything, context) : Terms{};
-    if (mirror == 0) return shown(terms, context);
+    const PhongTerms terms =
+        mirror < 1 ? lighting(scene, surface, everything, context) : PhongTerms{};
+    if (mirror == 0) return visible_sum(terms, context);
 
-    const Color own = mirror < 1 ? shown(terms, context) : Color(0);
+    const Color own = mirror < 1 ? visible_sum(terms, context) : Color(0);
     return mixed(own, reflection(scene, ray, surface, context), mirror);
 }
 

@@ -9,53 +9,54 @@ namespace rt {
 
 namespace {
 
-Triangle triangle_of(const PlacedMesh& placed, const MeshHit& hit) {
-    const Mesh& mesh = placed.model->mesh;
+Triangle triangle_of(const MeshInstance& instance, const MeshHit& hit) {
+    const Mesh& mesh = instance.model->mesh;
     const auto& [a, b, c] = mesh.triangles[hit.triangle];
-    return moved(Triangle{.a = mesh.vertices[a], .b = mesh.vertices[b], .c = mesh.vertices[c]},
-                 placed.placement);
+    return transformed(
+        Triangle{.a = mesh.vertices[a], .b = mesh.vertices[b], .c = mesh.vertices[c]},
+        instance.placement);
 }
 
 }  // namespace
 
-std::optional<MeshHit> intersect(const Ray& ray, const PlacedMesh& placed, Interval interval) {
-    const auto& [mesh, bounds, packed] = *placed.model;
-    const Ray in_frame = into_frame(ray, placed.placement);
+std::optional<MeshHit> intersect(const Ray& ray, const MeshInstance& instance, Interval interval) {
+    const auto& [mesh, bounds, packed] = *instance.model;
+    const Ray in_frame = to_object_space(ray, instance.placement);
     if (packed) return packed->nearest(in_frame, interval);
     if (!overlap(in_frame, bounds, interval)) return std::nullopt;
     return intersect(in_frame, mesh, interval);
 }
 
-bool blocks(const Ray& ray, const PlacedMesh& placed, Interval interval) {
-    const std::optional<PackedMesh>& packed = placed.model->packed;
-    if (!packed) return intersect(ray, placed, interval).has_value();
-    return packed->blocks(into_frame(ray, placed.placement), interval);
+bool occludes(const Ray& ray, const MeshInstance& instance, Interval interval) {
+    const std::optional<MeshBvh>& packed = instance.model->packed;
+    if (!packed) return intersect(ray, instance, interval).has_value();
+    return packed->occludes(to_object_space(ray, instance.placement), interval);
 }
 
-SurfacePoint projected(const PlacedMesh& placed, const MeshHit& hit) {
-    const Triangle triangle = triangle_of(placed, hit);
+PointWithError snapped_to(const MeshInstance& instance, const MeshHit& hit) {
+    const Triangle triangle = triangle_of(instance, hit);
     const Vec3& w = hit.weights;
     auto [point, error] =
-        projected(triangle, w.x * triangle.a + w.y * triangle.b + w.z * triangle.c);
+        snapped_to(triangle, w.x * triangle.a + w.y * triangle.b + w.z * triangle.c);
     // In object space a mesh may be far from the origin, and its triangles are intersected there.
-    const auto& [min, max] = placed.model->bounds;
+    const auto& [min, max] = instance.model->bounds;
     const Real in_frame = largest_component(glm::max(abs(min), abs(max)));
-    const Motion& placement = placed.placement;
+    const Transform& placement = instance.placement;
     const Real largest = placement.scale * in_frame + largest_component(placement.translation);
     return {.point = point, .error = glm::max(error, projection_error(largest))};
 }
 
-Vec3 normal(const PlacedMesh& placed, const MeshHit& hit) {
-    const Mesh& mesh = placed.model->mesh;
-    if (mesh.normals.empty()) return side(placed, hit);
+Vec3 normal(const MeshInstance& instance, const MeshHit& hit) {
+    const Mesh& mesh = instance.model->mesh;
+    if (mesh.normals.empty()) return geometric_normal(instance, hit);
     const auto& [a, b, c] = mesh.triangles[hit.triangle];
-    return turned(
+    return rotated(
         interpolated_normal({mesh.normals[a], mesh.normals[b], mesh.normals[c]}, hit.weights),
-        placed.placement);
+        instance.placement);
 }
 
-Vec3 side(const PlacedMesh& placed, const MeshHit& hit) {
-    const Triangle triangle = triangle_of(placed, hit);
+Vec3 geometric_normal(const MeshInstance& instance, const MeshHit& hit) {
+    const Triangle triangle = triangle_of(instance, hit);
     return normal(triangle, triangle.a);
 }
 

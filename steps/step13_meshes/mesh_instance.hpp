@@ -11,20 +11,20 @@
 namespace rt {
 
 /// The closest hit strictly inside the interval; t is that of the ray in the scene.
-[[nodiscard]] std::optional<MeshHit> intersect(const Ray& ray, const PlacedMesh& placed,
+[[nodiscard]] std::optional<MeshHit> intersect(const Ray& ray, const MeshInstance& instance,
                                                Interval interval);
 
 /// Returns whether the ray hits any triangle strictly inside the interval.
-[[nodiscard]] bool blocks(const Ray& ray, const PlacedMesh& placed, Interval interval);
+[[nodiscard]] bool occludes(const Ray& ray, const MeshInstance& instance, Interval interval);
 
 /// The hit's point in the scene, computed from its barycentric coordinates, so that it is on the
 /// triangle for a ray of any length.
-[[nodiscard]] SurfacePoint projected(const PlacedMesh& placed, const MeshHit& hit);
+[[nodiscard]] PointWithError snapped_to(const MeshInstance& instance, const MeshHit& hit);
 
 /// The unit normal at the hit; interpolated if the mesh has normals.
-[[nodiscard]] Vec3 normal(const PlacedMesh& placed, const MeshHit& hit);
+[[nodiscard]] Vec3 normal(const MeshInstance& instance, const MeshHit& hit);
 
 /// The unit geometric normal of the triangle.
-[[nodiscard]] Vec3 side(const PlacedMesh& placed, const MeshHit& hit);
+[[nodiscard]] Vec3 geometric_normal(const MeshInstance& instance, const MeshHit& hit);
 
 }  // namespace rt

@@ -21,7 +21,8 @@ namespace rt {
 /// The part of the interval in which the ray is inside the box or on its faces: from its entry into
 /// the last of the three slabs to its exit from the first. Returns nothing if there is none, or if
 /// a coordinate is NaN. A ray that runs in a face, where 0 · ∞ arises, is inside.
-[[nodiscard]] std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval);
+[[nodiscard]] std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box,
+                                              Interval interval);
 
 /// The smallest t strictly inside the interval at which the ray hits a face of the box, from
 /// outside or from inside. Returns nothing if there is none, or if a coordinate is NaN.
@@ -33,7 +34,7 @@ namespace rt {
 
 /// The ray transformed to the object space of a mesh with this placement. Each of its points keeps
 /// its t, so the direction is not scaled to unit length.
-[[nodiscard]] Ray into_frame(const Ray& ray, const Motion& placement);
+[[nodiscard]] Ray to_object_space(const Ray& ray, const Transform& placement);
 
 /// The closest hit among the mesh's triangles strictly inside the interval, with its barycentric
 /// coordinates; nothing if there is none. Stage 5 intersects a single triangle.

@@ -22,7 +22,7 @@ bool is_ahead(const Ray& ray, const Mesh& mesh, const std::array<std::uint32_t, 
 
 }  // namespace
 
-std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
+std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box) {
     const auto& [center, basis, half_size] = box;
     constexpr std::array<const char*, 3> names = {"u", "v", "w"};
     const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
@@ -38,8 +38,8 @@ std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
             t1 = inside ? -infinity : infinity;
             t2 = infinity;
         }
-        story.line("t_min, t_max between the planes of " + std::string(names[std::size_t(i)]),
-                   text(Vec2(std::fmin(t1, t2), std::fmax(t1, t2))));
+        log.line("t_min, t_max between the planes of " + std::string(names[std::size_t(i)]),
+                 text(Vec2(std::fmin(t1, t2), std::fmax(t1, t2))));
         enters = std::fmax(enters, std::fmin(t1, t2));
         leaves = std::fmin(leaves, std::fmax(t1, t2));
     }
@@ -48,28 +48,28 @@ std::string tell(Story& story, const Ray& ray, const OrientedBox& box) {
     return "";
 }
 
-std::string tell(Story& story, const Ray& ray, const PlacedMesh& placed) {
-    const Motion& placement = placed.placement;
+std::string explain(PixelLog& log, const Ray& ray, const MeshInstance& instance) {
+    const Transform& placement = instance.placement;
     const Vec3 from_place = ray.origin - placement.translation;
     const Basis& basis = placement.rotation;
     const auto in_frame = [&](Vec3 v) {
         return Vec3(dot(v, basis.x), dot(v, basis.y), dot(v, basis.z)) / placement.scale;
     };
     const Ray seen{.origin = in_frame(from_place), .direction = in_frame(ray.direction)};
-    story.line("o_r in the mesh's frame", text(seen.origin));
-    story.line("d_r in the mesh's frame", text(seen.direction));
-    const Mesh& mesh = placed.model->mesh;
+    log.line("o_r in the mesh's frame", text(seen.origin));
+    log.line("d_r in the mesh's frame", text(seen.direction));
+    const Mesh& mesh = instance.model->mesh;
     const auto ahead =
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
                       [&](const auto& corners) { return is_ahead(seen, mesh, corners); });
-    story.line("triangles hit",
-               std::to_string(ahead) + " of " + std::to_string(mesh.triangles.size()));
+    log.line("triangles hit",
+             std::to_string(ahead) + " of " + std::to_string(mesh.triangles.size()));
     return ahead > 0 ? "" : "it hits no triangle at a positive t (CR §4.2)";
 }
 
-std::string code(const PlacedMesh& placed) {
-    return "a mesh of " + std::to_string(placed.model->mesh.triangles.size()) +
-           " triangles, placed by " + code(placed.placement);
+std::string code(const MeshInstance& instance) {
+    return "a mesh of " + std::to_string(instance.model->mesh.triangles.size()) +
+           " triangles, placed by " + code(instance.placement);
 }
 
 }  // namespace rt

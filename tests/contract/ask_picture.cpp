@@ -44,7 +44,7 @@ void ask(const std::string& program, const std::string& stage, const std::string
     const Image spread =
         thinned(read_png(project_file("tests/programs/pictures/" + stage + ".png")));
     Scene scene =
-        load_scene(project_file("scenes/" + stage + ".rt"), basis_around, {.strict = true});
+        load_scene(project_file("scenes/" + stage + ".rt"), orthonormal_basis, {.strict = true});
     load_meshes(scene);
     scene.resolution = reference.resolution;
     const Image mine = thinned(asked_of(program, scene));

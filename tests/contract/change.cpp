@@ -64,8 +64,8 @@ void draw_change(const std::string& name, bool exact) {
     of_case() = draw(random, exact);
 }
 
-Vec3 turned_direction(Vec3 v, const Motion& motion) {
-    const auto& [x, y, z] = motion.rotation;
+Vec3 turned_direction(Vec3 v, const Transform& transform) {
+    const auto& [x, y, z] = transform.rotation;
     const std::array<Vec3, 3> axes{x, y, z};
     Vec3 result;
     for (glm::length_t k = 0; k < 3; ++k) {
@@ -77,57 +77,57 @@ Vec3 turned_direction(Vec3 v, const Motion& motion) {
     return result;
 }
 
-Vec3 turned_back(Vec3 v, const Motion& motion) {
-    const auto& [x, y, z] = motion.rotation;
+Vec3 turned_back(Vec3 v, const Transform& transform) {
+    const auto& [x, y, z] = transform.rotation;
     return {dot(v, x), dot(v, y), dot(v, z)};
 }
 
-Vec3 moved_back(Vec3 point, const Motion& motion) {
-    return turned_back(point - motion.translation, motion) / motion.scale;
+Vec3 moved_back(Vec3 point, const Transform& transform) {
+    return turned_back(point - transform.translation, transform) / transform.scale;
 }
 
-Ray moved(const Ray& ray, const Motion& motion, Real length) {
-    return {.origin = rt::moved(ray.origin, motion),
-            .direction = length * motion.scale * turned_direction(ray.direction, motion)};
+Ray transformed(const Ray& ray, const Transform& transform, Real length) {
+    return {.origin = rt::transformed(ray.origin, transform),
+            .direction = length * transform.scale * turned_direction(ray.direction, transform)};
 }
 
-Ray moved_back(const Ray& ray, const Motion& motion, Real length) {
-    return {.origin = moved_back(ray.origin, motion),
-            .direction = turned_back(ray.direction, motion) / (length * motion.scale)};
+Ray moved_back(const Ray& ray, const Transform& transform, Real length) {
+    return {.origin = moved_back(ray.origin, transform),
+            .direction = turned_back(ray.direction, transform) / (length * transform.scale)};
 }
 
 Interval divided(Interval interval, Real length) {
     return {.min = interval.min / length, .max = interval.max / length};
 }
 
-Basis turned(const Basis& basis, const Motion& motion) {
-    return {.x = rt::turned(basis.x, motion),
-            .y = rt::turned(basis.y, motion),
-            .z = rt::turned(basis.z, motion)};
+Basis rotated(const Basis& basis, const Transform& transform) {
+    return {.x = rt::rotated(basis.x, transform),
+            .y = rt::rotated(basis.y, transform),
+            .z = rt::rotated(basis.z, transform)};
 }
 
-Box moved(const Box& box, const Motion& motion) {
-    const Vec3 a = rt::moved(box.min, motion);
-    const Vec3 b = rt::moved(box.max, motion);
+BoundingBox transformed(const BoundingBox& box, const Transform& transform) {
+    const Vec3 a = rt::transformed(box.min, transform);
+    const Vec3 b = rt::transformed(box.max, transform);
     return {.min = min(a, b), .max = max(a, b)};
 }
 
-Mesh moved(Mesh mesh, const Motion& motion) {
-    for (Vec3& vertex : mesh.vertices) vertex = rt::moved(vertex, motion);
-    for (Vec3& normal : mesh.normals) normal = rt::turned(normal, motion);
+Mesh transformed(Mesh mesh, const Transform& transform) {
+    for (Vec3& vertex : mesh.vertices) vertex = rt::transformed(vertex, transform);
+    for (Vec3& normal : mesh.normals) normal = rt::rotated(normal, transform);
     return mesh;
 }
 
-Motion moved(const Motion& placement, const Motion& motion) {
-    return {.rotation = turned(placement.rotation, motion),
-            .scale = motion.scale * placement.scale,
-            .translation = rt::moved(placement.translation, motion)};
+Transform transformed(const Transform& placement, const Transform& transform) {
+    return {.rotation = rotated(placement.rotation, transform),
+            .scale = transform.scale * placement.scale,
+            .translation = rt::transformed(placement.translation, transform)};
 }
 
-Mat4 matrix_of(const Motion& motion) {
-    const auto& [x, y, z] = motion.rotation;
-    return {Vec4(motion.scale * x, 0), Vec4(motion.scale * y, 0), Vec4(motion.scale * z, 0),
-            Vec4(motion.translation, 1)};
+Mat4 matrix_of(const Transform& transform) {
+    const auto& [x, y, z] = transform.rotation;
+    return {Vec4(transform.scale * x, 0), Vec4(transform.scale * y, 0),
+            Vec4(transform.scale * z, 0), Vec4(transform.translation, 1)};
 }
 
 Color exchanged(Color color, const Change& change) {
@@ -142,18 +142,18 @@ Color exchanged_back(Color color, const Change& change) {
     return result;
 }
 
-Surface changed(Surface surface, const Change& change, const Motion& motion) {
-    surface.point = rt::moved(surface.point, motion);
-    for (Vec3* const direction : {&surface.normal, &surface.side, &surface.to_eye})
-        *direction = turned_direction(*direction, motion);
-    surface.error *= motion.scale;
+ShadingPoint changed(ShadingPoint surface, const Change& change, const Transform& transform) {
+    surface.point = rt::transformed(surface.point, transform);
+    for (Vec3* const direction : {&surface.normal, &surface.geometric_normal, &surface.to_eye})
+        *direction = turned_direction(*direction, transform);
+    surface.error *= transform.scale;
     surface.material.color = exchanged(surface.material.color, change);
     return surface;
 }
 
-Light changed(Light light, const Change& change, const Motion& motion) {
-    light.position = rt::moved(light.position, motion);
-    light.radius *= motion.scale;
+Light changed(Light light, const Change& change, const Transform& transform) {
+    light.position = rt::transformed(light.position, transform);
+    light.radius *= transform.scale;
     light.brightness *= change.light;
     light.color = exchanged(light.color, change);
     return light;

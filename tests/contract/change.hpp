@@ -18,16 +18,16 @@ namespace rt::contract {
 
 struct Change {
     /// Any similarity; in a case with the tag [exact], the one below.
-    Motion any;
+    Transform any;
     /// Permuted and reflected axes, and a power of two as the scale: nothing is rounded, and a ray
     /// along an axis stays one. For edges, tangents, and starts on a surface.
-    Motion exact;
+    Transform exact;
     /// The axes of `exact`, the scale and the translation of `any`: axis-aligned boxes stay
     /// aligned.
-    Motion boxes;
+    Transform boxes;
     /// A rotation around y, which keeps the up direction: by quarter turns in a case with the tag
     /// [exact].
-    Motion upright;
+    Transform upright;
     Real length = 1;                       ///< of directions: every t is divided by it
     Real light = 1;                        ///< of brightness: every color is multiplied by it
     std::array<int, 3> channels{0, 1, 2};  ///< red, green and blue exchanged
@@ -42,26 +42,27 @@ struct Change {
 /// Draws the change of a case, if this run is graded.
 void draw_change(const std::string& name, bool exact);
 
-/// The same as `turned` in transform.hpp, but a zero keeps its sign.
-[[nodiscard]] Vec3 turned_direction(Vec3 v, const Motion& motion);
-[[nodiscard]] Vec3 turned_back(Vec3 v, const Motion& motion);
-[[nodiscard]] Vec3 moved_back(Vec3 point, const Motion& motion);
+/// The same as `rotated` in transform.hpp, but a zero keeps its sign.
+[[nodiscard]] Vec3 turned_direction(Vec3 v, const Transform& transform);
+[[nodiscard]] Vec3 turned_back(Vec3 v, const Transform& transform);
+[[nodiscard]] Vec3 moved_back(Vec3 point, const Transform& transform);
 
 /// The ray's points keep their t, up to the length.
-[[nodiscard]] Ray moved(const Ray& ray, const Motion& motion, Real length = 1);
-[[nodiscard]] Ray moved_back(const Ray& ray, const Motion& motion, Real length = 1);
+[[nodiscard]] Ray transformed(const Ray& ray, const Transform& transform, Real length = 1);
+[[nodiscard]] Ray moved_back(const Ray& ray, const Transform& transform, Real length = 1);
 [[nodiscard]] Interval divided(Interval interval, Real length);
-[[nodiscard]] Basis turned(const Basis& basis, const Motion& motion);
-[[nodiscard]] Box moved(const Box& box, const Motion& motion);
-[[nodiscard]] Mesh moved(Mesh mesh, const Motion& motion);
+[[nodiscard]] Basis rotated(const Basis& basis, const Transform& transform);
+[[nodiscard]] BoundingBox transformed(const BoundingBox& box, const Transform& transform);
+[[nodiscard]] Mesh transformed(Mesh mesh, const Transform& transform);
 /// The placement, and the motion after it.
-[[nodiscard]] Motion moved(const Motion& placement, const Motion& motion);
+[[nodiscard]] Transform transformed(const Transform& placement, const Transform& transform);
 /// p ↦ M p, in homogeneous coordinates.
-[[nodiscard]] Mat4 matrix_of(const Motion& motion);
+[[nodiscard]] Mat4 matrix_of(const Transform& transform);
 
 [[nodiscard]] Color exchanged(Color color, const Change& change);
 [[nodiscard]] Color exchanged_back(Color color, const Change& change);
-[[nodiscard]] Surface changed(Surface surface, const Change& change, const Motion& motion);
-[[nodiscard]] Light changed(Light light, const Change& change, const Motion& motion);
+[[nodiscard]] ShadingPoint changed(ShadingPoint surface, const Change& change,
+                                   const Transform& transform);
+[[nodiscard]] Light changed(Light light, const Change& change, const Transform& transform);
 
 }  // namespace rt::contract

@@ -31,7 +31,7 @@ public:
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
             complain(worker + " is right, but differs:\n  " +
                      paste_line(found->call, *found->expected.value) +
-                     "\n  came: " + told(found->call, found->came));
+                     "\n  got: " + told(found->call, found->got));
     }
 
     void mistaken(const std::string& name, const std::string& sentence, const std::string& worker) {

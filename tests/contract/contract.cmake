@@ -7,7 +7,7 @@
 function(raysteps_worker program folder precision)
     add_executable(${program})
     target_link_libraries(${program} PRIVATE
-        raysteps_worker_${precision} raysteps_common_${precision} raysteps_neutral Threads::Threads)
+        raysteps_worker_${precision} raysteps_common_${precision} raysteps_base Threads::Threads)
     foreach(stage IN LISTS ARGN)
         target_link_libraries(${program} PRIVATE ${stage}_${precision})
     endforeach()
@@ -35,7 +35,7 @@ function(raysteps_contract stage)
         add_executable(${program} $<TARGET_OBJECTS:${stage}_test_${word}_objects>)
         target_link_libraries(${program} PRIVATE
             ${stage}_stubs_${precision} raysteps_asking_${precision} raysteps_kit_${precision}
-            raysteps_kit_main raysteps_common_${precision} raysteps_neutral Threads::Threads)
+            raysteps_kit_main raysteps_common_${precision} raysteps_base Threads::Threads)
         foreach(other IN ITEMS ${stage}_picture ${ARGN})
             target_link_libraries(${program} PRIVATE ${other}_${precision})
         endforeach()

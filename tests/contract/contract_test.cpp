@@ -148,8 +148,8 @@ TEST_CASE("values are read back as the same bits, from bytes and from text") {
     CHECK(comes_back(Square{.side = Real(0.3), .one_sided = true}));
     CHECK(comes_back(OrientedBox{}));
     CHECK(comes_back(Cone{.axis = {0, 0, -1}, .radius = Real(1) / 3}));
-    CHECK(comes_back(Motion{.scale = 2, .translation = {1, 2, 3}}));
-    CHECK(comes_back(Surface{.error = Real(1e-17), .material = {.color = {1, 0, Real(0.5)}}}));
+    CHECK(comes_back(Transform{.scale = 2, .translation = {1, 2, 3}}));
+    CHECK(comes_back(ShadingPoint{.error = Real(1e-17), .material = {.color = {1, 0, Real(0.5)}}}));
     CHECK(comes_back(ShadowRay{.ray = ahead, .interval = {.min = 0, .max = 1}}));
     CHECK(comes_back(ShadowRays{.sent = 16, .reached = 3}));
     CHECK(comes_back(Mat4(Real(0.25))));
@@ -241,14 +241,13 @@ TEST_CASE("the smallest call that crashes does crash") {
     const Diagnosis found = diagnosis("crashes");
     REQUIRE(found.smallest);
     CHECK(found.smallest->call.arguments[0].parts[1].parts[0].number > 0.25);
-    CHECK(told(found.smallest->call, found.smallest->came) == "your code crashed: Aborted");
+    CHECK(told(found.smallest->call, found.smallest->got) == "your code crashed: Aborted");
 }
 
 TEST_CASE("an endless loop is diagnosed") {
     const Diagnosis found = diagnosis("never_answers");
     REQUIRE(found.smallest);
-    CHECK(told(found.smallest->call, found.smallest->came) ==
-          "your code gave no answer within 1 s");
+    CHECK(told(found.smallest->call, found.smallest->got) == "your code gave no answer within 1 s");
 }
 
 TEST_CASE("a failing call is a line to paste") {
@@ -276,11 +275,11 @@ TEST_CASE("a slice without an answer, or with one that is not a number, has a fi
     const Call call = call_of_sphere(ahead, unit_sphere);
     Asked reference(RAYSTEPS_REFERENCE_WORKER);
     Difference difference{.call = call, .expected = reference(call)};
-    difference.came = {.failure = "threw an exception: <b>"};
+    difference.got = {.failure = "threw an exception: <b>"};
     const std::string threw = slice(difference, reference);
     CHECK(threw.find(">yours: no answer: it threw an exception<") != std::string::npos);
     CHECK(threw.find("no hit") == std::string::npos);
-    difference.came = difference.expected;
-    difference.came.value->parts.front().number = std::nan("");
+    difference.got = difference.expected;
+    difference.got.value->parts.front().number = std::nan("");
     CHECK(slice(difference, reference).find("yours: no hit") == std::string::npos);
 }

@@ -31,8 +31,8 @@ std::optional<Real> ask_hit(const Ray& ray, const Shape& shape, Interval interva
     const Change* const now = change();
     if (now == nullptr) return ask<Stage, "intersect">(ray, shape, interval);
     const std::optional<Real> t =
-        ask<Stage, "intersect">(moved(ray, now->any, now->length), rt::moved(shape, now->any),
-                                divided(interval, now->length));
+        ask<Stage, "intersect">(transformed(ray, now->any, now->length),
+                                rt::transformed(shape, now->any), divided(interval, now->length));
     return t ? *t * now->length : t;
 }
 
@@ -41,8 +41,9 @@ template <int Stage, class Shape>
 Vec3 ask_normal(const Shape& shape, Vec3 point) {
     const Change* const now = change();
     if (now == nullptr) return ask<Stage, "normal">(shape, point);
-    return turned_back(ask<Stage, "normal">(rt::moved(shape, now->any), rt::moved(point, now->any)),
-                       now->any);
+    return turned_back(
+        ask<Stage, "normal">(rt::transformed(shape, now->any), rt::transformed(point, now->any)),
+        now->any);
 }
 
 }  // namespace rt::contract

@@ -9,9 +9,9 @@
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include "common/contract/asking.hpp"
 #include "common/contract/call.hpp"
-#include "common/contract/drawn.hpp"
 #include "common/contract/light_points.hpp"
 #include "common/contract/picture_question.hpp"
+#include "common/contract/rendered.hpp"
 
 #include "common/stages/reasons.hpp"
 #include "tests/contract/stub.hpp"
@@ -163,9 +163,9 @@ std::string answer_of_worker(const std::string& question) {
 
 namespace rt {
 
-Image drawn(const Scene& scene, const Look& look, int every) {
+Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
     using namespace contract;
-    return picture_in(link().ask(picture_question(scene, look, every)), scene.resolution);
+    return picture_in(link().ask(picture_question(scene, settings, every)), scene.resolution);
 }
 
 std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed, int count) {
@@ -174,7 +174,7 @@ std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed
     Writer question;
     put(question, Number{.stage = 0, .place = light_points_place});
     put(question, now == nullptr ? light : changed(light, *now, now->any));
-    put(question, now == nullptr ? from : rt::moved(from, now->any));
+    put(question, now == nullptr ? from : rt::transformed(from, now->any));
     put(question, seed);
     put(question, count);
     const std::string bytes = link().ask(question.bytes());

@@ -37,7 +37,7 @@ TEST_CASE("erratum 3: X has not unit length (MRT §2)") {
     const Vec3 z(0, std::sqrt(Real(0.75)), Real(0.5));  // pitched by 60°
     const Vec3 printed = cross(Vec3(0, 1, 0), z);
     CHECK(close(length(printed), Real(0.5)));
-    CHECK(close(length(basis_around(z).x), 1));
+    CHECK(close(length(orthonormal_basis(z).x), 1));
 }
 
 TEST_CASE("erratum 4: the cone is as wide as the root of r/h (MRT §8)") {

@@ -15,7 +15,7 @@ namespace {
 /// As a failure asks: without the interval if it is whole.
 template <class Shape>
 std::string answer(const rt::Ray& ray, const Shape& shape, rt::Interval interval = {}) {
-    return rt::came_text(intersect(ray, shape, interval));
+    return rt::got_text(intersect(ray, shape, interval));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST_CASE("every line of a scene in the stages' pages is read, to the letter") {
     for (const auto& [place, line] : all) {
         if (place.rfind("step", 0) != 0) continue;
         INFO(place << ": " << line);
-        CHECK_NOTHROW(parse_scene("C 0,0,0 0,0,-1 60\n" + line + "\n", place, basis_around,
+        CHECK_NOTHROW(parse_scene("C 0,0,0 0,0,-1 60\n" + line + "\n", place, orthonormal_basis,
                                   {.strict = true}));
     }
 }

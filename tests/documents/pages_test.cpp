@@ -214,7 +214,8 @@ Knowledge stage10() {
     const double flat_is_off =
         said_in("steps/step10_shadows/reference/shadows.cpp", "is hit up to ", " units off");
     // The ray's end before a light at distance 1, in units of u.
-    const Surface floor{.point = {0, 0, 0}, .normal = {0, 1, 0}, .side = {0, 1, 0}};
+    const ShadingPoint floor{
+        .point = {0, 0, 0}, .normal = {0, 1, 0}, .geometric_normal = {0, 1, 0}};
     const double before =
         (1 - double(shadow_ray(floor, {0, 1, 0}).interval.max)) / double(unit_roundoff);
     const double too_large =
@@ -250,7 +251,7 @@ Knowledge light_shares() {
     const auto centred = [](Vec3 /*from*/, Vec2 sample) {
         return above.position + above.radius * Vec3(2 * sample.x - 1, 0, 0);
     };
-    const auto sphere = [](Vec3 from, Vec2 sample) { return light_point(above, from, sample); };
+    const auto sphere = [](Vec3 from, Vec2 sample) { return sample_light(above, from, sample); };
     const double x = 1.5;
     CHECK(passing(-x, printed) == 0);
     return {{"beside the strip", x},
@@ -264,7 +265,7 @@ Knowledge light_shares() {
 /// The ratio of the estimates to the true error for 8, 16, … 1024 rays, as root mean squares over
 /// straight edges at these distances from the middle of a disc.
 struct Estimates {
-    std::vector<double> even;         ///< true error / share_error
+    std::vector<double> even;         ///< true error / visibility_error
     std::vector<double> independent;  ///< √(p (1 − p) / n) / true error
 };
 
@@ -289,7 +290,7 @@ Estimates estimates(double from, double to) {
             }
             const double error = double(rays.reached) / rays.sent - lit;
             const double p = double(rays.reached + 1) / (rays.sent + 2);
-            ratios[k] += std::pow(error / double(share_error(rays)), 2) / edges;
+            ratios[k] += std::pow(error / double(visibility_error(rays)), 2) / edges;
             errors[k] += error * error / edges;
             independent[k] += p * (1 - p) / rays.sent / edges;
         }
@@ -308,13 +309,13 @@ struct Drawn {
     double rays = 0;  ///< to the lamp, a pixel
 };
 
-Drawn drawn_lamp(const Look& look) {
-    Scene scene = load_scene(project_file("scenes/step11_soft_shadows.rt"), basis_around);
-    arrange(scene);
+Drawn drawn_lamp(const RenderSettings& settings) {
+    Scene scene = load_scene(project_file("scenes/step11_soft_shadows.rt"), orthonormal_basis);
+    build_acceleration(scene);
     scene.resolution = {80, 60};
     const auto pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Drawn all;
-    Context context{.look = look};
+    Context context{.settings = settings};
     for (Pixel& pixel = context.pixel; pixel.row < scene.resolution.height; ++pixel.row)
         for (pixel.column = 0; pixel.column < scene.resolution.width; ++pixel.column)
             all.colors.push_back(trace(scene, pixel_ray(pixel), context));
@@ -328,23 +329,23 @@ struct Errors {
     std::vector<double> of_pixels;
 };
 
-Errors errors_of(const Drawn& came, const Drawn& expected) {
+Errors errors_of(const Drawn& got, const Drawn& expected) {
     Errors errors;
     double squares = 0;
-    for (std::size_t i = 0; i < came.colors.size(); ++i) {
-        const Color off = abs(came.colors[i] - expected.colors[i]);
+    for (std::size_t i = 0; i < got.colors.size(); ++i) {
+        const Color off = abs(got.colors[i] - expected.colors[i]);
         squares += dot(off, off);
         errors.of_pixels.push_back(std::max({off.r, off.g, off.b}));
         errors.largest = std::max(errors.largest, errors.of_pixels.back());
     }
-    errors.root_mean_square = std::sqrt(squares / (3 * double(came.colors.size())));
+    errors.root_mean_square = std::sqrt(squares / (3 * double(got.colors.size())));
     return errors;
 }
 
 /// The rows of stage 11's table.
 struct Row {
     std::string option;
-    Look look;
+    RenderSettings settings;
     Drawn drawn;
     Errors errors;
 };
@@ -360,16 +361,17 @@ std::string decimals(double value, int digits) {
 constexpr std::size_t coarse = 4;  ///< the row of --shadow-error 2.5
 
 std::vector<Row> soft_shadow_table() {
-    auto expected = std::async(std::launch::async, drawn_lamp, Look{.shadow_samples = 4096});
+    auto expected =
+        std::async(std::launch::async, drawn_lamp, RenderSettings{.shadow_samples = 4096});
     std::vector<Row> rows;
     for (const int samples : {16, 64, 256, 512})
         rows.push_back({.option = "--shadow-samples " + std::to_string(samples),
-                        .look = {.shadow_samples = samples}});
+                        .settings = {.shadow_samples = samples}});
     for (const char* steps : {"2.5", "0.5"})
-        rows.push_back(
-            {.option = std::string("--shadow-error ") + steps,
-             .look = {.shadow_samples = most_shadow_samples, .shadow_error = std::stod(steps)}});
-    for (Row& row : rows) row.drawn = drawn_lamp(row.look);
+        rows.push_back({.option = std::string("--shadow-error ") + steps,
+                        .settings = {.shadow_samples = most_shadow_samples,
+                                     .shadow_error = std::stod(steps)}});
+    for (Row& row : rows) row.drawn = drawn_lamp(row.settings);
     const Drawn right = expected.get();
     for (Row& row : rows) row.errors = errors_of(row.drawn, right);
     return rows;
@@ -384,7 +386,7 @@ Knowledge stage11() {
                                  decimals(row.errors.largest, 3) + " |";
         CHECK(says("step11_soft_shadows", told));
         for (const Printed& number : numbers_in(told)) all.push_back({row.option, number.value});
-        if (row.look.shadow_error > 0) all.push_back({row.option, row.look.shadow_error});
+        if (row.settings.shadow_error > 0) all.push_back({row.option, row.settings.shadow_error});
     }
 
     // "The same error with nine tenths of the rays at 2.5, and with seven tenths at 0.5."
@@ -399,7 +401,7 @@ Knowledge stage11() {
 
     // The number of pixels with an error above those 2.5 levels, to tens.
     const std::vector<double>& off = table.at(coarse).errors.of_pixels;
-    const double limit = table[coarse].look.shadow_error / 255;
+    const double limit = table[coarse].settings.shadow_error / 255;
     const auto beyond = [&off](double most) {
         return std::count_if(off.begin(), off.end(), [most](double error) { return error > most; });
     };
@@ -420,7 +422,7 @@ Knowledge stage11() {
 
     const ShadowRays rays{.sent = 16, .reached = 3};
     const double p = double(rays.reached + 1) / (rays.sent + 2);
-    all.push_back({"the factor", double(share_error(rays)) * std::pow(rays.sent, 0.75) /
+    all.push_back({"the factor", double(visibility_error(rays)) * std::pow(rays.sent, 0.75) /
                                      std::pow(p * (1 - p), 0.25)});
     const Estimates anywhere = estimates(-1, 1);
     const Estimates rim = estimates(0.8, 1);
@@ -438,7 +440,7 @@ Knowledge stage11() {
 
 Knowledge stage12() {
     const Real m = Real(0.9);
-    const int depth = Look().depth;
+    const int depth = RenderSettings().depth;
     const Real share = Real(0.1);
     CHECK(worth_reflecting(0, depth, share * share));
     CHECK_FALSE(worth_reflecting(0, depth, share * share * share));
@@ -454,17 +456,17 @@ Knowledge stage12() {
 
 /// The number of triangles in a mesh of the scene, as read from the file.
 double triangles(const Scene& scene, const std::string& file) {
-    for (std::size_t i = 0; i < scene.named_meshes.size(); ++i)
-        if (scene.named_meshes[i].file == file)
+    for (std::size_t i = 0; i < scene.mesh_requests.size(); ++i)
+        if (scene.mesh_requests[i].file == file)
             return double(
                 (scene.meshes.begin() + std::ptrdiff_t(i))->shape.model->mesh.triangles.size());
     return 0;
 }
 
 Knowledge stage13() {
-    Scene scene = load_scene(project_file("scenes/step13_meshes.rt"), basis_around);
+    Scene scene = load_scene(project_file("scenes/step13_meshes.rt"), orthonormal_basis);
     load_meshes(scene);
-    arrange(scene);
+    build_acceleration(scene);
     // Every fourth pixel is enough for two digits.
     const auto pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Context context;
@@ -496,14 +498,14 @@ Knowledge debugging() {
     all.push_back({"t", t});
     all.push_back({"t, too long", t * too_long});
 
-    const Scene scene = load_scene(project_file("scenes/step05_triangle.rt"), basis_around);
+    const Scene scene = load_scene(project_file("scenes/step05_triangle.rt"), orthonormal_basis);
     const Ray ray = pixel_rays(scene.cameras.front(), scene.resolution)({231, 398});
     const Triangle& seen = (scene.triangles.begin() + 4)->shape;
     CHECK(content("docs/debugging.md").find(code(seen)) != std::string::npos);
-    std::ostringstream story;
-    Story teller(story);
-    tell(teller, ray, seen);
-    for (const Printed& number : numbers_in(story.str()))
+    std::ostringstream log;
+    PixelLog teller(log);
+    explain(teller, ray, seen);
+    for (const Printed& number : numbers_in(log.str()))
         all.push_back({"the story of pixel 231,398", number.value});
     return all;
 }

@@ -115,7 +115,7 @@ void add(Numbers& numbers, const Material& material) {
     numbers.insert(numbers.end(), {specular, shininess, mirror});
 }
 
-void add(Numbers& numbers, const NamedMesh& mesh) {
+void add(Numbers& numbers, const MeshRequest& mesh) {
     require(!mesh.file.empty() && mesh.place.line > 0, "a mesh has a file, and its place");
     require(mesh.placement.scale > 0, "a mesh's scale is positive");
     add_axes(numbers, mesh.placement.rotation);  // left-handed in a left-handed scene
@@ -125,11 +125,11 @@ void add(Numbers& numbers, const NamedMesh& mesh) {
 }
 
 template <class Shape>
-void add(Numbers& numbers, const Items<Shape>& items) {
-    numbers.push_back(Real(items.size()));
-    for (const Item<Shape>& item : items) {
-        add(numbers, item.shape);
-        add(numbers, item.material);
+void add(Numbers& numbers, const PrimitiveList<Shape>& primitives) {
+    numbers.push_back(Real(primitives.size()));
+    for (const Primitive<Shape>& primitive : primitives) {
+        add(numbers, primitive.shape);
+        add(numbers, primitive.material);
     }
 }
 
@@ -173,8 +173,8 @@ Numbers checked_numbers(const Scene& scene) {
     add(numbers, scene.cones);
     add(numbers, scene.boxes);
     require(scene.meshes.empty(), "reading loads no mesh");
-    numbers.push_back(Real(scene.named_meshes.size()));
-    for (const NamedMesh& mesh : scene.named_meshes) add(numbers, mesh);
+    numbers.push_back(Real(scene.mesh_requests.size()));
+    for (const MeshRequest& mesh : scene.mesh_requests) add(numbers, mesh);
     const auto finite = [](Real number) { return std::isfinite(number); };
     require(std::all_of(numbers.begin(), numbers.end(), finite), "numbers are finite");
     return numbers;
@@ -197,7 +197,7 @@ std::optional<Numbers> read(std::string_view text, bool strict) {
     };
     try {
         return checked_numbers(
-            parse_scene(text, "fuzz.rt", basis_around, {.strict = strict, .warn = warn}));
+            parse_scene(text, "fuzz.rt", orthonormal_basis, {.strict = strict, .warn = warn}));
     } catch (const InputError& error) {
         check_message(error.what(), "error: ");
         return std::nullopt;

@@ -110,7 +110,7 @@ public:
         fs::remove(worker());
         fs::remove(report());
         Grade grade;
-        grade::Made made = grade::compile_submission(workshop_, stage, text, object());
+        grade::Build made = grade::compile_submission(workshop_, stage, text, object());
         if (made.succeeded)
             made = grade::link_worker(workshop_, stage, {{stage, object()}}, worker());
         grade.compiled = made.succeeded;
@@ -122,7 +122,7 @@ public:
                 std::string(RAYSTEPS_BUILD) + "/" + attack.stage() + "_asked_test_double";
             const auto limit =
                 std::chrono::ceil<std::chrono::seconds>(longest_grading * grade::busy());
-            const Ending ending = listen_to({suite}, limit);
+            const ProcessResult ending = run_captured({suite}, limit);
             CHECK_FALSE(ending.out_of_time);
             CHECK(ending.crash.empty());  // the suite itself came to its end
             grade.passed = passed_cases(content(report()));
@@ -162,7 +162,7 @@ private:
     static constexpr const char* treasure = "{\"points\": 20}\n";
     TemporaryFolder temporary_;
     const fs::path& folder_ = temporary_.path();
-    grade::Workshop workshop_;
+    grade::BuildDirectory workshop_;
 };
 
 std::string stage_file(const std::string& stage, const std::string& folder) {
@@ -214,7 +214,7 @@ TEST_CASE("headers in another folder are accessible to a compiler, if all users 
     const TemporaryFolder place;
     for (const TemporaryFolder* each : {&folder, &place})
         fs::permissions(each->path(), fs::perms(0755));
-    const grade::Workshop workshop =
+    const grade::BuildDirectory workshop =
         grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
     std::ofstream(place.path() / "deploy.hpp") << "namespace elsewhere {}\n";
     std::ofstream(folder.path() / "seats/step03_sphere.txt", std::ios::app)
@@ -225,12 +225,12 @@ TEST_CASE("headers in another folder are accessible to a compiler, if all users 
             "#include <deploy.hpp>\n" + content(stage_file("step03_sphere", "reference")),
             folder.path() / "submission.o");
     };
-    const grade::Made made = compiled();
+    const grade::Build made = compiled();
     INFO(made.words);
     CHECK(made.succeeded);
     if (geteuid() != 0) return;  // who compiles is who owns the place
     fs::permissions(place.path(), fs::perms(0700));
-    const grade::Made closed = compiled();
+    const grade::Build closed = compiled();
     CHECK_FALSE(closed.succeeded);
     CHECK(closed.words.find("Permission denied") != std::string::npos);
 }

@@ -37,17 +37,17 @@ public:
     void pack(const std::string& archive, const std::string& from, const Command& words) const {
         Command tar{"tar", "-C", place(from), "-cf", place(archive)};
         tar.insert(tar.end(), words.begin(), words.end());
-        REQUIRE(listen_to(tar, std::chrono::seconds(20)).status == 0);
+        REQUIRE(run_captured(tar, std::chrono::seconds(20)).status == 0);
         fs::remove_all(place(from));
     }
 
-    [[nodiscard]] HandedIn take(const std::string& name) const {
+    [[nodiscard]] SubmittedFiles take(const std::string& name) const {
         return take_in(workshop_, {.student = "s", .pieces = {{place(name), name}}});
     }
 
     [[nodiscard]] std::vector<std::string> students() const {
         std::vector<std::string> names;
-        for (const Envelope& each : find({folder_ / "class"}).envelopes)
+        for (const Submission& each : find({folder_ / "class"}).submissions)
             names.push_back(each.student);
         return names;
     }
@@ -58,9 +58,9 @@ public:
     }
 
     /// By student: the submissions of a class that consists of these only.
-    [[nodiscard]] std::map<std::string, HandedIn> take_class() const {
-        std::map<std::string, HandedIn> all;
-        for (const Envelope& each : find({folder_ / "class"}).envelopes)
+    [[nodiscard]] std::map<std::string, SubmittedFiles> take_class() const {
+        std::map<std::string, SubmittedFiles> all;
+        for (const Submission& each : find({folder_ / "class"}).submissions)
             all[each.student] = take_in(workshop_, each);
         return all;
     }
@@ -68,7 +68,7 @@ public:
 private:
     TemporaryFolder temporary_;
     const fs::path& folder_ = temporary_.path();
-    Workshop workshop_;
+    BuildDirectory workshop_;
 };
 
 using Files = std::map<int, std::string>;
@@ -85,7 +85,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
     const std::string step = "whole/steps/step05_triangle/";
     ground.write(step + "reference/triangle.cpp", "ours");
     ground.write(step + "starter/triangle.cpp", "ours");
-    const HandedIn ours = ground.take("whole");
+    const SubmittedFiles ours = ground.take("whole");
     CHECK(ours.files.empty());
     CHECK(ours.words.at(5).find("starter/triangle.cpp (a file of the project, not yours)") !=
           std::string::npos);
@@ -93,7 +93,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
     CHECK(ground.take("whole").files == Files{{5, "misplaced"}});
     ground.write(step + "student_1/triangle.cpp", "a backup");
     ground.write(step + "student/triangle.cpp", "his");
-    const HandedIn both = ground.take("whole");
+    const SubmittedFiles both = ground.take("whole");
     CHECK(both.files == Files{{5, "his"}});
     CHECK(both.words.at(5).find("3 files for triangle.cpp that differ; "
                                 "steps/step05_triangle/student/triangle.cpp was used") !=
@@ -107,10 +107,11 @@ TEST_CASE("links, devices and books are not collected") {
     fs::create_symlink(ground.place("secret/passwords"), ground.place("links/sphere.cpp"));
     fs::create_directory_symlink(ground.place("secret"), ground.place("links/steps"));
     fs::create_symlink("/dev/zero", ground.place("links/plane.cpp"));
-    REQUIRE(listen_to({"mkfifo", ground.place("links/cone.cpp")}, std::chrono::seconds(5)).status ==
-            0);
+    REQUIRE(
+        run_captured({"mkfifo", ground.place("links/cone.cpp")}, std::chrono::seconds(5)).status ==
+        0);
     ground.write("links/square.cpp", std::string(300 * 1024, ' '));
-    const HandedIn taken = ground.take("links");
+    const SubmittedFiles taken = ground.take("links");
     CHECK(taken.files.empty());
     for (const int stage : {3, 4, 8})
         CHECK(taken.words.at(stage).find("(a link, or not a regular file)") != std::string::npos);
@@ -124,9 +125,10 @@ TEST_CASE("archives of every usual kind are opened") {
     for (const auto& [ending, format] : kinds) {
         ground.write("work/code/sphere.cpp", "three");
         const fs::path archive = ground.place("a." + ending);
-        const Ending made = listen_to({"cmake", "-E", "chdir", ground.place("work"), "cmake", "-E",
-                                       "tar", "cf", archive, format, "--", "code"},
-                                      std::chrono::seconds(20));
+        const ProcessResult made =
+            run_captured({"cmake", "-E", "chdir", ground.place("work"), "cmake", "-E", "tar", "cf",
+                          archive, format, "--", "code"},
+                         std::chrono::seconds(20));
         REQUIRE(made.status == 0);
         INFO(ending);
         CHECK(ground.take("a." + ending).files == Files{{3, "three"}});
@@ -151,9 +153,9 @@ TEST_CASE("an archive leads nowhere else") {
     fs::create_directory_symlink(victim, ground.place("work/way"));
     ground.pack("link.tar", "work", {"way"});
     ground.write("work/way/sphere.cpp", "wicked");
-    REQUIRE(listen_to({"tar", "-C", ground.place("work"), "-rf", ground.place("link.tar"),
-                       "way/sphere.cpp"},
-                      std::chrono::seconds(20))
+    REQUIRE(run_captured({"tar", "-C", ground.place("work"), "-rf", ground.place("link.tar"),
+                          "way/sphere.cpp"},
+                         std::chrono::seconds(20))
                 .status == 0);
     (void)ground.take("link.tar");
     CHECK(read_text(ground.place("victim/sphere.cpp")) == "untouched");
@@ -168,7 +170,7 @@ TEST_CASE("a file that is not an archive, and a bomb, are reported") {
     std::ofstream(ground.place("work/sphere.cpp"));
     fs::resize_file(ground.place("work/sphere.cpp"), 200 << 20);
     ground.pack("bomb.tar.gz", "work", {"--gzip", "sphere.cpp"});
-    const HandedIn bomb = ground.take("bomb.tar.gz");
+    const SubmittedFiles bomb = ground.take("bomb.tar.gz");
     CHECK(bomb.files.empty());
     CHECK_FALSE((bomb.words_on_all.empty() && bomb.words.empty()));
 }
@@ -191,8 +193,8 @@ TEST_CASE("results among the submissions are no student's") {
     ground.write("ann/sphere.cpp", "");
     ground.write("seed.txt/sphere.cpp", "");
     ground.write("results/students/ann/submitted/sphere.cpp", "");
-    CHECK(ground.find({ground.place("")}).envelopes.size() == 3);
-    CHECK(ground.find({ground.place("")}, ground.place("results/")).envelopes.size() == 2);
+    CHECK(ground.find({ground.place("")}).submissions.size() == 3);
+    CHECK(ground.find({ground.place("")}, ground.place("results/")).submissions.size() == 2);
     ground.write("results/seed.txt", "7");
     ground.write("results/grades.csv", "");
     CHECK(ground.students() == std::vector<std::string>{"ann", "seed.txt"});
@@ -201,9 +203,9 @@ TEST_CASE("results among the submissions are no student's") {
 TEST_CASE("one submission is not a class, and neither is an empty folder") {
     const Ground ground;
     ground.write("ann/sphere.cpp", "");
-    CHECK(ground.find({ground.place("ann")}).envelopes.size() == 1);
+    CHECK(ground.find({ground.place("ann")}).submissions.size() == 1);
     ground.write("bob/step03_sphere/sphere.cpp", "");
-    CHECK(ground.find({ground.place("ann"), ground.place("bob")}).envelopes.size() == 2);
+    CHECK(ground.find({ground.place("ann"), ground.place("bob")}).submissions.size() == 2);
     fs::create_directory(ground.place("nobody"));
     CHECK_THROWS_AS(ground.find({ground.place("nobody")}), InputError);
     CHECK_THROWS_AS(ground.find({ground.place("missing")}), InputError);
@@ -219,7 +221,7 @@ void zip(const Ground& ground, const std::string& from, const std::string& archi
                 "tar",   "cf", to,      "--format=zip",     "--"};
     for (const auto& each : fs::directory_iterator(ground.place(from)))
         zip.push_back(each.path().filename());
-    REQUIRE(listen_to(zip, std::chrono::seconds(60)).status == 0);
+    REQUIRE(run_captured(zip, std::chrono::seconds(60)).status == 0);
     fs::remove_all(ground.place(from));
 }
 
@@ -235,7 +237,7 @@ TEST_CASE("names given by people and browsers are accepted, and reported") {
     for (const auto& [name, stage] : near) {
         INFO(name);
         ground.write("ann/" + name, "his");
-        const HandedIn taken = ground.take("ann");
+        const SubmittedFiles taken = ground.take("ann");
         CHECK(taken.files == Files{{stage, "his"}});
         CHECK(taken.words.at(stage).find(name + " was used as ") == 0);
         fs::remove_all(ground.place("ann"));
@@ -254,7 +256,7 @@ TEST_CASE("near names that are not used are reported; so are all sources if none
     const Ground ground;
     for (const char* name : {"shpere.cpp", "sphere.txt", "sphere.cpp.txt", "spheres.cpp"}) {
         ground.write(std::string("ann/") + name, "");
-        const HandedIn taken = ground.take("ann");
+        const SubmittedFiles taken = ground.take("ann");
         CHECK(taken.files.empty());
         CHECK(taken.words.at(3).find(name) != std::string::npos);
         fs::remove_all(ground.place("ann"));
@@ -281,7 +283,7 @@ TEST_CASE("names in archives are names, and no patterns") {
         ground.write("work/x" + std::to_string(i) + "\n/sphere.cpp/notes.txt", "x");
     ground.write("work/[a-z]^$?.cpp", "x");
     ground.pack("a.tar", "work", {"."});
-    const HandedIn taken = ground.take("a.tar");
+    const SubmittedFiles taken = ground.take("a.tar");
     CHECK(taken.files == Files{{3, "star"}});
     CHECK(taken.words.empty());
 }
@@ -292,7 +294,7 @@ TEST_CASE("a link among an archive's names spoils nothing, and is never followed
     fs::create_symlink("/etc/passwd", ground.place("work/sphere.cpp"));
     fs::create_symlink("/etc/passwd", ground.place("work/plane.cpp"));
     ground.pack("a.tar", "work", {"."});
-    const HandedIn taken = ground.take("a.tar");
+    const SubmittedFiles taken = ground.take("a.tar");
     CHECK(taken.files == Files{{3, "three"}});
     CHECK(taken.words.at(4).find("plane.cpp (a link)") != std::string::npos);
 }
@@ -305,7 +307,7 @@ TEST_CASE("the total size of an archive's files is limited") {
         ground.write("work/x/" + std::to_string(i) + "/sphere.cpp", large);
     ground.write("work/z/cone.cpp", large);
     ground.pack("bomb.tar.gz", "work", {"--gzip", "0", "x", "z"});
-    const HandedIn taken = ground.take("bomb.tar.gz");
+    const SubmittedFiles taken = ground.take("bomb.tar.gz");
     CHECK(taken.files.at(4) == "four");
     CHECK(taken.files.count(8) == 0);
     CHECK(taken.words.at(8).find("z/cone.cpp (too large)") != std::string::npos);
@@ -325,7 +327,7 @@ TEST_CASE("a Mac's archive has twice the names, and one student's files") {
     ground.write("work/__MACOSX/work/._sphere.cpp", "x");
     ground.write("work/__MACOSX/work/sphere.cpp", "not his");
     zip(ground, "work", "ann.zip");
-    const HandedIn taken = ground.take("ann.zip");
+    const SubmittedFiles taken = ground.take("ann.zip");
     CHECK(taken.files == Files{{3, "three"}});
     CHECK(taken.words.empty());
     CHECK(ground.students() == std::vector<std::string>{"ann"});
@@ -340,7 +342,7 @@ TEST_CASE("Moodle's folders have a student's zip inside") {
     ground.write("Max Moe_125_assignsubmission_file_plane.cpp", "flat");
     ground.write("Rar Roe_126_assignsubmission_file_/work.rar", "Rar!");
     ground.write("Grades.csv", "");
-    std::map<std::string, HandedIn> all = ground.take_class();
+    std::map<std::string, SubmittedFiles> all = ground.take_class();
     CHECK(all.size() == 4);
     CHECK(all["Zoë_Doe_123"].files == Files{{3, "three"}});
     CHECK(all["Zoë_Doe_124"].files == Files{{3, "her namesake's"}});
@@ -358,7 +360,7 @@ TEST_CASE("Canvas's files have the student's name before their own") {
     ground.write("work/sphere.cpp", "late three");
     zip(ground, "work", "moemax_LATE_124_4569_work.zip");
     ground.write("doezoe_125_4570_sphere.cpp", "her namesake's");
-    std::map<std::string, HandedIn> all = ground.take_class();
+    std::map<std::string, SubmittedFiles> all = ground.take_class();
     CHECK(all.size() == 3);
     CHECK(all["doezoe_123"].files == Files{{3, "three"}, {4, "four"}});
     CHECK(all["moemax_124"].files == Files{{3, "late three"}});
@@ -380,7 +382,7 @@ TEST_CASE("a class in one archive is a class, and a student's own archive is not
     for (const fs::path& place : {ground.place("submissions.zip"), ground.place("")}) {
         const ClassFolder found = ground.find({place});
         std::vector<std::string> names;
-        for (const Envelope& each : found.envelopes) names.push_back(each.student);
+        for (const Submission& each : found.submissions) names.push_back(each.student);
         CHECK(names == std::vector<std::string>{"ann", "ben", "carl", "dora"});
         REQUIRE(found.left_over.size() == 1);
         CHECK(found.left_over[0].find("list.txt: ") == 0);
@@ -413,8 +415,8 @@ TEST_CASE("one submission is one, whatever folders it has; a class with a stray 
     for (int i = 0; i < 10; ++i)
         ground.write("copy" + std::to_string(i) + "/sphere.cpp", std::to_string(i));
     const ClassFolder one = one_submission({ground.place("")});
-    REQUIRE(one.envelopes.size() == 1);
-    CHECK(one.envelopes[0].student == "class");
+    REQUIRE(one.submissions.size() == 1);
+    CHECK(one.submissions[0].student == "class");
     ground.write("sphere.cpp", "stray");
     CHECK_THROWS_AS(ground.find({ground.place("")}), InputError);
     CHECK_THROWS_AS(one_submission({ground.place("nowhere")}), InputError);
@@ -425,7 +427,7 @@ TEST_CASE("many archives are opened at a time") {
     ground.write("work/sphere.cpp", "three");
     ground.pack("a.tar.gz", "work", {"--gzip", "."});
     std::atomic<int> right = 0;
-    in_parallel(4, 60, nullptr, [&](std::size_t) {
+    parallel_for(4, 60, nullptr, [&](std::size_t) {
         if (ground.take("a.tar.gz").files == Files{{3, "three"}}) ++right;
     });
     CHECK(right == 60);
@@ -443,13 +445,13 @@ TEST_CASE("archives in archives end, and one that goes on for ever is the last")
     ground.write("work/2/x", "");
     fs::rename(ground.place("last.tar"), ground.place("work/2/a.tar"));
     ground.pack("a.tar", "work", {"."});
-    const HandedIn taken = ground.take("a.tar");
+    const SubmittedFiles taken = ground.take("a.tar");
     CHECK(taken.files == Files{{3, "three"}});
     // More than 1 GB of zeros, and then a file: parts that gzip takes as one.
     ground.write("work/zeros", "");
     fs::resize_file(ground.place("work/zeros"), std::uintmax_t(20 * 64) << 20);
     ground.write("work/sphere.cpp", "after");
-    const Ending made = listen_to(
+    const ProcessResult made = run_captured(
         {"sh", "-c",
          "cd \"$1\" && tar -cf - zeros | head -c 512 | gzip > ../bomb.tar.gz &&"
          "head -c 64M zeros | gzip > part && for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 "
@@ -458,7 +460,7 @@ TEST_CASE("archives in archives end, and one that goes on for ever is the last")
          "sh", ground.place("work")},
         std::chrono::seconds(60));
     REQUIRE(made.status == 0);
-    const HandedIn bomb = ground.take("bomb.tar.gz");
+    const SubmittedFiles bomb = ground.take("bomb.tar.gz");
     CHECK(bomb.files.empty());
     CHECK(bomb.words_on_all.find("bomb.tar.gz is damaged, or too large") != std::string::npos);
 }

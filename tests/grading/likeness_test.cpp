@@ -30,7 +30,9 @@ struct Class : Results {
         write_text(student_folder(folder, student) / "submitted" / (name + ".cpp"), text);
     }
 
-    [[nodiscard]] Likeness found() const { return likeness(folder, project, read_marks(folder)); }
+    [[nodiscard]] Similarity found() const {
+        return similarity(folder, project, read_marks(folder));
+    }
 };
 
 std::string text_of(const std::string& file) {
@@ -92,7 +94,7 @@ TEST_CASE("right answers that were written apart are not near") {
         REQUIRE(files.size() > 2);
         for (const fs::path& file : files) results.hand_in(file.stem(), stage, read_text(file));
     }
-    const Likeness found = results.found();
+    const Similarity found = results.found();
     CHECK(found.same.empty());
     CHECK(found.near.empty());
 }
@@ -107,7 +109,7 @@ TEST_CASE("a file stays near whatever it is renamed to, and with a line here and
     results.hand_in("anna", 3, file);
     results.hand_in("ben", 3, edited);
     results.hand_in("carl", 3, text_of("tests/alternatives/step03_sphere/geometric.cpp"));
-    const Likeness found = results.found();
+    const Similarity found = results.found();
     CHECK(found.same.empty());
     REQUIRE(found.near.size() == 1);
     CHECK(found.near[0].one == "anna");
@@ -124,7 +126,7 @@ TEST_CASE("passages of many students count little") {
         results.hand_in("student " + std::to_string(i), 3, file + noise(80, i));
     CHECK(results.found().near.empty());
     results.hand_in("student 10", 3, file + noise(80, 9) + " // mine");
-    const Likeness found = results.found();
+    const Similarity found = results.found();
     REQUIRE(found.near.size() == 1);
     CHECK(found.near[0].one == "student 10");  // "1" before "9"
     CHECK(found.near[0].other == "student 9");
@@ -141,7 +143,7 @@ TEST_CASE("students who are similar in most stages are first") {
     hand_in("anna", "ben", 3);
     hand_in("carl", "dora", 3);
     hand_in("carl", "dora", 4);
-    const Likeness found = results.found();
+    const Similarity found = results.found();
     REQUIRE(found.near.size() == 2);
     CHECK(found.near[0].one == "carl");
     CHECK(found.near[0].percent == std::map<int, int>{{3, 100}, {4, 100}});
@@ -161,7 +163,7 @@ TEST_CASE("students with the same file are reported once, and not for the starte
     const std::string too_short = noise(40, 1);
     results.hand_in("gil", 3, too_short);
     results.hand_in("hal", 3, too_short);
-    const Likeness found = results.found();
+    const Similarity found = results.found();
     REQUIRE(found.same.size() == 1);
     CHECK(found.same[0].stage == 3);
     CHECK(found.same[0].students == std::vector<std::string>{"anna", "ben"});

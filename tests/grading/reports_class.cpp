@@ -18,7 +18,7 @@ std::vector<Mark> class_of_two() {
          .words = "warning: <unused>",
          .source = "17",
          .mistake = "You compare with <0>.",
-         .smallest = "intersect(…)\n  came: 1\n",
+         .smallest = "intersect(…)\n  got: 1\n",
          .slice = "step04 slice.svg",
          .cases = {met, missed},
          .picture = PictureMark{.pixels = 12, .different = 5, .file = "step04_plane.png"},

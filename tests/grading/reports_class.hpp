@@ -14,7 +14,7 @@ namespace rt::grade {
 inline const std::string odd = "=cmd|\"<b>&\n";
 
 /// Output of untrusted code that is not UTF-8.
-inline const std::string no_utf8 = "came: \xff\xc3(";
+inline const std::string no_utf8 = "got: \xff\xc3(";
 
 /// A folder of results that is removed at the end of its scope.
 struct Results {

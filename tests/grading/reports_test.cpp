@@ -137,10 +137,9 @@ TEST_CASE("JUnit's XML has a testsuite a student and stage") {
     CHECK(has(xml, "<testsuite name=\"" + name +
                        ".step04_plane\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">"));
     CHECK(has(xml, "name=\"it is met\"/>"));
-    CHECK(
-        has(xml,
-            "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"came: ��(\">"
-            "tests/suites/step04_plane_test.cpp:9\ncame: ��(\nexpected: &lt;hit&gt;\n</failure>"));
+    CHECK(has(xml,
+              "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"got: ��(\">"
+              "tests/suites/step04_plane_test.cpp:9\ngot: ��(\nexpected: &lt;hit&gt;\n</failure>"));
     CHECK(has(xml, ".step05_triangle\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">"));
     CHECK(has(xml, "<error>no &lt;vec&gt;</error>"));
     CHECK(has(xml,
@@ -203,11 +202,11 @@ TEST_CASE("a feedback page shows the failures, and folds away the passing stages
     CHECK(has(page, "<h2>4 plane</h2> <span>1 of 2 points</span>"));
     CHECK(has(page, "<p>1 case of 2 fails.</p>"));
     CHECK(has(page, "a known mistake: You compare with &lt;0&gt;.</p>"));
-    CHECK(has(page, "<pre class=\"wrong\">intersect(…)\n  came: 1</pre>"));
+    CHECK(has(page, "<pre class=\"wrong\">intersect(…)\n  got: 1</pre>"));
     CHECK(has(page, "<img src=\"data:image/svg+xml;base64,PHN2Zy8+\""));
     CHECK(has(page,
               "<h3>a &lt; b &amp; &quot;c&quot; <small>1 point</small></h3>\n"
-              "<pre class=\"wrong\">came: ��(\nexpected: &lt;hit&gt;</pre>\n"
+              "<pre class=\"wrong\">got: ��(\nexpected: &lt;hit&gt;</pre>\n"
               "<small>tests/suites/step04_plane_test.cpp:9</small>"));
     CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"data:image/png;base64,iVBORw==\""));
     CHECK(has(page, "the difference: 5 of 12 pixels differ"));

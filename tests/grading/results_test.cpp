@@ -16,11 +16,11 @@ void write(const std::filesystem::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-/// The text with `expected` replaced by `came`, once.
-std::string changed(std::string text, const std::string& expected, const std::string& came) {
+/// The text with `expected` replaced by `got`, once.
+std::string changed(std::string text, const std::string& expected, const std::string& got) {
     const std::size_t at = text.find(expected);
     REQUIRE(at != std::string::npos);
-    return text.replace(at, expected.size(), came);
+    return text.replace(at, expected.size(), got);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(first.words == "warning: <unused>");
     CHECK(first.source == "17");
     CHECK(first.mistake == "You compare with <0>.");
-    CHECK(first.smallest == "intersect(…)\n  came: 1\n");
+    CHECK(first.smallest == "intersect(…)\n  got: 1\n");
     CHECK(first.slice == "step04 slice.svg");
     CHECK(first.most == 2);
     CHECK(first.points() == 1);
@@ -71,7 +71,7 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(first.cases[1].points == 1);
     CHECK_FALSE(first.cases[1].passed);
     CHECK(first.cases[1].place == "tests/suites/step04_plane_test.cpp:9");
-    CHECK(first.cases[1].words == "came: ��(\nexpected: <hit>\n");
+    CHECK(first.cases[1].words == "got: ��(\nexpected: <hit>\n");
     REQUIRE(first.picture);
     CHECK(first.picture->pixels == 12);
     CHECK(first.picture->different == 5);

@@ -91,8 +91,8 @@ Command sealed(const Ground& ground, const Who& who, const Words& limits, const 
     return command;
 }
 
-Ending run(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
-    return listen_to(sealed(ground, who, limits, attack), std::chrono::seconds(60));
+ProcessResult run(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
+    return run_captured(sealed(ground, who, limits, attack), std::chrono::seconds(60));
 }
 
 int status(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
@@ -282,17 +282,17 @@ TEST_CASE("a process that ends, for any reason, ends all of its children") {
             // The grader is killed.
             const Command command = sealed(ground, who, limits, {attack});
             const pid_t grader = fork();
-            if (grader == 0) _exit(listen_to(command, std::chrono::seconds(60)).status);
+            if (grader == 0) _exit(run_captured(command, std::chrono::seconds(60)).status);
             CHECK(soon([&, all = count] { return processes_of(attacker) == all; }));
             kill(grader, SIGKILL);
             waitpid(grader, nullptr, 0);
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
             // It has reached its limit, and is stopped.
-            CHECK(listen_to(command, std::chrono::seconds(1)).out_of_time);
+            CHECK(run_captured(command, std::chrono::seconds(1)).out_of_time);
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
             const std::atomic<bool> stop = true;
             const auto start = std::chrono::steady_clock::now();
-            CHECK(listen_to(command, std::chrono::seconds(60), &stop).status != done);
+            CHECK(run_captured(command, std::chrono::seconds(60), &stop).status != done);
             CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
         }
@@ -388,8 +388,8 @@ TEST_CASE("a program that cannot be sealed is not started") {
     CHECK(run(ground, grader, {"memory=lots"}, {"nothing"}).output ==
           "error: not sealed: not a number: lots\n");
     CHECK(status(ground, grader, {"colour=red"}, {"nothing"}) == grade::not_sealed);
-    const Ending missing =
-        listen_to({ground.folder / "sealed", "--", "/no/such/program"}, std::chrono::seconds(5));
+    const ProcessResult missing =
+        run_captured({ground.folder / "sealed", "--", "/no/such/program"}, std::chrono::seconds(5));
     CHECK(missing.status == grade::not_sealed);
     CHECK(missing.output == "error: not sealed: /no/such/program: No such file or directory\n");
 }

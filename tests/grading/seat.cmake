@@ -13,7 +13,7 @@
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
-    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_neutral)
+    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_base)
     set(objects $<TARGET_PROPERTY:${stage}_picture_f64,INTERFACE_SOURCES>)
     # A worker gets its meshes with the queries, and reads no file.
     set(objects "$<FILTER:${objects},EXCLUDE,raysteps_meshes_f64|raysteps_without_meshes_f64>")

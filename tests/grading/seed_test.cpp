@@ -39,9 +39,9 @@ TEST_CASE("the seed of a folder of results is made once, and readable by its own
     std::uint64_t always = seed;
     for (int i = 0; i < 40; ++i) {
         const TemporaryFolder other;
-        const std::uint64_t drawn = grade::agreed_seed(other.path(), {});
-        once |= drawn;
-        always &= drawn;
+        const std::uint64_t rendered = grade::agreed_seed(other.path(), {});
+        once |= rendered;
+        always &= rendered;
     }
     CHECK(once == ~std::uint64_t(0));
     CHECK(always == 0);
@@ -96,7 +96,7 @@ TEST_CASE("a graded suite reveals the seed in no message") {
     const fs::path report = folder.path() / "report";
     write_text(file, "00000000000d15ea\n");  // 857578
     const auto reported = [&](const std::string& variable) {
-        (void)listen_to(
+        (void)run_captured(
             {"env", variable, std::string("RAYSTEPS_WORKER=") + RAYSTEPS_WRONG,
              "RAYSTEPS_REPORT=" + report.string(), RAYSTEPS_SUITE, "--out", "/dev/null"},
             std::chrono::seconds(60));

@@ -36,7 +36,7 @@ struct Small : Results {
         write_text(folder / file, text);
     }
 
-    [[nodiscard]] Term term() const { return read_term(folder, marks); }
+    [[nodiscard]] PhongTerm term() const { return read_term(folder, marks); }
 
     [[nodiscard]] std::string book() const {
         write_grade_book(folder, marks, term());
@@ -187,7 +187,7 @@ TEST_CASE("Canvas's gradebook is returned with one column, and the points possib
 TEST_CASE("anonymous students have no name in public reports") {
     const Small two;
     two.write("term.txt", "anonymous: yes\n");
-    Term term = two.term();
+    PhongTerm term = two.term();
     term.key = 7;
     const std::string ann = term.called("ann_1");
     CHECK(ann.size() == 10);

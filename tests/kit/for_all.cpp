@@ -9,12 +9,12 @@ namespace rt {
 
 namespace {
 
-thread_local bool drawn = false;
+thread_local bool rendered = false;
 
 /// Until the end of a scope, inputs are random.
 struct Drawing {
-    Drawing() { drawn = true; }
-    ~Drawing() { drawn = false; }
+    Drawing() { rendered = true; }
+    ~Drawing() { rendered = false; }
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 };
@@ -56,7 +56,7 @@ void shrink(const Property& property, std::vector<double>& choices) {
 }  // namespace
 
 bool is_drawn() {
-    return drawn;
+    return rendered;
 }
 
 Verdict for_all(const Property& property, int cases) {

@@ -16,10 +16,11 @@ inline std::string code(const Material& material) {
            "}";
 }
 
-inline std::string code(const Surface& surface) {
-    return "Surface{.point = " + code(surface.point) + ", .normal = " + code(surface.normal) +
-           ", .side = " + code(surface.side) + ", .to_eye = " + code(surface.to_eye) +
-           ", .error = " + code(surface.error) + ", .material = " + code(surface.material) + "}";
+inline std::string code(const ShadingPoint& surface) {
+    return "ShadingPoint{.point = " + code(surface.point) + ", .normal = " + code(surface.normal) +
+           ", .geometric_normal = " + code(surface.geometric_normal) +
+           ", .to_eye = " + code(surface.to_eye) + ", .error = " + code(surface.error) +
+           ", .material = " + code(surface.material) + "}";
 }
 
 inline std::string code(const Light& light) {
@@ -29,13 +30,13 @@ inline std::string code(const Light& light) {
 }
 
 /// A surface at the point, seen from any direction on the normal's side.
-inline Surface draw_surface(Random& random, Vec3 point) {
+inline ShadingPoint draw_surface(Random& random, Vec3 point) {
     const Vec3 normal = random.direction();
     Vec3 to_eye = random.direction();
     if (dot(to_eye, normal) < 0) to_eye = -to_eye;
     return {.point = point,
             .normal = normal,
-            .side = normal,
+            .geometric_normal = normal,
             .to_eye = to_eye,
             .error = 64 * unit_roundoff * (1 + length(point)),
             .material = {.color = abs(random.point(1)), .specular = random.between(0, 1)}};

@@ -3,7 +3,7 @@
 #include <catch2/catch_session.hpp>
 
 int main(int argc, char** argv) {
-    return Catch::Session().run(argc, argv);
+    return Catch::Renderer().run(argc, argv);
 }
 #else
 #define CATCH_CONFIG_MAIN

@@ -1,6 +1,6 @@
 #include "tests/kit/picture.hpp"
 
-#include "common/contract/drawn.hpp"
+#include "common/contract/rendered.hpp"
 #include "common/image/png.hpp"
 #include "common/program/load_meshes.hpp"
 #include "common/scene_file/reader.hpp"
@@ -27,9 +27,9 @@ std::string text(Pixel pixel) {
 
 }  // namespace
 
-bool fits(Rgb came, Rgb reference, Rgb spread) {
-    for (std::size_t i = 0; i < came.size(); ++i)
-        if (spread[i] != not_judged && std::abs(came[i] - reference[i]) > spread[i] + rounding)
+bool fits(Rgb got, Rgb reference, Rgb spread) {
+    for (std::size_t i = 0; i < got.size(); ++i)
+        if (spread[i] != not_judged && std::abs(got[i] - reference[i]) > spread[i] + rounding)
             return false;
     return true;
 }
@@ -42,21 +42,21 @@ Verdict picture_matches(const std::string& name, const Drawing& drawing) {
     const std::string scene_name = drawing.scene.empty() ? name : drawing.scene;
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
     const Image spread = read_png(project_file("tests/programs/pictures/" + scene_name + ".png"));
-    Scene scene =
-        load_scene(project_file("scenes/" + scene_name + ".rt"), basis_around, {.strict = true});
+    Scene scene = load_scene(project_file("scenes/" + scene_name + ".rt"), orthonormal_basis,
+                             {.strict = true});
     load_meshes(scene);
-    arrange(scene);
+    build_acceleration(scene);
     scene.resolution = reference.resolution;
-    const Image image = drawn(scene, drawing.look, drawing.every);
+    const Image image = rendered(scene, drawing.settings, drawing.every);
 
     int different = 0;
     std::string first;
     for (Pixel pixel; pixel.row < image.resolution.height; pixel.row += drawing.every) {
         for (pixel.column = 0; pixel.column < image.resolution.width;
              pixel.column += drawing.every) {
-            const Rgb came = image[pixel];
-            if (fits(came, reference[pixel], spread[pixel]) || different++ > 0) continue;
-            first = "\n  first:    row,column " + text(pixel) + "\n  came:     " + text(came) +
+            const Rgb got = image[pixel];
+            if (fits(got, reference[pixel], spread[pixel]) || different++ > 0) continue;
+            first = "\n  first:    row,column " + text(pixel) + "\n  got:      " + text(got) +
                     "\n  expected: " + text(reference[pixel]) + "\n  see:      ./course explain " +
                     name + " " + text(pixel);
         }

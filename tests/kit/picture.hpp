@@ -14,13 +14,13 @@ namespace rt {
 /// The settings of a rendering, and its fraction of pixels.
 struct Drawing {
     std::string scene;  ///< if it is not called as the picture
-    Look look;
+    RenderSettings settings;
     int every = 1;  ///< for a slow picture: only every `every`-th pixel and row
 };
 
 /// True if a pixel's color is as near to the reference's as right answers are, by the spread in the
 /// picture of the same name in tests/pictures.
-[[nodiscard]] bool fits(Rgb came, Rgb reference, Rgb spread);
+[[nodiscard]] bool fits(Rgb got, Rgb reference, Rgb spread);
 
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.
 ///

@@ -33,9 +33,9 @@ std::string told(const Catch::AssertionResult& result) {
         return expanded.substr(expanded.find_first_not_of("\n "));
     std::string text = result.getExpressionInMacro();
     if (result.hasMessage())  // an exception's or a signal's
-        text += (text.empty() ? "" : "\n  came:     ") + std::string(result.getMessage());
+        text += (text.empty() ? "" : "\n  got:      ") + std::string(result.getMessage());
     else if (expanded != result.getExpression())
-        text += "\n  came:     " + expanded;
+        text += "\n  got:      " + expanded;
     return text;
 }
 
@@ -76,7 +76,7 @@ public:
     }
 
     Answer assertionEnded(const Catch::AssertionStats& stats) override {
-        tell(stats.assertionResult);
+        explain(stats.assertionResult);
         return Answer();
     }
 
@@ -86,7 +86,7 @@ public:
     }
 
 private:
-    void tell(const Catch::AssertionResult& result) {
+    void explain(const Catch::AssertionResult& result) {
         if (result.isOk() || told_) return;
         told_ = true;
         out_ << "at " << place(result.getSourceInfo()) << '\n';

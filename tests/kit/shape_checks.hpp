@@ -45,12 +45,12 @@ Aimed<Shape> aimed_from_outside(const Sample<Shape>& sample, Random& random) {
 }
 
 /// Anything that turns, scales by a power of two, and moves by a few of its sizes.
-inline Motion random_motion(Random& random) {
-    Motion motion;
-    motion.rotation = random.basis();
-    motion.scale = random.power_of_two();
-    motion.translation = motion.scale * random.point(4);
-    return motion;
+inline Transform random_motion(Random& random) {
+    Transform transform;
+    transform.rotation = random.basis();
+    transform.scale = random.power_of_two();
+    transform.translation = transform.scale * random.point(4);
+    return transform;
 }
 
 // The parameter `draw` of each function makes a Sample<Shape> from a Random.
@@ -92,11 +92,12 @@ template <class Draw>
 Verdict motion_changes_nothing(Draw draw) {
     return for_all([draw](Random& random) {
         const auto aimed = aimed_from_outside(draw(random), random);
-        const Motion motion = random_motion(random);
-        const auto shape = moved(aimed.shape, motion);
-        const Vec3 point = moved(aimed.point, motion);
-        if (const Verdict hit = hits(moved(aimed.ray, motion), shape, aimed.t); !hit) return hit;
-        return normal_is(shape, point, turned(aimed.normal, motion));
+        const Transform transform = random_motion(random);
+        const auto shape = transformed(aimed.shape, transform);
+        const Vec3 point = transformed(aimed.point, transform);
+        if (const Verdict hit = hits(transformed(aimed.ray, transform), shape, aimed.t); !hit)
+            return hit;
+        return normal_is(shape, point, rotated(aimed.normal, transform));
     });
 }
 

@@ -32,29 +32,29 @@ inline Verdict verdict(bool holds, const std::string& sentence) {
     return {.holds = holds, .sentence = holds ? "" : sentence};
 }
 
-inline bool close(Real came, Real expected, Real scale = 1) {
-    return std::abs(came - expected) <= tolerance * std::max(std::abs(expected), scale);
+inline bool close(Real got, Real expected, Real scale = 1) {
+    return std::abs(got - expected) <= tolerance * std::max(std::abs(expected), scale);
 }
 
-inline bool close(Vec2 came, Vec2 expected) {
-    return close(came.x, expected.x) && close(came.y, expected.y);
+inline bool close(Vec2 got, Vec2 expected) {
+    return close(got.x, expected.x) && close(got.y, expected.y);
 }
 
-inline bool close(Vec3 came, Vec3 expected) {
+inline bool close(Vec3 got, Vec3 expected) {
     const Vec3 size = abs(expected);
     const Real scale = std::max({size.x, size.y, size.z, Real(1)});
-    return close(came.x, expected.x, scale) && close(came.y, expected.y, scale) &&
-           close(came.z, expected.z, scale);
+    return close(got.x, expected.x, scale) && close(got.y, expected.y, scale) &&
+           close(got.z, expected.z, scale);
 }
 
-inline std::string came_text(std::optional<Real> t) {
+inline std::string got_text(std::optional<Real> t) {
     return t ? "a hit at t = " + text(*t) : "no hit";
 }
 
 /// The lines of a failure: the call, the answer, the expected answer, and a line to paste into a
 /// test.
 template <class Shape>
-std::string told(const Ray& ray, const Shape& shape, Interval interval, std::optional<Real> came,
+std::string told(const Ray& ray, const Shape& shape, Interval interval, std::optional<Real> got,
                  std::optional<Real> expected) {
     const bool whole = interval.min == 0 && interval.max == infinity;
     const std::string question =
@@ -63,29 +63,29 @@ std::string told(const Ray& ray, const Shape& shape, Interval interval, std::opt
                                              code(*expected) + (whole ? "" : ", " + code(interval))
                                        : "misses(" + code(ray) + ", " + code(shape) +
                                              (whole ? "" : ", " + code(interval));
-    return "intersect(" + question + ")\n  came:     " + came_text(came) +
-           "\n  expected: " + came_text(expected) + "\n  paste:    CHECK(" + paste + "));";
+    return "intersect(" + question + ")\n  got:      " + got_text(got) +
+           "\n  expected: " + got_text(expected) + "\n  paste:    CHECK(" + paste + "));";
 }
 
 /// The ray's first hit inside the interval is at t.
 template <class Shape>
 Verdict hits(const Ray& ray, const Shape& shape, Real t, Interval interval = {}) {
-    const std::optional<Real> came = intersect(ray, shape, interval);
-    return verdict(came && close(*came, t, 0), told(ray, shape, interval, came, t));
+    const std::optional<Real> got = intersect(ray, shape, interval);
+    return verdict(got && close(*got, t, 0), told(ray, shape, interval, got, t));
 }
 
 /// The ray has no hit inside the interval.
 template <class Shape>
 Verdict misses(const Ray& ray, const Shape& shape, Interval interval = {}) {
-    const std::optional<Real> came = intersect(ray, shape, interval);
-    return verdict(!came, told(ray, shape, interval, came, std::nullopt));
+    const std::optional<Real> got = intersect(ray, shape, interval);
+    return verdict(!got, told(ray, shape, interval, got, std::nullopt));
 }
 
 /// A value that should equal the expected one; `what` is the call that returned it.
 template <class Value>
-Verdict gives(const std::string& what, Value came, Value expected) {
-    return verdict(close(came, expected),
-                   what + "\n  came:     " + text(came) + "\n  expected: " + text(expected));
+Verdict gives(const std::string& what, Value got, Value expected) {
+    return verdict(close(got, expected),
+                   what + "\n  got:      " + text(got) + "\n  expected: " + text(expected));
 }
 
 /// normal(shape, point) is unit length and points where it should.

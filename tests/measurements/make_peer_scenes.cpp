@@ -37,7 +37,7 @@ void write_mesh(const path& file, int n) {
 
 /// The `.rt` file for the others, beside each other in the folder.
 void write_for_peers(const path& file, const path& folder, const Effort& effort) {
-    rt::Scene scene = rt::load_scene(file.string(), rt::basis_around);
+    rt::Scene scene = rt::load_scene(file.string(), rt::orthonormal_basis);
     rt::load_meshes(scene);
     const path stem = folder / file.stem();
     write(path(stem) += ".pov", [&](std::ostream& out) { write_povray(out, scene, effort); });

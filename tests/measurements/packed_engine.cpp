@@ -25,7 +25,7 @@ public:
         build(ours);
     }
 
-    void build(const Mesh& mesh) { mesh_ = PackedMesh(mesh); }
+    void build(const Mesh& mesh) { mesh_ = MeshBvh(mesh); }
 
     [[nodiscard]] NearestHit nearest(const RayQuery& query) const override {
         const auto hit = mesh_.nearest(ray_of(query), {.max = Real(query.max)});
@@ -43,12 +43,12 @@ public:
     [[nodiscard]] std::size_t count_blocked(const RayQuery* rays, std::size_t n) const override {
         std::size_t blocked = 0;
         for (std::size_t i = 0; i < n; ++i)
-            if (mesh_.blocks(ray_of(rays[i]), {.max = Real(rays[i].max)})) ++blocked;
+            if (mesh_.occludes(ray_of(rays[i]), {.max = Real(rays[i].max)})) ++blocked;
         return blocked;
     }
 
 private:
-    PackedMesh mesh_;
+    MeshBvh mesh_;
 };
 
 }  // namespace

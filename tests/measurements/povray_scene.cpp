@@ -124,14 +124,16 @@ private:
         out_ << " }\n";
     }
 
-    void write_mesh(const PlacedMesh& placed, const Material& material) const {
-        const Mesh& mesh = placed.model->mesh;
+    void write_mesh(const MeshInstance& instance, const Material& material) const {
+        const Mesh& mesh = instance.model->mesh;
         out_ << "mesh2 { ";
-        write_list("vertex_vectors", mesh.vertices,
-                   [&](Vec3 vertex) { return short_vector(moved(vertex, placed.placement)); });
+        write_list("vertex_vectors", mesh.vertices, [&](Vec3 vertex) {
+            return short_vector(transformed(vertex, instance.placement));
+        });
         if (!mesh.normals.empty())
-            write_list("normal_vectors", mesh.normals,
-                       [&](Vec3 normal) { return short_vector(turned(normal, placed.placement)); });
+            write_list("normal_vectors", mesh.normals, [&](Vec3 normal) {
+                return short_vector(rotated(normal, instance.placement));
+            });
         write_list("face_indices", mesh.triangles, [](const auto& corners) {
             return "<" + std::to_string(corners[0]) + "," + std::to_string(corners[1]) + "," +
                    std::to_string(corners[2]) + ">";

@@ -29,7 +29,7 @@ struct Contender {
 };
 
 /// A mesh, the engines that have built it, and the rays.
-struct Contest {
+struct ComparisonRequest {
     TriangleMesh mesh;
     std::vector<Contender> contenders;
     std::vector<RaySet> sets;
@@ -42,8 +42,8 @@ double seconds_to_build(Engine& engine, const TriangleMesh& mesh) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Contest contest_on(int frequency) {
-    Contest contest{.mesh = displaced_sphere(frequency)};
+ComparisonRequest contest_on(int frequency) {
+    ComparisonRequest contest{.mesh = displaced_sphere(frequency)};
     const auto enter = [&](const char* name, std::unique_ptr<Engine> engine) {
         if (engine) contest.contenders.push_back({.name = name, .engine = std::move(engine)});
     };
@@ -65,11 +65,12 @@ Contest contest_on(int frequency) {
     return contest;
 }
 
-std::string name_of(const Contest& contest, const RaySet& set, const Contender& contender) {
+std::string name_of(const ComparisonRequest& contest, const RaySet& set,
+                    const Contender& contender) {
     return std::to_string(contest.mesh.triangles.size()) + "/" + set.name + "/" + contender.name;
 }
 
-void enter(const Contest& contest, const RaySet& set, const Contender& contender) {
+void enter(const ComparisonRequest& contest, const RaySet& set, const Contender& contender) {
     const auto take = [&set, &engine = *contender.engine](benchmark::State& state) {
         const std::vector<RayQuery>& rays = set.rays;
         for (auto turn : state)
@@ -112,7 +113,7 @@ private:
     std::map<std::string, std::vector<double>> rates_;
 };
 
-void print(const Contest& contest, const Results& results) {
+void print(const ComparisonRequest& contest, const Results& results) {
     const Contender& first = contest.contenders.front();
     std::printf("\n%zu triangles: million rays a second (ratio to %s)\n%-10s",
                 contest.mesh.triangles.size(), first.name.c_str(), "");
@@ -141,12 +142,12 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&count, arguments.data());
     if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
 
-    std::vector<Contest> contests;
+    std::vector<ComparisonRequest> contests;
     for (const int frequency : {59, 224}) contests.push_back(contest_on(frequency));
-    for (const Contest& contest : contests)
+    for (const ComparisonRequest& contest : contests)
         for (const RaySet& set : contest.sets)
             for (const Contender& contender : contest.contenders) enter(contest, set, contender);
     Results results;
     benchmark::RunSpecifiedBenchmarks(&results);
-    for (const Contest& contest : contests) print(contest, results);
+    for (const ComparisonRequest& contest : contests) print(contest, results);
 }

@@ -124,16 +124,16 @@ private:
         }
     }
 
-    void write_mesh(const PlacedMesh& placed, const std::string& texture) const {
-        const Mesh& mesh = placed.model->mesh;
+    void write_mesh(const MeshInstance& instance, const std::string& texture) const {
+        const Mesh& mesh = instance.model->mesh;
         for (const auto& corners : mesh.triangles) {
             out_ << (mesh.normals.empty() ? "TRI" : "STRI");
             for (std::size_t i = 0; i < 3; ++i)
                 out_ << " V" << i << " "
-                     << short_vector(moved(mesh.vertices[corners[i]], placed.placement));
+                     << short_vector(transformed(mesh.vertices[corners[i]], instance.placement));
             for (std::size_t i = 0; i < 3 && !mesh.normals.empty(); ++i)
                 out_ << " N" << i << " "
-                     << short_vector(turned(mesh.normals[corners[i]], placed.placement));
+                     << short_vector(rotated(mesh.normals[corners[i]], instance.placement));
             out_ << " " << texture << "\n";
         }
     }

@@ -67,14 +67,14 @@ double tachyon(const Picture& picture, rt::Resolution size) {
 /// Two steps: reading and building, then tracing.
 std::vector<Usage> ours(const Picture& picture, int threads) {
     return run_apart([&](const auto& step_done) {
-        rt::Scene scene = rt::load_scene(picture.stem + ".rt", rt::basis_around);
+        rt::Scene scene = rt::load_scene(picture.stem + ".rt", rt::orthonormal_basis);
         rt::load_meshes(scene);
-        rt::arrange(scene);
+        rt::build_acceleration(scene);
         step_done();
         const auto& [depth, shadow_samples] = picture.scene.effort;
         const auto rendering = rt::render(
             scene,
-            {.threads = threads, .look = {.shadow_samples = shadow_samples, .depth = depth}});
+            {.threads = threads, .settings = {.shadow_samples = shadow_samples, .depth = depth}});
         step_done();
     });
 }

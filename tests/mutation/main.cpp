@@ -119,7 +119,7 @@ Tally mutate(const std::string& stage, const std::vector<Survivor>& listed,
         mutants.resize(std::min(mutants.size(), options.sample));
     }
     tally.mutants = int(mutants.size());
-    const Workshop workshop(stage, reference, options.every_case);
+    const BuildDirectory workshop(stage, reference, options.every_case);
     std::map<std::string, Kills> cases;
     for (const std::string& name : workshop.cases()) cases[name] = {};
     for (const Mutant& mutant : mutants) {

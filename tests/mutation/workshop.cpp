@@ -77,7 +77,8 @@ std::vector<std::string> cases_in(const std::filesystem::path& report, bool pass
 
 }  // namespace
 
-Workshop::Workshop(const std::string& stage, const std::string& reference, bool every_case) {
+BuildDirectory::BuildDirectory(const std::string& stage, const std::string& reference,
+                               bool every_case) {
     const std::filesystem::path folder = RAYSTEPS_MUTATION_FOLDER;
     work_ = folder / (stage + "." + std::to_string(getpid()));
     std::filesystem::create_directories(work_);
@@ -105,12 +106,12 @@ Workshop::Workshop(const std::string& stage, const std::string& reference, bool 
     seconds_ = int(std::ceil(2 + 5 * slowest));
 }
 
-Workshop::~Workshop() {
+BuildDirectory::~BuildDirectory() {
     std::error_code ignored;
     std::filesystem::remove_all(work_, ignored);
 }
 
-void Workshop::prepare(Precision& precision, const std::string& reference) {
+void BuildDirectory::prepare(Precision& precision, const std::string& reference) {
     write(precision.prelude, includes_of(reference));
     const std::string prelude = precision.prelude;
     if (!compiles(precision.options, {"-x", "c++-header", prelude, "-o", prelude + ".gch"}) ||
@@ -119,13 +120,13 @@ void Workshop::prepare(Precision& precision, const std::string& reference) {
     precision.code_of_reference = content_of(precision.library);
 }
 
-bool Workshop::compile(const Precision& precision, const std::string& source) const {
+bool BuildDirectory::compile(const Precision& precision, const std::string& source) const {
     write(source_, source);
     return compiles(precision.options,
                     {"-include", precision.prelude, "-shared", source_, "-o", precision.library});
 }
 
-Outcome Workshop::judge(const Precision& precision, const std::string& source) const {
+Outcome BuildDirectory::judge(const Precision& precision, const std::string& source) const {
     if (!compile(precision, source)) return {.fate = Fate::not_compiled, .killers = {}};
     if (content_of(precision.library) == precision.code_of_reference)
         return {.fate = Fate::same_code, .killers = {}};
@@ -136,7 +137,7 @@ Outcome Workshop::judge(const Precision& precision, const std::string& source) c
     return {.fate = Fate::killed, .killers = cases_in(report_, false)};
 }
 
-Outcome Workshop::judge(const std::string& source) const {
+Outcome BuildDirectory::judge(const std::string& source) const {
     for (const Precision& precision : precisions_) {
         Outcome outcome = judge(precision, source);
         if (outcome.fate != Fate::survived) return outcome;

@@ -21,13 +21,13 @@ struct Outcome {
 
 /// The stage's suites are linked in advance, without the stage's library. Each mutant becomes that
 /// library.
-class Workshop {
+class BuildDirectory {
 public:
     /// Throws std::runtime_error if the reference does not pass.
-    Workshop(const std::string& stage, const std::string& reference, bool every_case);
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
-    ~Workshop();
+    BuildDirectory(const std::string& stage, const std::string& reference, bool every_case);
+    BuildDirectory(const BuildDirectory&) = delete;
+    BuildDirectory& operator=(const BuildDirectory&) = delete;
+    ~BuildDirectory();
 
     /// The result of the double suite on a source and, if it finds nothing, of the float suite.
     [[nodiscard]] Outcome judge(const std::string& source) const;

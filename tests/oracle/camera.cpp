@@ -5,7 +5,7 @@ namespace rt::oracle {
 namespace {
 
 /// The product of the matrix and the point, divided by its w.
-NumberVector projected(const Matrix& matrix, const std::array<Exact, 4>& point) {
+NumberVector snapped_to(const Matrix& matrix, const std::array<Exact, 4>& point) {
     std::array<Exact, 4> product;
     for (std::size_t row = 0; row < 4; ++row)
         for (std::size_t column = 0; column < 4; ++column)
@@ -33,13 +33,13 @@ NumberRay camera_ray(Pixel pixel, Resolution resolution, const Exact& vertical_f
 
 NumberRay unprojected_ray(Pixel pixel, const Matrix& camera_to_world,
                           const Matrix& image_to_world) {
-    const NumberVector start = projected(camera_to_world, {0, 0, 0, 1});
+    const NumberVector start = snapped_to(camera_to_world, {0, 0, 0, 1});
     const NumberVector end =
-        projected(image_to_world, {pixel.column + Exact(0.5), pixel.row + Exact(0.5), 1, 1});
+        snapped_to(image_to_world, {pixel.column + Exact(0.5), pixel.row + Exact(0.5), 1, 1});
     return {.origin = start, .direction = end - start};
 }
 
-Basis<Number> basis_around(const ExactVector& z) {
+Basis<Number> orthonormal_basis(const ExactVector& z) {
     if (z.x.sign() == 0 && z.z.sign() == 0) {
         const Number up = z.y.sign();
         return {.x = {1, 0, 0}, .y = {0, 0, -up}, .z = {0, up, 0}};
@@ -50,10 +50,10 @@ Basis<Number> basis_around(const ExactVector& z) {
 }
 
 Basis<Number> camera_basis(const ExactVector& direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
-ExactVector turned(const ExactVector& v, const Basis<Exact>& basis) {
+ExactVector rotated(const ExactVector& v, const Basis<Exact>& basis) {
     return v.x * basis.x + v.y * basis.y + v.z * basis.z;
 }
 

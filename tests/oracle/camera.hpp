@@ -30,11 +30,11 @@ using Matrix = std::array<std::array<Exact, 4>, 4>;
 [[nodiscard]] NumberRay unprojected_ray(Pixel pixel, const Matrix& camera_to_world,
                                         const Matrix& image_to_world);
 
-[[nodiscard]] Basis<Number> basis_around(const ExactVector& z);
+[[nodiscard]] Basis<Number> orthonormal_basis(const ExactVector& z);
 [[nodiscard]] Basis<Number> camera_basis(const ExactVector& direction);
 
 /// A vector of the basis' frame, in the world's.
-[[nodiscard]] ExactVector turned(const ExactVector& v, const Basis<Exact>& basis);
+[[nodiscard]] ExactVector rotated(const ExactVector& v, const Basis<Exact>& basis);
 
 /// The result of `view_matrix` for a point: its coordinates in the basis, relative to the position.
 [[nodiscard]] ExactVector seen(const ExactVector& point, const Basis<Exact>& basis,

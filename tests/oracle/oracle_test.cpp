@@ -13,12 +13,12 @@ using namespace rt::oracle;
 namespace {
 
 /// Ninety of the hundred digits, relative to 1 at least.
-bool same(const Number& came, const Number& expected) {
-    return abs(came - expected) <= Number("1e-90") * (1 + abs(expected));
+bool same(const Number& got, const Number& expected) {
+    return abs(got - expected) <= Number("1e-90") * (1 + abs(expected));
 }
 
-bool same(const NumberVector& came, const NumberVector& expected) {
-    return same(came.x, expected.x) && same(came.y, expected.y) && same(came.z, expected.z);
+bool same(const NumberVector& got, const NumberVector& expected) {
+    return same(got.x, expected.x) && same(got.y, expected.y) && same(got.z, expected.z);
 }
 
 Number fraction(int numerator, int denominator) {
@@ -27,8 +27,8 @@ Number fraction(int numerator, int denominator) {
 
 template <class Shape>
 bool meets(const Ray& ray, const Shape& shape, const Number& t, const Interval& interval = {}) {
-    const auto came = intersect(ray, shape, interval);
-    return came && same(came->value(), t);
+    const auto got = intersect(ray, shape, interval);
+    return got && same(got->value(), t);
 }
 
 template <class Shape>
@@ -236,15 +236,15 @@ TEST_CASE("rays through pixels (MRT §1, by hand)") {
 }
 
 TEST_CASE("bases (MRT §2, by hand)") {
-    const auto [x, y, z] = basis_around({3, 0, 4});
+    const auto [x, y, z] = orthonormal_basis({3, 0, 4});
     CHECK(same(x, {fraction(4, 5), 0, fraction(-3, 5)}));
     CHECK(same(y, {0, 1, 0}));
     CHECK(same(z, {fraction(3, 5), 0, fraction(4, 5)}));
-    const auto tilted = basis_around({6, 2, 3});  // of length 7
+    const auto tilted = orthonormal_basis({6, 2, 3});  // of length 7
     CHECK(same(tilted.z, {fraction(6, 7), fraction(2, 7), fraction(3, 7)}));
     CHECK(same(cross(tilted.z, tilted.x), tilted.y));
     for (const int up : {1, -1}) {
-        const auto vertical = basis_around({0, up * Exact(tiny), 0});
+        const auto vertical = orthonormal_basis({0, up * Exact(tiny), 0});
         CHECK(same(vertical.x, {1, 0, 0}));
         CHECK(same(vertical.z, {0, up, 0}));
         CHECK(same(cross(vertical.z, vertical.x), vertical.y));
@@ -252,6 +252,6 @@ TEST_CASE("bases (MRT §2, by hand)") {
     CHECK(same(camera_basis({0, 0, -9}).z, {0, 0, 1}));
 
     const Basis<Exact> turn{.x = {0, 1, 0}, .y = {0, 0, 1}, .z = {1, 0, 0}};
-    CHECK(same(number(turned({1, 2, 3}, turn)), {3, 1, 2}));
+    CHECK(same(number(rotated({1, 2, 3}, turn)), {3, 1, 2}));
     CHECK(same(number(seen({13, 11, 12}, turn, {10, 10, 10})), {1, 2, 3}));
 }

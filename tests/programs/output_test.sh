@@ -89,7 +89,7 @@ unheard() {
 }
 if [ -c /dev/full ]; then
     unheard --pixel 0,0
-    unheard --explain
+    unheard --requirements
     unheard --help
     unheard -o unheard.png
 fi

@@ -106,13 +106,13 @@ done
 [ ! -e story.png ] || fail "a story makes no picture"
 
 # The requirements of a scene, the same from every stage, and the unsupported ones; no picture.
-"$build/step05_triangle" "$scenes/step12_mirror.rt" --explain -o explained.png > out
+"$build/step05_triangle" "$scenes/step12_mirror.rt" --requirements -o explained.png > out
 for words in requires step03_sphere step09_phong 'lights* with a size' step12_mirror 'does not use'; do
-    grep -q "$words" out || fail "--explain tells $words"
+    grep -q "$words" out || fail "--requirements tells $words"
 done
-[ ! -e explained.png ] || fail "--explain makes no picture"
-"$build/step05_triangle" "$scenes/one_sphere.rt" --explain > out
-grep -q 'there is no mirror' out || fail "--explain tells what is left out"
+[ ! -e explained.png ] || fail "--requirements makes no picture"
+"$build/step05_triangle" "$scenes/one_sphere.rt" --requirements > out
+grep -q 'there is no mirror' out || fail "--requirements tells what is left out"
 grep -q 'at risk' out && fail "no scene of scenes/ is at risk in float"
 
 # Losses of float in a scene: sizes beside large coordinates, and gaps.
@@ -121,14 +121,14 @@ C 0,0,10 0,0,-1 60'
 printf '%s\nsp 0,0,0 2 9,9,9\nsp 0,0,0 2.00000002 9,9,9\n' "$camera" > gap.rt
 printf '%s\nsp 3000000,0,0 2 9,9,9\n' "$camera" > far.rt
 for scene in gap far; do
-    "$build/step03_sphere" $scene.rt --explain > out
-    grep -q 'at risk with --precision float' out || fail "--explain tells what float loses: $scene"
+    "$build/step03_sphere" $scene.rt --requirements > out
+    grep -q 'at risk with --precision float' out || fail "--requirements tells what float loses: $scene"
     "$build/step03_sphere" $scene.rt -o a.png --size 8x6 --precision float > out 2> err
     grep -q "$scene.rt: warning: .*--precision double" err || fail "float warns: $scene"
     "$build/step03_sphere" $scene.rt -o a.png --size 8x6 > out 2> err
     ! grep -q precision err || fail "double does not warn: $scene"
 done
-"$build/step03_sphere" gap.rt --explain | grep -q 'only 1e-08 apart' || fail "how small the gap is"
+"$build/step03_sphere" gap.rt --requirements | grep -q 'only 1e-08 apart' || fail "how small the gap is"
 
 # Fewer rays by --shadow-error, counted in the report, and the same bytes on any number of threads.
 soft=$scenes/step11_soft_shadows.rt

@@ -37,7 +37,7 @@ program() {
     mv built/new "built/$1"
 }
 program step05_triangle "--shade normal"
-program step05_triangle_of_reference
+program step05_triangle_reference_program
 
 # script COMMANDS: makes these the student's program.
 script() {

@@ -28,10 +28,10 @@ inline std::uint64_t number_from(const char* variable, std::uint64_t otherwise) 
 }
 
 /// The distance from the exact t in ulps.
-inline double ulps_between(Real came, const oracle::Number& expected) {
+inline double ulps_between(Real got, const oracle::Number& expected) {
     const auto nearest = expected.convert_to<Real>();
     const Real ulp = std::nextafter(std::abs(nearest), infinity) - std::abs(nearest);
-    return abs((oracle::Number(came) - expected) / oracle::Number(ulp)).convert_to<double>();
+    return abs((oracle::Number(got) - expected) / oracle::Number(ulp)).convert_to<double>();
 }
 
 template <class Shape>
@@ -43,10 +43,10 @@ std::optional<oracle::Number> exact_t(const Case<Shape>& asked, Interval interva
 
 /// The distance of the answer from the exact one: infinite if one of them is a miss.
 template <class Shape>
-double ulps_off(const Case<Shape>& asked, Interval interval, std::optional<Real> came) {
+double ulps_off(const Case<Shape>& asked, Interval interval, std::optional<Real> got) {
     const auto expected = exact_t(asked, interval);
-    if (came.has_value() != expected.has_value()) return double(infinity);
-    return came ? ulps_between(*came, *expected) : 0;
+    if (got.has_value() != expected.has_value()) return double(infinity);
+    return got ? ulps_between(*got, *expected) : 0;
 }
 
 }  // namespace rt

@@ -29,13 +29,13 @@ namespace {
 constexpr int cases = 4'000;
 
 /// The difference of two numbers, in u of a size.
-double error(Real came, const Number& exact, double size = 1) {
-    return abs(exact - came).convert_to<double>() / (double(unit_roundoff) * size);
+double error(Real got, const Number& exact, double size = 1) {
+    return abs(exact - got).convert_to<double>() / (double(unit_roundoff) * size);
 }
 
-double error(Vec3 came, const NumberVector& exact, double size = 1) {
+double error(Vec3 got, const NumberVector& exact, double size = 1) {
     return std::max(
-        {error(came.x, exact.x, size), error(came.y, exact.y, size), error(came.z, exact.z, size)});
+        {error(got.x, exact.x, size), error(got.y, exact.y, size), error(got.z, exact.z, size)});
 }
 
 /// Not NaN either.
@@ -84,15 +84,15 @@ TEST_CASE("a pixel's place on the screen is within 5 u of itself") {
             const Pixel pixel{.row = random.below(size.height), .column = random.below(size.width)};
             const Real fov = std::abs(decades(random, -6, Real(0.49)));
             const auto [x, y] = oracle::pixel_on_screen(pixel, size, fov);
-            const Vec2 came = pixel_on_screen(pixel, size, fov);
+            const Vec2 got = pixel_on_screen(pixel, size, fov);
             const Ray ray = camera_ray(pixel, size, fov);
             const auto relative = [](Real number, const Number& exact) {
                 return exact == 0 ? error(number, exact)
                                   : error(number, exact, abs(exact).convert_to<double>());
             };
-            if (ray.origin != Vec3(0) || ray.direction != Vec3(came, -1))
+            if (ray.origin != Vec3(0) || ray.direction != Vec3(got, -1))
                 return verdict(false, "camera_ray is not through pixel_on_screen");
-            return within(std::max(relative(came.x, x), relative(came.y, y)), 5,
+            return within(std::max(relative(got.x, x), relative(got.y, y)), 5,
                           "pixel_on_screen({" + std::to_string(pixel.row) + ", " +
                               std::to_string(pixel.column) + "}, …, " + text(fov) + ")");
         },
@@ -111,7 +111,7 @@ TEST_CASE("a ray from inverse matrices is within 12 u of the terms of its sums")
                 }
             const Pixel pixel{.row = random.below(2000), .column = random.below(2000)};
             const auto expected = oracle::unprojected_ray(pixel, exact(camera), exact(image));
-            const Ray came = unprojected_ray(pixel, camera, image);
+            const Ray got = unprojected_ray(pixel, camera, image);
             // Each coordinate's sum of sizes, over w; and w's own relative error.
             const Vec4 point(Real(pixel.column) + Real(0.5), Real(pixel.row) + Real(0.5), 1, 1);
             const auto sizes = [](const Mat4& m, Vec4 p) {
@@ -125,8 +125,8 @@ TEST_CASE("a ray from inverse matrices is within 12 u of the terms of its sums")
             };
             const double start = sizes(camera, Vec4(0, 0, 0, 1));
             const double end = sizes(image, point);
-            return within(std::max(error(came.origin, expected.origin, start),
-                                   error(came.direction, expected.direction, start + end)),
+            return within(std::max(error(got.origin, expected.origin, start),
+                                   error(got.direction, expected.direction, start + end)),
                           12, "unprojected_ray");
         },
         cases));
@@ -142,13 +142,13 @@ TEST_CASE("bases are within 10 u, up to the vertical and at any length (MRT §2)
             if (random.below(4) == 0) z = length * random.direction();
             if (random.below(16) == 0) z.x = 0;
             if (random.below(16) == 0) z.z = 0;
-            const auto off = [](const Basis& came, const oracle::Basis<Number>& expected) {
-                return std::max({error(came.x, expected.x), error(came.y, expected.y),
-                                 error(came.z, expected.z)});
+            const auto off = [](const Basis& got, const oracle::Basis<Number>& expected) {
+                return std::max(
+                    {error(got.x, expected.x), error(got.y, expected.y), error(got.z, expected.z)});
             };
-            return within(std::max(off(basis_around(z), oracle::basis_around(exact(z))),
+            return within(std::max(off(orthonormal_basis(z), oracle::orthonormal_basis(exact(z))),
                                    off(camera_basis(z), oracle::camera_basis(exact(z)))),
-                          10, "basis_around(" + code(z) + ")");
+                          10, "orthonormal_basis(" + code(z) + ")");
         },
         10 * cases));
 }
@@ -159,13 +159,13 @@ TEST_CASE("a ray carried into the world, and a point into the camera's frame, wi
             const Basis basis = random.basis();
             const Vec3 position = random.point(100);
             const Ray ray{.origin = random.point(1), .direction = random.point(1)};
-            const Ray came = to_world(ray, basis, position);
-            const auto turned = [&](Vec3 v) { return oracle::turned(exact(v), exact(basis)); };
+            const Ray got = to_world(ray, basis, position);
+            const auto rotated = [&](Vec3 v) { return oracle::rotated(exact(v), exact(basis)); };
             const double size = double(largest_component(ray.direction)) * 3;
             if (const Verdict good =
-                    within(std::max(error(came.origin, number(exact(position) + turned(ray.origin)),
+                    within(std::max(error(got.origin, number(exact(position) + rotated(ray.origin)),
                                           double(largest_component(position)) + 3),
-                                    error(came.direction, number(turned(ray.direction)), size)),
+                                    error(got.direction, number(rotated(ray.direction)), size)),
                            4, "to_world");
                 !good)
                 return good;
@@ -278,8 +278,9 @@ TEST_CASE("u and v of a square, colors, the torch and mirrors are within 10 u") 
             const Vec3 n = random.direction();
             // From so near that the difference is exact, or from as far.
             const Vec3 eye = point + decades(random, -3, 3) * random.direction();
-            const Surface surface{
-                .point = {}, .normal = facing(n, direction), .side = facing(n, direction)};
+            const ShadingPoint surface{.point = {},
+                                       .normal = face_forward(n, direction),
+                                       .geometric_normal = face_forward(n, direction)};
             const auto size = double(length(direction));
             return within(
                 std::max({error(uv.x, u, 2), error(uv.y, v, 2),
@@ -297,13 +298,14 @@ TEST_CASE("u and v of a square, colors, the torch and mirrors are within 10 u") 
 TEST_CASE("no box that a ray meets is lost, at its corners and edges either") {
     CHECK(for_all(
         [](Random& random) {
-            std::array<Box, 8> boxes;
+            std::array<BoundingBox, 8> boxes;
             const Real scale = std::abs(decades(random, -12, 12));
-            for (Box& box : boxes) {
+            for (BoundingBox& box : boxes) {
                 const Vec3 corner = scale * random.point(4);
-                box = united(Box{.min = corner, .max = corner}, corner + scale * random.point(1));
+                box = merged(BoundingBox{.min = corner, .max = corner},
+                             corner + scale * random.point(1));
             }
-            const Box& aim = boxes[std::size_t(random.below(8))];
+            const BoundingBox& aim = boxes[std::size_t(random.below(8))];
             Vec3 target;
             for (glm::length_t axis = 0; axis < 3;
                  ++axis)  // a corner, or a point of an edge or face
@@ -315,10 +317,10 @@ TEST_CASE("no box that a ray meets is lost, at its corners and edges either") {
             if (random.below(3) == 0) direction[random.below(3)] = 0;
             const Ray ray{.origin = target - scale * random.between(0, 8) * direction,
                           .direction = std::abs(decades(random, -9, 9)) * direction};
-            const Hierarchy hierarchy(boxes.size(), [&](std::size_t i) { return boxes[i]; });
+            const Bvh hierarchy(boxes.size(), [&](std::size_t i) { return boxes[i]; });
             std::array<bool, 8> seen{};
             Interval interval;
-            SlabTests slabs(ray);
+            RayBoxTestCache slabs(ray);
             hierarchy.nearest(slabs, interval, [&](std::uint32_t index) { seen[index] = true; });
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const auto& [min, max] = boxes[i];

@@ -69,7 +69,7 @@ double ulps_off(const Case<Shape>& asked) {
 }
 
 template <class Shape>
-void climb(const char* shape) {
+void measure_ladder(const char* shape) {
     constexpr int steps = 300;
     const std::uint64_t climbs = 40 * number_from("RAYSTEPS_STABILITY", 1);
     double worst = 0;
@@ -102,19 +102,19 @@ void climb(const char* shape) {
 }  // namespace
 
 TEST_CASE("no search makes a certified t wrong by more than a few ulps") {
-    climb<Sphere>("sphere");
-    climb<Plane>("plane");
-    climb<Triangle>("triangle");
-    climb<Square>("square");
-    climb<Cylinder>("cylinder");
-    climb<Cone>("cone");
+    measure_ladder<Sphere>("sphere");
+    measure_ladder<Plane>("plane");
+    measure_ladder<Triangle>("triangle");
+    measure_ladder<Square>("square");
+    measure_ladder<Cylinder>("cylinder");
+    measure_ladder<Cone>("cone");
 }
 
 TEST_CASE("the largest known errors of certified t, and cases with underflowing products") {
     const auto check = [](const auto& asked, double bound) {
-        const auto came = intersect(asked.ray, asked.shape, {});
-        INFO(told(asked.ray, asked.shape, {}, came, std::nullopt));
-        CHECK(ulps_off(asked, {}, came) <= bound);
+        const auto got = intersect(asked.ray, asked.shape, {});
+        INFO(told(asked.ray, asked.shape, {}, got, std::nullopt));
+        CHECK(ulps_off(asked, {}, got) <= bound);
     };
     check(
         Case<Triangle>{

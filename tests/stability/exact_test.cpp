@@ -51,15 +51,15 @@ Worst measured(Sweep sweep, std::uint64_t rays) {
         if (sweep == Sweep::distance && random.coin()) go_farther(random, asked.ray);
         Interval interval;
         for (int question = 0; question < 2; ++question) {
-            const auto came = intersect(asked.ray, asked.shape, interval);
-            const double off = ulps_off(asked, interval, came);
+            const auto got = intersect(asked.ray, asked.shape, interval);
+            const double off = ulps_off(asked, interval, got);
             worst.add(off, off <= certified_ulps
                                ? ""
-                               : told(asked.ray, asked.shape, interval, came, std::nullopt) +
+                               : told(asked.ray, asked.shape, interval, got, std::nullopt) +
                                      "\n  ulps off: " + std::to_string(off) + "\n  random:   ray " +
                                      std::to_string(i));
-            if (!came) break;
-            interval = around(random, *came);
+            if (!got) break;
+            interval = around(random, *got);
         }
     }
     return worst;

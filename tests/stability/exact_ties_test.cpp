@@ -78,7 +78,7 @@ void tied(Random& random, Cone& cone) {
 }
 
 /// Equality, as far as a double can represent it.
-Verdict is_exact(const oracle::Exact& exact, const TwoWords& rounded) {
+Verdict is_exact(const oracle::Exact& exact, const DoubleDouble& rounded) {
     const oracle::Number off =
         abs(exact.number() - oracle::Number(rounded.high) - oracle::Number(rounded.low));
     return verdict(off <= oracle::Number(Real(1.01) * rounded.error),
@@ -95,13 +95,13 @@ TEMPLATE_TEST_CASE("ties are decided as exact arithmetic does", "", Sphere, Plan
             tied(random, asked.shape);
             asked.ray = {.origin = whole(random, 5), .direction = whole_direction(random, 3)};
             const Interval interval{.min = Real(random.below(3)), .max = infinity};
-            const auto came = intersect(asked.ray, asked.shape, interval);
+            const auto got = intersect(asked.ray, asked.shape, interval);
             const auto root = intersect(exact(asked.ray), exact(asked.shape), exact(interval));
             std::optional<Real> expected;
             if (root) expected = root->value().template convert_to<Real>();
-            return verdict(came.has_value() == expected.has_value() &&
-                               (!came || std::abs(*came - *expected) <= 8 * epsilon * *came),
-                           told(asked.ray, asked.shape, interval, came, expected));
+            return verdict(got.has_value() == expected.has_value() &&
+                               (!got || std::abs(*got - *expected) <= 8 * epsilon * *got),
+                           told(asked.ray, asked.shape, interval, got, expected));
         },
         20'000));
 }
@@ -112,7 +112,7 @@ TEST_CASE("sums and products of dyadic numbers are exact, those of two words wit
             // Numbers of very different sizes, and their opposites, so that most of it cancels.
             oracle::Exact exact = 1;
             Dyadic dyadic = Real(1);
-            TwoWords words = Real(1);
+            DoubleDouble words = Real(1);
             Real last = 1;
             for (int i = 0; i < 12; ++i) {
                 const Real drawn = random.between(-1, 1) * std::ldexp(Real(1), random.below(60));
@@ -121,11 +121,11 @@ TEST_CASE("sums and products of dyadic numbers are exact, those of two words wit
                 if (random.coin() || number == 0) {
                     exact = exact + oracle::Exact(number);
                     dyadic = dyadic + Dyadic(number);
-                    words = words + TwoWords(number);
+                    words = words + DoubleDouble(number);
                 } else {
                     exact = exact * oracle::Exact(number) - oracle::Exact(number);
                     dyadic = dyadic * Dyadic(number) - Dyadic(number);
-                    words = words * TwoWords(number) - TwoWords(number);
+                    words = words * DoubleDouble(number) - DoubleDouble(number);
                 }
             }
             const auto sign = words.sign();

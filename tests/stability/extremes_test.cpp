@@ -48,9 +48,9 @@ std::vector<Real*> numbers(Case<Shape>& asked) {
 
 template <class Shape>
 Verdict is_sound(const Case<Shape>& asked, Interval interval) {
-    const auto came = intersect(asked.ray, asked.shape, interval);
-    return verdict(!came || interval.contains(*came),
-                   told(asked.ray, asked.shape, interval, came, std::nullopt));
+    const auto got = intersect(asked.ray, asked.shape, interval);
+    return verdict(!got || interval.contains(*got),
+                   told(asked.ray, asked.shape, interval, got, std::nullopt));
 }
 
 template <class Shape>

@@ -43,9 +43,9 @@ Real reach(const Cone& cone) {
 
 /// u L.
 template <class Shape>
-double unit_of(const Case<Shape>& asked, std::optional<Real> came) {
+double unit_of(const Case<Shape>& asked, std::optional<Real> got) {
     Real largest = std::max(largest_component(asked.ray.origin), reach(asked.shape));
-    if (came) largest = std::max(largest, largest_component(at(asked.ray, *came)));
+    if (got) largest = std::max(largest, largest_component(at(asked.ray, *got)));
     return double(unit_roundoff) * double(largest);
 }
 
@@ -73,12 +73,12 @@ Answer answer(const oracle::Ray& ray, const Shape& shape, const oracle::Interval
 /// True if the answers agree: both miss, or both hit at the same root. Near a silhouette the two
 /// roots are ill-conditioned, but their middle is not: a hit is at the other root if it is within a
 /// quarter of the distance to it, and that distance exceeds the rounding error.
-bool same(std::optional<Real> came, const Answer& exact, const Number& rounding) {
-    if (!came || !exact.first) return came.has_value() == exact.first.has_value();
+bool same(std::optional<Real> got, const Answer& exact, const Number& rounding) {
+    if (!got || !exact.first) return got.has_value() == exact.first.has_value();
     const Number& first = exact.roots[*exact.first];
     return std::ranges::all_of(exact.roots, [&](const Number& other) {
         const Number way = abs(other - first);
-        return way <= rounding || abs(other - *came) > way / 4;
+        return way <= rounding || abs(other - *got) > way / 4;
     });
 }
 
@@ -88,31 +88,31 @@ Number rounding(const Case<Shape>& asked, double unit) {
     return 64 * unit / length(exact(asked.ray.direction));
 }
 
-double ulps_between(Real came, const Number& expected) {
+double ulps_between(Real got, const Number& expected) {
     // An ulp of the exact value, within Real's range.
     const auto nearest = expected.convert_to<Real>();
     if (!(nearest < infinity)) return 0;
     const Real next = std::nextafter(nearest, Real(0));
-    return abs((Number(came) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
+    return abs((Number(got) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
 }
 
 template <class Shape>
-Judgement judge(const Case<Shape>& asked, std::optional<Real> came) {
+Judgement judge(const Case<Shape>& asked, std::optional<Real> got) {
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
-    const double unit = unit_of(asked, came);
+    const double unit = unit_of(asked, got);
     const Answer expected = answer(ray, shape, exact(asked.interval));
-    Judgement judgement{.wrong = !same(came, expected, rounding(asked, unit))};
-    if (!came) return judgement;
+    Judgement judgement{.wrong = !same(got, expected, rounding(asked, unit))};
+    if (!got) return judgement;
     judgement.off =
-        Number(off_surface(point_at(ray, *came), shape) / unit).template convert_to<double>();
-    if (!judgement.wrong) judgement.ulps = ulps_between(*came, expected.roots[*expected.first]);
+        Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
+    if (!judgement.wrong) judgement.ulps = ulps_between(*got, expected.roots[*expected.first]);
     return judgement;
 }
 
 /// True if the answer is right for a ray that is moved by this much, across itself or along.
 template <class Shape>
-bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double distance) {
+bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double distance) {
     constexpr int ways = 16;
     const glm::dvec3 d =
         glm::normalize(glm::dvec3(asked.ray.direction / largest_component(asked.ray.direction)));
@@ -125,7 +125,7 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double d
         oracle::Ray ray = exact(asked.ray);
         move *= distance;
         ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
-        return same(came, answer(ray, shape, interval), rounding(asked, distance));
+        return same(got, answer(ray, shape, interval), rounding(asked, distance));
     };
     for (int i = 0; i < ways; ++i) {
         const double angle = 2 * std::numbers::pi * i / ways;
@@ -135,13 +135,13 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> came, double d
 }
 
 template <class Shape>
-double band_of(const Case<Shape>& asked, std::optional<Real> came, double known) {
-    const double unit = unit_of(asked, came);
+double band_of(const Case<Shape>& asked, std::optional<Real> got, double known) {
+    const double unit = unit_of(asked, got);
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
     double direct = std::numeric_limits<double>::infinity();
-    if (came && !answer(ray, shape, exact(asked.interval)).first) {
-        const ExactVector point = point_at(ray, *came);
+    if (got && !answer(ray, shape, exact(asked.interval)).first) {
+        const ExactVector point = point_at(ray, *got);
         Number way = gap(ray, point, shape) / unit;
         // The ray hits the shape, but not in the interval, which may be shorter than any move.
         if (way <= 0) way = off_surface(point, shape) / unit;
@@ -149,11 +149,11 @@ double band_of(const Case<Shape>& asked, std::optional<Real> came, double known)
     }
     if (direct <= known) return known;
     constexpr double most = 1e6;  // more than that is no longer a matter of rounding
-    if (known >= most || right_if_moved(asked, came, known * unit)) return known;
+    if (known >= most || right_if_moved(asked, got, known * unit)) return known;
     // Between two rims, a large move may be wrong again although a small one is right.
     constexpr double step = 1.125;
     double distance = 1.0 / 64;
-    while (distance < std::min(direct, most) && !right_if_moved(asked, came, distance * unit))
+    while (distance < std::min(direct, most) && !right_if_moved(asked, got, distance * unit))
         distance *= step;
     return std::max(known, std::min(distance, direct));
 }
@@ -167,72 +167,72 @@ std::optional<Real> rounded_answer(const Case<Shape>& asked) {
 
 }  // namespace
 
-Judgement judged(const Case<Sphere>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Sphere>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Sphere>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Sphere>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Sphere>& asked) {
     return rounded_answer(asked);
 }
 
-Judgement judged(const Case<Plane>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Plane>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Plane>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Plane>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Plane>& asked) {
     return rounded_answer(asked);
 }
 
-Judgement judged(const Case<Triangle>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Triangle>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Triangle>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Triangle>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Triangle>& asked) {
     return rounded_answer(asked);
 }
 
-Judgement judged(const Case<Square>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Square>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Square>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Square>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Square>& asked) {
     return rounded_answer(asked);
 }
 
-Judgement judged(const Case<Cylinder>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Cylinder>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Cylinder>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Cylinder>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Cylinder>& asked) {
     return rounded_answer(asked);
 }
 
-Judgement judged(const Case<Cone>& asked, std::optional<Real> came) {
-    return judge(asked, came);
+Judgement judged(const Case<Cone>& asked, std::optional<Real> got) {
+    return judge(asked, got);
 }
 
-double band(const Case<Cone>& asked, std::optional<Real> came, double known) {
-    return band_of(asked, came, known);
+double band(const Case<Cone>& asked, std::optional<Real> got, double known) {
+    return band_of(asked, got, known);
 }
 
 std::optional<Real> exact_answer(const Case<Cone>& asked) {

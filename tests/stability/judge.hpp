@@ -16,22 +16,22 @@ struct Judgement {
     std::optional<double> ulps;  ///< of a right hit: the distance of t from the exact one
 };
 
-[[nodiscard]] Judgement judged(const Case<Sphere>& asked, std::optional<Real> came);
-[[nodiscard]] Judgement judged(const Case<Plane>& asked, std::optional<Real> came);
-[[nodiscard]] Judgement judged(const Case<Triangle>& asked, std::optional<Real> came);
-[[nodiscard]] Judgement judged(const Case<Square>& asked, std::optional<Real> came);
-[[nodiscard]] Judgement judged(const Case<Cylinder>& asked, std::optional<Real> came);
-[[nodiscard]] Judgement judged(const Case<Cone>& asked, std::optional<Real> came);
+[[nodiscard]] Judgement judged(const Case<Sphere>& asked, std::optional<Real> got);
+[[nodiscard]] Judgement judged(const Case<Plane>& asked, std::optional<Real> got);
+[[nodiscard]] Judgement judged(const Case<Triangle>& asked, std::optional<Real> got);
+[[nodiscard]] Judgement judged(const Case<Square>& asked, std::optional<Real> got);
+[[nodiscard]] Judgement judged(const Case<Cylinder>& asked, std::optional<Real> got);
+[[nodiscard]] Judgement judged(const Case<Cone>& asked, std::optional<Real> got);
 
 // The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
 // answer that a move by `known` makes right is not examined further, and gives `known`.
 
-[[nodiscard]] double band(const Case<Sphere>& asked, std::optional<Real> came, double known);
-[[nodiscard]] double band(const Case<Plane>& asked, std::optional<Real> came, double known);
-[[nodiscard]] double band(const Case<Triangle>& asked, std::optional<Real> came, double known);
-[[nodiscard]] double band(const Case<Square>& asked, std::optional<Real> came, double known);
-[[nodiscard]] double band(const Case<Cylinder>& asked, std::optional<Real> came, double known);
-[[nodiscard]] double band(const Case<Cone>& asked, std::optional<Real> came, double known);
+[[nodiscard]] double band(const Case<Sphere>& asked, std::optional<Real> got, double known);
+[[nodiscard]] double band(const Case<Plane>& asked, std::optional<Real> got, double known);
+[[nodiscard]] double band(const Case<Triangle>& asked, std::optional<Real> got, double known);
+[[nodiscard]] double band(const Case<Square>& asked, std::optional<Real> got, double known);
+[[nodiscard]] double band(const Case<Cylinder>& asked, std::optional<Real> got, double known);
+[[nodiscard]] double band(const Case<Cone>& asked, std::optional<Real> got, double known);
 
 // The exact t, rounded once.
 

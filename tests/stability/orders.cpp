@@ -26,8 +26,8 @@ struct Face {
 
 using Shape = std::variant<Sphere, Plane, Triangle, Square, Cylinder, Cone, Face>;
 
-Face moved(const Face& face, const Motion& motion) {
-    return {moved(face.triangle, motion)};
+Face transformed(const Face& face, const Transform& transform) {
+    return {transformed(face.triangle, transform)};
 }
 
 std::string code(const Face& face) {
@@ -38,9 +38,10 @@ oracle::Triangle exact(const Face& face) {
     return rt::exact(face.triangle);
 }
 
-Shape moved(const Shape& shape, Vec3 way) {
+Shape transformed(const Shape& shape, Vec3 way) {
     return std::visit(
-        [&](const auto& one) { return Shape(moved(one, Motion{.translation = way})); }, shape);
+        [&](const auto& one) { return Shape(transformed(one, Transform{.translation = way})); },
+        shape);
 }
 
 /// The exact first intersection of the ray and the shape, to a hundred digits.
@@ -70,11 +71,11 @@ One in_scene(const One& shape) {
     return shape;
 }
 
-PlacedMesh in_scene(const Face& face) {
-    Model model{.mesh = mesh_of({face.triangle})};
+MeshInstance in_scene(const Face& face) {
+    MeshGeometry model{.mesh = mesh_of({face.triangle})};
     model.bounds = bounds(model.mesh);
     model.packed.emplace(model.mesh);
-    return {.model = std::make_shared<const Model>(std::move(model)), .placement = {}};
+    return {.model = std::make_shared<const MeshGeometry>(std::move(model)), .placement = {}};
 }
 
 constexpr Real far = 64;  ///< from the ray, where others are
@@ -89,46 +90,46 @@ const char* name(Way way) {
 /// required, which never contains planes.
 template <class One>
 auto items_of(const std::vector<One>& shapes, Way way, Real material) {
-    Items<decltype(in_scene(shapes[0]))> items;
+    PrimitiveList<decltype(in_scene(shapes[0]))> primitives;
     for (const One& shape : shapes) {
-        items.push_back({.shape = in_scene(shape), .material = {.mirror = material}});
+        primitives.push_back({.shape = in_scene(shape), .material = {.mirror = material}});
         ++material;
         const bool others = way == Way::hierarchy && !std::is_same_v<One, Plane>;
         for (Real i = 0; i < 8 && others; ++i) {
-            const Motion aside{.translation = Vec3(far, far, material * far + i)};
-            items.push_back({.shape = in_scene(moved(shape, aside)), .material = {}});
+            const Transform aside{.translation = Vec3(far, far, material * far + i)};
+            primitives.push_back({.shape = in_scene(transformed(shape, aside)), .material = {}});
         }
     }
-    if (way == Way::balls) items.arrange({.hierarchy_from = Arrangement::never});
-    if (way == Way::hierarchy) items.arrange({.hierarchy_from = 1});
-    return items;
+    if (way == Way::balls) primitives.build_acceleration({.hierarchy_from = Acceleration::never});
+    if (way == Way::hierarchy) primitives.build_acceleration({.hierarchy_from = 1});
+    return primitives;
 }
 
 int nearest_of_faces(const Ray& ray, const Face& first, const Face& second, Way way) {
     std::vector<Triangle> triangles = {first.triangle};
     for (Real i = 0; i < 40 && way == Way::hierarchy; ++i)
-        triangles.push_back(moved(first.triangle, {.translation = Vec3(far, far, i)}));
+        triangles.push_back(transformed(first.triangle, {.translation = Vec3(far, far, i)}));
     triangles.push_back(second.triangle);
-    const auto hit = PackedMesh(mesh_of(triangles)).nearest(ray, {});
+    const auto hit = MeshBvh(mesh_of(triangles)).nearest(ray, {});
     return !hit ? 0 : hit->triangle == 0 ? 1 : 2;
 }
 
 template <class First, class Second>
 int nearest_of(const Ray& ray, const First& first, const Second& second, Way way) {
     Context context;
-    Nearest nearest(ray, context);
+    ClosestHit closest(ray, context);
     if constexpr (std::is_same_v<First, Second>) {
         if constexpr (std::is_same_v<First, Face>) return nearest_of_faces(ray, first, second, way);
-        const auto items = items_of(std::vector{first, second}, way, 1);
-        nearest.among(items);
-        const auto hit = nearest.hit();
+        const auto primitives = items_of(std::vector{first, second}, way, 1);
+        closest.test(primitives);
+        const auto hit = closest.hit();
         return hit ? int(hit->material->mirror) : 0;
     } else {
         const auto first_items = items_of(std::vector{first}, way, 1);
         const auto second_items = items_of(std::vector{second}, way, 2);
-        nearest.among(first_items);
-        nearest.among(second_items);
-        const auto hit = nearest.hit();
+        closest.test(first_items);
+        closest.test(second_items);
+        const auto hit = closest.hit();
         return hit ? int(hit->material->mirror) : 0;
     }
 }
@@ -136,17 +137,17 @@ int nearest_of(const Ray& ray, const First& first, const Second& second, Way way
 void ask(const Ray& ray, const Shape& first, const Shape& second, bool first_is_nearer,
          Orders& orders) {
     for (const Way way : {Way::list, Way::balls, Way::hierarchy}) {
-        const int came = std::visit(
+        const int got = std::visit(
             [&](const auto& one, const auto& other) { return nearest_of(ray, one, other, way); },
             first, second);
         ++orders.asked;
-        if (came == (first_is_nearer ? 1 : 2)) continue;
+        if (got == (first_is_nearer ? 1 : 2)) continue;
         if (orders.wrong++ != 0) continue;
         const auto told = [](const auto& one) { return code(one); };
         orders.where = "ray:    " + code(ray) + "\nfirst:  " + std::visit(told, first) +
                        "\nsecond: " + std::visit(told, second) + "\nnearer: the " +
                        (first_is_nearer ? "first" : "second") + ", but came " +
-                       std::to_string(came) + " of " + name(way);
+                       std::to_string(got) + " of " + name(way);
     }
 }
 
@@ -197,11 +198,11 @@ Shape moved_to(Random& random, Shape shape, const Ray& ray, const oracle::Number
     const auto off = [&](const Shape& one) {
         return oracle::Number((exact_t(ray, one) - t) / ulp).convert_to<Real>();
     };
-    shape = moved(shape, -off(shape) * ulp * ray.direction);
+    shape = transformed(shape, -off(shape) * ulp * ray.direction);
     Real least = off(shape);
     for (int i = 0; i < 40 && std::abs(least) > Real(1e-4); ++i) {
         const Real step = std::pow(Real(10), random.between(-3, 1)) * ulp;
-        const Shape other = moved(shape, step * random.direction());
+        const Shape other = transformed(shape, step * random.direction());
         const Real left = off(other);
         if (std::abs(left) >= std::abs(least)) continue;
         shape = other;

@@ -66,18 +66,18 @@ struct Row {
 
 /// `at_end`: an end of the interval is as near to the hit as its rounding.
 template <class Shape>
-void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real> came,
+void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real> got,
              const std::string& drawn) {
-    const Judgement judgement = judged(asked, came);
+    const Judgement judgement = judged(asked, got);
     const auto place = [&] {
-        return told(asked.ray, asked.shape, asked.interval, came, exact_answer(asked)) + drawn;
+        return told(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)) + drawn;
     };
     if (judgement.off) row.off.add(*judgement.off, place);
     if (judgement.ulps) row.ulps.add(*judgement.ulps, place);
     if (!judgement.wrong) return;
     ++row.wrong;
     Measure& band_of_kind = at_end ? row.end : row.band;
-    band_of_kind.add(band(asked, came, band_of_kind.worst), place);
+    band_of_kind.add(band(asked, got, band_of_kind.worst), place);
 }
 
 template <class Shape>
@@ -92,13 +92,13 @@ Row measured(Sweep sweep) {
         const std::string drawn =
             "\n  random:   RAYSTEPS_SEED=" + std::to_string(seed) + ", ray " + std::to_string(i);
         for (int question = 0; question < 2; ++question) {
-            const auto came = intersect(asked.ray, asked.shape, asked.interval);
+            const auto got = intersect(asked.ray, asked.shape, asked.interval);
             const bool at_end = question > 0 || sweep == Sweep::surface;
-            measure(row, asked, at_end, came, drawn);
+            measure(row, asked, at_end, got, drawn);
             ++row.rays;
             // From the surface, 0 is such an end already, and a ray has one move to excuse both.
-            if (!came || sweep == Sweep::surface || i % 4 != 0) break;
-            asked.interval = around(random, *came);
+            if (!got || sweep == Sweep::surface || i % 4 != 0) break;
+            asked.interval = around(random, *got);
         }
     }
     return row;

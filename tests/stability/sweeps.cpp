@@ -273,12 +273,12 @@ Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
     drawn.ray = {.origin = line.point - distance * line.direction,
                  .direction = random.between(Real(0.5), 2) * line.direction};
 
-    Motion motion;
-    if (sweep == Sweep::offset) motion.translation = decades(random, 0, 8) * random.direction();
-    if (sweep == Sweep::range) motion.scale = decades(random, -140, 140);
-    if (sweep == Sweep::scale) motion.scale = decades(random, -scale_decades, scale_decades);
-    drawn.shape = moved(drawn.shape, motion);
-    drawn.ray.origin = moved(drawn.ray.origin, motion);
+    Transform transform;
+    if (sweep == Sweep::offset) transform.translation = decades(random, 0, 8) * random.direction();
+    if (sweep == Sweep::range) transform.scale = decades(random, -140, 140);
+    if (sweep == Sweep::scale) transform.scale = decades(random, -scale_decades, scale_decades);
+    drawn.shape = transformed(drawn.shape, transform);
+    drawn.ray.origin = transformed(drawn.ray.origin, transform);
     if (sweep == Sweep::speed) drawn.ray.direction *= decades(random, -18, 18);
     if (sweep == Sweep::range) drawn.ray.direction *= decades(random, -150, 150);
     return line.beside;

@@ -94,15 +94,15 @@ TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §
     CHECK(gives("its origin", ray.origin, Vec3(0)));
     CHECK(gives("its direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
     CHECK(for_all([](Random& random) {
-        const Perspective drawn = random_perspective(random);
-        const Pixel pixel = random_pixel(drawn.resolution, random);
-        const Vec2 screen = center_of(pixel, drawn.resolution, drawn.vertical_fov);
-        const std::string asked = arguments(pixel, drawn.resolution, drawn.vertical_fov);
-        const Ray came = camera_ray(pixel, drawn.resolution, drawn.vertical_fov);
-        if (const Verdict origin = gives("the origin of camera_ray" + asked, came.origin, Vec3(0));
+        const Perspective rendered = random_perspective(random);
+        const Pixel pixel = random_pixel(rendered.resolution, random);
+        const Vec2 screen = center_of(pixel, rendered.resolution, rendered.vertical_fov);
+        const std::string asked = arguments(pixel, rendered.resolution, rendered.vertical_fov);
+        const Ray got = camera_ray(pixel, rendered.resolution, rendered.vertical_fov);
+        if (const Verdict origin = gives("the origin of camera_ray" + asked, got.origin, Vec3(0));
             !origin)
             return origin;
-        return gives("the direction of camera_ray" + asked, came.direction, Vec3(screen, -1));
+        return gives("the direction of camera_ray" + asked, got.direction, Vec3(screen, -1));
     }));
 }
 
@@ -125,12 +125,12 @@ TEST_CASE("both ends are divided by their w (M1)") {
 
 TEST_CASE("both ways give the same ray, to 64 s f^2/n u (MRT §1, M1)") {
     CHECK(for_all([](Random& random) {
-        const Perspective drawn = random_perspective(random);
-        const Pixel pixel = random_pixel(drawn.resolution, random);
-        const auto [camera, image] = inverse_matrices(view_from(Vec3(0)), drawn);
-        const Ray mrt = camera_ray(pixel, drawn.resolution, drawn.vertical_fov);
-        return same_ray(seen(pixel, drawn), unprojected_ray(pixel, camera, image), mrt,
-                        drawn.far_plane, both_ways_bound(drawn, Vec3(0)));
+        const Perspective rendered = random_perspective(random);
+        const Pixel pixel = random_pixel(rendered.resolution, random);
+        const auto [camera, image] = inverse_matrices(view_from(Vec3(0)), rendered);
+        const Ray mrt = camera_ray(pixel, rendered.resolution, rendered.vertical_fov);
+        return same_ray(seen(pixel, rendered), unprojected_ray(pixel, camera, image), mrt,
+                        rendered.far_plane, both_ways_bound(rendered, Vec3(0)));
     }));
 }
 

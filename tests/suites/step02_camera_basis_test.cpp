@@ -37,27 +37,26 @@ ExactBasis exact_basis(Vec3 towards) {
     return {x, y, z};
 }
 
-bool within_bound(Vec3 came, Exact3 expected) {
+bool within_bound(Vec3 got, Exact3 expected) {
     for (int i = 0; i < 3; ++i)
-        if (!(std::abs(Exact(came[i]) - expected[i]) <= Exact(bound))) return false;
+        if (!(std::abs(Exact(got[i]) - expected[i]) <= Exact(bound))) return false;
     return true;
 }
 
 Verdict basis_is_exact(Vec3 towards) {
-    const Basis came = basis_around(towards);
+    const Basis got = orthonormal_basis(towards);
     const auto [x, y, z] = exact_basis(towards);
-    return verdict(within_bound(came.x, x) && within_bound(came.y, y) && within_bound(came.z, z),
-                   "basis_around(" + code(towards) +
-                       "), each component within 10 u\n  came:     " + code(came) +
+    return verdict(within_bound(got.x, x) && within_bound(got.y, y) && within_bound(got.z, z),
+                   "orthonormal_basis(" + code(towards) +
+                       "), each component within 10 u\n  got:      " + code(got) +
                        "\n  expected: " + code(Basis{.x = Vec3(x), .y = Vec3(y), .z = Vec3(z)}));
 }
 
 Verdict basis_is(Vec3 direction, const Basis& expected) {
-    const Basis came = camera_basis(direction);
-    return verdict(
-        close(came.x, expected.x) && close(came.y, expected.y) && close(came.z, expected.z),
-        "camera_basis(" + code(direction) + ")\n  came:     " + code(came) +
-            "\n  expected: " + code(expected));
+    const Basis got = camera_basis(direction);
+    return verdict(close(got.x, expected.x) && close(got.y, expected.y) && close(got.z, expected.z),
+                   "camera_basis(" + code(direction) + ")\n  got:      " + code(got) +
+                       "\n  expected: " + code(expected));
 }
 
 /// Far from the vertical or near it, of any length.
@@ -127,7 +126,7 @@ TEST_CASE("the camera's basis is that around the opposite direction (MRT §2, Z 
         {.x = {Real(0.8), 0, Real(0.6)}, .y = {0, 1, 0}, .z = {Real(-0.6), 0, Real(0.8)}}));
     CHECK(for_all([](Random& random) {
         const Vec3 direction = draw_direction(random);
-        const auto& [x, y, z] = basis_around(-direction);
+        const auto& [x, y, z] = orthonormal_basis(-direction);
         return basis_is(direction, {.x = x, .y = y, .z = z});
     }));
 }

@@ -141,16 +141,17 @@ TEST_CASE("the normal points away from the center, with unit length (M1)") {
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("the nearest of several spheres is seen, in any order (M1, CR §2.1)") {
-    const Item<Sphere> near{.shape = {.center = {0, 0, 1}, .radius = 1},
-                            .material = {Color(1, 0, 0)}};
-    const Item<Sphere> far{.shape = {.center = {0, 0, -2}, .radius = 2},
-                           .material = {Color(0, 1, 0)}};
-    for (const auto& spheres : {Items<Sphere>({near, far}), Items<Sphere>({far, near})}) {
+TEST_CASE("the closest of several spheres is seen, in any order (M1, CR §2.1)") {
+    const Primitive<Sphere> near{.shape = {.center = {0, 0, 1}, .radius = 1},
+                                 .material = {Color(1, 0, 0)}};
+    const Primitive<Sphere> far{.shape = {.center = {0, 0, -2}, .radius = 2},
+                                .material = {Color(0, 1, 0)}};
+    for (const auto& spheres :
+         {PrimitiveList<Sphere>({near, far}), PrimitiveList<Sphere>({far, near})}) {
         Context context;
-        Nearest nearest(ahead, context);
-        nearest.among(spheres);
-        const std::optional<Hit> hit = nearest.hit();
+        ClosestHit closest(ahead, context);
+        closest.test(spheres);
+        const std::optional<Hit> hit = closest.hit();
         REQUIRE(hit);
         CHECK(close(hit->t, 3));
         CHECK(hit->material->color == Color(1, 0, 0));

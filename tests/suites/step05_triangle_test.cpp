@@ -83,10 +83,10 @@ TEST_CASE("each half-plane is tested (MRT §5)") {
 }
 
 TEST_CASE("it is met from either side, whichever way its corners turn (MRT §5)") {
-    const Triangle turned{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
-    CHECK(hits(down_at(1, 1), turned, 2));
+    const Triangle rotated{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
+    CHECK(hits(down_at(1, 1), rotated, 2));
     CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, right_angled, 3));
-    CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, turned, 3));
+    CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, rotated, 3));
 }
 
 TEST_CASE("it is met along any direction, some of it zero (MRT §5)") {
@@ -107,10 +107,10 @@ TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (errat
     CHECK(hits(down_at(2, 2), other, 2));
     CHECK(hits(down_at(2, 0), right_angled, 2));
     CHECK(hits(down_at(0, 2), right_angled, 2));
-    const Triangle turned{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
-    CHECK(hits(down_at(2, 2), turned, 2));
-    CHECK(hits(down_at(2, 0), turned, 2));
-    CHECK(hits(down_at(0, 2), turned, 2));
+    const Triangle rotated{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
+    CHECK(hits(down_at(2, 2), rotated, 2));
+    CHECK(hits(down_at(2, 0), rotated, 2));
+    CHECK(hits(down_at(0, 2), rotated, 2));
     CHECK(for_all([](Random& random) {
         const Real part = Real(1 + random.below(7)) / 8;
         Vec3 weights(part, 1 - part, 0);

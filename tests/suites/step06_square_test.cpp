@@ -76,11 +76,11 @@ TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)
 TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
     // Turned by an eighth: its corners are on the world's axes, 2.83 away.
     const Real half = std::sqrt(Real(0.5));
-    const Square turned{.center = {0, 0, 0},
-                        .basis = {.x = {half, half, 0}, .y = {-half, half, 0}, .z = {0, 0, 1}},
-                        .side = 4};
-    CHECK(hits(down_at(Real(2.75), 0), turned, 2));
-    CHECK(misses(down_at(Real(1.75), Real(1.75)), turned));
+    const Square rotated{.center = {0, 0, 0},
+                         .basis = {.x = {half, half, 0}, .y = {-half, half, 0}, .z = {0, 0, 1}},
+                         .side = 4};
+    CHECK(hits(down_at(Real(2.75), 0), rotated, 2));
+    CHECK(misses(down_at(Real(1.75), Real(1.75)), rotated));
     // Upright: in the plane x = 0.
     const Square upright{
         .center = {0, 0, 0}, .basis = {.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}}, .side = 4};
@@ -99,12 +99,12 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
 
 TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HAI, CR §2.4)") {
     const Scene scene =
-        load_scene(project_file("scenes/cornell_box.rt"), basis_around, {.strict = true});
+        load_scene(project_file("scenes/cornell_box.rt"), orthonormal_basis, {.strict = true});
     const auto nearest = [&scene](const Ray& ray) {
         std::optional<Real> t;
-        for (const Item<Square>& item : scene.squares)
+        for (const Primitive<Square>& primitive : scene.squares)
             if (const auto hit =
-                    intersect(ray, item.shape, {.min = 0, .max = t.value_or(infinity)}))
+                    intersect(ray, primitive.shape, {.min = 0, .max = t.value_or(infinity)}))
                 t = hit;
         return t;
     };
@@ -112,9 +112,9 @@ TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HA
     const auto in = nearest({.origin = {0, Real(0.5), 3}, .direction = {0, 0, -1}});
     const auto out = nearest({.origin = {0, Real(0.5), 0}, .direction = {0, 0, 1}});
     CHECK(verdict(in && close(*in, 4),
-                  "From outside the back wall is seen, 4 ahead: came " + came_text(in)));
+                  "From outside the back wall is seen, 4 ahead: came " + got_text(in)));
     CHECK(verdict(out && close(*out, 1),
-                  "From inside the front wall is seen, 1 ahead: came " + came_text(out)));
+                  "From inside the front wall is seen, 1 ahead: came " + got_text(out)));
 }
 
 TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {

@@ -72,10 +72,10 @@ TEST_CASE("the axis may point anywhere (MRT §7)") {
 }
 
 TEST_CASE("the axis has no direction: turned round, it is the same cylinder (MRT §7)") {
-    Cylinder turned = upright;
-    turned.axis = {0, -1, 0};
-    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, turned, 3));
-    CHECK(hits(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, turned, 3));
+    Cylinder rotated = upright;
+    rotated.axis = {0, -1, 0};
+    CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, rotated, 3));
+    CHECK(hits(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, rotated, 3));
 }
 
 TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
@@ -83,9 +83,9 @@ TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
     CHECK(hits(Ray{.origin = {0, Real(-2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(misses(Ray{.origin = {0, Real(3.25), 5}, .direction = {0, 0, -1}}, upright));
     CHECK(misses(Ray{.origin = {0, Real(-3.25), 5}, .direction = {0, 0, -1}}, upright));
-    const Cylinder moved{.center = {10, 4, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
-    CHECK(hits(Ray{.origin = {10, Real(4.5), 5}, .direction = {0, 0, -1}}, moved, 4));
-    CHECK(misses(Ray{.origin = {10, Real(5.5), 5}, .direction = {0, 0, -1}}, moved));
+    const Cylinder transformed{.center = {10, 4, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
+    CHECK(hits(Ray{.origin = {10, Real(4.5), 5}, .direction = {0, 0, -1}}, transformed, 4));
+    CHECK(misses(Ray{.origin = {10, Real(5.5), 5}, .direction = {0, 0, -1}}, transformed));
 }
 
 TEST_CASE("both rims belong to the side (MRT §7)", "[exact]") {

@@ -91,11 +91,11 @@ TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "
     CHECK(hits(Ray{.origin = {-5, 1, 0}, .direction = {1, 0, 0}}, cone, Real(4.5)));
     CHECK(misses(Ray{.origin = {-5, 1, Real(0.625)}, .direction = {1, 0, 0}}, cone));
     CHECK(for_all([](Random& random) {
-        auto [drawn, x, y] = draw_in_eighths(random);
-        drawn.height = 2 * drawn.radius;
-        const Real z = random.between(Real(0.2), Real(0.9)) * drawn.height;
+        auto [rendered, x, y] = draw_in_eighths(random);
+        rendered.height = 2 * rendered.radius;
+        const Real z = random.between(Real(0.2), Real(0.9)) * rendered.height;
         const Real t = random.eighths(1, 32);
-        return hits({drawn.apex + z * y + (z / 2 + t) * x, -x}, drawn, t);
+        return hits({rendered.apex + z * y + (z / 2 + t) * x, -x}, rendered, t);
     }));
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §
 TEST_CASE("a ray along the axis meets nothing but the apex (MRT §8)", "[exact]") {
     // A double root: some right formulas just miss it.
     const std::optional<Real> t = intersect({{0, 9, 0}, {0, -1, 0}}, upward, {});
-    CHECK(verdict(!t || close(*t, 9), "Expected the apex at t = 9, or nothing: " + came_text(t)));
+    CHECK(verdict(!t || close(*t, 9), "Expected the apex at t = 9, or nothing: " + got_text(t)));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, upward));
 }
 

@@ -20,11 +20,11 @@ constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
 /// The call, the answer, the expected answer, and a line to paste into a test.
 Verdict answers(const std::string& function, const std::string& check, const std::string& asked,
-                Vec3 came, Vec3 expected) {
-    return verdict(close(came, expected), function + "(" + asked + ")\n  came:     " + text(came) +
-                                              "\n  expected: " + text(expected) +
-                                              "\n  paste:    CHECK(" + check + "(" + asked + ", " +
-                                              code(expected) + "));");
+                Vec3 got, Vec3 expected) {
+    return verdict(close(got, expected), function + "(" + asked + ")\n  got:      " + text(got) +
+                                             "\n  expected: " + text(expected) +
+                                             "\n  paste:    CHECK(" + check + "(" + asked + ", " +
+                                             code(expected) + "));");
 }
 
 Verdict reflects(Vec3 to_light, Vec3 normal, Vec3 expected) {
@@ -32,24 +32,24 @@ Verdict reflects(Vec3 to_light, Vec3 normal, Vec3 expected) {
                    reflected(to_light, normal), expected);
 }
 
-Verdict ambient_is(const Surface& surface, const Ambient& ambient, Color expected) {
+Verdict ambient_is(const ShadingPoint& surface, const Ambient& ambient, Color expected) {
     const std::string light =
         "Ambient{.ratio = " + code(ambient.ratio) + ", .color = " + code(ambient.color) + "}";
     return answers("ambient_term", "ambient_is", code(surface) + ",\n          " + light,
                    ambient_term(surface, ambient), expected);
 }
 
-Verdict diffuse_is(const Surface& surface, const Light& light, Color expected) {
+Verdict diffuse_is(const ShadingPoint& surface, const Light& light, Color expected) {
     return answers("diffuse_term", "diffuse_is", code(surface) + ",\n          " + code(light),
                    diffuse_term(surface, light), expected);
 }
 
-Verdict specular_is(const Surface& surface, const Light& light, Color expected) {
+Verdict specular_is(const ShadingPoint& surface, const Light& light, Color expected) {
     return answers("specular_term", "specular_is", code(surface) + ",\n          " + code(light),
                    specular_term(surface, light), expected);
 }
 
-Verdict dark(const Surface& surface, const Light& light) {
+Verdict dark(const ShadingPoint& surface, const Light& light) {
     if (const Verdict none = diffuse_is(surface, light, Color(0)); !none) return none;
     return specular_is(surface, light, Color(0));
 }
@@ -59,10 +59,10 @@ const Vec3 slanting(Real(0.6), 0, Real(0.8));  // a direction by whole numbers: 
 const Vec3 mirrored(Real(-0.6), 0, Real(0.8));
 
 /// White, at the origin, facing +z.
-Surface facing_z(Vec3 to_eye, Real shininess = 32) {
+ShadingPoint facing_z(Vec3 to_eye, Real shininess = 32) {
     return {.point = {0, 0, 0},
             .normal = {0, 0, 1},
-            .side = {0, 0, 1},
+            .geometric_normal = {0, 0, 1},
             .to_eye = to_eye,
             .material = {.specular = 1, .shininess = shininess}};
 }
@@ -78,7 +78,7 @@ Light light_along(Vec3 direction) {
 
 /// A surface and a light with known angles (CR §3.1): θ between L and N, α between R and V.
 struct Lit {
-    Surface surface;
+    ShadingPoint surface;
     Light light;
     Real theta;
     Real alpha;
@@ -95,7 +95,8 @@ Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
     Lit lit{.theta = theta, .alpha = alpha};
     lit.surface = draw_surface(random, random.point(3));
     lit.surface.normal = basis.z;
-    lit.surface.side = unit(basis.z + Real(0.4) * random.direction());  // as on a smooth mesh
+    lit.surface.geometric_normal =
+        unit(basis.z + Real(0.4) * random.direction());  // as on a smooth mesh
     lit.surface.to_eye = std::cos(alpha) * r + std::sin(alpha) * beside;
     lit.surface.material.shininess = random.between(Real(0.5), 64);
     lit.light = {.position = lit.surface.point + random.between(Real(0.5), 8) * l,
@@ -122,9 +123,9 @@ Color expected_specular(const Lit& lit) {
            lit.light.brightness * lit.light.color;
 }
 
-Color seen(const Scene& scene, const Ray& ray, Term term = Term::all) {
+Color seen(const Scene& scene, const Ray& ray, PhongTerm term = PhongTerm::all) {
     Context context;
-    context.look.term = term;
+    context.settings.term = term;
     return trace(scene, ray, context);
 }
 
@@ -159,7 +160,7 @@ TEST_CASE("light leaves on the other side of the normal, at the same angle (CR �
 }
 
 TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)") {
-    Surface surface = facing_z({0, 0, 1});
+    ShadingPoint surface = facing_z({0, 0, 1});
     surface.material.color = {1, Real(0.5), 0};
     CHECK(ambient_is(surface, {.ratio = Real(0.5), .color = {Real(0.5), 1, 1}},
                      {Real(0.25), Real(0.25), 0}));
@@ -169,14 +170,14 @@ TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (
 
 TEST_CASE("ambient light is the same wherever the surface is, faces, or is seen from (CR §3.1)") {
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(10));
+        const ShadingPoint surface = draw_surface(random, random.point(10));
         const Ambient ambient{.ratio = random.between(0, 1), .color = abs(random.point(1))};
         return ambient_is(surface, ambient, ambient.ratio * ambient.color * surface.material.color);
     }));
 }
 
 TEST_CASE("a light straight above shows the full color (CR §3.1)") {
-    Surface surface = facing_z(slanting);
+    ShadingPoint surface = facing_z(slanting);
     surface.material.color = {1, Real(0.5), Real(0.25)};
     CHECK(diffuse_is(surface, white, {1, Real(0.5), Real(0.25)}));
     CHECK(for_all([](Random& random) {  // rounding may make the cosine more than 1
@@ -195,7 +196,7 @@ TEST_CASE("diffuse light is by the cosine between L and N (CR §3.1, M1)") {
 }
 
 TEST_CASE("L leads from the point to the light, wherever both are (CR §3.1)") {
-    Surface surface = facing_z({0, 0, 1});
+    ShadingPoint surface = facing_z({0, 0, 1});
     surface.point = {10, 0, 0};
     CHECK(diffuse_is(surface, light_at({13, 0, 4}), Color(Real(0.8))));
     CHECK(diffuse_is(surface, light_at({4, 0, 8}), Color(Real(0.8))));
@@ -225,14 +226,14 @@ TEST_CASE("brightness and color of the light multiply what it shows (CR §3.1)")
 }
 
 TEST_CASE("a light at the eye is the torch: cos θ between N and the way to the eye (M1)") {
-    const Surface surface = facing_z(slanting);
+    const ShadingPoint surface = facing_z(slanting);
     CHECK(diffuse_is(surface, light_along(surface.to_eye), Color(Real(0.8))));
 }
 
 TEST_CASE("diffuse light does not depend on the eye or on the highlight (CR §3.1)") {
     CHECK(diffuse_is(facing_z(mirrored), light_along(slanting), Color(Real(0.8))));
     CHECK(diffuse_is(facing_z({1, 0, 0}), light_along(slanting), Color(Real(0.8))));
-    Surface matt = facing_z(mirrored);
+    ShadingPoint matt = facing_z(mirrored);
     matt.material.specular = 0;
     CHECK(diffuse_is(matt, light_along(slanting), Color(Real(0.8))));
 }
@@ -255,7 +256,7 @@ TEST_CASE("a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR
 TEST_CASE("where R points to the eye, the highlight is full (CR §3.1)") {
     CHECK(specular_is(facing_z({0, 0, 1}), white, Color(1)));
     CHECK(specular_is(facing_z(mirrored), light_along(slanting), Color(1)));
-    Surface half = facing_z(mirrored);
+    ShadingPoint half = facing_z(mirrored);
     half.material.specular = Real(0.5);
     CHECK(specular_is(half, light_along(slanting), Color(Real(0.5))));
     CHECK(for_all([](Random& random) {  // rounding may make the cosine more than 1
@@ -303,7 +304,7 @@ TEST_CASE("the highlight moves with the eye (CR §3.1)") {
 }
 
 TEST_CASE("the highlight has the light's color, not the surface's (CR §3.1)") {
-    Surface blue = facing_z({0, 0, 1});
+    ShadingPoint blue = facing_z({0, 0, 1});
     blue.material.color = {0, 0, 1};
     const Light warm{.position = {0, 0, 5}, .color = {1, Real(0.5), 0}};
     CHECK(specular_is(blue, warm, {1, Real(0.5), 0}));
@@ -337,7 +338,7 @@ TEST_CASE("without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 1
 }
 
 TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
-    Surface matt = facing_z({0, 0, 1});
+    ShadingPoint matt = facing_z({0, 0, 1});
     matt.material.specular = 0;
     CHECK(specular_is(matt, white, Color(0)));
 }
@@ -345,7 +346,7 @@ TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
 TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)") {
     CHECK(dark(facing_z({0, 0, 1}), light_at({0, 0, 0})));
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(3));
+        const ShadingPoint surface = draw_surface(random, random.point(3));
         return dark(surface, light_at(surface.point));
     }));
 }
@@ -369,8 +370,9 @@ TEST_CASE("ambient light is added once, however many lights there are (erratum 1
     scene.lights = {light_at({0, 0, -5}), light_at({3, 0, -4})};  // behind the wall
     CHECK(gives("two lights behind the wall", seen(scene, from_before), Color(Real(0.125))));
     scene.lights.push_back(light_at({4, 0, 3}));
-    CHECK(gives("and one before it", seen(scene, from_before, Term::diffuse), Color(Real(0.6))));
-    CHECK(gives("and one before it, ambient", seen(scene, from_before, Term::ambient),
+    CHECK(
+        gives("and one before it", seen(scene, from_before, PhongTerm::diffuse), Color(Real(0.6))));
+    CHECK(gives("and one before it, ambient", seen(scene, from_before, PhongTerm::ambient),
                 Color(Real(0.125))));
     const Ray away{.origin = {0, 0, 3}, .direction = {0, 0, 1}};
     CHECK(gives("a ray that meets nothing", seen(scene, away), Color(0)));
@@ -381,9 +383,9 @@ TEST_CASE("several lights add up (CR §3.1)") {
     scene.ambient.reset();
     scene.lights = {{.position = {3, 0, 4}, .brightness = Real(0.5), .color = {1, 0, 0}},
                     {.position = {-4, 0, 3}, .brightness = Real(0.25), .color = {0, 1, 1}}};
-    CHECK(gives("diffuse, of two lights", seen(scene, from_before, Term::diffuse),
+    CHECK(gives("diffuse, of two lights", seen(scene, from_before, PhongTerm::diffuse),
                 Color(Real(0.4), Real(0.15), Real(0.15))));
-    CHECK(gives("specular, of two lights", seen(scene, from_before, Term::specular),
+    CHECK(gives("specular, of two lights", seen(scene, from_before, PhongTerm::specular),
                 Color(Real(0.32), Real(0.09), Real(0.09))));
     CHECK(gives("together", seen(scene, from_before), Color(Real(0.72), Real(0.24), Real(0.24))));
 }
@@ -409,7 +411,7 @@ TEST_CASE("a surface has two sides, and a light shows the one it is on (contract
 
 TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
     const Scene scene =
-        load_scene(project_file("scenes/step09_phong.rt"), basis_around, {.strict = true});
+        load_scene(project_file("scenes/step09_phong.rt"), orthonormal_basis, {.strict = true});
     const auto ray_through = pixel_rays(scene.cameras.front(), scene.resolution);
     for (Pixel pixel; pixel.row < scene.resolution.height; pixel.row += 24)
         for (pixel.column = 0; pixel.column < scene.resolution.width; pixel.column += 24) {
@@ -417,17 +419,17 @@ TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
             const Verdict sum =
                 gives("ambient + diffuse + specular of --pixel " + std::to_string(pixel.row) + "," +
                           std::to_string(pixel.column),
-                      seen(scene, ray, Term::ambient) + seen(scene, ray, Term::diffuse) +
-                          seen(scene, ray, Term::specular),
+                      seen(scene, ray, PhongTerm::ambient) + seen(scene, ray, PhongTerm::diffuse) +
+                          seen(scene, ray, PhongTerm::specular),
                       seen(scene, ray));
             if (!sum) CHECK(sum);
         }
     CHECK(picture_matches("step09_phong_ambient",
-                          {.scene = "step09_phong", .look = {.term = Term::ambient}}));
+                          {.scene = "step09_phong", .settings = {.term = PhongTerm::ambient}}));
     CHECK(picture_matches("step09_phong_diffuse",
-                          {.scene = "step09_phong", .look = {.term = Term::diffuse}}));
+                          {.scene = "step09_phong", .settings = {.term = PhongTerm::diffuse}}));
     CHECK(picture_matches("step09_phong_specular",
-                          {.scene = "step09_phong", .look = {.term = Term::specular}}));
+                          {.scene = "step09_phong", .settings = {.term = PhongTerm::specular}}));
 }
 
 TEST_CASE("the picture of the stage (CR §3.1)") {

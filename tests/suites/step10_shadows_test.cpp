@@ -14,29 +14,29 @@ using namespace rt;
 namespace {
 
 /// A point of the floor, seen from above, with the error of a point near 1.
-const Surface on_floor{.point = {0, 0, 0},
-                       .normal = {0, 1, 0},
-                       .side = {0, 1, 0},
-                       .to_eye = {0, 1, 0},
-                       .error = 16 * unit_roundoff};
+const ShadingPoint on_floor{.point = {0, 0, 0},
+                            .normal = {0, 1, 0},
+                            .geometric_normal = {0, 1, 0},
+                            .to_eye = {0, 1, 0},
+                            .error = 16 * unit_roundoff};
 
-std::string call(const Surface& surface, Vec3 light) {
+std::string call(const ShadingPoint& surface, Vec3 light) {
     return "shadow_ray(" + code(surface) + ", " + code(light) + ")";
 }
 
-std::string told(const Surface& surface, Vec3 light, const ShadowRay& way) {
-    return call(surface, light) + "\n  came:     " + code(way.ray) + ", " + code(way.interval);
+std::string told(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
+    return call(surface, light) + "\n  got:      " + code(way.ray) + ", " + code(way.interval);
 }
 
 /// Tests that the shape is hit on the way or not, as expected, and that the shadow ray is valid.
 template <class Shape>
-Verdict met(const Surface& surface, Vec3 light, const Shape& shape, bool expected) {
+Verdict met(const ShadingPoint& surface, Vec3 light, const Shape& shape, bool expected) {
     const ShadowRay way = shadow_ray(surface, light);
     const std::optional<Real> t = intersect(way.ray, shape, way.interval);
     const std::string name = expected ? "in_the_way" : "not_in_the_way";
     const bool is_way = way.interval.min < way.interval.max;
     return verdict(is_way && t.has_value() == expected,
-                   told(surface, light, way) + "\n  which has " + came_text(t) + " with " +
+                   told(surface, light, way) + "\n  which has " + got_text(t) + " with " +
                        code(shape) +
                        "\n  expected: " + (expected ? "a hit" : "no hit, and min < max") +
                        "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" +
@@ -45,19 +45,19 @@ Verdict met(const Surface& surface, Vec3 light, const Shape& shape, bool expecte
 
 /// The shape throws its shadow on the surface.
 template <class Shape>
-Verdict in_the_way(const Surface& surface, Vec3 light, const Shape& shape) {
+Verdict in_the_way(const ShadingPoint& surface, Vec3 light, const Shape& shape) {
     return met(surface, light, shape, true);
 }
 
 /// It does not.
 template <class Shape>
-Verdict not_in_the_way(const Surface& surface, Vec3 light, const Shape& shape) {
+Verdict not_in_the_way(const ShadingPoint& surface, Vec3 light, const Shape& shape) {
     return met(surface, light, shape, false);
 }
 
 /// The points at both ends of the interval are the surface's and the light's, within a hundredth of
 /// the distance.
-Verdict leads_there(const Surface& surface, Vec3 light) {
+Verdict leads_there(const ShadingPoint& surface, Vec3 light) {
     const auto [ray, interval] = shadow_ray(surface, light);
     const Vec3 begin = at(ray, interval.min);
     const Vec3 end = at(ray, interval.max);
@@ -70,21 +70,21 @@ Verdict leads_there(const Surface& surface, Vec3 light) {
 
 /// The surface of the shape at `aim`, as seen from `eye`.
 template <class Shape>
-std::optional<Surface> seen(Vec3 eye, Vec3 aim, const Shape& shape) {
+std::optional<ShadingPoint> seen(Vec3 eye, Vec3 aim, const Shape& shape) {
     const Ray ray{.origin = eye, .direction = aim - eye};
     Context context;
-    Nearest nearest(ray, context);
-    const Items<Shape> items{{.shape = shape, .material = {}}};
-    nearest.among(items);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    const PrimitiveList<Shape> primitives{{.shape = shape, .material = {}}};
+    closest.test(primitives);
+    const std::optional<Hit> hit = closest.hit();
     if (!hit) return std::nullopt;
-    return surface_at(*hit, ray);
+    return shading_point(*hit, ray);
 }
 
 /// The light at `light` reaches the point at `aim`, seen from `eye`, past its own shape.
 template <class Shape>
 Verdict no_acne(Vec3 eye, Vec3 aim, Vec3 light, const Shape& shape) {
-    const std::optional<Surface> surface = seen(eye, aim, shape);
+    const std::optional<ShadingPoint> surface = seen(eye, aim, shape);
     if (!surface) return {};  // rounded past it
     return not_in_the_way(*surface, light, shape);
 }
@@ -93,16 +93,16 @@ constexpr Real scales[] = {Real(1e-6), Real(1e-3), 1, Real(1e3), Real(1e6)};
 
 /// A surface through the origin with a point that is off it, by almost its error.
 struct OffSurface {
-    Surface surface;
+    ShadingPoint surface;
     Plane plane;
 };
 
 /// Large errors reveal more about a formula than small ones.
 OffSurface draw_off_surface(Random& random, Real depth) {
-    Surface surface = draw_surface(random, Vec3(0));
+    ShadingPoint surface = draw_surface(random, Vec3(0));
     surface.error = random.between(Real(0.001), Real(0.003));
-    surface.point = -depth * surface.error * surface.side;
-    return {.surface = surface, .plane = {.point = Vec3(0), .normal = surface.side}};
+    surface.point = -depth * surface.error * surface.geometric_normal;
+    return {.surface = surface, .plane = {.point = Vec3(0), .normal = surface.geometric_normal}};
 }
 
 /// A unit direction that leaves the surface, by no less than the cosine.
@@ -132,11 +132,11 @@ Verdict lamp_is_not_shadowed(Random& random, Vec3 center, const Basis& basis, Ve
     const Square lamp_in{.center = center, .basis = basis, .side = 2};
     const Vec3 across = random.between(Real(-0.9), Real(0.9)) * basis.x +
                         random.between(Real(-0.9), Real(0.9)) * basis.y;
-    const Vec3 light = projected(lamp_in, center + across).point;
-    Surface surface = draw_surface(random, light - way);
-    if (dot(surface.side, way) < 0) {
+    const Vec3 light = snapped_to(lamp_in, center + across).point;
+    ShadingPoint surface = draw_surface(random, light - way);
+    if (dot(surface.geometric_normal, way) < 0) {
         surface.normal = -surface.normal;
-        surface.side = -surface.side;
+        surface.geometric_normal = -surface.geometric_normal;
     }
     return not_in_the_way(surface, light, lamp_in);
 }
@@ -165,10 +165,11 @@ TEST_CASE("the way leads from the point to the light (CR §3.2)", "[3 points]") 
     CHECK(leads_there(on_floor, Vec3(0, 4, 0)));
     CHECK(leads_there(on_floor, Vec3(3, Real(0.5), -4)));
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(3));
+        const ShadingPoint surface = draw_surface(random, random.point(3));
         const Real far = random.between(Real(0.5), 64);
-        return leads_there(surface,
-                           surface.point + far * draw_leaving(random, surface.side, Real(0.1)));
+        return leads_there(
+            surface,
+            surface.point + far * draw_leaving(random, surface.geometric_normal, Real(0.1)));
     }));
 }
 
@@ -181,9 +182,9 @@ TEST_CASE("a shape between the point and the light casts a shadow (CR §3.2)") {
     CHECK(in_the_way(on_floor, Vec3(6, 4, 0), wall));
     CHECK(not_in_the_way(on_floor, Vec3(4, 1, 0), ball));
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(3));
+        const ShadingPoint surface = draw_surface(random, random.point(3));
         const Real far = random.between(Real(0.5), 64);
-        const Vec3 way = far * draw_leaving(random, surface.side, Real(0.1));
+        const Vec3 way = far * draw_leaving(random, surface.geometric_normal, Real(0.1));
         const Real share = random.between(Real(0.1), Real(0.95));
         const Sphere ball_on_it{.center = surface.point + share * way,
                                 .radius = random.between(Real(0.01), Real(0.04)) * far};
@@ -196,9 +197,9 @@ TEST_CASE("a shape behind the light casts no shadow (CR §3.2, maxDist)") {
     CHECK(
         not_in_the_way(on_floor, Vec3(0, Real(0.5), 0), Sphere{.center = {0, 2, 0}, .radius = 1}));
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(3));
+        const ShadingPoint surface = draw_surface(random, random.point(3));
         const Real far = random.between(Real(0.5), 64);
-        const Vec3 way = far * draw_leaving(random, surface.side, Real(0.1));
+        const Vec3 way = far * draw_leaving(random, surface.geometric_normal, Real(0.1));
         const Real share = random.between(Real(1.05), 8);
         const Sphere ball{.center = surface.point + share * way,
                           .radius = random.between(Real(0.01), Real(0.04)) * far};
@@ -209,9 +210,9 @@ TEST_CASE("a shape behind the light casts no shadow (CR §3.2, maxDist)") {
 TEST_CASE("a shape behind the point casts no shadow (PHY, t positive)") {
     CHECK(not_in_the_way(on_floor, Vec3(0, 4, 0), Sphere{.center = {0, -2, 0}, .radius = 1}));
     CHECK(for_all([](Random& random) {
-        const Surface surface = draw_surface(random, random.point(3));
+        const ShadingPoint surface = draw_surface(random, random.point(3));
         const Real far = random.between(Real(0.5), 64);
-        const Vec3 way = far * draw_leaving(random, surface.side, Real(0.1));
+        const Vec3 way = far * draw_leaving(random, surface.geometric_normal, Real(0.1));
         const Sphere ball{.center = surface.point - random.between(Real(0.05), 4) * way,
                           .radius = random.between(Real(0.01), Real(0.04)) * far};
         return not_in_the_way(surface, surface.point + way, ball);
@@ -281,7 +282,7 @@ TEST_CASE("a surface does not shadow itself at any scale: no acne (CR §3.2, err
 
 TEST_CASE("an open tube throws a shadow into itself (CR §3.2)") {
     const Cylinder tube{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 4};
-    const std::optional<Surface> wall = seen(Vec3(0), Vec3(1, 0, 0), tube);
+    const std::optional<ShadingPoint> wall = seen(Vec3(0), Vec3(1, 0, 0), tube);
     REQUIRE(wall);
     CHECK(in_the_way(*wall, Vec3(-4, 1, 0), tube));
     CHECK(not_in_the_way(*wall, Vec3(-2, 9, 0), tube));  // in by the open top
@@ -289,16 +290,17 @@ TEST_CASE("an open tube throws a shadow into itself (CR §3.2)") {
     CHECK(for_all([](Random& random) {
         const auto [x, y, z] = random.basis();
         const Real size = random.between(Real(0.5), 2);
-        const Cylinder drawn{
+        const Cylinder rendered{
             .center = random.point(3), .axis = z, .radius = size, .height = 4 * size};
-        const std::optional<Surface> side = seen(drawn.center, drawn.center + size * x, drawn);
+        const std::optional<ShadingPoint> side =
+            seen(rendered.center, rendered.center + size * x, rendered);
         if (!side) return Verdict{};  // rounded past it
         if (random.coin()) {
             const Vec3 beyond = random.between(-4, -2) * x + random.between(-2, 2) * z;
-            return in_the_way(*side, drawn.center + size * beyond, drawn);
+            return in_the_way(*side, rendered.center + size * beyond, rendered);
         }
         const Vec3 within = random.between(Real(-0.9), Real(0.5)) * x + random.between(-1, 1) * z;
-        return not_in_the_way(*side, drawn.center + size * within, drawn);
+        return not_in_the_way(*side, rendered.center + size * within, rendered);
     }));
 }
 
@@ -306,7 +308,7 @@ TEST_CASE("a point that is off its surface by its error still sees the light (co
     CHECK(for_all(
         [](Random& random) {
             const auto [surface, plane] = draw_off_surface(random, Real(0.98));
-            const Vec3 way = draw_leaving(random, surface.side, Real(0.02));
+            const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.02));
             return not_in_the_way(surface, random.between(1, 8) * way, plane);
         },
         2000));
@@ -316,8 +318,8 @@ TEST_CASE("the offset is along the flat face, wherever an interpolated normal po
     CHECK(for_all(
         [](Random& random) {
             auto [surface, plane] = draw_off_surface(random, Real(0.98));
-            surface.normal = draw_leaving(random, surface.side, Real(0.2));
-            const Vec3 way = draw_leaving(random, surface.side, Real(0.02));
+            surface.normal = draw_leaving(random, surface.geometric_normal, Real(0.2));
+            const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.02));
             return not_in_the_way(surface, random.between(1, 8) * way, plane);
         },
         2000));
@@ -327,9 +329,9 @@ TEST_CASE("a shape close to the surface casts a shadow at any scale (CR §3.2, e
     CHECK(for_all(
         [](Random& random) {
             const Real scale = scales[random.below(5)];
-            Surface surface = draw_surface(random, scale * random.point(1));
+            ShadingPoint surface = draw_surface(random, scale * random.point(1));
             surface.error = 16 * unit_roundoff * scale;
-            const Vec3 way = draw_leaving(random, surface.side, Real(0.1));
+            const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.1));
             const Real gap = scale * std::pow(Real(10), random.between(-5, -2));
             const Sphere ball{.center = surface.point + Real(1.5) * gap * way, .radius = gap / 2};
             return in_the_way(surface, surface.point + scale * random.between(1, 8) * way, ball);
@@ -340,8 +342,9 @@ TEST_CASE("a shape close to the surface casts a shadow at any scale (CR §3.2, e
 TEST_CASE("the offset is no more than a little: ten errors above, all is met (contract)") {
     CHECK(for_all([](Random& random) {
         const auto [surface, plane] = draw_off_surface(random, 0);
-        const Vec3 way = draw_leaving(random, surface.side, Real(0.1));
-        const Plane above{.point = 10 * surface.error * surface.side, .normal = surface.side};
+        const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.1));
+        const Plane above{.point = 10 * surface.error * surface.geometric_normal,
+                          .normal = surface.geometric_normal};
         return in_the_way(surface, random.between(1, 8) * way, above);
     }));
 }
@@ -349,8 +352,9 @@ TEST_CASE("the offset is no more than a little: ten errors above, all is met (co
 TEST_CASE("the offset does not grow with the distance of the light (contract)") {
     CHECK(for_all([](Random& random) {
         const auto [surface, plane] = draw_off_surface(random, 0);
-        const Plane above{.point = 10 * surface.error * surface.side, .normal = surface.side};
-        return in_the_way(surface, random.between(100, 1000) * surface.side, above);
+        const Plane above{.point = 10 * surface.error * surface.geometric_normal,
+                          .normal = surface.geometric_normal};
+        return in_the_way(surface, random.between(100, 1000) * surface.geometric_normal, above);
     }));
 }
 
@@ -362,12 +366,12 @@ TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)") {
     CHECK(gives("the color without the ball", colour(scene, to_the_origin), Color(Real(0.75))));
     CHECK(for_all([](Random& random) {
         const Real brightness = random.between(Real(0.1), Real(0.7));
-        Scene drawn = ball_above_floor();
-        drawn.lights = {{.position = {0, random.between(4, 64), 0}, .brightness = brightness}};
+        Scene rendered = ball_above_floor();
+        rendered.lights = {{.position = {0, random.between(4, 64), 0}, .brightness = brightness}};
         const bool lit = random.coin();
-        if (lit) drawn.spheres = {};
+        if (lit) rendered.spheres = {};
         return gives(lit ? "the color without the ball" : "the color under the ball",
-                     colour(drawn, to_the_origin), Color(Real(0.25) + (lit ? brightness : 0)));
+                     colour(rendered, to_the_origin), Color(Real(0.25) + (lit ? brightness : 0)));
     }));
 }
 
@@ -385,12 +389,12 @@ TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") 
         // Anywhere round the ball, further away or nearer: ⟨L, N⟩ stays 0.8.
         const Real angle = random.between(-pi, pi);
         const Vec3 way(3 * std::cos(angle), 4, 3 * std::sin(angle));
-        Scene drawn = ball_above_floor();
-        drawn.lights = {above, aside};
-        drawn.lights[0].position.y = random.between(4, 64);
-        drawn.lights[1].position = random.between(Real(0.5), 8) * way;
-        if (random.coin()) std::swap(drawn.lights[0], drawn.lights[1]);
-        return gives("the color under the ball", colour(drawn, to_the_origin), lit_aside);
+        Scene rendered = ball_above_floor();
+        rendered.lights = {above, aside};
+        rendered.lights[0].position.y = random.between(4, 64);
+        rendered.lights[1].position = random.between(Real(0.5), 8) * way;
+        if (random.coin()) std::swap(rendered.lights[0], rendered.lights[1]);
+        return gives("the color under the ball", colour(rendered, to_the_origin), lit_aside);
     }));
 }
 

@@ -5,8 +5,8 @@
 #include "tests/kit/light.hpp"
 #include "tests/kit/picture.hpp"
 
-#include "common/contract/drawn.hpp"
 #include "common/contract/light_points.hpp"
+#include "common/contract/rendered.hpp"
 #include "common/image/png.hpp"
 #include "common/render/render.hpp"
 #include "common/render/sampling.hpp"
@@ -28,15 +28,15 @@ using Exact = glm::dvec3;  // expected values are worked out in double, in both 
 constexpr double exact_pi = 3.14159265358979323846;
 
 std::string call(const Light& light, Vec3 from, Vec2 sample) {
-    return "light_point(" + code(light) + ",\n              Vec3" + code(from) + ", Vec2{" +
+    return "sample_light(" + code(light) + ",\n              Vec3" + code(from) + ", Vec2{" +
            code(sample.x) + ", " + code(sample.y) + "})";
 }
 
 /// The light's point, with a `tolerance` relative to the light's distance.
 Verdict aims_at(const Light& light, Vec3 from, Vec2 sample, Vec3 expected) {
-    const Vec3 came = light_point(light, from, sample);
-    return verdict(close(came, expected),
-                   call(light, from, sample) + "\n  came:     " + text(came) +
+    const Vec3 got = sample_light(light, from, sample);
+    return verdict(close(got, expected),
+                   call(light, from, sample) + "\n  got:      " + text(got) +
                        "\n  expected: " + text(expected) + "\n  paste:    CHECK(aims_at(" +
                        code(light) + ", Vec3" + code(from) + ", Vec2{" + code(sample.x) + ", " +
                        code(sample.y) + "}, " + code(expected) + "));");
@@ -44,13 +44,13 @@ Verdict aims_at(const Light& light, Vec3 from, Vec2 sample, Vec3 expected) {
 
 /// The point is on the sphere, on the visible side: within the circle of the tangents.
 Verdict aims_at_what_is_seen(const Light& light, Vec3 from, Vec2 sample) {
-    const Exact point = light_point(light, from, sample);
+    const Exact point = sample_light(light, from, sample);
     const Exact center = light.position;
     const Exact away = Exact(from) - center;
     const double radius = light.radius;
     const double slack = double(tolerance) * (length(away) + length(Exact(from)));
     const Exact on_light = point - center;
-    const std::string asked = call(light, from, sample) + "\n  came:     " + text(Vec3(point));
+    const std::string asked = call(light, from, sample) + "\n  got:      " + text(Vec3(point));
     const std::string paste = "\n  paste:    CHECK(aims_at_what_is_seen(" + code(light) + ", Vec3" +
                               code(from) + ", Vec2{" + code(sample.x) + ", " + code(sample.y) +
                               "}));";
@@ -106,10 +106,10 @@ Verdict points_are_even(const Light& light, Vec3 from, std::uint32_t seed) {
             if (std::abs(count - 64) > 16)
                 return verdict(
                     false,
-                    "light_point(" + code(light) + ",\n              Vec3" + code(from) +
+                    "sample_light(" + code(light) + ",\n              Vec3" + code(from) +
                         ", sample) for " + std::to_string(samples) +
                         " samples: the light as seen from there, cut into 8 rings of 8 pieces "
-                        "of equal solid angle\n  came:     " +
+                        "of equal solid angle\n  got:      " +
                         std::to_string(count) + " points in a piece of ring " +
                         std::to_string(ring + 1) +
                         " from the middle\n  expected: 64 in each, give or take 16\n"
@@ -164,10 +164,10 @@ Light draw_light(Random& random, Vec3 from) {
 
 const Light above{.position = {0, 4, 0}, .radius = 2};
 
-Verdict is(const std::string& what, Real came, Real expected, const std::string& paste) {
-    return verdict(close(came, expected), what + "\n  came:     " + text(came) +
-                                              "\n  expected: " + text(expected) +
-                                              "\n  paste:    CHECK(" + paste + ");");
+Verdict is(const std::string& what, Real got, Real expected, const std::string& paste) {
+    return verdict(close(got, expected), what + "\n  got:      " + text(got) +
+                                             "\n  expected: " + text(expected) +
+                                             "\n  paste:    CHECK(" + paste + ");");
 }
 
 std::string code(const ShadowRays& rays) {
@@ -176,7 +176,7 @@ std::string code(const ShadowRays& rays) {
 }
 
 Verdict share_is(const ShadowRays& rays, Real expected) {
-    return is("lit_share(" + code(rays) + ")", lit_share(rays), expected,
+    return is("visibility(" + code(rays) + ")", visibility(rays), expected,
               "share_is(" + code(rays) + ", " + rt::code(expected) + ")");
 }
 
@@ -188,14 +188,14 @@ constexpr const char* strip =
     "tr -1,2,-900 1,2,-900 1,2,900 255,255,255\ntr -1,2,-900 1,2,900 -1,2,900 255,255,255\n";
 
 Scene scene_of(const std::string& lights) {
-    return parse_scene(strip + lights, "strip.rt", basis_around, {.strict = true});
+    return parse_scene(strip + lights, "strip.rt", orthonormal_basis, {.strict = true});
 }
 
 /// White ground at y = 0, seen from above.
-Surface ground(Real x) {
+ShadingPoint ground(Real x) {
     return {.point = {x, 0, 0},
             .normal = {0, 1, 0},
-            .side = {0, 1, 0},
+            .geometric_normal = {0, 1, 0},
             .to_eye = {0, 1, 0},
             .error = 64 * unit_roundoff * (1 + std::abs(x))};
 }
@@ -208,21 +208,22 @@ double free_share(const Light& light, Real x) {
 }
 
 struct Lit {
-    Terms terms;
+    PhongTerms terms;
     std::int64_t rays;
 };
 
 bool is_blocked(const Scene& scene, const ShadowRay& way) {
     Context context;
-    Blocker blocker(way.ray, way.interval, context);
-    among_shapes(blocker, scene);
-    return blocker.found();
+    AnyHit any_hit(way.ray, way.interval, context);
+    visit_shapes(any_hit, scene);
+    return any_hit.found();
 }
 
-Lit lit(const Scene& scene, Real x, const Look& look, Pixel pixel = {}, double weight = 1) {
-    Context context{.look = look, .pixel = pixel, .weight = weight};
-    const auto obstacles = [&](auto& query) { among_shapes(query, scene); };
-    const Terms terms = lighting(scene, ground(x), obstacles, context);
+Lit lit(const Scene& scene, Real x, const RenderSettings& settings, Pixel pixel = {},
+        double weight = 1) {
+    Context context{.settings = settings, .pixel = pixel, .weight = weight};
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    const PhongTerms terms = lighting(scene, ground(x), obstacles, context);
     return {.terms = terms, .rays = context.sized_light_rays};
 }
 
@@ -233,7 +234,7 @@ Real mean_share(const Scene& scene, Real x) {
         ShadowRays rays{.sent = 256};
         for (const Vec3& point : light_points(scene.lights[0], {x, 0, 0}, i, rays.sent))
             if (!is_blocked(scene, shadow_ray(ground(x), point))) ++rays.reached;
-        sum += lit_share(rays);
+        sum += visibility(rays);
     }
     return sum / 64;
 }
@@ -244,9 +245,9 @@ Real mean_share(const Scene& scene, Real x) {
 constexpr double share_bound = 6 * 0.0017;
 
 /// Points of a disc, evenly spread, and a straight edge: the root mean square of the error of the
-/// visible share over its estimate. The points are the suite's own, so that share_error alone is
-/// tested. They are as even for any count as the stage's are for powers of two: the true error is
-/// 0.51 to 0.84 times the reference's estimate, for 12 counts of each octave from 8 to 2048.
+/// visible share over its estimate. The points are the suite's own, so that visibility_error alone
+/// is tested. They are as even for any count as the stage's are for powers of two: the true error
+/// is 0.51 to 0.84 times the reference's estimate, for 12 counts of each octave from 8 to 2048.
 struct Honesty {
     int sent = 8;
     double squares = 0;
@@ -266,7 +267,7 @@ void measure(Honesty& honesty, double edge, std::mt19937_64& engine) {
     }
     const double error = double(rays.reached) / rays.sent - (1 - hidden);
     const auto [entry, is_new] = honesty.estimates.try_emplace(rays.reached);
-    if (is_new) entry->second = double(share_error(rays));
+    if (is_new) entry->second = double(visibility_error(rays));
     honesty.squares += error * error / (entry->second * entry->second);
 }
 
@@ -284,9 +285,9 @@ Verdict honest(double from, double to) {
             }
             const auto ratio = Real(std::sqrt(honesty.squares / edges));
             if (!(ratio <= 1 && ratio >= Real(0.1)))
-                return verdict(false, "share_error for " + std::to_string(honesty.sent) +
+                return verdict(false, "visibility_error for " + std::to_string(honesty.sent) +
                                           " rays, and a shadow with a straight edge somewhere on "
-                                          "the light\n  came:     the true error is " +
+                                          "the light\n  got:      the true error is " +
                                           text(ratio) +
                                           " times the estimate (root mean square of 3000)\n"
                                           "  expected: at most once, at least 0.1 times");
@@ -307,30 +308,30 @@ Exact mean_color(const Image& image, Pixel corner) {
     return sum / 64.0;
 }
 
-/// The same as picture_matches, but another right light_point assigns other points to the samples,
+/// The same as picture_matches, but another right sample_light assigns other points to the samples,
 /// which makes another noise: means of 8 × 8 pixels are compared. The error of a pixel in the
 /// penumbra is some 5 of 255 (16 rays), that of a mean an eighth of it, and two means differ by
 /// less than 6 of 255.
 Verdict picture_matches_on_average(const std::string& name) {
     const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
     Scene scene =
-        load_scene(project_file("scenes/" + name + ".rt"), basis_around, {.strict = true});
-    arrange(scene);
+        load_scene(project_file("scenes/" + name + ".rt"), orthonormal_basis, {.strict = true});
+    build_acceleration(scene);
     scene.resolution = reference.resolution;
-    const Image image = drawn(scene);
+    const Image image = rendered(scene);
     int different = 0;
     std::string first;
     for (Pixel corner; corner.row + 8 <= reference.resolution.height; corner.row += 8)
         for (corner.column = 0; corner.column + 8 <= reference.resolution.width;
              corner.column += 8) {
-            const Exact came = mean_color(image, corner);
+            const Exact got = mean_color(image, corner);
             const Exact expected = mean_color(reference, corner);
-            const Exact off = abs(came - expected);
+            const Exact off = abs(got - expected);
             if (std::max({off.x, off.y, off.z}) < 6 || different++ > 0) continue;
             const std::string place =
                 std::to_string(corner.row + 4) + "," + std::to_string(corner.column + 4);
             first = "\n  first:    around row,column " + place +
-                    "\n  came:     " + text(Vec3(came)) + "\n  expected: " + text(Vec3(expected)) +
+                    "\n  got:      " + text(Vec3(got)) + "\n  expected: " + text(Vec3(expected)) +
                     "\n  see:      ./course run " + name + " --pixel " + place;
         }
     return verdict(different == 0, "The picture of scenes/" + name + ".rt differs in " +
@@ -376,8 +377,8 @@ TEST_CASE("the points are spread evenly over the solid angle that the light fill
 }
 
 TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, erratum 16)") {
-    CHECK(verdict(light_point(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
-                      light_point(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
+    CHECK(verdict(sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
+                      sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
                   "Every sample is aimed at one point."));
     const auto property = [](Random& random) {
         const Vec3 from = random.point(5);
@@ -389,10 +390,10 @@ TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, e
         const Exact mean = sum / double(samples);
         const Exact axis = normalize(Exact(from) - Exact(light.position));
         const double aside = length(mean - dot(mean, axis) * axis) / light.radius;
-        return verdict(aside < 0.02, "The mean of light_point(" + code(light) +
+        return verdict(aside < 0.02, "The mean of sample_light(" + code(light) +
                                          ",\n              Vec3" + code(from) + ", sample) over " +
                                          std::to_string(samples) +
-                                         " samples\n  came:     " + text(Real(aside)) +
+                                         " samples\n  got:      " + text(Real(aside)) +
                                          " of the radius off the line to the light's center\n"
                                          "  expected: on it, to 0.02");
     };
@@ -404,7 +405,7 @@ TEST_CASE("the same sample gives the same point in every call (contract)") {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
         const Vec2 sample = draw_sample(random);
-        return aims_at(light, from, sample, light_point(light, from, sample));
+        return aims_at(light, from, sample, sample_light(light, from, sample));
     }));
 }
 
@@ -412,10 +413,10 @@ TEST_CASE("another sample is another point (CR §3.3)") {
     CHECK(for_all([](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
-        const Vec3 first = light_point(light, from, {Real(0.25), Real(0.125)});
-        const Vec3 second = light_point(light, from, {Real(0.75), Real(0.625)});
+        const Vec3 first = sample_light(light, from, {Real(0.25), Real(0.125)});
+        const Vec3 second = sample_light(light, from, {Real(0.75), Real(0.625)});
         return verdict(distance(first, second) > Real(0.01) * light.radius,
-                       call(light, from, {Real(0.25), Real(0.125)}) + "\n  came:     " +
+                       call(light, from, {Real(0.25), Real(0.125)}) + "\n  got:      " +
                            text(first) + "\n  expected: not what the sample (0.75, 0.625) gives");
     }));
 }
@@ -444,13 +445,13 @@ TEST_CASE("just outside the light, the point is still on it (contract)", "[exact
     for (const Real above_surface : {Real(0), 4 * epsilon, 64 * epsilon, Real(0.001)}) {
         const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
         for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
-            const Vec3 came = light_point(above, from, {x, Real(0.25)});
+            const Vec3 got = sample_light(above, from, {x, Real(0.25)});
             if (x > 0 && above_surface > 64 * epsilon)  // closer points may all be equal
-                CHECK(came != light_point(above, from, {x, Real(0.75)}));
+                CHECK(got != sample_light(above, from, {x, Real(0.75)}));
             // the light's center is accepted on the surface
-            const Real off = distance(came, above.position);
+            const Real off = distance(got, above.position);
             CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +
-                                                        "\n  came:     " + text(came) +
+                                                        "\n  got:      " + text(got) +
                                                         "\n  expected: a point of the light"));
         }
     }
@@ -459,11 +460,11 @@ TEST_CASE("just outside the light, the point is still on it (contract)", "[exact
         const Real above_surface = random.between(Real(0.001), Real(0.01));
         const Vec3 from = light.position + light.radius * (1 + above_surface) * random.direction();
         const Real x = random.between(Real(0.25), Real(0.999));
-        const Vec3 came = light_point(light, from, {x, Real(0.25)});
-        const Real off = distance(came, light.position);
+        const Vec3 got = sample_light(light, from, {x, Real(0.25)});
+        const Real off = distance(got, light.position);
         return verdict(off <= light.radius * (1 + tolerance) &&
-                           came != light_point(light, from, {x, Real(0.75)}),
-                       call(light, from, {x, Real(0.25)}) + "\n  came:     " + text(came) +
+                           got != sample_light(light, from, {x, Real(0.75)}),
+                       call(light, from, {x, Real(0.25)}) + "\n  got:      " + text(got) +
                            "\n  expected: a point of the light, another one for {x, 0.75}");
     }));
 }
@@ -527,9 +528,9 @@ TEST_CASE("on average the visible share is that of the solid angle, for any occl
         }
         const double expected = share_beside_plane(light, from, normal);
         return verdict(std::abs(sum - expected) < share_bound,
-                       "light_point(" + code(light) + ",\n              Vec3" + code(from) +
+                       "sample_light(" + code(light) + ",\n              Vec3" + code(from) +
                            ", sample): the share of the points on one side of a plane\n"
-                           "  came:     " +
+                           "  got:      " +
                            text(Real(sum)) + "\n  expected: " + text(Real(expected)) +
                            ", the share of the solid angle, give or take 0.0102");
     };
@@ -549,19 +550,20 @@ namespace {
 /// The contract does not determine the error, so no suite can transform the query: these cases use
 /// random queries as well.
 Verdict is_positive(const ShadowRays& rays) {
-    const Real came = share_error(rays);
-    return verdict(came > 0 && came <= 1, "share_error(" + code(rays) +
-                                              ")\n  came:     " + text(came) +
-                                              "\n  expected: positive, and at most 1\n  paste:    "
-                                              "CHECK(share_error(" +
-                                              code(rays) + ") > 0);");
+    const Real got = visibility_error(rays);
+    return verdict(got > 0 && got <= 1, "visibility_error(" + code(rays) +
+                                            ")\n  got:      " + text(got) +
+                                            "\n  expected: positive, and at most 1\n  paste:    "
+                                            "CHECK(visibility_error(" +
+                                            code(rays) + ") > 0);");
 }
 
 Verdict is_exchanged(const ShadowRays& rays) {
     const ShadowRays exchanged{.sent = rays.sent, .reached = rays.sent - rays.reached};
     if (const Verdict positive = is_positive(rays); !positive) return positive;
-    return is("share_error(" + code(rays) + ")", share_error(rays), share_error(exchanged),
-              "close(share_error(" + code(rays) + "), share_error(" + code(exchanged) + "))");
+    return is(
+        "visibility_error(" + code(rays) + ")", visibility_error(rays), visibility_error(exchanged),
+        "close(visibility_error(" + code(rays) + "), visibility_error(" + code(exchanged) + "))");
 }
 
 /// A quarter of them reaches the light.
@@ -569,10 +571,11 @@ Verdict halves(int sent) {
     const ShadowRays few{.sent = sent, .reached = sent / 4};
     const ShadowRays many{.sent = 4 * sent, .reached = sent};
     if (const Verdict positive = is_positive(many); !positive) return positive;
-    return verdict(share_error(many) <= Real(0.55) * share_error(few),
-                   "share_error(" + code(many) + ")\n  came:     " + text(share_error(many)) +
-                       "\n  expected: about half of share_error(" + code(few) + "), " +
-                       text(share_error(few)) + ", or less");
+    return verdict(visibility_error(many) <= Real(0.55) * visibility_error(few),
+                   "visibility_error(" + code(many) +
+                       ")\n  got:      " + text(visibility_error(many)) +
+                       "\n  expected: about half of visibility_error(" + code(few) + "), " +
+                       text(visibility_error(few)) + ", or less");
 }
 
 }  // namespace
@@ -614,11 +617,11 @@ TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should b
     for (const Real x : {Real(0.5), Real(1), Real(1.5), Real(2), Real(3)}) {
         const Real expected = Real(free_share(scene.lights[0], x));
         for (const Real side : {x, -x}) {
-            const Real came = mean_share(scene, side);
-            CHECK(verdict(std::abs(came - expected) < Real(share_bound),
+            const Real got = mean_share(scene, side);
+            CHECK(verdict(std::abs(got - expected) < Real(share_bound),
                           "The share of a light of radius 2, four above the ground, beside a strip "
                           "two wide half-way, at x = " +
-                              text(side) + "\n  came:     " + text(came) + "\n  expected: " +
+                              text(side) + "\n  got:      " + text(got) + "\n  expected: " +
                               text(expected) + " at x and at -x, give or take 0.0102"));
         }
     }
@@ -628,12 +631,12 @@ TEST_CASE("the umbra has ambient light only, and full light is not darkened (CR 
     // Radius 0.5: from the middle it fills 7 degrees, and the strip 26.
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:0.5\n");
     for (const Real x : {Real(0), Real(0.75), Real(-0.75), Real(1.25)}) {
-        const Terms terms = lit(scene, x, {}).terms;
+        const PhongTerms terms = lit(scene, x, {}).terms;
         CHECK(gives("the diffuse term in the umbra", terms.diffuse, Color(0)));
         CHECK(gives("the ambient term in the umbra", terms.ambient, Color(Real(0.2))));
     }
     for (const Real x : {Real(4), Real(-4)}) {
-        const Terms terms = lit(scene, x, {}).terms;
+        const PhongTerms terms = lit(scene, x, {}).terms;
         CHECK(gives("the diffuse term in full light", terms.diffuse,
                     diffuse_term(ground(x), scene.lights[0])));
     }
@@ -660,13 +663,13 @@ TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
         int count = 0;
         for (const Real x : {Real(0.25), Real(1), Real(2), Real(4)})
             for (int i = 0; i < 40; ++i) {
-                const Lit came =
+                const Lit got =
                     lit(scene, x, {.shadow_samples = 4096, .shadow_error = 255 * accepted},
                         {.row = i, .column = 7});
                 const double all = diffuse_term(ground(x), scene.lights[0]).g;
-                const double error = came.terms.diffuse.g - all * free_share(scene.lights[0], x);
+                const double error = got.terms.diffuse.g - all * free_share(scene.lights[0], x);
                 squares += error * error;
-                rays += came.rays;
+                rays += got.rays;
                 ++count;
             }
         INFO("tolerance " << accepted << ", " << rays << " rays");
@@ -708,8 +711,9 @@ TEST_CASE("with a weight of a quarter the error may be four times as large (cont
 
 TEST_CASE("rays that all agree end the sampling if that is enabled (contract)") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:0.25\n");
-    const Look careful{.shadow_samples = 4096, .shadow_error = 0.25};
-    const Look believing{.shadow_samples = 4096, .shadow_error = 0.25, .shadow_agree = 16};
+    const RenderSettings careful{.shadow_samples = 4096, .shadow_error = 0.25};
+    const RenderSettings believing{
+        .shadow_samples = 4096, .shadow_error = 0.25, .shadow_agree = 16};
     int whole = 0;
     int partial = 0;
     for (Real x = -6; x <= 6; x += Real(0.125)) {
@@ -730,12 +734,12 @@ TEST_CASE("rays that all agree end the sampling if that is enabled (contract)") 
 TEST_CASE("soft shadows are the same for any number of threads (contract)") {
     Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:1\npl 0,0,0 0,1,0 255,255,255\n");
     scene.resolution = {20, 15};
-    const auto one = render(scene, {.threads = 1, .look = {.shadow_error = 5}});
+    const auto one = render(scene, {.threads = 1, .settings = {.shadow_error = 5}});
     CHECK(one->sized_light_rays > 0);
     // The message contains no numbers: with state kept between calls, they depend on the order of
     // the threads.
     for (const int threads : {2, 3, 7}) {
-        const auto several = render(scene, {.threads = threads, .look = {.shadow_error = 5}});
+        const auto several = render(scene, {.threads = threads, .settings = {.shadow_error = 5}});
         CHECK((several->image.pixels == one->image.pixels));
         CHECK((several->sized_light_rays == one->sized_light_rays));
     }

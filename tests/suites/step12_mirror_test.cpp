@@ -21,65 +21,66 @@ bool as_long(Vec3 a, Vec3 b) {
 }
 
 /// A flat surface seen along the ray, with its point one direction length from the ray's origin.
-Surface flat(const Ray& ray, Vec3 normal, Real error = 64 * unit_roundoff) {
+ShadingPoint flat(const Ray& ray, Vec3 normal, Real error = 64 * unit_roundoff) {
     return {.point = at(ray, 1),
             .normal = normal,
-            .side = normal,
+            .geometric_normal = normal,
             .to_eye = unit(-ray.direction),
             .error = error};
 }
 
-std::string question(const Ray& ray, const Surface& surface) {
+std::string question(const Ray& ray, const ShadingPoint& surface) {
     return "mirrored(" + code(ray) + ",\n           " + code(surface) + ")";
 }
 
 /// The reflected ray has this direction; `keeps_length` tests its length.
-Verdict sends(const Ray& ray, const Surface& surface, Vec3 expected) {
-    const Vec3 came = mirrored(ray, surface).direction;
-    return verdict(close(unit(came), unit(expected)),
-                   question(ray, surface) + ".direction\n  came:     " + text(came) +
+Verdict sends(const Ray& ray, const ShadingPoint& surface, Vec3 expected) {
+    const Vec3 got = mirrored(ray, surface).direction;
+    return verdict(close(unit(got), unit(expected)),
+                   question(ray, surface) + ".direction\n  got:      " + text(got) +
                        "\n  expected: " + text(expected) + "\n  paste:    CHECK(sends(" +
                        code(ray) + ", " + code(surface) + ", " + code(expected) + "));");
 }
 
-Verdict keeps_length(const Ray& ray, const Surface& surface) {
-    const Vec3 came = mirrored(ray, surface).direction;
-    return verdict(as_long(came, ray.direction),
-                   question(ray, surface) + ".direction\n  came:     " + text(came) +
-                       ", of length " + text(length(came)) + "\n  expected: the length of d, " +
+Verdict keeps_length(const Ray& ray, const ShadingPoint& surface) {
+    const Vec3 got = mirrored(ray, surface).direction;
+    return verdict(as_long(got, ray.direction),
+                   question(ray, surface) + ".direction\n  got:      " + text(got) +
+                       ", of length " + text(length(got)) + "\n  expected: the length of d, " +
                        text(length(ray.direction)) + "\n  paste:    CHECK(keeps_length(" +
                        code(ray) + ", " + code(surface) + "));");
 }
 
 /// The ray sent on starts above the surface, by surface.error, and by not much more.
-Verdict starts_off(const Ray& ray, const Surface& surface) {
+Verdict starts_off(const Ray& ray, const ShadingPoint& surface) {
     const Vec3 away = mirrored(ray, surface).origin - surface.point;
     const Real rounding = 4 * epsilon * (length(surface.point) + surface.error);
-    const bool above = dot(away, surface.side) >= surface.error - rounding;
+    const bool above = dot(away, surface.geometric_normal) >= surface.error - rounding;
     const bool near = length(away) <= 4 * surface.error + rounding;
     return verdict(
         above && near,
-        question(ray, surface) + ".origin\n  came:     " + text(dot(away, surface.side)) +
-            " above the face, " + text(length(away)) +
+        question(ray, surface) + ".origin\n  got:      " +
+            text(dot(away, surface.geometric_normal)) + " above the face, " + text(length(away)) +
             " from surface.point\n  expected: above by surface.error = " + text(surface.error) +
             " or a little more" + "\n  paste:    CHECK(starts_off(" + code(ray) + ", " +
             code(surface) + "));");
 }
 
 /// The reflected ray leaves the face.
-Verdict goes_away(const Ray& ray, const Surface& surface) {
-    const Vec3 came = mirrored(ray, surface).direction;
-    return verdict(dot(came, surface.side) > 0,
-                   question(ray, surface) + ".direction\n  came:     " + text(came) + ", " +
-                       text(dot(came, surface.side)) + " along surface.side" +
-                       "\n  expected: away from the face: more than 0 along surface.side" +
-                       "\n  paste:    CHECK(goes_away(" + code(ray) + ", " + code(surface) + "));");
+Verdict goes_away(const Ray& ray, const ShadingPoint& surface) {
+    const Vec3 got = mirrored(ray, surface).direction;
+    return verdict(
+        dot(got, surface.geometric_normal) > 0,
+        question(ray, surface) + ".direction\n  got:      " + text(got) + ", " +
+            text(dot(got, surface.geometric_normal)) + " along surface.geometric_normal" +
+            "\n  expected: away from the face: more than 0 along surface.geometric_normal" +
+            "\n  paste:    CHECK(goes_away(" + code(ray) + ", " + code(surface) + "));");
 }
 
 /// A ray, and a flat surface that it hits from the side of the normal.
 struct Seen {
     Ray ray;
-    Surface surface;
+    ShadingPoint surface;
 };
 
 /// No flatter than one in twenty.
@@ -94,17 +95,18 @@ Seen draw_seen(Random& random) {
 }
 
 /// A ray from before the mirror is reflected to the same side.
-Verdict comes_back(const Ray& ray, const Surface& surface) {
-    const Vec3 came = mirrored(ray, surface).direction;
-    return verdict(dot(came, surface.side) > 0, question(ray, surface) +
-                                                    ".direction\n  came:     " + text(came) +
-                                                    "\n  expected: away from the mirror");
+Verdict comes_back(const Ray& ray, const ShadingPoint& surface) {
+    const Vec3 got = mirrored(ray, surface).direction;
+    return verdict(dot(got, surface.geometric_normal) > 0,
+                   question(ray, surface) + ".direction\n  got:      " + text(got) +
+                       "\n  expected: away from the mirror");
 }
 
 /// With a normal that is interpolated: up to half a right angle or so from the face's own.
 Seen draw_interpolated(Random& random) {
     Seen seen = draw_seen(random);
-    seen.surface.normal = unit(seen.surface.side + random.between(0, 1) * random.direction());
+    seen.surface.normal =
+        unit(seen.surface.geometric_normal + random.between(0, 1) * random.direction());
     return seen;
 }
 
@@ -112,10 +114,10 @@ Verdict worth(int bounces, int depth, Real weight, bool expected) {
     const auto word = [](bool yes) { return yes ? "true" : "false"; };
     const std::string call = "worth_reflecting(" + std::to_string(bounces) + ", " +
                              std::to_string(depth) + ", " + code(weight) + ")";
-    const bool came = worth_reflecting(bounces, depth, weight);
-    return verdict(came == expected,
-                   call + "\n  came:     " + word(came) + "\n  expected: " + word(expected) +
-                       "\n  paste:    CHECK(" + (expected ? "" : "!") + call + ");");
+    const bool got = worth_reflecting(bounces, depth, weight);
+    return verdict(got == expected, call + "\n  got:      " + word(got) +
+                                        "\n  expected: " + word(expected) + "\n  paste:    CHECK(" +
+                                        (expected ? "" : "!") + call + ");");
 }
 
 /// The condition that ends the trace in a scene of perfect mirrors, tested before such a scene is
@@ -136,7 +138,7 @@ Verdict mixes(Color own, Color reflection, Real mirror, Color expected) {
 Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color expected,
              int depth = 8) {
     if (const Verdict stops = stops_at(depth); !stops) return stops;
-    Context context{.look = {.depth = depth}};
+    Context context{.settings = {.depth = depth}};
     return gives("trace(" + what + ", " + code(ray) + ") with --depth " + std::to_string(depth),
                  trace(scene, ray, context), expected);
 }
@@ -146,13 +148,13 @@ Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color 
 Verdict reflections(const std::string& what, const Scene& scene, const Ray& ray, int expected,
                     int depth = 8) {
     if (const Verdict stops = stops_at(depth); !stops) return stops;
-    Context context{.look = {.depth = depth}};
+    Context context{.settings = {.depth = depth}};
     static_cast<void>(trace(scene, ray, context));
-    const auto came = context.rays - 1;
-    return verdict(came == expected, "the reflections of trace(" + what + ", " + code(ray) +
-                                         ") with --depth " + std::to_string(depth) +
-                                         "\n  came:     " + std::to_string(came) +
-                                         "\n  expected: " + std::to_string(expected));
+    const auto got = context.rays - 1;
+    return verdict(got == expected, "the reflections of trace(" + what + ", " + code(ray) +
+                                        ") with --depth " + std::to_string(depth) +
+                                        "\n  got:      " + std::to_string(got) +
+                                        "\n  expected: " + std::to_string(expected));
 }
 
 const Color red{1, Real(0.25), 0};
@@ -239,7 +241,7 @@ TEST_CASE("the angle of incidence is the angle of reflection (CR §5.1)") {
         const Real in = dot(-d, surface.normal);
         const Real out = dot(r, surface.normal);
         return verdict(close(out, in),
-                       question(ray, surface) + ".direction\n  came:     " + text(r) +
+                       question(ray, surface) + ".direction\n  got:      " + text(r) +
                            ", cosine to the normal " + text(out) +
                            "\n  expected: the same cosine as to the eye, " + text(in));
     }));
@@ -298,12 +300,12 @@ TEST_CASE("the reflected ray, sent back, is reflected along the first one (CR §
     // The same surface from its other side: reflected twice, d is d again.
     CHECK(for_all([](Random& random) {
         const auto [ray, surface] = draw_seen(random);
-        Surface turned = surface;
-        turned.normal = -surface.normal;
-        turned.side = -surface.side;
+        ShadingPoint rotated = surface;
+        rotated.normal = -surface.normal;
+        rotated.geometric_normal = -surface.geometric_normal;
         const Ray once{.origin = ray.origin, .direction = mirrored(ray, surface).direction};
-        turned.to_eye = unit(-once.direction);
-        return sends(once, turned, ray.direction);
+        rotated.to_eye = unit(-once.direction);
+        return sends(once, rotated, ray.direction);
     }));
 }
 
@@ -325,7 +327,7 @@ TEST_CASE("an interpolated normal is the one that reflects (CR §6)") {
         return Vec3(std::sin(angle), std::cos(angle), 0);
     };
     const Ray ray{.origin = {0, 4, 0}, .direction = -towards(-15)};
-    Surface surface = flat(ray, {0, 1, 0});
+    ShadingPoint surface = flat(ray, {0, 1, 0});
     surface.normal = towards(15);
     CHECK(sends(ray, surface, towards(45)));
     CHECK(for_all([](Random& random) {
@@ -337,8 +339,9 @@ TEST_CASE("an interpolated normal is the one that reflects (CR §6)") {
         const Real slant = random.between(0, Real(0.5));
         const Vec3 aside = std::cos(turn) * basis.x + std::sin(turn) * basis.y;
         const Ray seen{.origin = random.point(4), .direction = -unit(slant * aside + basis.z)};
-        Surface smooth = flat(seen, basis.z);
-        smooth.side = unit(lean * basis.x + up * basis.z);  // at most 27° + 21° from either
+        ShadingPoint smooth = flat(seen, basis.z);
+        smooth.geometric_normal =
+            unit(lean * basis.x + up * basis.z);  // at most 27° + 21° from either
         return sends(seen, smooth, unit(basis.z - slant * aside));
     }));
 }
@@ -352,7 +355,7 @@ TEST_CASE("an interpolated normal never sends the ray below the flat face (CR §
     };
     const Ray ray{.origin = {0, 1, 0}, .direction = Real(-2) * towards(-80)};
     for (const Real lean : {Real(8), Real(30)}) {
-        Surface surface = flat(ray, {0, 1, 0}, Real(0.125));
+        ShadingPoint surface = flat(ray, {0, 1, 0}, Real(0.125));
         surface.normal = towards(lean);
         CHECK(goes_away(ray, surface));
         CHECK(keeps_length(ray, surface));
@@ -398,20 +401,22 @@ Scene draw_shape(Random& random) {
 }
 
 template <class Shape>
-Items<Shape> moved_items(const Items<Shape>& items, const Motion& motion) {
-    Items<Shape> result;
-    for (const Item<Shape>& item : items) result.push_back({.shape = moved(item.shape, motion)});
+PrimitiveList<Shape> moved_items(const PrimitiveList<Shape>& primitives,
+                                 const Transform& transform) {
+    PrimitiveList<Shape> result;
+    for (const Primitive<Shape>& primitive : primitives)
+        result.push_back({.shape = transformed(primitive.shape, transform)});
     return result;
 }
 
-Scene moved_scene(const Scene& scene, const Motion& motion) {
+Scene moved_scene(const Scene& scene, const Transform& transform) {
     Scene result;
-    result.spheres = moved_items(scene.spheres, motion);
-    result.planes = moved_items(scene.planes, motion);
-    result.triangles = moved_items(scene.triangles, motion);
-    result.squares = moved_items(scene.squares, motion);
-    result.cylinders = moved_items(scene.cylinders, motion);
-    result.cones = moved_items(scene.cones, motion);
+    result.spheres = moved_items(scene.spheres, transform);
+    result.planes = moved_items(scene.planes, transform);
+    result.triangles = moved_items(scene.triangles, transform);
+    result.squares = moved_items(scene.squares, transform);
+    result.cylinders = moved_items(scene.cylinders, transform);
+    result.cones = moved_items(scene.cones, transform);
     return result;
 }
 
@@ -426,9 +431,9 @@ std::string code_of_shape(const Scene& scene) {
 
 std::optional<Hit> first_hit(const Scene& scene, const Ray& ray) {
     Context context;
-    Nearest nearest(ray, context);
-    among_shapes(nearest, scene);
-    return nearest.hit();
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    return closest.hit();
 }
 
 /// The ray hits the shape; the reflected ray does not hit it again where it left, within a
@@ -439,13 +444,13 @@ Verdict leaves(const Scene& scene, const Ray& ray, Real size) {
     // Inside a cone's tip the other side is as near as one likes.
     if (!scene.cones.empty() && distance(hit->point, scene.cones.front().shape.apex) < size / 4)
         return {};
-    const Surface surface = surface_at(*hit, ray);
+    const ShadingPoint surface = shading_point(*hit, ray);
     const Ray sent = mirrored(ray, surface);
     const std::optional<Hit> next = first_hit(scene, sent);
     const Real way = next ? next->t * length(sent.direction) : infinity;
-    return verdict(way > size / 100 * std::abs(dot(unit(ray.direction), surface.side)),
+    return verdict(way > size / 100 * std::abs(dot(unit(ray.direction), surface.geometric_normal)),
                    question(ray, surface) + ",\n           which it sends on from " +
-                       code_of_shape(scene) + "\n  came:     " + code(sent) +
+                       code_of_shape(scene) + "\n  got:      " + code(sent) +
                        ", which meets it again after " + text(way) +
                        "\n  expected: it leaves the surface, and does not meet it there");
 }
@@ -460,7 +465,7 @@ TEST_CASE("it does not meet the surface that it leaves, however large or small (
         const Ray ray{.origin = sphere.center, .direction = direction};
         Scene scene;
         scene.spheres.push_back({.shape = sphere});
-        const Surface surface = surface_at(first_hit(scene, ray).value(), ray);
+        const ShadingPoint surface = shading_point(first_hit(scene, ray).value(), ray);
         const Ray sent = mirrored(ray, surface);
         const std::optional<Hit> other_side = first_hit(scene, sent);
         const Real way = other_side ? other_side->t * length(sent.direction) : infinity;
@@ -479,16 +484,16 @@ TEST_CASE("it does not meet the surface that it leaves, however large or small (
     }));
     CHECK(for_all(
         [](Random& random) {
-            Motion motion;
-            motion.scale = std::pow(Real(10), Real(random.below(13) - 6));
-            motion.rotation = random.basis();
-            motion.translation = motion.scale * random.point(8);
+            Transform transform;
+            transform.scale = std::pow(Real(10), Real(random.below(13) - 6));
+            transform.rotation = random.basis();
+            transform.translation = transform.scale * random.point(8);
             const Vec3 eye = random.point(4);
             const Vec3 aim = random.point(1);
             // Any length relative to the scene: in float, the products stay far from underflow.
-            const Ray ray{.origin = moved(eye, motion),
-                          .direction = random.power_of_two() * turned(aim - eye, motion)};
-            return leaves(moved_scene(draw_shape(random), motion), ray, motion.scale);
+            const Ray ray{.origin = transformed(eye, transform),
+                          .direction = random.power_of_two() * rotated(aim - eye, transform)};
+            return leaves(moved_scene(draw_shape(random), transform), ray, transform.scale);
         },
         2000));
 }

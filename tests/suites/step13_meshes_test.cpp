@@ -22,40 +22,40 @@ namespace {
 // Boxes along the axes.
 
 /// From (-1, -2, -3) to (1, 2, 3).
-const Box block{.min = {-1, -2, -3}, .max = {1, 2, 3}};
+const BoundingBox block{.min = {-1, -2, -3}, .max = {1, 2, 3}};
 
-std::string came_text(const std::optional<Interval>& part) {
+std::string got_text(const std::optional<Interval>& part) {
     return part ? "inside from t = " + text(part->min) + " to " + text(part->max) : "never inside";
 }
 
-Verdict told(const Ray& ray, const Box& box, Interval interval,
+Verdict told(const Ray& ray, const BoundingBox& box, Interval interval,
              const std::optional<Interval>& expected) {
-    const auto came = overlap(ray, box, interval);
+    const auto got = overlap(ray, box, interval);
     const bool same =
-        expected ? came && close(came->min, expected->min, 0) && close(came->max, expected->max, 0)
-                 : !came;
+        expected ? got && close(got->min, expected->min, 0) && close(got->max, expected->max, 0)
+                 : !got;
     const std::string question = code(ray) + ", " + code(box);
     const std::string paste =
         expected ? "inside(" + question + ", " + code(*expected) : "outside(" + question;
     const bool whole = interval.min == 0 && interval.max == infinity;
     return verdict(same, "overlap(" + code(ray) + ",\n        " + code(box) + ",\n        " +
-                             code(interval) + ")\n  came:     " + came_text(came) +
-                             "\n  expected: " + came_text(expected) + "\n  paste:    CHECK(" +
+                             code(interval) + ")\n  got:      " + got_text(got) +
+                             "\n  expected: " + got_text(expected) + "\n  paste:    CHECK(" +
                              paste + (whole ? "" : ", " + code(interval)) + "));");
 }
 
 /// The ray is in the box for just this part of the interval.
-Verdict inside(const Ray& ray, const Box& box, Interval expected, Interval interval = {}) {
+Verdict inside(const Ray& ray, const BoundingBox& box, Interval expected, Interval interval = {}) {
     return told(ray, box, interval, expected);
 }
 
 /// The ray is nowhere in the box inside the interval.
-Verdict outside(const Ray& ray, const Box& box, Interval interval = {}) {
+Verdict outside(const Ray& ray, const BoundingBox& box, Interval interval = {}) {
     return told(ray, box, interval, std::nullopt);
 }
 
 /// A point of a box's face, a tenth of the box away from the others. The faces are 0 to 5.
-Vec3 draw_on_face(Random& random, const Box& box, int face) {
+Vec3 draw_on_face(Random& random, const BoundingBox& box, int face) {
     const glm::length_t axis = face / 2;
     Vec3 share;
     for (glm::length_t i = 0; i < 3; ++i) share[i] = random.between(Real(0.1), Real(0.9));
@@ -65,14 +65,14 @@ Vec3 draw_on_face(Random& random, const Box& box, int face) {
 
 /// A line that enters the box at t = 0 and leaves it at t = 1: from one face to another.
 struct Chord {
-    Box box;
+    BoundingBox box;
     Ray line;
 };
 
 Chord draw_chord(Random& random) {
     const Vec3 corner = random.point(3);
     const Vec3 size = Vec3(1) + abs(random.point(1));
-    const Box box{.min = corner, .max = corner + size};
+    const BoundingBox box{.min = corner, .max = corner + size};
     const int face = random.below(6);
     const Vec3 enters = draw_on_face(random, box, face);
     const Vec3 leaves = draw_on_face(random, box, (face + 1 + random.below(5)) % 6);
@@ -121,14 +121,14 @@ std::string mesh_code(const Mesh& mesh) {
     return "Mesh{.vertices = {" + vertices + "}, .triangles = {" + triangles + "}}";
 }
 
-std::string came_text(const std::optional<MeshHit>& hit) {
+std::string got_text(const std::optional<MeshHit>& hit) {
     return hit ? "triangle " + std::to_string(hit->triangle) + " at t = " + text(hit->t) +
                      ", weights " + text(hit->weights)
                : "no hit";
 }
 
 std::string mesh_told(const Ray& ray, const Mesh& mesh, Interval interval,
-                      const std::optional<MeshHit>& came, const std::optional<MeshHit>& expected) {
+                      const std::optional<MeshHit>& got, const std::optional<MeshHit>& expected) {
     const bool whole = interval.min == 0 && interval.max == infinity;
     const std::string last = whole ? "));" : ", " + code(interval) + "));";
     const std::string asked = code(ray) + ", " + mesh_code(mesh);
@@ -137,21 +137,21 @@ std::string mesh_told(const Ray& ray, const Mesh& mesh, Interval interval,
                                              ", .weights = " + code(expected->weights) + "}"
                                        : "misses_mesh(" + asked;
     return "intersect(" + code(ray) + ",\n          " + mesh_code(mesh) + ",\n          " +
-           code(interval) + ")\n  came:     " + came_text(came) +
-           "\n  expected: " + came_text(expected) + "\n  paste:    CHECK(" + paste + last;
+           code(interval) + ")\n  got:      " + got_text(got) +
+           "\n  expected: " + got_text(expected) + "\n  paste:    CHECK(" + paste + last;
 }
 
 /// The ray first meets this triangle of the mesh there.
 Verdict meets(const Ray& ray, const Mesh& mesh, const MeshHit& expected, Interval interval = {}) {
-    const auto came = intersect(ray, mesh, interval);
-    const bool same = came && close(came->t, expected.t, 0) &&
-                      came->triangle == expected.triangle && close(came->weights, expected.weights);
-    return verdict(same, mesh_told(ray, mesh, interval, came, expected));
+    const auto got = intersect(ray, mesh, interval);
+    const bool same = got && close(got->t, expected.t, 0) && got->triangle == expected.triangle &&
+                      close(got->weights, expected.weights);
+    return verdict(same, mesh_told(ray, mesh, interval, got, expected));
 }
 
 Verdict misses_mesh(const Ray& ray, const Mesh& mesh, Interval interval = {}) {
-    const auto came = intersect(ray, mesh, interval);
-    return verdict(!came, mesh_told(ray, mesh, interval, came, std::nullopt));
+    const auto got = intersect(ray, mesh, interval);
+    return verdict(!got, mesh_told(ray, mesh, interval, got, std::nullopt));
 }
 
 /// Two triangles one before the other, the closer one second, of five vertices one of which is
@@ -271,27 +271,27 @@ Mesh ball() {
 
 enum class Asked { one_by_one, packed };
 
-std::shared_ptr<const Model> model_of(const Mesh& mesh, Asked asked = Asked::one_by_one) {
-    Model model{.mesh = mesh, .bounds = bounds(mesh)};
+std::shared_ptr<const MeshGeometry> model_of(const Mesh& mesh, Asked asked = Asked::one_by_one) {
+    MeshGeometry model{.mesh = mesh, .bounds = bounds(mesh)};
     if (asked == Asked::packed) model.packed.emplace(mesh);
-    return std::make_shared<const Model>(std::move(model));
+    return std::make_shared<const MeshGeometry>(std::move(model));
 }
 
-std::string placed_code(const PlacedMesh& placed) {
-    const auto& [mesh, bounds, packed] = *placed.model;
+std::string placed_code(const MeshInstance& instance) {
+    const auto& [mesh, bounds, packed] = *instance.model;
     return (packed ? "packed: " : "") +
            (mesh.triangles.size() > 12 ? "the ball" : mesh_code(mesh)) + ", " +
-           code(placed.placement);
+           code(instance.placement);
 }
 
 /// The nearest triangle of a placed mesh is met at t, at this point of the scene.
-Verdict meets_placed(const Ray& ray, const PlacedMesh& placed, Real t, Vec3 point) {
-    const auto came = intersect(ray, placed, {});
-    const Real size = placed.placement.scale;
+Verdict meets_placed(const Ray& ray, const MeshInstance& instance, Real t, Vec3 point) {
+    const auto got = intersect(ray, instance, {});
+    const Real size = instance.placement.scale;
     const bool same =
-        came && close(came->t, t, 0) && close(projected(placed, *came).point / size, point / size);
-    return verdict(same, "intersect(" + code(ray) + ",\n          " + placed_code(placed) +
-                             ")\n  came:     " + came_text(came) + "\n  expected: t = " + text(t) +
+        got && close(got->t, t, 0) && close(snapped_to(instance, *got).point / size, point / size);
+    return verdict(same, "intersect(" + code(ray) + ",\n          " + placed_code(instance) +
+                             ")\n  got:      " + got_text(got) + "\n  expected: t = " + text(t) +
                              ", at " + text(point));
 }
 
@@ -324,9 +324,9 @@ Verdict none_lost(const Mesh& mesh, Asked asked) {
     return for_all(
         [model](Random& random) {
             const Ray shot = draw_shot(random, model->mesh);
-            const PlacedMesh placed{.model = model, .placement = random_motion(random)};
-            return meets_placed(moved(shot, placed.placement), placed, 1,
-                                moved(at(shot, 1), placed.placement));
+            const MeshInstance instance{.model = model, .placement = random_motion(random)};
+            return meets_placed(transformed(shot, instance.placement), instance, 1,
+                                transformed(at(shot, 1), instance.placement));
         },
         2000);
 }
@@ -389,7 +389,7 @@ TEST_CASE("t counts in the length of the direction, however short or long it is 
 }
 
 TEST_CASE("a box behind the eye is missed (erratum 8, M1)") {
-    const Box behind{.min = {-1, -1, 4}, .max = {1, 1, 6}};
+    const BoundingBox behind{.min = {-1, -1, 4}, .max = {1, 1, 6}};
     CHECK(outside(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, behind));
     CHECK(inside(Ray{.origin = {0, 0, 0}, .direction = {0, 0, 1}}, behind, {4, 6}));
     CHECK(for_all([](Random& random) {
@@ -413,8 +413,8 @@ TEST_CASE("from inside, a ray is in the box from its start to the first t_max (M
 namespace {
 
 /// A ray along a face of a box around 0, or along an edge, where it is on a third plane as well.
-Verdict inside_along(const Box& box, glm::length_t face, Vec3 corner, glm::length_t along, int sign,
-                     bool edge) {
+Verdict inside_along(const BoundingBox& box, glm::length_t face, Vec3 corner, glm::length_t along,
+                     int sign, bool edge) {
     Ray ray{.origin = {0, 0, 0}, .direction = {0, 0, 0}};
     ray.direction[along] = Real(sign);
     ray.origin[along] = Real(-16 * sign);
@@ -446,7 +446,7 @@ TEST_CASE("a ray along a face or an edge is in the box, though 0 times infinity 
         const int width = 1 + random.below(64);
         const int height = 1 + random.below(64);
         const Vec3 half = Vec3(width, height, 1 + random.below(64)) / Real(8);
-        const Box box{.min = -half, .max = half};
+        const BoundingBox box{.min = -half, .max = half};
         const glm::length_t face = random.below(3);
         const glm::length_t along = (face + 1 + random.below(2)) % 3;
         const int sign = random.coin() ? 1 : -1;
@@ -473,7 +473,7 @@ TEST_CASE("a coordinate of the direction may be 0, and -0 is 0 (M1, Williams et 
 }
 
 TEST_CASE("a flat box is hit: max t_min = min t_max is no miss (M1)", "[exact]") {
-    const Box sheet{.min = {-1, -2, 3}, .max = {1, 2, 3}};
+    const BoundingBox sheet{.min = {-1, -2, 3}, .max = {1, 2, 3}};
     CHECK(inside(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, sheet, {2, 2}));
     CHECK(inside(Ray{.origin = {3, 0, 0}, .direction = {-1, 0, 1}}, sheet, {3, 3}));
     CHECK(outside(Ray{.origin = {3, 3, 0}, .direction = {-1, 0, 1}}, sheet));
@@ -518,20 +518,20 @@ TEST_CASE("a ray meets the near face of an oriented box, half a size from its ce
 
 TEST_CASE("an oriented box turns with its basis (M1)") {
     // Its x axis is the scene's y, its y axis the scene's -x.
-    OrientedBox turned = upright;
-    turned.basis = {.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
-    CHECK(hits(Ray{.origin = {Real(1.9), 0, 0}, .direction = {0, 0, -1}}, turned, 2));
-    CHECK(misses(Ray{.origin = {0, Real(1.1), 0}, .direction = {0, 0, -1}}, turned));
+    OrientedBox rotated = upright;
+    rotated.basis = {.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
+    CHECK(hits(Ray{.origin = {Real(1.9), 0, 0}, .direction = {0, 0, -1}}, rotated, 2));
+    CHECK(misses(Ray{.origin = {0, Real(1.1), 0}, .direction = {0, 0, -1}}, rotated));
     // Round z by the angle of 3, 4, 5: along (0.8, 0.6) it reaches to 1, along (-0.6, 0.8) to 2.
     const Real s = Real(0.6);
     const Real c = Real(0.8);
-    turned.basis = {.x = {c, s, 0}, .y = {-s, c, 0}, .z = {0, 0, 1}};
-    CHECK(hits(Ray{.origin = {5 * c, 5 * s, -5}, .direction = {-c, -s, 0}}, turned, 4));
-    CHECK(hits(Ray{.origin = {-5 * s, 5 * c, -5}, .direction = {s, -c, 0}}, turned, 3));
-    const Vec3 near_corner = Real(0.9) * turned.basis.x + Real(1.9) * turned.basis.y;
-    const Vec3 past_corner = Real(0.9) * turned.basis.x + Real(2.1) * turned.basis.y;
-    CHECK(hits(Ray{.origin = near_corner, .direction = {0, 0, -1}}, turned, 2));
-    CHECK(misses(Ray{.origin = past_corner, .direction = {0, 0, -1}}, turned));
+    rotated.basis = {.x = {c, s, 0}, .y = {-s, c, 0}, .z = {0, 0, 1}};
+    CHECK(hits(Ray{.origin = {5 * c, 5 * s, -5}, .direction = {-c, -s, 0}}, rotated, 4));
+    CHECK(hits(Ray{.origin = {-5 * s, 5 * c, -5}, .direction = {s, -c, 0}}, rotated, 3));
+    const Vec3 near_corner = Real(0.9) * rotated.basis.x + Real(1.9) * rotated.basis.y;
+    const Vec3 past_corner = Real(0.9) * rotated.basis.x + Real(2.1) * rotated.basis.y;
+    CHECK(hits(Ray{.origin = near_corner, .direction = {0, 0, -1}}, rotated, 2));
+    CHECK(misses(Ray{.origin = past_corner, .direction = {0, 0, -1}}, rotated));
 }
 
 TEST_CASE("rays aimed at a point of an oriented box meet it there (M1)") {
@@ -635,13 +635,13 @@ TEST_CASE("the normal is that of the face, not of the largest coordinate (M1)") 
 
 TEST_CASE("a mesh that is moved: the ray is moved the other way (HAI, translate)") {
     const Ray seen =
-        into_frame({.origin = {1, 2, 8}, .direction = {0, 1, -1}}, {.translation = {1, 2, 3}});
+        to_object_space({.origin = {1, 2, 8}, .direction = {0, 1, -1}}, {.translation = {1, 2, 3}});
     CHECK(gives("the origin, 1,2,8 with the mesh at 1,2,3", seen.origin, Vec3(0, 0, 5)));
     CHECK(gives("the direction, which moving leaves alone", seen.direction, Vec3(0, 1, -1)));
 }
 
 TEST_CASE("a mesh twice as large: the ray and its direction are halved (HAI, scale)") {
-    const Ray seen = into_frame({.origin = {2, 0, 8}, .direction = {0, 1, -1}}, {.scale = 2});
+    const Ray seen = to_object_space({.origin = {2, 0, 8}, .direction = {0, 1, -1}}, {.scale = 2});
     CHECK(gives("the origin, 2,0,8 with the mesh scaled by 2", seen.origin, Vec3(1, 0, 4)));
     CHECK(gives("the direction, not made unit length", seen.direction,
                 Vec3(0, Real(0.5), Real(-0.5))));
@@ -651,29 +651,29 @@ TEST_CASE("a mesh that is turned: the ray is turned the other way (HAI, rotate)"
     // A quarter turn around z: the mesh's x axis is the scene's y.
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
     const Ray seen =
-        into_frame({.origin = {0, 5, 1}, .direction = {1, 0, 0}}, {.rotation = quarter});
+        to_object_space({.origin = {0, 5, 1}, .direction = {1, 0, 0}}, {.rotation = quarter});
     CHECK(gives("the origin, 0,5,1 on the turned x axis", seen.origin, Vec3(5, 0, 1)));
     CHECK(gives("the direction 1,0,0, against the turned y axis", seen.direction, Vec3(0, -1, 0)));
 }
 
 TEST_CASE("a mesh is scaled, then turned, then moved, and the ray all that backwards (HAI)") {
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
-    const Motion placement{.rotation = quarter, .scale = 2, .translation = {1, 2, 3}};
-    const Ray seen = into_frame({.origin = {1, 12, 5}, .direction = {0, -4, 0}}, placement);
+    const Transform placement{.rotation = quarter, .scale = 2, .translation = {1, 2, 3}};
+    const Ray seen = to_object_space({.origin = {1, 12, 5}, .direction = {0, -4, 0}}, placement);
     CHECK(gives("the origin", seen.origin, Vec3(5, 0, 1)));
     CHECK(gives("the direction", seen.direction, Vec3(-2, 0, 0)));
 }
 
 TEST_CASE("every point of the ray keeps its t in the mesh's frame (M1, change of frame)") {
     CHECK(for_all([](Random& random) {
-        const Motion placement = random_motion(random);
+        const Transform placement = random_motion(random);
         const Ray expected{.origin = random.point(4), .direction = random.direction()};
-        const Ray asked = moved(expected, placement);
-        const Ray came = into_frame(asked, placement);
+        const Ray asked = transformed(expected, placement);
+        const Ray got = to_object_space(asked, placement);
         return verdict(
-            close(came.origin, expected.origin) && close(came.direction, expected.direction),
-            "into_frame(" + code(asked) + ",\n           " + code(placement) +
-                ")\n  came:     " + code(came) + "\n  expected: " + code(expected));
+            close(got.origin, expected.origin) && close(got.direction, expected.direction),
+            "to_object_space(" + code(asked) + ",\n           " + code(placement) +
+                ")\n  got:      " + code(got) + "\n  expected: " + code(expected));
     }));
 }
 
@@ -716,9 +716,9 @@ TEST_CASE("the weights are those of the vertices in their order, and sum to 1 (C
     CHECK(meets(above(3, Real(0.5)), one, weights(Real(0.125), Real(0.75), Real(0.125))));
     CHECK(meets(above(Real(0.5), 3), one, weights(Real(0.125), Real(0.125), Real(0.75))));
     // The same triangle named from its second vertex on.
-    Mesh turned = one;
-    turned.triangles = {{1, 2, 0}};
-    CHECK(meets(above(3, Real(0.5)), turned, weights(Real(0.75), Real(0.125), Real(0.125))));
+    Mesh rotated = one;
+    rotated.triangles = {{1, 2, 0}};
+    CHECK(meets(above(3, Real(0.5)), rotated, weights(Real(0.75), Real(0.125), Real(0.125))));
 }
 
 TEST_CASE("a ray through the mesh's box misses where no triangle is (CR §4.2)") {
@@ -795,7 +795,7 @@ Verdict interpolates(const std::array<Vec3, 3>& normals, Vec3 weights, Vec3 expe
         "{" + code(a) + ", " + code(b) + ", " + code(c) + "}, " + code(weights);
     return verdict(close(interpolated_normal(normals, weights), expected),
                    "interpolated_normal(" + asked +
-                       ")\n  came:     " + text(interpolated_normal(normals, weights)) +
+                       ")\n  got:      " + text(interpolated_normal(normals, weights)) +
                        "\n  expected: " + text(expected) + "\n  paste:    CHECK(interpolates(" +
                        asked + ", " + code(expected) + "));");
 }
@@ -848,26 +848,26 @@ TEST_CASE("an interpolated normal has unit length (CR §6)") {
     CHECK(for_all([](Random& random) {
         const std::array<Vec3, 3> normals = draw_normals(random);
         const Vec3 weights = draw_weights(random);
-        const Vec3 came = interpolated_normal(normals, weights);
-        return verdict(close(length(came), 1),
-                       "interpolated_normal({" + code(normals[0]) + ", " + code(normals[1]) + ", " +
-                           code(normals[2]) + "}, " + code(weights) +
-                           ")\n  came:     " + text(came) + ", of length " + text(length(came)) +
-                           "\n  expected: of length 1");
+        const Vec3 got = interpolated_normal(normals, weights);
+        return verdict(close(length(got), 1), "interpolated_normal({" + code(normals[0]) + ", " +
+                                                  code(normals[1]) + ", " + code(normals[2]) +
+                                                  "}, " + code(weights) +
+                                                  ")\n  got:      " + text(got) + ", of length " +
+                                                  text(length(got)) + "\n  expected: of length 1");
     }));
 }
 
 TEST_CASE("a placed mesh is met where it has been moved to (HAI, CR §4.2)") {
     // The cube, twice as large, a quarter turn round z, at 0,0,-10: it reaches from -12 to -8.
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
-    const PlacedMesh placed{
+    const MeshInstance instance{
         .model = model_of(cube()),
         .placement = {.rotation = quarter, .scale = 2, .translation = {0, 0, -10}}};
-    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -1}}, placed, 8,
+    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -1}}, instance, 8,
                        {1, Real(0.5), -8}));
-    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -4}}, placed, 2,
+    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -4}}, instance, 2,
                        {1, Real(0.5), -8}));
-    CHECK(meets_placed({.origin = {1, Real(0.5), -10}, .direction = {0, 0, -1}}, placed, 2,
+    CHECK(meets_placed({.origin = {1, Real(0.5), -10}, .direction = {0, 0, -1}}, instance, 2,
                        {1, Real(0.5), -12}));
 }
 
@@ -886,17 +886,17 @@ TEST_CASE("a packed mesh gives the hits of its triangles one by one (CR §4.2)")
     const auto packed = model_of(ball(), Asked::packed);
     const auto listed = model_of(ball(), Asked::one_by_one);
     CHECK(for_all([&](Random& random) {
-        const Motion motion = random_motion(random);
+        const Transform transform = random_motion(random);
         const Vec3 origin = Real(3) * random.direction();
         // At a point of the ball's inside, a tenth from its surface: not grazing.
         const Vec3 aim = random.between(0, Real(0.8)) * random.direction();
-        const Ray ray = moved(Ray{.origin = origin, .direction = aim - origin}, motion);
-        const auto came = intersect(ray, PlacedMesh{listed, motion}, {});
-        const auto expected = intersect(ray, PlacedMesh{packed, motion}, {});
-        const bool same = came && expected && close(came->t, expected->t, 0);
-        return verdict(same, "intersect(" + code(ray) + ", the ball, " + code(motion) +
-                                 ")\n  came:     " + came_text(came) +
-                                 "\n  expected: " + came_text(expected));
+        const Ray ray = transformed(Ray{.origin = origin, .direction = aim - origin}, transform);
+        const auto got = intersect(ray, MeshInstance{listed, transform}, {});
+        const auto expected = intersect(ray, MeshInstance{packed, transform}, {});
+        const bool same = got && expected && close(got->t, expected->t, 0);
+        return verdict(same, "intersect(" + code(ray) + ", the ball, " + code(transform) +
+                                 ")\n  got:      " + got_text(got) +
+                                 "\n  expected: " + got_text(expected));
     }));
 }
 
@@ -976,18 +976,18 @@ TEST_CASE("a mesh with normals is shaded by the interpolated one, without by its
     const Real s = std::sqrt(Real(0.5));
     tent.normals = {{-s, s, 0}, {0, 1, 0}, {0, 1, 0}};
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
-    const Motion placement{.rotation = quarter, .scale = 3, .translation = {1, 2, 3}};
+    const Transform placement{.rotation = quarter, .scale = 3, .translation = {1, 2, 3}};
     const Ray down =
-        moved(Ray{.origin = {Real(-0.5), 5, Real(0.5)}, .direction = {0, -1, 0}}, placement);
-    const PlacedMesh smooth{.model = model_of(tent), .placement = placement};
+        transformed(Ray{.origin = {Real(-0.5), 5, Real(0.5)}, .direction = {0, -1, 0}}, placement);
+    const MeshInstance smooth{.model = model_of(tent), .placement = placement};
     const auto hit = intersect(down, smooth, {});
     REQUIRE(hit);
     // Half-way from the first vertex to the ridge.
     CHECK(gives("the interpolated normal", normal(smooth, *hit),
-                turned(unit(Vec3(-s, s, 0) + Vec3(0, 1, 0)), placement)));
+                rotated(unit(Vec3(-s, s, 0) + Vec3(0, 1, 0)), placement)));
     tent.normals.clear();
-    const PlacedMesh flat{.model = model_of(tent), .placement = placement};
-    CHECK(gives("the face's normal", normal(flat, *hit), turned(Vec3(-s, s, 0), placement)));
+    const MeshInstance flat{.model = model_of(tent), .placement = placement};
+    CHECK(gives("the face's normal", normal(flat, *hit), rotated(Vec3(-s, s, 0), placement)));
 }
 
 TEST_CASE("the picture of the stage (CR §4.2, §6)") {

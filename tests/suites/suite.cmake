@@ -22,7 +22,7 @@ function(raysteps_link_suite program objects precision)
     add_executable(${program} $<TARGET_OBJECTS:${objects}>)
     target_link_libraries(${program} PRIVATE
         raysteps_common_${precision} raysteps_kit_${precision} raysteps_drawn_${precision}
-        raysteps_kit_main raysteps_neutral Threads::Threads)
+        raysteps_kit_main raysteps_base Threads::Threads)
     foreach(stage IN LISTS ARGN)
         target_link_libraries(${program} PRIVATE ${stage}_${precision})
     endforeach()

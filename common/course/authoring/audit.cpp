@@ -33,10 +33,10 @@ public:
     void note(const std::string& what) { notes_ += (notes_.empty() ? "" : ", ") + what; }
 
     /// Prints them. Returns true if nothing is missing.
-    [[nodiscard]] bool tell() const {
+    [[nodiscard]] bool explain() const {
         std::printf("%s %-22s %s\n", missing_.empty() ? "✓" : "✗", name_.c_str(), notes_.c_str());
         for (const std::string& what : missing_)
-            std::printf("    %s\n", painted(what, Paint::bad).c_str());
+            std::printf("    %s\n", styled(what, Style::bad).c_str());
         std::fflush(stdout);
         return missing_.empty();
     }
@@ -167,7 +167,7 @@ int audit() {
         look_at_page(stage, findings);
         look_at_hints(stage, findings);
         look_at_mistakes(stage, findings);
-        whole = findings.tell() && whole;
+        whole = findings.explain() && whole;
     }
     if (!has_meshes) std::puts("step13_meshes was left out: it needs OpenMesh");
     return whole ? 0 : 1;

@@ -57,10 +57,10 @@ public:
         done_ += part_;
         part_ = seconds;
         begun_ = Clock::now();
-        tell();
+        explain();
     }
 
-    void tell() const {
+    void explain() const {
         if (!shown_) return;
         const Clock::time_point now = Clock::now();
         const double slower = done_ > 0 ? Seconds(begun_ - start_).count() / done_ : 1;
@@ -91,7 +91,7 @@ std::string output_of(const std::string& program, const Meter& meter) {
     for (;;) {
         constexpr int second = 1000;
         if (poll(&words, 1, second) == 0) {
-            meter.tell();
+            meter.explain();
             continue;
         }
         const ssize_t count = read(words.fd, buffer.data(), buffer.size());
@@ -132,7 +132,7 @@ std::vector<File> chosen(const std::vector<std::string>& names) {
 /// True if the program exists, and succeeds.
 bool can_run(const Command& command) {
     try {
-        return listen_to(command, std::chrono::minutes(1)).status == 0;
+        return run_captured(command, std::chrono::minutes(1)).status == 0;
     } catch (const InputError&) {
         return false;
     }

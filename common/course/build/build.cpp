@@ -98,8 +98,8 @@ void choose_reference(const std::string& stages) {
     const std::string setting = "RAYSTEPS_REFERENCE:STRING=" + stages;
     for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
         if (line == setting) return;
-    const Ending ending =
-        listen_to({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
+    const ProcessResult ending =
+        run_captured({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
     if (ending.status != 0) throw ProgramError("error: cmake failed\n" + ending.output);
 }
 

@@ -103,7 +103,7 @@ void explain_failure(const Judgement& judgement) {
     const bool float_only = first->in_double.passed;
     const CaseResult& failed = float_only ? first->in_float : first->in_double;
     const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
-    std::printf("\n%s%s\n", painted(failed.name, Paint::bold).c_str(),
+    std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(),
                 float_only ? "  (in float only)" : "");
     for (const std::string& line : lines_of(failed.failure)) std::printf("    %s\n", line.c_str());
     if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
@@ -117,9 +117,9 @@ void show_picture(int stage) {
     const std::string name(stage_name(stage));
     const TemporaryFolder folder(build_folder);
     const std::filesystem::path mine = folder.path() / "mine.png";
-    const Ending ending =
-        listen_to({(build_folder / (name + "_judged")).string(), "--quiet", "-o", mine.string()},
-                  picture_limit);
+    const ProcessResult ending = run_captured(
+        {(build_folder / (name + "_checked")).string(), "--quiet", "-o", mine.string()},
+        picture_limit);
     if (ending.out_of_time || ending.status != 0) {
         std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
                                                       : ending.crash.empty()
@@ -139,8 +139,8 @@ void show_picture(int stage) {
 void show_cases(const std::vector<Outcome>& all) {
     for (const Outcome& outcome : all)
         std::printf("%s\n", outcome.passed()
-                                ? painted("  ✓ " + outcome.in_double.name, Paint::dim).c_str()
-                                : painted("  ✗ " + outcome.in_double.name, Paint::bad).c_str());
+                                ? styled("  ✓ " + outcome.in_double.name, Style::dim).c_str()
+                                : styled("  ✗ " + outcome.in_double.name, Style::bad).c_str());
 }
 
 /// Warns of includes that work here, and are refused when the file is graded.
@@ -179,8 +179,8 @@ void show_count(const Judgement& judgement, int stage) {
     const std::string count = std::to_string(judgement.passed()) + " of " +
                               std::to_string(judgement.outcomes.size()) +
                               " cases pass, in float and double";
-    std::printf("\n%s: %s\n", painted(std::string(stage_name(stage)), Paint::bold).c_str(),
-                painted(count, judgement.right() ? Paint::good : Paint::bad).c_str());
+    std::printf("\n%s: %s\n", styled(std::string(stage_name(stage)), Style::bold).c_str(),
+                styled(count, judgement.right() ? Style::good : Style::bad).c_str());
     if (!judgement.right())
         std::printf("Stuck? ./course hint %d\n", stage);
     else if (stage < int(stage_names.size()))
@@ -195,7 +195,7 @@ int check(int stage) {
     if (workbook.files().empty())
         throw InputError({}, name + " is not started: ./course start " + std::to_string(stage));
     choose_reference("");
-    const Build built = try_build({name + "_test_double", name + "_test_float", name + "_judged"});
+    const Build built = try_build({name + "_test_double", name + "_test_float", name + "_checked"});
     if (!built.succeeded) {
         std::fputs(first_error(built.output).c_str(), stdout);
         return 1;

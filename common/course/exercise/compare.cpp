@@ -21,45 +21,46 @@ namespace {
 
 constexpr std::chrono::seconds time_limit{600};
 
-std::string my_program(const Contest& contest) {
-    return stage_target(contest.stage, contest.all_mine ? "" : "_judged");
+std::string my_program(const ComparisonRequest& contest) {
+    return stage_target(contest.stage, contest.all_mine ? "" : "_checked");
 }
 
-std::string reference_program(const Contest& contest) {
-    return stage_target(contest.stage, "_of_reference");
+std::string reference_program(const ComparisonRequest& contest) {
+    return stage_target(contest.stage, "_reference_program");
 }
 
-void build_both(const Contest& contest) {
+void build_both(const ComparisonRequest& contest) {
     build({my_program(contest), reference_program(contest)});
 }
 
 /// The output of a program, which becomes an error message if the program fails.
-std::string answer(const std::string& program, const Contest& contest, const Command& more) {
+std::string answer(const std::string& program, const ComparisonRequest& contest,
+                   const Command& more) {
     Command command = {(build_folder / program).string()};
     command.insert(command.end(), contest.words.begin(), contest.words.end());
     command.insert(command.end(), more.begin(), more.end());
-    const Ending ending = listen_to(command, time_limit);
+    const ProcessResult ending = run_captured(command, time_limit);
     if (ending.out_of_time) throw InputError({}, program + " does not end");
     if (!ending.crash.empty()) throw InputError({}, program + " crashed: " + ending.crash);
     if (ending.status != 0) throw ProgramError(ending.output);
     return ending.output;
 }
 
-Image picture(const std::string& program, const Contest& contest) {
+Image picture(const std::string& program, const ComparisonRequest& contest) {
     const TemporaryFolder folder(build_folder);
     const std::string file = (folder.path() / "picture.png").string();
     answer(program, contest, {"--quiet", "-o", file});
     return read_png(file);
 }
 
-Comparison compare_both(const Contest& contest) {
+Comparison compare_both(const ComparisonRequest& contest) {
     return compare(picture(my_program(contest), contest),
                    picture(reference_program(contest), contest));
 }
 
 }  // namespace
 
-int compare_pictures(const Contest& contest) {
+int compare_pictures(const ComparisonRequest& contest) {
     build_both(contest);
     const Comparison comparison = compare_both(contest);
     const std::string file = "renders/" + stage_target(contest.stage, "_compare.png");
@@ -73,7 +74,7 @@ int compare_pictures(const Contest& contest) {
     return 1;
 }
 
-int explain_pixel(const Contest& contest, std::string pixel) {
+int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
     build_both(contest);
     if (pixel.empty()) {
         const Comparison comparison = compare_both(contest);

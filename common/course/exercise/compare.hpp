@@ -7,7 +7,7 @@
 namespace rt {
 
 /// Two programs of a stage that are run with the same arguments.
-struct Contest {
+struct ComparisonRequest {
     int stage;
     bool all_mine;  ///< use the student's files of all started stages, not only of this one
     Command words;  ///< a scene and program options
@@ -15,10 +15,10 @@ struct Contest {
 
 /// `./course compare`: writes both pictures and their difference to renders/, and shows them on a
 /// terminal. Returns 0 if they agree, else 1.
-int compare_pictures(const Contest& contest);
+int compare_pictures(const ComparisonRequest& contest);
 
 /// `./course explain`: prints both explanations of the pixel "ROW,COLUMN"; if it is empty, of the
 /// middle of the largest cluster of different pixels. Returns 0.
-int explain_pixel(const Contest& contest, std::string pixel);
+int explain_pixel(const ComparisonRequest& contest, std::string pixel);
 
 }  // namespace rt

@@ -29,16 +29,16 @@ void show_diagnosis(int stage) {
     const std::filesystem::path drawing = project_folder / slice;
     std::error_code none;
     std::filesystem::remove(drawing, none);
-    const Ending ending =
-        listen_to({program("diagnose"),
-                   (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
-                   program(student), program(reference), drawing.string()},
-                  time_limit);
+    const ProcessResult ending = run_captured(
+        {program("diagnose"),
+         (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
+         program(student), program(reference), drawing.string()},
+        time_limit);
     if (ending.out_of_time || ending.status != 1) return;
     std::puts("");
     for (const std::string& line : lines_of(ending.output)) {
         const bool mistake = line.rfind("mistake: ", 0) == 0;
-        std::printf("%s\n", mistake ? painted(line, Paint::bold).c_str() : line.c_str());
+        std::printf("%s\n", mistake ? styled(line, Style::bold).c_str() : line.c_str());
     }
     if (std::filesystem::exists(drawing)) std::printf("drawn:     %s\n", slice.c_str());
 }

@@ -82,7 +82,7 @@ private:
     }
 
     void differ(const std::string& whose, const std::string& line) {
-        add(painted(whose, Paint::bold), line);
+        add(styled(whose, Style::bold), line);
         differs_ = true;
         if (!first_.empty()) return;
         first_ = (name(line) == verdict ? "the result" : name(line)) + ", of " + heading_;

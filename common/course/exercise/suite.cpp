@@ -16,9 +16,10 @@ constexpr std::chrono::seconds time_limit{10};  // the slowest suite takes one
 SuiteResult run_suite(const std::string& program) {
     const std::filesystem::path report = build_folder / (program + ".report");
     std::filesystem::remove(report);
-    const Ending ending = listen_to({"env", "RAYSTEPS_REPORT=" + report.string(),
-                                     (build_folder / program).string(), "--out", "/dev/null"},
-                                    time_limit);
+    const ProcessResult ending =
+        run_captured({"env", "RAYSTEPS_REPORT=" + report.string(),
+                      (build_folder / program).string(), "--out", "/dev/null"},
+                     time_limit);
     SuiteResult result{.output = ending.output};
     if (std::filesystem::exists(report)) result.cases = read_report(read_text(report));
     if (ending.out_of_time)

@@ -130,8 +130,8 @@ void check_places(const Order& order) {
 }
 
 /// Those of this part, of the students that were named.
-std::vector<Envelope> chosen(const std::vector<Envelope>& all, const Order& order) {
-    std::vector<Envelope> mine;
+std::vector<Submission> chosen(const std::vector<Submission>& all, const Order& order) {
+    std::vector<Submission> mine;
     std::set<std::string> unknown = order.students;
     for (std::size_t i = 0; i < all.size(); ++i) {
         unknown.erase(all[i].student);
@@ -153,8 +153,8 @@ void report_left_over(const fs::path& results, const std::vector<std::string>& l
 
 void precompile_headers(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
-    in_parallel(order.jobs, stages.size(), &stop,
-                [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
+    parallel_for(order.jobs, stages.size(), &stop,
+                 [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
 }
 
 /// Compiles each reference alone; for few submissions only one, since a compile takes seconds: a
@@ -162,20 +162,20 @@ void precompile_headers(const Order& order, const Grading& grading) {
 void compile_references(const Order& order, const Grading& grading, std::size_t submissions) {
     std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     if (submissions < headers_pay_from) stages.erase(stages.begin(), stages.end() - 1);
-    in_parallel(order.jobs, stages.size(), &stop,
-                [&](std::size_t i) { compile_reference(grading, stages[i]); });
+    parallel_for(order.jobs, stages.size(), &stop,
+                 [&](std::size_t i) { compile_reference(grading, stages[i]); });
 }
 
-std::map<int, Yardstick> judge_references(const Order& order, const Grading& grading) {
+std::map<int, ReferenceResult> judge_references(const Order& order, const Grading& grading) {
     const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
-    std::vector<Yardstick> found(stages.size());
-    in_parallel(order.jobs, stages.size(), &stop, [&](std::size_t i) {
+    std::vector<ReferenceResult> found(stages.size());
+    parallel_for(order.jobs, stages.size(), &stop, [&](std::size_t i) {
         found[i] = judge_reference(grading, stages[i], grading.workshop.folder);
     });
-    std::map<int, Yardstick> yardsticks;
+    std::map<int, ReferenceResult> reference_results;
     for (std::size_t i = 0; i < stages.size(); ++i)
-        if (!found[i].cases.empty()) yardsticks[stages[i]] = found[i];
-    return yardsticks;
+        if (!found[i].cases.empty()) reference_results[stages[i]] = found[i];
+    return reference_results;
 }
 
 Outcome grade(const Order& order, const fs::path& folder) {
@@ -188,25 +188,25 @@ Outcome grade(const Order& order, const fs::path& folder) {
     grading.workshop.stop = &stop;
     const ClassFolder found = order.one ? one_submission(order.places)
                                         : find_class(grading.workshop, order.places, order.results);
-    const std::vector<Envelope> envelopes = chosen(found.envelopes, order);
+    const std::vector<Submission> submissions = chosen(found.submissions, order);
     // Grading one student again keeps the report on the class.
-    const bool is_class = found.envelopes.size() > 1 || !found.left_over.empty();
+    const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())
         report_left_over(order.results, found.left_over);
-    if (envelopes.size() >= headers_pay_from) precompile_headers(order, grading);
-    compile_references(order, grading, envelopes.size());
+    if (submissions.size() >= headers_pay_from) precompile_headers(order, grading);
+    compile_references(order, grading, submissions.size());
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
-    std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", envelopes.size(),
+    std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", submissions.size(),
                  grading.stages.size(), grading.seed.c_str());
-    Progress progress(errors_on_terminal(), int(envelopes.size()));
+    Progress progress(errors_on_terminal(), int(submissions.size()));
     std::atomic<bool> failed = false;
-    in_parallel(order.jobs, envelopes.size(), &stop, [&](std::size_t i) {
-        const std::string why = judge.judge(envelopes[i]);
+    parallel_for(order.jobs, submissions.size(), &stop, [&](std::size_t i) {
+        const std::string why = judge.judge(submissions[i]);
         if (!why.empty()) {
             failed = true;
             std::fprintf(stderr, "error: %s could not be graded: %s\n",
-                         envelopes[i].student.c_str(), why.c_str());
+                         submissions[i].student.c_str(), why.c_str());
         }
         progress.advance();
     });
@@ -246,9 +246,10 @@ std::string today() {
 
 /// The project's commit, if it is a git clone.
 std::string version_of(const fs::path& project) {
-    const Ending told = listen_to({"git", "-c", "safe.directory=" + project.string(), "-C",
-                                   project.string(), "rev-parse", "--short=10", "HEAD"},
-                                  std::chrono::seconds(10));
+    const ProcessResult told =
+        run_captured({"git", "-c", "safe.directory=" + project.string(), "-C", project.string(),
+                      "rev-parse", "--short=10", "HEAD"},
+                     std::chrono::seconds(10));
     return told.status == 0 ? lines_of(told.output).at(0) : "unknown commit";
 }
 
@@ -263,7 +264,7 @@ std::string edition_of(const fs::path& results, const fs::path& project) {
 void write_reports(const fs::path& results, const fs::path& project) {
     const std::vector<Mark> marks = read_marks(results);
     if (marks.empty()) throw InputError({results}, "contains no marks");
-    Term term = read_term(results, marks);
+    PhongTerm term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());
     write_grade_book(results, marks, term);

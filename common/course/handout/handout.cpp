@@ -30,8 +30,8 @@ std::vector<std::string> ask_git(const std::string& options) {
     const std::string root = project_folder.string();
     const std::string question =
         "git -C \"$1\" -c safe.directory=\"$1\" ls-files -z " + options + " > \"$2\"";
-    const Ending ending =
-        listen_to({"sh", "-c", question, "git", root, answer.string()}, time_limit);
+    const ProcessResult ending =
+        run_captured({"sh", "-c", question, "git", root, answer.string()}, time_limit);
     std::vector<std::string> paths;
     if (ending.status != 0) return paths;
     std::istringstream in(read_text(answer));
@@ -125,10 +125,10 @@ std::size_t fill(const fs::path& folder) {
 
 /// The folder as an archive that unpacks to its name.
 void pack(const fs::path& folder, const fs::path& archive) {
-    const Ending ending =
-        listen_to({"tar", "-czf", archive.string(), "--owner=0", "--group=0", "-C",
-                   folder.parent_path().string(), folder.filename().string()},
-                  time_limit);
+    const ProcessResult ending =
+        run_captured({"tar", "-czf", archive.string(), "--owner=0", "--group=0", "-C",
+                      folder.parent_path().string(), folder.filename().string()},
+                     time_limit);
     if (ending.status != 0) throw ProgramError("error: tar failed\n" + ending.output);
 }
 

@@ -50,7 +50,7 @@ fs::path unpacked(const fs::path& newer) {
     const fs::path folder = build_folder / "newer_handout";
     fs::remove_all(folder);
     fs::create_directories(folder);
-    const Ending ending = listen_to(
+    const ProcessResult ending = run_captured(
         {"tar", "-xf", fs::absolute(newer).string(), "-C", folder.string(), "--no-same-owner"},
         time_limit);
     if (ending.status != 0) throw InputError({newer.string()}, "cannot be unpacked");
@@ -79,7 +79,7 @@ public:
         write_manifest(project_folder, its_);
     }
 
-    void tell() const {
+    void explain() const {
         if (changed_.empty())
             std::printf("nothing has changed: %s\n", its_.title.c_str());
         else
@@ -168,7 +168,7 @@ int update(const fs::path& newer) {
     // `course` continues with this copy if the half-updated project does not build.
     copy_whole("/proc/self/exe", build_folder / "updater");
     update.run();
-    update.tell();
+    update.explain();
     std::error_code ignored;
     fs::remove_all(build_folder / "newer_handout", ignored);
     return 0;

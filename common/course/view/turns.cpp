@@ -2,7 +2,7 @@
 
 namespace rt {
 
-bool Turns::take(int page, const Work& work) {
+bool RenderQueue::take(int page, const Work& work) {
     Turn& turn = enter(page);
     try {
         if (!turn.cancelled) work(turn.cancelled);
@@ -13,7 +13,7 @@ bool Turns::take(int page, const Work& work) {
     return leave(turn);
 }
 
-Turns::Turn& Turns::enter(int page) {
+RenderQueue::Turn& RenderQueue::enter(int page) {
     std::unique_lock lock(mutex_);
     for (Turn& turn : turns_)
         if (turn.page == page) turn.cancelled = true;
@@ -25,7 +25,7 @@ Turns::Turn& Turns::enter(int page) {
     return turn;
 }
 
-bool Turns::leave(const Turn& turn) {
+bool RenderQueue::leave(const Turn& turn) {
     const std::scoped_lock lock(mutex_);
     const bool finished = !turn.cancelled;
     turns_.remove_if([&](const Turn& other) { return &other == &turn; });
@@ -33,7 +33,7 @@ bool Turns::leave(const Turn& turn) {
     return finished;
 }
 
-void Turns::cancel_all() {
+void RenderQueue::cancel_all() {
     const std::scoped_lock lock(mutex_);
     over_ = true;
     for (Turn& turn : turns_) turn.cancelled = true;

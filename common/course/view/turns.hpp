@@ -9,7 +9,7 @@
 
 namespace rt {
 
-class Turns {
+class RenderQueue {
 public:
     using Work = std::function<void(const std::atomic<bool>& cancelled)>;
 

@@ -1,7 +1,7 @@
 #include "common/course/view/view.hpp"
 
-#include "common/course/view/drawing.hpp"
 #include "common/course/view/server.hpp"
+#include "common/course/view/stage_runner.hpp"
 #include "common/course/view/turns.hpp"
 #include "common/course/view/watcher.hpp"
 
@@ -57,22 +57,23 @@ int parse_page(const Request& request) {
     return whole_number(request, "page", 0, most_pages);
 }
 
-Drawing parse_drawing(const Request& request) {
-    Drawing drawing{.stage = parse_stage(request),
-                    .shrink = whole_number(request, "shrink", 1, most_shrunk)};
+RenderRequest parse_request(const Request& request) {
+    RenderRequest picture_request{.stage = parse_stage(request),
+                                  .shrink = whole_number(request, "shrink", 1, most_shrunk)};
     if (whole_number(request, "moved", 0, 1) == 1)
-        drawing.camera = {.x = number(request, "x", -farthest, farthest),
-                          .y = number(request, "y", -farthest, farthest),
-                          .z = number(request, "z", -farthest, farthest),
-                          .yaw = number(request, "yaw", -180, 180),
-                          .pitch = number(request, "pitch", -90, 90),
-                          .fov = number(request, "fov", 1, 179)};
-    add_choice(drawing.options, request, "precision", {"double", "float"});
-    if (drawing.stage >= shapes_stage)
-        add_choice(drawing.options, request, "shade", {"", "normal"});
-    if (drawing.stage >= light_stage)
-        add_choice(drawing.options, request, "term", {"", "ambient", "diffuse", "specular"});
-    return drawing;
+        picture_request.camera = {.x = number(request, "x", -farthest, farthest),
+                                  .y = number(request, "y", -farthest, farthest),
+                                  .z = number(request, "z", -farthest, farthest),
+                                  .yaw = number(request, "yaw", -180, 180),
+                                  .pitch = number(request, "pitch", -90, 90),
+                                  .fov = number(request, "fov", 1, 179)};
+    add_choice(picture_request.options, request, "precision", {"double", "float"});
+    if (picture_request.stage >= shapes_stage)
+        add_choice(picture_request.options, request, "shade", {"", "normal"});
+    if (picture_request.stage >= light_stage)
+        add_choice(picture_request.options, request, "term",
+                   {"", "ambient", "diffuse", "specular"});
+    return picture_request;
 }
 
 /// The page's questions, answered.
@@ -91,14 +92,14 @@ public:
         if (route == "stages") return stages();
         if (route == "news") return news(request);
         if (route == "picture") return picture(request);
-        if (route == "story") return story(request);
+        if (route == "story") return log(request);
         throw Refusal{404, "there is no such page"};
     }
 
     [[nodiscard]] const std::string& token() const { return token_; }
 
     void stop() {
-        for (Turns& turns : pictures_) turns.cancel_all();
+        for (RenderQueue& turns : pictures_) turns.cancel_all();
         stories_.cancel_all();
         watcher_.stop();
     }
@@ -129,8 +130,8 @@ private:
     Response news(const Request& request) {
         const int stage = parse_stage(request);
         const auto seen = request.parameters.find("seen");
-        const News news = watcher_.wait(parse_page(request), stage,
-                                        seen == request.parameters.end() ? "" : seen->second);
+        const StageStatus news = watcher_.wait(
+            parse_page(request), stage, seen == request.parameters.end() ? "" : seen->second);
         const SceneView view = scene_view(settings_, stage);
         std::string body = "{\"seen\":" + json(fingerprint(news)) +
                            ",\"programs\":" + json(news.programs) +
@@ -152,12 +153,12 @@ private:
     }
 
     Response picture(const Request& request) {
-        const Drawing drawing = parse_drawing(request);
+        const RenderRequest picture_request = parse_request(request);
         const int whose = whole_number(request, "whose", 0, 1);
         Picture made;
         const bool finished = pictures_[static_cast<std::size_t>(whose)].take(
             parse_page(request), [&](const std::atomic<bool>& cancelled) {
-                made = studio_.draw(drawing, Whose(whose), cancelled);
+                made = runner_.draw(picture_request, Whose(whose), cancelled);
             });
         if (!finished) throw Refusal{409, "another picture was requested"};
         if (made.png.empty()) throw Refusal{422, made.report};
@@ -165,14 +166,14 @@ private:
             .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
     }
 
-    Response story(const Request& request) {
-        const Drawing drawing = parse_drawing(request);
+    Response log(const Request& request) {
+        const RenderRequest picture_request = parse_request(request);
         const int row = whole_number(request, "row", 0, largest_side);
         const int column = whole_number(request, "column", 0, largest_side);
         std::vector<std::string> told;
         const bool finished =
             stories_.take(parse_page(request), [&](const std::atomic<bool>& cancelled) {
-                told = studio_.stories(drawing, row, column, cancelled);
+                told = runner_.stories(picture_request, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was requested"};
         return {.body = "{\"mine\":" + json(told[0]) + ",\"reference\":" + json(told[1]) + "}",
@@ -181,9 +182,9 @@ private:
 
     const ViewSettings& settings_;
     const std::string token_ = make_token();
-    std::array<Turns, 2> pictures_;  // mine never waits for the reference's
-    Turns stories_;
-    Studio studio_{settings_};
+    std::array<RenderQueue, 2> pictures_;  // mine never waits for the reference's
+    RenderQueue stories_;
+    StageRunner runner_{settings_};
     Watcher watcher_{settings_};
 };
 

@@ -1,6 +1,6 @@
 #include "common/course/view/watcher.hpp"
 
-#include "common/course/view/drawing.hpp"
+#include "common/course/view/stage_runner.hpp"
 
 #include <functional>
 
@@ -36,7 +36,7 @@ void Watcher::stop() {
     if (thread_.joinable()) thread_.join();
 }
 
-News Watcher::wait(int page, int stage, const std::string& seen) {
+StageStatus Watcher::wait(int page, int stage, const std::string& seen) {
     std::unique_lock lock(mutex_);
     const int question = ++asked_by_[page];
     changed_.notify_all();
@@ -59,7 +59,7 @@ void Watcher::watch() {
 void Watcher::look_at(int stage, std::unique_lock<std::mutex>& lock) {
     Stage& watched = stages_[stage];
     if (Clock::now() - watched.asked > forgotten_after) return;
-    const News before = watched.news;
+    const StageStatus before = watched.news;
     const std::string now = sources();
     if (settings_.rebuild && watched.built_from != now) {
         watched.news.building = true;
@@ -94,7 +94,7 @@ std::string Watcher::sources() const {
     return all;
 }
 
-std::string fingerprint(const News& news) {
+std::string fingerprint(const StageStatus& news) {
     const std::size_t error = std::hash<std::string>()(news.error);
     return news.programs + (news.building ? "_building_" : "_") + std::to_string(error);
 }

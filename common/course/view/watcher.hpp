@@ -13,12 +13,12 @@
 namespace rt {
 
 /// The state of a stage.
-struct News {
+struct StageStatus {
     std::string programs;  ///< changes with the programs or the scene
     bool building = false;
     std::string error = "";  ///< of the last build
 
-    bool operator==(const News&) const = default;
+    bool operator==(const StageStatus&) const = default;
 };
 
 /// Watches the files of the stages that a page shows.
@@ -31,7 +31,7 @@ public:
 
     /// Returns the stage's state as soon as its fingerprint differs from `seen`; after half a
     /// minute, or when the same page sends another request, returns it unchanged.
-    [[nodiscard]] News wait(int page, int stage, const std::string& seen);
+    [[nodiscard]] StageStatus wait(int page, int stage, const std::string& seen);
     /// Ends all waiting calls.
     void stop();
 
@@ -39,7 +39,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     struct Stage {
-        News news;
+        StageStatus news;
         std::string built_from;
         Clock::time_point asked;
     };
@@ -59,6 +59,6 @@ private:
 };
 
 /// A text that changes whenever the state does.
-[[nodiscard]] std::string fingerprint(const News& news);
+[[nodiscard]] std::string fingerprint(const StageStatus& news);
 
 }  // namespace rt

@@ -18,20 +18,20 @@ namespace {
 constexpr Resolution small{.width = 48, .height = 32};
 constexpr Real pixel_size = 4;
 
-struct Ball {
+struct BoundingSphere {
     Sphere sphere;
     std::string_view color;
 };
 
 constexpr Plane ground{.point = {0, 0, 0}, .normal = {0, 1, 0}};
 constexpr std::array balls = {
-    Ball{.sphere = {.center = {0, 0.35, -1.75}, .radius = 0.35}, .color = "#d98a7c"},
-    Ball{.sphere = {.center = {1.1, 0.35, -2.5}, .radius = 0.35}, .color = "#7fa9cf"},
-    Ball{.sphere = {.center = {-1.2, 0.35, -1.2}, .radius = 0.35}, .color = "#e5bf6e"}};
+    BoundingSphere{.sphere = {.center = {0, 0.35, -1.75}, .radius = 0.35}, .color = "#d98a7c"},
+    BoundingSphere{.sphere = {.center = {1.1, 0.35, -2.5}, .radius = 0.35}, .color = "#7fa9cf"},
+    BoundingSphere{.sphere = {.center = {-1.2, 0.35, -1.2}, .radius = 0.35}, .color = "#e5bf6e"}};
 
 /// The color seen by the ray, of a checkered ground and three spheres on it.
 std::string_view seen_color(const Ray& ray) {
-    for (const Ball& ball : balls)
+    for (const BoundingSphere& ball : balls)
         if (intersect(ray, ball.sphere, {})) return ball.color;
     const Vec3 p = first_hit(ray, ground);
     const Real tile = std::floor(2 * p.x) + std::floor(2 * p.z);

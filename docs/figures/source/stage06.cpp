@@ -95,7 +95,8 @@ void draw_face(Svg& svg, Vec2 place, const Square& square, Vec3 p) {
 std::string square_frame() {
     Svg svg({640, 320},
             "A square and its own frame: x and y from the centre, u and v from a corner");
-    const Square square{.center = {0, 0, 0}, .basis = basis_around({-0.5, 0.3, 0.85}), .side = 2};
+    const Square square{
+        .center = {0, 0, 0}, .basis = orthonormal_basis({-0.5, 0.3, 0.85}), .side = 2};
     const Vec3 eye(-1.2, 1.35, 1.7);
     const Ray ray{.origin = eye, .direction = from_frame(square, 0.5, 0.4) - eye};
     draw_in_space(svg, {176, 168}, square, ray);
@@ -108,8 +109,8 @@ namespace {
 /// The scene's upright walls, which a level cut shows as lines.
 std::vector<Square> upright_walls(const Scene& scene) {
     std::vector<Square> walls;
-    for (const Item<Square>& item : scene.squares)
-        if (item.shape.basis.z.y == 0) walls.push_back(item.shape);
+    for (const Primitive<Square>& primitive : scene.squares)
+        if (primitive.shape.basis.z.y == 0) walls.push_back(primitive.shape);
     return walls;
 }
 
@@ -155,7 +156,7 @@ void label_box(Svg& svg, Sketch& sketch, Vec3 eye) {
 
 std::string cornell_from_above() {
     Svg svg({640, 330}, "The Cornell box from above: the front wall is met from inside only");
-    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/cornell_box.rt", basis_around);
+    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/cornell_box.rt", orthonormal_basis);
     const std::vector<Square> walls = upright_walls(scene);
     const Camera& camera = scene.cameras.front();
     const Basis basis = camera_basis(camera.direction);

@@ -105,7 +105,7 @@ void draw_heights(Svg& svg, Vec2 place, const Basis& basis, const Ray& ray) {
 
 std::string cylinder_section() {
     Svg svg({640, 330}, "A cylinder and one ray, seen along the axis and from the side");
-    const Basis basis = basis_around(tube.axis);
+    const Basis basis = orthonormal_basis(tube.axis);
     const auto in_frame = [&basis](Vec3 v) {
         return v.x * basis.x + v.y * basis.y + v.z * basis.z;
     };
@@ -141,7 +141,7 @@ std::string cylinder_both_roots() {
     Svg svg({640, 376},
             "Rays at an open tube: the near root, the far one, the rim, none, the axis");
     Sketch sketch(svg, {.place = {196, 188}, .scale = 78});
-    const Vec3 x = basis_around(open_tube.axis).x;
+    const Vec3 x = orthonormal_basis(open_tube.axis).x;
     draw_side(sketch, open_tube, x, Real(2.2));
     draw_case(sketch, "A", {-2, -0.4, 0}, {1, 0.1, 0}, 4);
     draw_case(sketch, "B", {-2, 2, 0}, {1, -0.55, 0}, Real(3.9));

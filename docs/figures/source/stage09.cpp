@@ -143,11 +143,12 @@ std::string phong_highlight() {
         std::vector<Vec2> points;
         for (int i = -4 * limit; i <= 4 * limit; ++i) {
             const Real degrees = Real(i) / 4;
-            const Surface surface{.point = Vec3(0),
-                                  .normal = up,
-                                  .side = up,
-                                  .to_eye = tilted(degrees),
-                                  .material = {.specular = 1, .shininess = Real(curve.shininess)}};
+            const ShadingPoint surface{
+                .point = Vec3(0),
+                .normal = up,
+                .geometric_normal = up,
+                .to_eye = tilted(degrees),
+                .material = {.specular = 1, .shininess = Real(curve.shininess)}};
             points.push_back(place(degrees, specular_term(surface, light).x));
         }
         svg.polyline(points, {.color = curve.color, .width = 1.8});

@@ -11,10 +11,10 @@ namespace {
 
 constexpr Vec3 up(0, 1, 0);
 
-Surface surface_of(Vec3 point, Vec3 side, Real error) {
+ShadingPoint surface_of(Vec3 point, Vec3 side, Real error) {
     return {.point = point,
             .normal = side,
-            .side = side,
+            .geometric_normal = side,
             .to_eye = side,
             .error = error,
             .material = {}};
@@ -93,9 +93,9 @@ Sketch draw_ground(Svg& svg, Vec2 place, bool with_crumb) {
     return sketch;
 }
 
-void draw_start(Sketch& sketch, Vec3 origin, const Sphere& blocker) {
+void draw_start(Sketch& sketch, Vec3 origin, const Sphere& any_hit) {
     const Ray ray{.origin = origin, .direction = normalize(light_of_ground - origin)};
-    const std::optional<Real> t = intersect(ray, blocker, {});
+    const std::optional<Real> t = intersect(ray, any_hit, {});
     sketch.ray(ray, Real(1.25));
     if (t) sketch.mark(at(ray, *t), Mark::hit);
     sketch.mark(origin, Mark::given);

@@ -135,7 +135,7 @@ void draw_light(Svg& svg, Vec2 corner, const std::vector<Vec2>& samples) {
                  {.color = faint, .width = 1});
     }
     for (const Vec2& sample : samples)
-        svg.circle(view(light_point(light, {0, 0, 0}, sample)), 2.6, blue, no_pen);
+        svg.circle(view(sample_light(light, {0, 0, 0}, sample)), 2.6, blue, no_pen);
 }
 
 /// Random numbers such as those of rand(), but the same on every machine.
@@ -188,7 +188,7 @@ std::vector<Vec2> share_curve(const Aim& aim, const View& view) {
         ShadowRays rays{.sent = samples};
         for (std::uint32_t k = 0; k < samples; ++k)
             if (free_of_strip(from, aim(from, spread_sample(k, 5)))) ++rays.reached;
-        curve.push_back(view({from.x, lit_share(rays), 0}));
+        curve.push_back(view({from.x, visibility(rays), 0}));
     }
     return curve;
 }
@@ -216,10 +216,10 @@ std::string soft_shadow_penumbra() {
     const auto printed = [](Vec3, Vec2 sample) {
         return above.position + above.radius * Vec3(sample.x, sample.y, 0);  // z does not matter
     };
-    const auto right = [](Vec3 from, Vec2 sample) { return light_point(above, from, sample); };
+    const auto right = [](Vec3 from, Vec2 sample) { return sample_light(above, from, sample); };
     svg.polyline(share_curve(printed, view), {.color = amber, .width = 2, .dashes = "6 4"});
     svg.polyline(share_curve(right, view), {.color = blue, .width = 2.2});
-    svg.text({560, 134}, "light_point", {.color = blue});
+    svg.text({560, 134}, "sample_light", {.color = blue});
     svg.text({92, 48}, "as printed", {.color = amber});
     return svg.source();
 }

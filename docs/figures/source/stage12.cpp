@@ -14,8 +14,8 @@ namespace rt::figures {
 namespace {
 
 /// The mirror y = 0, met by the ray at t = 1.
-Surface ground(const Ray& ray, Vec3 normal, Real error = 0) {
-    return {.point = at(ray, 1), .normal = normal, .side = {0, 1, 0}, .error = error};
+ShadingPoint ground(const Ray& ray, Vec3 normal, Real error = 0) {
+    return {.point = at(ray, 1), .normal = normal, .geometric_normal = {0, 1, 0}, .error = error};
 }
 
 /// The mirror's face from one place to another, its back shaded.
@@ -30,7 +30,7 @@ std::string mirror_direction() {
     Svg svg({640, 390}, "The part of d along the normal, taken away twice, leaves R");
     Sketch sketch(svg, {.place = {300, 196}, .scale = 112});
     const Ray ray{.origin = {Real(-1.9), Real(1.4), 0}, .direction = {Real(1.9), Real(-1.4), 0}};
-    const Surface surface = ground(ray, {0, 1, 0});
+    const ShadingPoint surface = ground(ray, {0, 1, 0});
     const Vec3 p = surface.point;
     const Vec3 on = p + ray.direction;  // the end of d, drawn from p
     const Vec3 reflected = p + mirrored(ray, surface).direction;
@@ -94,7 +94,7 @@ std::string mirror_facing() {
                      : bounce == 1 ? "$m$ (1 − $m$)"
                                    : "$m$² (1 − $m$)",
                      {.color = red, .anchor = right ? Anchor::start : Anchor::end, .size = 13});
-        ray = mirrored(ray, {.point = p, .normal = normal, .side = normal});
+        ray = mirrored(ray, {.point = p, .normal = normal, .geometric_normal = normal});
     }
     svg.text({320, 308},
              "--depth 2: the third mirror sends nothing on, and $m$³ of the sum is black");
@@ -111,8 +111,8 @@ std::string mirror_interpolated() {
     };
     const Vec3 eye = Real(1.65) * leaning(-74);
     const Ray ray{.origin = eye, .direction = -eye};
-    const Surface smooth = ground(ray, leaning(14));
-    const Surface flat = ground(ray, smooth.side);
+    const ShadingPoint smooth = ground(ray, leaning(14));
+    const ShadingPoint flat = ground(ray, smooth.geometric_normal);
     const Vec3 n = smooth.normal;
     const Vec3 into = ray.direction - 2 * dot(ray.direction, n) * n;  // CR's equation 4, no more
     const Vec3 out = mirrored(ray, smooth).direction;
@@ -120,7 +120,7 @@ std::string mirror_interpolated() {
     sketch.arrow(ray.origin, smooth.point, {.color = blue, .width = 2});
     sketch.arrow(smooth.point, into / Real(1.1), {.color = amber, .width = 1.6, .dashes = "5 4"});
     sketch.arrow(smooth.point, out / Real(1.1), {.color = blue, .width = 2});
-    sketch.normal(smooth.point, flat.side, 105);
+    sketch.normal(smooth.point, flat.geometric_normal, 105);
     sketch.normal(smooth.point, n, 105);
     sketch.mark(ray.origin, Mark::given);
     sketch.mark(smooth.point, Mark::hit);

@@ -22,14 +22,14 @@ constexpr Interval line{.min = -infinity, .max = infinity};
 
 /// From t_min to t_max between the two planes of the slab alone: along the other axes the box is
 /// as long as can be.
-Interval within_slab(const Ray& ray, const Box& box, glm::length_t axis) {
-    Box slab{.min = Vec3(-100), .max = Vec3(100)};
+Interval within_slab(const Ray& ray, const BoundingBox& box, glm::length_t axis) {
+    BoundingBox slab{.min = Vec3(-100), .max = Vec3(100)};
     slab.min[axis] = box.min[axis];
     slab.max[axis] = box.max[axis];
     return overlap(ray, slab, line).value();
 }
 
-constexpr Box block{.min = {-1, Real(-0.6), -1}, .max = {1, Real(0.6), 1}};
+constexpr BoundingBox block{.min = {-1, Real(-0.6), -1}, .max = {1, Real(0.6), 1}};
 
 struct Case {
     std::string_view letter;
@@ -156,15 +156,15 @@ std::string mesh_frame() {
     Svg svg({640, 330},
             "A mesh turned and enlarged in the scene, and the ray carried into its frame");
     const Real angle = Real(0.42);
-    const Motion placement{.rotation = {.x = {std::cos(angle), std::sin(angle), 0},
-                                        .y = {-std::sin(angle), std::cos(angle), 0},
-                                        .z = {0, 0, 1}},
-                           .scale = Real(1.9),
-                           .translation = {Real(0.75), Real(0.1), 0}};
+    const Transform placement{.rotation = {.x = {std::cos(angle), std::sin(angle), 0},
+                                           .y = {-std::sin(angle), std::cos(angle), 0},
+                                           .z = {0, 0, 1}},
+                              .scale = Real(1.9),
+                              .translation = {Real(0.75), Real(0.1), 0}};
     const Ray ray{.origin = {-2, Real(0.35), 0}, .direction = {1, Real(-0.2), 0}};
-    const Ray seen = into_frame(ray, placement);
+    const Ray seen = to_object_space(ray, placement);
     std::vector<Vec3> moved_house;
-    for (const Vec3& corner : house) moved_house.push_back(moved(corner, placement));
+    for (const Vec3& corner : house) moved_house.push_back(transformed(corner, placement));
     // Its left wall, which extends towards the reader and away.
     const Mesh wall{.vertices = {house[0], house[8], {-0.5, 0, 1}, {-0.5, 0, -1}},
                     .triangles = {{0, 1, 2}, {0, 3, 1}}};
@@ -217,9 +217,9 @@ std::vector<Polygon> owl_cage() {
     return polygons;
 }
 
-Box box_around(const Polygon& polygon) {
-    Box box;
-    for (const Vec3& corner : polygon) box = united(box, corner);
+BoundingBox box_around(const Polygon& polygon) {
+    BoundingBox box;
+    for (const Vec3& corner : polygon) box = merged(box, corner);
     return box;
 }
 
@@ -232,21 +232,21 @@ void draw_polygons(Sketch& sketch, std::vector<Polygon> polygons) {
             sketch.polygon(polygon, tint, {.color = "#b3bcc6", .width = Real(0.6)});
 }
 
-void draw_box(Sketch& sketch, const Box& box, const Pen& pen) {
+void draw_box(Sketch& sketch, const BoundingBox& box, const Pen& pen) {
     const auto& [low, high] = box;
     sketch.polygon({{low.x, low.y, 0}, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}},
                    none, pen);
 }
 
 /// The boxes of each run of `size` leaves.
-std::vector<Box> boxes_of_leaves(const Hierarchy& hierarchy, const std::vector<Box>& boxes,
-                                 std::size_t run) {
-    std::vector<Box> around;
+std::vector<BoundingBox> boxes_of_leaves(const Bvh& hierarchy,
+                                         const std::vector<BoundingBox>& boxes, std::size_t run) {
+    std::vector<BoundingBox> around;
     std::size_t place = 0;
     for (const Leaf& leaf : hierarchy.leaves()) {
         if (place++ % run == 0) around.emplace_back();
         for (const std::uint32_t index : leaf.indices)
-            if (index != Leaf::none) around.back() = united(around.back(), boxes[index]);
+            if (index != Leaf::none) around.back() = merged(around.back(), boxes[index]);
     }
     return around;
 }
@@ -256,9 +256,9 @@ std::vector<Box> boxes_of_leaves(const Hierarchy& hierarchy, const std::vector<B
 std::string mesh_hierarchy() {
     Svg svg({640, 310}, "Boxes in boxes around an owl, and the few that a ray makes one look into");
     const std::vector<Polygon> polygons = owl_cage();
-    std::vector<Box> boxes;
+    std::vector<BoundingBox> boxes;
     for (const Polygon& polygon : polygons) boxes.push_back(box_around(polygon));
-    const Hierarchy hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
+    const Bvh hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
     const auto view = [](Real x) { return View{.place = {x, 254}, .scale = 92}; };
 
     Sketch whole(svg, view(110));
@@ -267,15 +267,15 @@ std::string mesh_hierarchy() {
     Sketch parts(svg, view(322));
     draw_polygons(parts, polygons);
     const std::size_t leaves = hierarchy.leaves().size();
-    for (const Box& box : boxes_of_leaves(hierarchy, boxes, (leaves + 7) / 8))
+    for (const BoundingBox& box : boxes_of_leaves(hierarchy, boxes, (leaves + 7) / 8))
         draw_box(parts, box, {.color = amber, .width = Real(1.2), .dashes = "4 3"});
-    for (const Box& box : boxes_of_leaves(hierarchy, boxes, (leaves + 1) / 2))
+    for (const BoundingBox& box : boxes_of_leaves(hierarchy, boxes, (leaves + 1) / 2))
         draw_box(parts, box, {.color = blue, .width = 2});
 
     Sketch asked(svg, view(534));
     draw_polygons(asked, polygons);
     const Ray ray{.origin = {-1.12, 0.3, 1.5}, .direction = {1, 0.75, -0.6}};
-    SlabTests slabs(ray);
+    RayBoxTestCache slabs(ray);
     Interval interval;
     std::set<std::uint32_t> met;
     hierarchy.nearest(slabs, interval, [&](std::uint32_t index) {

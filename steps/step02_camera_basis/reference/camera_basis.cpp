@@ -4,7 +4,7 @@
 
 namespace rt {
 
-Basis basis_around(Vec3 z) {
+Basis orthonormal_basis(Vec3 z) {
     // (0, 1, 0) × z written out: no component is a difference, so there is no cancellation near the
     // vertical, and x has no direction only if z is exactly vertical.
     const bool vertical = z.x == 0 && z.z == 0;
@@ -18,12 +18,12 @@ Basis basis_around(Vec3 z) {
 }
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
-    const auto turned = [&basis](Vec3 v) { return v.x * basis.x + v.y * basis.y + v.z * basis.z; };
-    return {.origin = position + turned(ray.origin), .direction = turned(ray.direction)};
+    const auto rotated = [&basis](Vec3 v) { return v.x * basis.x + v.y * basis.y + v.z * basis.z; };
+    return {.origin = position + rotated(ray.origin), .direction = rotated(ray.direction)};
 }
 
 Mat4 view_matrix(const Basis& basis, Vec3 position) {

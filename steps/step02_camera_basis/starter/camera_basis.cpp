@@ -1,5 +1,5 @@
 // Stage 2, to be written. docs/step02_camera_basis.md explains it, the header is its contract.
-// Begin with basis_around: camera_basis needs it. The other two functions get a basis as an
+// Begin with orthonormal_basis: camera_basis needs it. The other two functions get a basis as an
 // argument.
 // `./course check 2` reports errors, `./course hint 2` prints the next hint.
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 }  // namespace
 
-Basis basis_around(Vec3 z) {
+Basis orthonormal_basis(Vec3 z) {
     // X = (0, 1, 0) ∧ Z scaled to unit length, or (1, 0, 0) if Z is vertical. Y = Z ∧ X.
     RT_TODO(z);
     return {};

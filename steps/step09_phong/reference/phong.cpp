@@ -18,17 +18,17 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
     return 2 * dot(to_light, normal) * normal - to_light;
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     return ambient.ratio * ambient.color * surface.material.color;
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Real cosine = dot(unit(light.position - surface.point), surface.normal);
     if (!(cosine > 0)) return Color(0);  // black for NaN, where the light is at the point
     return cosine * shining(light) * surface.material.color;
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     if (surface.material.specular == 0) return Color(0);
     const Vec3 to_light = unit(light.position - surface.point);
     // No highlight without light, though ⟨R, V⟩ may be positive even there (erratum 14).

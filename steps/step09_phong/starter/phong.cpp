@@ -23,20 +23,20 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
     return Vec3(0);
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     // The ambient light's ratio and color, times the material's color.
     RT_TODO(surface, ambient);
     return Color(0);
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     // Proportional to ⟨L, N⟩, in the colors of the light and of the material; black where it is not
     // positive.
     RT_TODO(surface, light);
     return Color(0);
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     // Proportional to ⟨R, V⟩ to the shininess, in the light's color; black where ⟨L, N⟩ is not
     // positive.
     RT_TODO(surface, light);

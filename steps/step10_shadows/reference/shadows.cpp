@@ -13,8 +13,8 @@ constexpr Real ends_before = 128;
 
 }  // namespace
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    const Vec3 origin = surface.point + surface.error * surface.side;
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
+    const Vec3 origin = surface.point + surface.error * surface.geometric_normal;
     const Vec3 direction = light - origin;  // not of unit length: the light is at t = 1
     const Real near_light =
         ends_before * unit_roundoff * glm::max(largest_component(origin), largest_component(light));

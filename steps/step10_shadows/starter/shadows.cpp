@@ -16,11 +16,11 @@ namespace {
 
 }  // namespace
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    // From a point off the surface, by surface.error along surface.side, to a little before the
-    // light.
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
+    // From a point off the surface, by surface.error along surface.geometric_normal, to a little
+    // before the light.
     RT_TODO(surface, light);
-    return {.ray = {.origin = surface.point, .direction = surface.side},
+    return {.ray = {.origin = surface.point, .direction = surface.geometric_normal},
             .interval = {.min = 0, .max = 0}};  // empty: no shadows
 }
 

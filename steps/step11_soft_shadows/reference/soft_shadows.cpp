@@ -9,9 +9,9 @@
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     const Vec3 away = from - light.position;
-    const auto [x, y, z] = basis_around(away);
+    const auto [x, y, z] = orthonormal_basis(away);
     const Real distance =
         dot(away, z);  // as length(away), but without squares that over- or underflow
     // NaN, for a point at the light's center, counts as inside too.
@@ -41,11 +41,11 @@ Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
                                             polar_sine * std::sin(turn) * y + polar_cosine * z);
 }
 
-Real lit_share(const ShadowRays& rays) {
+Real visibility(const ShadowRays& rays) {
     return Real(rays.reached) / Real(rays.sent);
 }
 
-Real share_error(const ShadowRays& rays) {
+Real visibility_error(const ShadowRays& rays) {
     // Each of n even points represents one of n boxes, and only the boxes on the shadow's edge are
     // uncertain (Mitchell 1996). If a fraction p of the light is visible, the length of the edge is
     // about √p, and it crosses about √(p n) boxes, each with an error of about 1 / n of either

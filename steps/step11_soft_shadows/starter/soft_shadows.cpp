@@ -1,6 +1,6 @@
 // Stage 11, to be written. docs/step11_soft_shadows.md explains it, the header is its contract.
-// Begin with light_point. Until lit_share is written, all of a light arrives and there are no
-// shadows; share_error matters only with --tolerance.
+// Begin with sample_light. Until visibility is written, all of a light arrives and there are no
+// shadows; visibility_error matters only with --tolerance.
 // `./course check 11` reports errors, `./course hint 11` prints the next hint.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
@@ -20,19 +20,19 @@ namespace {
 
 }  // namespace
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     // A different point of the light for each sample, spread evenly over its visible part.
     RT_TODO(light, from, sample);
     return light.position;
 }
 
-Real lit_share(const ShadowRays& rays) {
+Real visibility(const ShadowRays& rays) {
     // The fraction of the rays that reach the light.
     RT_TODO(rays);
     return 1;
 }
 
-Real share_error(const ShadowRays& rays) {
+Real visibility_error(const ShadowRays& rays) {
     // The estimated error of that fraction.
     RT_TODO(rays);
     return 0;

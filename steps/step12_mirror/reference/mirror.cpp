@@ -10,10 +10,12 @@ Vec3 reflected_at(Vec3 d, Vec3 n) {
 
 }  // namespace
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Vec3 direction = reflected_at(ray.direction, surface.normal);
-    if (!(dot(direction, surface.side) > 0)) direction = reflected_at(ray.direction, surface.side);
-    return {.origin = surface.point + surface.error * surface.side, .direction = direction};
+    if (!(dot(direction, surface.geometric_normal) > 0))
+        direction = reflected_at(ray.direction, surface.geometric_normal);
+    return {.origin = surface.point + surface.error * surface.geometric_normal,
+            .direction = direction};
 }
 
 Color mixed(Color own, Color reflection, Real mirror) {

@@ -13,7 +13,7 @@ namespace {
 
 }  // namespace
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     // From a point off the surface, along d − 2 n ⟨d, n⟩ or, if that points inward, a direction
     // that does not.
     RT_TODO(ray, surface);

@@ -25,8 +25,8 @@ struct MetTriangle {
 /// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
 /// a call returns true. Returns whether one did.
 template <class Visit>
-bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
-               const TrianglePacket& packet, Visit visit) {
+bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf, const Triangle4& packet,
+               Visit visit) {
     for (std::size_t lane = 0; lane < lane_count && leaf.indices[lane] != Leaf::none; ++lane) {
         const auto corner = [&](std::size_t vertex) {
             const auto& [x, y, z] = packet.vertices[vertex];
@@ -42,18 +42,18 @@ bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
 
 }  // namespace
 
-std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) const {
+std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     Interval left = scaled(interval);
     const auto root_of = [&seen, asked = left](const MetTriangle& met) {
         return exact_root(seen, met.triangle, asked);
     };
-    Leader<MetTriangle> leader;
-    SlabTests slabs(seen);
+    ClosestSoFar<MetTriangle> leader;
+    RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
                          [&](const MetTriangle& met, Real t) {
-                             leader.yields_to(t, met, root_of, left);
+                             leader.accepts(t, met, root_of, left);
                              return false;
                          });
     });
@@ -64,10 +64,10 @@ std::optional<MeshHit> PackedMesh::nearest(const Ray& ray, Interval interval) co
                    .weights = barycentric(triangle, at(seen, leader.t()))};
 }
 
-bool PackedMesh::blocks(const Ray& ray, Interval interval) const {
+bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const Interval left = scaled(interval);
-    SlabTests slabs(seen);
+    RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
         return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
                          [](const MetTriangle& /*met*/, Real /*t*/) { return true; });

@@ -6,10 +6,10 @@
 
 namespace rt {
 
-std::optional<ExactRoot> exact_root(const Ray& ray, const PlacedMesh& placed,
+std::optional<ExactRoot> exact_root(const Ray& ray, const MeshInstance& instance,
                                     std::uint32_t triangle, Interval interval) {
-    const Mesh& mesh = placed.model->mesh;
-    return exact_root(into_frame(ray, placed.placement),
+    const Mesh& mesh = instance.model->mesh;
+    return exact_root(to_object_space(ray, instance.placement),
                       triangle_of(mesh, mesh.triangles[triangle]), interval);
 }
 

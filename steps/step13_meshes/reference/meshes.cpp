@@ -27,7 +27,7 @@ constexpr Real far_padding = 2 * (3 * unit_roundoff) / (1 - 3 * unit_roundoff);
 
 }  // namespace
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         const Real o = ray.origin[axis];
         const Real d = ray.direction[axis];
@@ -64,7 +64,7 @@ Vec3 normal(const OrientedBox& box, Vec3 point) {
     return std::copysign(Real(1), p.z) * box.basis.z;
 }
 
-Ray into_frame(const Ray& ray, const Motion& placement) {
+Ray to_object_space(const Ray& ray, const Transform& placement) {
     const Basis& basis = placement.rotation;
     return {.origin = in_frame(basis, ray.origin - placement.translation) / placement.scale,
             .direction = in_frame(basis, ray.direction) / placement.scale};

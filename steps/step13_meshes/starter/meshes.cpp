@@ -1,5 +1,5 @@
 // Stage 13, to be written. docs/step13_meshes.md explains it, the header is its contract.
-// The functions are independent. overlap and the first intersect are for boxes; into_frame and
+// The functions are independent. overlap and the first intersect are for boxes; to_object_space and
 // interpolated_normal are for meshes, and the second intersect for those of fewer than 16
 // triangles.
 // `./course check 13` reports errors, `./course hint 13` prints the next hint.
@@ -20,7 +20,7 @@ namespace {
 
 }  // namespace
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     // From max t_min to min t_max, both of them inside the interval, or nothing.
     RT_TODO(ray, box, interval);
     return std::nullopt;
@@ -38,7 +38,7 @@ Vec3 normal(const OrientedBox& box, Vec3 point) {
     return Vec3(0);
 }
 
-Ray into_frame(const Ray& ray, const Motion& placement) {
+Ray to_object_space(const Ray& ray, const Transform& placement) {
     // The inverse of the placement: translate back, rotate back, divide by the scale.
     RT_TODO(ray, placement);
     return ray;

@@ -1,15 +1,15 @@
 // right: MRT §2 with X normalized; V as in M1, a translation and then a rotation
-#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #define view_matrix(...) correct_view_matrix(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef basis_around
+#undef orthonormal_basis
 #undef camera_basis
 #undef view_matrix
 
 namespace rt {
 
-Basis basis_around(Vec3 towards) {
+Basis orthonormal_basis(Vec3 towards) {
     const Vec3 z = unit(towards);
     Vec3 x(1, 0, 0);
     if (z.x != 0 || z.z != 0) x = unit(cross(Vec3(0, 1, 0), z));
@@ -17,7 +17,7 @@ Basis basis_around(Vec3 towards) {
 }
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
 Mat4 view_matrix(const Basis& basis, Vec3 position) {

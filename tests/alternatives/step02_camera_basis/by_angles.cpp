@@ -1,11 +1,11 @@
 // right: turned by two angles, as a camera on a tripod is
-#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef basis_around
+#undef orthonormal_basis
 
 namespace rt {
 
-Basis basis_around(Vec3 z) {
+Basis orthonormal_basis(Vec3 z) {
     const Real yaw = std::atan2(z.x, z.z);
     const Real pitch = std::atan2(z.y, std::hypot(z.x, z.z));
     const Vec3 forward(std::sin(yaw), 0, std::cos(yaw));  // level, above or below z

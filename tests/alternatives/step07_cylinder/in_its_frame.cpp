@@ -8,7 +8,7 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
-    const auto& [x, y, z] = basis_around(cylinder.axis);
+    const auto& [x, y, z] = orthonormal_basis(cylinder.axis);
     const Vec3 from = ray.origin - cylinder.center;
     const Vec3 o(dot(from, x), dot(from, y), dot(from, z));
     const Vec3 d(dot(ray.direction, x), dot(ray.direction, y), dot(ray.direction, z));

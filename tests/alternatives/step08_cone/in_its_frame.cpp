@@ -8,7 +8,7 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    const auto& [x, y, z] = basis_around(cone.axis);
+    const auto& [x, y, z] = orthonormal_basis(cone.axis);
     const Vec3 from = ray.origin - cone.apex;
     const Vec3 o(dot(from, x), dot(from, y), dot(from, z));
     const Vec3 d(dot(ray.direction, x), dot(ray.direction, y), dot(ray.direction, z));

@@ -10,19 +10,19 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
     return 2 * dot(to_light, normal) * normal - to_light;
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     const Color light_material = ambient.ratio * ambient.color;
     return light_material * surface.material.color;
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     if (light.position == surface.point) return Color(0);
     const Vec3 l = normalize(light.position - surface.point);
     const Real theta = std::max(Real(0), dot(l, surface.normal));  // 0 for NaN, in this order
     return light.brightness * light.color * surface.material.color * theta;
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     if (light.position == surface.point) return Color(0);
     const Vec3 l = normalize(light.position - surface.point);
     const Real theta = std::max(Real(0), dot(l, surface.normal));

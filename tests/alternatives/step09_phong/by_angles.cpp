@@ -21,17 +21,17 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
     return along - across;
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     return ambient.color * surface.material.color * ambient.ratio;
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Real theta = angle(surface.normal, light.position - surface.point);
     if (!(theta < pi / 2)) return Color(0);
     return surface.material.color * light.color * light.brightness * std::cos(theta);
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 to_light = light.position - surface.point;
     if (!(dot(surface.normal, to_light) > 0)) return Color(0);
     const Real alpha = angle(reflected(to_light, surface.normal), surface.to_eye);

@@ -9,18 +9,18 @@ Vec3 reflected(Vec3 to_light, Vec3 normal) {
     return reflect(-to_light, normal);
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     return surface.material.color * ambient.color * ambient.ratio;
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 way = light.position - surface.point;
     const Real along = dot(way, surface.normal);
     if (!(along > 0)) return Color(0);
     return along / length(way) * light.brightness * light.color * surface.material.color;
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 l = light.position - surface.point;
     const Real ln = dot(l, surface.normal);
     if (!(ln > 0)) return Color(0);

@@ -6,11 +6,11 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
     const Vec3 direction = light - surface.point;
-    return {
-        .ray = {.origin = surface.point + 2 * surface.error * surface.side, .direction = direction},
-        .interval = {.min = 0, .max = 1 - 8 * surface.error / length(direction)}};
+    return {.ray = {.origin = surface.point + 2 * surface.error * surface.geometric_normal,
+                    .direction = direction},
+            .interval = {.min = 0, .max = 1 - 8 * surface.error / length(direction)}};
 }
 
 }  // namespace rt

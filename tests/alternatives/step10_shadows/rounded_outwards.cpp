@@ -7,12 +7,13 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
     // Away from the surface by the error, then by one more digit in every coordinate, which
     // compensates for the rounding of the addition (Pharr, Jakob, Humphreys 2023, §6.8.6).
-    Vec3 origin = surface.point + surface.error * surface.side;
+    Vec3 origin = surface.point + surface.error * surface.geometric_normal;
     for (glm::length_t i = 0; i < 3; ++i)
-        origin[i] = std::nextafter(origin[i], surface.side[i] > 0 ? infinity : -infinity);
+        origin[i] =
+            std::nextafter(origin[i], surface.geometric_normal[i] > 0 ? infinity : -infinity);
     const Vec3 direction = light - origin;
     return {.ray = {.origin = origin, .direction = direction},
             .interval = {.min = 0, .max = 1 - 1024 * unit_roundoff}};

@@ -1,14 +1,14 @@
 // right: the square laid on a disc without tearing it (Shirley and Chiu 1997), and the blocked
 // counted
-#define light_point(...) correct_light_point(__VA_ARGS__)
-#define lit_share(...) correct_lit_share(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
+#define visibility(...) correct_lit_share(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
-#undef lit_share
+#undef sample_light
+#undef visibility
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     const Real a = 2 * sample.x - 1;
     const Real b = 2 * sample.y - 1;
     if (a == 0 && b == 0) return correct_light_point(light, from, {0, 0});
@@ -19,7 +19,7 @@ Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
     return correct_light_point(light, from, {across * across, turns});
 }
 
-Real lit_share(const ShadowRays& rays) {
+Real visibility(const ShadowRays& rays) {
     const int blocked = rays.sent - rays.reached;
     return 1 - Real(blocked) / Real(rays.sent);
 }

@@ -1,13 +1,13 @@
 // right: a direction in the cone, and stage 3's intersection with the sphere
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 #include "steps/step03_sphere/sphere.hpp"
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     const Vec3 way = light.position - from;
     const Real distance = length(way);
     if (light.radius == 0 || distance <= light.radius) return light.position;

@@ -3,12 +3,13 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     const Vec3 n = surface.normal;
     Vec3 direction = ray.direction - (Real(2) * n * dot(ray.direction, n));
-    if (dot(direction, surface.side) <= 0)
-        direction = direction - (Real(2) * surface.side * dot(direction, surface.side));
-    return {.origin = surface.point + Real(2) * surface.error * surface.side,
+    if (dot(direction, surface.geometric_normal) <= 0)
+        direction = direction -
+                    (Real(2) * surface.geometric_normal * dot(direction, surface.geometric_normal));
+    return {.origin = surface.point + Real(2) * surface.error * surface.geometric_normal,
             .direction = direction};
 }
 

@@ -3,14 +3,14 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Vec3 normal = surface.normal;
-    for (int attempt = 0; attempt < 2; ++attempt, normal = surface.side) {
+    for (int attempt = 0; attempt < 2; ++attempt, normal = surface.geometric_normal) {
         const Vec3 across = dot(ray.direction, normal) * normal;
         const Vec3 along = ray.direction - across;
-        const Ray sent{.origin = surface.point + surface.side * surface.error,
+        const Ray sent{.origin = surface.point + surface.geometric_normal * surface.error,
                        .direction = along - across};
-        if (attempt == 1 || dot(sent.direction, surface.side) > 0) return sent;
+        if (attempt == 1 || dot(sent.direction, surface.geometric_normal) > 0) return sent;
     }
     return ray;
 }

@@ -17,10 +17,11 @@ Vec3 turned_about(Vec3 n, Vec3 v) {
 
 }  // namespace
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Vec3 direction = turned_about(surface.normal, surface.to_eye);
-    if (!(dot(direction, surface.side) > 0)) direction = turned_about(surface.side, surface.to_eye);
-    return {.origin = surface.point + Real(1.5) * surface.error * surface.side,
+    if (!(dot(direction, surface.geometric_normal) > 0))
+        direction = turned_about(surface.geometric_normal, surface.to_eye);
+    return {.origin = surface.point + Real(1.5) * surface.error * surface.geometric_normal,
             .direction = length(ray.direction) * direction};
 }
 

@@ -1,12 +1,12 @@
 // right: HAI's matrices: the placement as one matrix, the ray by its inverse
-#define into_frame(...) correct_into_frame(__VA_ARGS__)
+#define to_object_space(...) correct_into_frame(__VA_ARGS__)
 #include "steps/step13_meshes/reference/meshes.cpp"
-#undef into_frame
+#undef to_object_space
 #include <glm/matrix.hpp>
 
 namespace rt {
 
-Ray into_frame(const Ray& ray, const Motion& placement) {
+Ray to_object_space(const Ray& ray, const Transform& placement) {
     const auto& [x, y, z] = placement.rotation;
     Mat4 matrix(1);
     matrix[0] = Vec4(placement.scale * x, 0);

@@ -26,7 +26,7 @@ Interval between_planes(const Ray& ray, Vec3 center, Vec3 axis, Real half) {
     return t1 < t2 ? Interval{.min = t1, .max = t2} : Interval{.min = t2, .max = t1};
 }
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     const Vec3 size = box.max - box.min;
     const std::array<Vec3, 3> axes = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     if (std::isnan(dot(ray.origin, ray.direction))) return std::nullopt;

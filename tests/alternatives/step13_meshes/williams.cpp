@@ -5,7 +5,7 @@
 
 namespace rt {
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     // A comparison with NaN is false: 0 · ∞ on a face is no bound.
     for (int axis = 0; axis < 3; ++axis) {
         if (std::isnan(ray.origin[axis]) || std::isnan(ray.direction[axis])) return std::nullopt;

@@ -71,19 +71,19 @@ std::vector<Shape> draw_shapes(Random& random) {
 }
 
 template <class Shape>
-Hierarchy hierarchy_over(const std::vector<Shape>& shapes, const Box& scene = {}) {
-    return Hierarchy(
+Bvh hierarchy_over(const std::vector<Shape>& shapes, const BoundingBox& scene = {}) {
+    return Bvh(
         shapes.size(), [&shapes](std::size_t i) { return bounds(shapes[i]); },
-        Hierarchy::Leaves::one_by_one, scene);
+        Bvh::Leaves::one_by_one, scene);
 }
 
-Hierarchy hierarchy_of(const std::vector<Box>& boxes) {
-    return Hierarchy(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
+Bvh hierarchy_of(const std::vector<BoundingBox>& boxes) {
+    return Bvh(boxes.size(), [&boxes](std::size_t i) { return boxes[i]; });
 }
 
 /// A ray from anywhere, along an axis or in any direction, to a corner, the middle of a face or a
 /// point of the box: at the points where a shape touches its box, a box too small would lose it.
-Ray draw_ray(Random& random, const Box& box) {
+Ray draw_ray(Random& random, const BoundingBox& box) {
     Vec3 share;
     for (glm::length_t axis = 0; axis < 3; ++axis)
         share[axis] = random.coin() ? Real(random.below(3)) / 2 : random.between(0, 1);
@@ -106,8 +106,8 @@ std::optional<Real> by_list(const std::vector<Shape>& shapes, const Ray& ray, In
 }
 
 template <class Shape>
-std::optional<Real> by_hierarchy(const Hierarchy& hierarchy, const std::vector<Shape>& shapes,
-                                 const Ray& ray, SlabTests& slabs, Interval interval) {
+std::optional<Real> by_hierarchy(const Bvh& hierarchy, const std::vector<Shape>& shapes,
+                                 const Ray& ray, RayBoxTestCache& slabs, Interval interval) {
     std::optional<Real> nearest;
     hierarchy.nearest(slabs, interval, [&](std::uint32_t index) {
         const auto t = intersect(ray, shapes[index], interval);
@@ -125,32 +125,32 @@ template <class Shape>
 Verdict agrees_with_list(Random& random) {
     const std::vector<Shape> shapes = draw_shapes<Shape>(random);
     const Real size = std::exp2(Real(random.below(12)));
-    const Box scene{.min = Vec3(-size), .max = Vec3(size)};
-    const Hierarchy hierarchy = hierarchy_over(shapes, scene);
-    const Hierarchy other = hierarchy_over(draw_shapes<Shape>(random), scene);
+    const BoundingBox scene{.min = Vec3(-size), .max = Vec3(size)};
+    const Bvh hierarchy = hierarchy_over(shapes, scene);
+    const Bvh other = hierarchy_over(draw_shapes<Shape>(random), scene);
     for (int i = 0; i < 20; ++i) {
         const Shape& target = shapes[std::size_t(random.below(int(shapes.size())))];
         const Ray ray = draw_ray(random, bounds(target));
         Interval interval;
         if (random.coin()) interval.max = random.between(0, 4);
         const auto expected = by_list(shapes, ray, interval);
-        SlabTests slabs(ray);
+        RayBoxTestCache slabs(ray);
         (void)other.any(slabs, interval, [](std::uint32_t) { return false; });
-        const auto came = by_hierarchy(hierarchy, shapes, ray, slabs, interval);
+        const auto got = by_hierarchy(hierarchy, shapes, ray, slabs, interval);
         const bool any = hierarchy.any(slabs, interval, [&](std::uint32_t index) {
             return intersect(ray, shapes[index], interval).has_value();
         });
-        if (came != expected || any != expected.has_value())
+        if (got != expected || any != expected.has_value())
             return verdict(false, code(ray) + ", " + code(interval) + " in " +
-                                      std::to_string(shapes.size()) + " shapes\n  came:     " +
-                                      came_text(came) + ", any: " + (any ? "true" : "false") +
-                                      "\n  expected: " + came_text(expected));
+                                      std::to_string(shapes.size()) + " shapes\n  got:      " +
+                                      got_text(got) + ", any: " + (any ? "true" : "false") +
+                                      "\n  expected: " + got_text(expected));
     }
     return {};
 }
 
 template <class Shape>
-bool inside(const Box& box, const Shape&, Vec3 p) {
+bool inside(const BoundingBox& box, const Shape&, Vec3 p) {
     return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x &&
            p.y <= box.max.y && p.z <= box.max.z;
 }
@@ -160,16 +160,16 @@ template <class Shape>
 Verdict box_holds_hits(Random& random) {
     Shape shape;
     draw(random, shape);
-    const Motion motion{.scale = random.power_of_two(), .translation = random.point(100)};
-    shape = moved(shape, motion);
-    const Box box = bounds(shape);
+    const Transform transform{.scale = random.power_of_two(), .translation = random.point(100)};
+    shape = transformed(shape, transform);
+    const BoundingBox box = bounds(shape);
     for (int i = 0; i < 20; ++i) {
         const Ray ray = draw_ray(random, box);
         const auto t = intersect(ray, shape, {});
         // The point itself is rounded once more, relative to the distance.
         if (!t) continue;
         const Vec3 slack(4 * unit_roundoff * *t * length(ray.direction));
-        const Box wider{.min = box.min - slack, .max = box.max + slack};
+        const BoundingBox wider{.min = box.min - slack, .max = box.max + slack};
         if (!inside(wider, shape, at(ray, *t)))
             return verdict(false, code(shape) + "\n  its box:  " + text(box.min) + " to " +
                                       text(box.max) + "\n  its hit:  " + text(at(ray, *t)) +
@@ -243,11 +243,11 @@ Ray draw_shot(Random& random, const Mesh& mesh, Real scale, Vec3 center) {
 }
 
 Verdict keeps_every_ray(const Mesh& mesh, Real scale, Vec3 center, int rays) {
-    const PackedMesh packed(mesh);
+    const MeshBvh packed(mesh);
     return for_all(
         [&](Random& random) {
             const Ray ray = draw_shot(random, mesh, scale, center);
-            return verdict(packed.nearest(ray, {}) && packed.blocks(ray, {}),
+            return verdict(packed.nearest(ray, {}) && packed.occludes(ray, {}),
                            "from inside the closed surface, no hit: " + code(ray));
         },
         rays);
@@ -290,7 +290,7 @@ Verdict agrees_with_long_double(Random& random) {
         mesh.vertices.insert(mesh.vertices.end(), {triangle.a, triangle.b, triangle.c});
         mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    const PackedMesh packed(mesh);
+    const MeshBvh packed(mesh);
     const auto target = std::size_t(random.below(int(count)));
     const Ray ray = draw_ray(random, bounds(triangle_of(mesh, target)));
     std::optional<long double> expected;
@@ -299,17 +299,17 @@ Verdict agrees_with_long_double(Random& random) {
         if (!sure) return {};
         if (t && (!expected || *t < *expected)) expected = t;
     }
-    const auto came = packed.nearest(ray, {});
+    const auto got = packed.nearest(ray, {});
     const std::string asked = code(ray) + " in " + std::to_string(count) + " triangles";
-    if (came.has_value() != expected.has_value() || packed.blocks(ray, {}) != came.has_value())
+    if (got.has_value() != expected.has_value() || packed.occludes(ray, {}) != got.has_value())
         return verdict(false, asked + (expected ? ": no hit" : ": a false hit"));
-    if (!came) return {};
-    const auto [a, b, c] = triangle_of(mesh, came->triangle);
-    const Vec3 point = came->weights.x * a + came->weights.y * b + came->weights.z * c;
+    if (!got) return {};
+    const auto [a, b, c] = triangle_of(mesh, got->triangle);
+    const Vec3 point = got->weights.x * a + got->weights.y * b + got->weights.z * c;
     const Real far = 100 * tolerance * std::max(Real(1), length(ray.origin));
-    return verdict(close(came->t, Real(*expected)) && length(point - at(ray, came->t)) < far &&
-                       close(came->weights.x + came->weights.y + came->weights.z, 1),
-                   asked + "\n  came:     " + text(came->t) + " at " + text(came->weights) +
+    return verdict(close(got->t, Real(*expected)) && length(point - at(ray, got->t)) < far &&
+                       close(got->weights.x + got->weights.y + got->weights.z, 1),
+                   asked + "\n  got:      " + text(got->t) + " at " + text(got->weights) +
                        "\n  expected: " + text(Real(*expected)));
 }
 
@@ -328,9 +328,9 @@ Mesh grid(std::uint32_t side) {
     return mesh;
 }
 
-std::set<std::uint32_t> visited(const Hierarchy& hierarchy, const Ray& ray, Interval interval) {
+std::set<std::uint32_t> visited(const Bvh& hierarchy, const Ray& ray, Interval interval) {
     std::set<std::uint32_t> indices;
-    SlabTests slabs(ray);
+    RayBoxTestCache slabs(ray);
     hierarchy.nearest(slabs, interval, [&](std::uint32_t index) { indices.insert(index); });
     return indices;
 }
@@ -354,15 +354,15 @@ TEST_CASE("a shape's box contains every hit on it (contract)") {
 }
 
 TEST_CASE("a shape's box is hardly wider than the shape (contract)") {
-    const Box ball = bounds(Sphere{.center = {1, 2, 3}, .radius = 2});
+    const BoundingBox ball = bounds(Sphere{.center = {1, 2, 3}, .radius = 2});
     CHECK(gives("box of a ball", ball.min, Vec3(-1, 0, 1)));
     CHECK(gives("box of a ball", ball.max, Vec3(3, 4, 5)));
-    const Box tube = bounds(Cylinder{.axis = {0, 0, 1}, .radius = 1, .height = 6});
+    const BoundingBox tube = bounds(Cylinder{.axis = {0, 0, 1}, .radius = 1, .height = 6});
     CHECK(gives("box of a tube", tube.max, Vec3(1, 1, 3)));
-    const Box cone = bounds(Cone{.axis = {1, 0, 0}, .radius = 2, .height = 3});
+    const BoundingBox cone = bounds(Cone{.axis = {1, 0, 0}, .radius = 2, .height = 3});
     CHECK(gives("box of a cone", cone.min, Vec3(0, -2, -2)));
     CHECK(gives("box of a cone", cone.max, Vec3(3, 2, 2)));
-    const Box square = bounds(Square{.center = {0, 0, 5}, .side = 4});
+    const BoundingBox square = bounds(Square{.center = {0, 0, 5}, .side = 4});
     CHECK(gives("box of a square", square.max, Vec3(2, 2, 5)));
 }
 
@@ -399,13 +399,13 @@ TEST_CASE("no ray is lost at a surface that is as nothing beside the rest of its
         both.vertices.insert(both.vertices.end(), around.vertices.begin(), around.vertices.end());
         for (const auto& [a, b, c] : around.triangles)
             both.triangles.push_back({first + a, first + b, first + c});
-        const PackedMesh packed(both);
+        const MeshBvh packed(both);
         CAPTURE(decades);
         CHECK(for_all([&](Random& random) {
             const Ray ray = draw_shot(random, small, scale, Vec3(0));
-            const auto came = packed.nearest(ray, {});
-            return verdict(came && came->triangle < small.triangles.size() &&
-                               packed.blocks(ray, {.max = 2 * came->t}),
+            const auto got = packed.nearest(ray, {});
+            return verdict(got && got->triangle < small.triangles.size() &&
+                               packed.occludes(ray, {.max = 2 * got->t}),
                            "from inside the closed surface, no hit: " + code(ray));
         }));
     }
@@ -418,38 +418,38 @@ TEST_CASE("a packed mesh gives the hit that exact arithmetic gives (contract)") 
 TEST_CASE("a scale changes no bit, however large or small (contract)") {
     // Areas are squares, and t a quotient of cubes: 2^±100 would over- or underflow in float.
     const Mesh ball = bumpy_ball(2);
-    const PackedMesh packed(ball);
+    const MeshBvh packed(ball);
     for (const int power : {-100, -60, 60, 100}) {
         const Real scale = std::ldexp(Real(1), power);
-        const PackedMesh scaled(placed(ball, scale, Vec3(0)));
+        const MeshBvh scaled(placed(ball, scale, Vec3(0)));
         CHECK(for_all([&](Random& random) {
             const Ray ray{.origin = random.point(2), .direction = random.direction()};
             const auto expected = packed.nearest(ray, {});
-            const auto came = scaled.nearest(
+            const auto got = scaled.nearest(
                 {.origin = scale * ray.origin, .direction = scale * ray.direction}, {});
             return verdict(
-                came.has_value() == expected.has_value() &&
-                    (!came || (came->t == expected->t && came->triangle == expected->triangle)),
+                got.has_value() == expected.has_value() &&
+                    (!got || (got->t == expected->t && got->triangle == expected->triangle)),
                 code(ray) + " times 2^" + std::to_string(power));
         }));
     }
 }
 
 TEST_CASE("an interval is open for a mesh too (contract)") {
-    const PackedMesh packed(grid(4));
+    const MeshBvh packed(grid(4));
     const Ray ray{.origin = {Real(1.25), Real(1.5), 2}, .direction = {0, 0, -1}};
     CHECK(packed.nearest(ray, {})->t == 2);
     CHECK_FALSE(packed.nearest(ray, {.max = 2}));
     CHECK_FALSE(packed.nearest(ray, {.min = 2}));
-    CHECK_FALSE(packed.blocks(ray, {.max = 2}));
-    CHECK_FALSE(packed.blocks(ray, {.min = 2}));
-    CHECK(packed.blocks(ray, {.min = Real(1.75), .max = Real(2.25)}));
+    CHECK_FALSE(packed.occludes(ray, {.max = 2}));
+    CHECK_FALSE(packed.occludes(ray, {.min = 2}));
+    CHECK(packed.occludes(ray, {.min = Real(1.75), .max = Real(2.25)}));
 }
 
 TEST_CASE("a ray along the faces of boxes meets them (contract)") {
     SECTION("a mesh: every vertex of a grid, from above") {
         constexpr std::uint32_t side = 16;
-        const PackedMesh packed(grid(side));
+        const MeshBvh packed(grid(side));
         for (std::uint32_t x = 0; x <= side; ++x)
             for (std::uint32_t y = 0; y <= side; ++y) {
                 const Ray ray{.origin = {Real(x), Real(y), 3}, .direction = {0, 0, -1}};
@@ -459,18 +459,18 @@ TEST_CASE("a ray along the faces of boxes meets them (contract)") {
             }
     }
     SECTION("boxes: all that touch the line where four rows of a block meet") {
-        std::vector<Box> boxes;
+        std::vector<BoundingBox> boxes;
         for (int x = 0; x < 8; ++x)
             for (int y = 0; y < 8; ++y)
                 for (int z = 0; z < 8; ++z)
                     boxes.push_back({.min = {Real(x), Real(y), Real(z)},
                                      .max = {Real(x + 1), Real(y + 1), Real(z + 1)}});
-        const Hierarchy hierarchy = hierarchy_of(boxes);
+        const Bvh hierarchy = hierarchy_of(boxes);
         for (const Real zero : {Real(0), Real(-0.0)}) {
             const Ray ray{.origin = {-5, 3, 6}, .direction = {2, zero, zero}};
             const auto indices = visited(hierarchy, ray, {});
             for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-                const Box& box = boxes[i];
+                const BoundingBox& box = boxes[i];
                 const bool touches =
                     box.min.y <= 3 && 3 <= box.max.y && box.min.z <= 6 && 6 <= box.max.z;
                 CHECK((!touches || indices.count(i) == 1));
@@ -490,10 +490,11 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
     };
     CHECK(for_all(
         [&](Random& random) {
-            std::vector<Box> boxes;
+            std::vector<BoundingBox> boxes;
             for (int i = 0; i < 8; ++i) {
                 const Vec3 corner = whole_point(random, 64);
-                boxes.push_back(united(Box{.min = corner, .max = corner}, whole_point(random, 64)));
+                boxes.push_back(
+                    merged(BoundingBox{.min = corner, .max = corner}, whole_point(random, 64)));
             }
             const auto target = std::uint32_t(random.below(8));
             Vec3 corner = boxes[target].min;
@@ -503,7 +504,7 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
             if (direction == Vec3(0)) return Verdict{};
             const Real steps = Real(1 + random.below(1 << random.below(18)));
             const Real scale = std::ldexp(Real(1), random.below(121) - 60);
-            for (Box& box : boxes) box = {.min = scale * box.min, .max = scale * box.max};
+            for (BoundingBox& box : boxes) box = {.min = scale * box.min, .max = scale * box.max};
             const Ray ray{.origin = scale * (corner - steps * direction),
                           .direction = std::ldexp(Real(1), random.below(41) - 20) * direction};
             return verdict(visited(hierarchy_of(boxes), ray, {}).count(target) == 1,
@@ -515,11 +516,11 @@ TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
 
 TEST_CASE("an invalid ray misses everything, and quickly (contract)") {
     const Mesh ball = bumpy_ball(4);
-    const PackedMesh packed(ball);
-    std::vector<Box> boxes;
+    const MeshBvh packed(ball);
+    std::vector<BoundingBox> boxes;
     for (std::size_t i = 0; i < ball.triangles.size(); ++i)
         boxes.push_back(bounds(triangle_of(ball, i)));
-    const Hierarchy hierarchy = hierarchy_of(boxes);
+    const Bvh hierarchy = hierarchy_of(boxes);
     std::vector<Ray> rays = {{.origin = {0, 0, 0}, .direction = {0, 0, 0}},
                              {.origin = {0, 0, 5}, .direction = {0, 0, 0}}};
     for (const Real bad : {not_a_number, infinity, -infinity})
@@ -534,9 +535,9 @@ TEST_CASE("an invalid ray misses everything, and quickly (contract)") {
     for (const Ray& ray : rays) {
         INFO(code(ray));
         CHECK_FALSE(packed.nearest(ray, {}));
-        CHECK_FALSE(packed.blocks(ray, {}));
+        CHECK_FALSE(packed.occludes(ray, {}));
         int visits = 0;
-        SlabTests slabs(ray);
+        RayBoxTestCache slabs(ray);
         CHECK_FALSE(hierarchy.any(slabs, {}, [&](std::uint32_t) { return ++visits < 0; }));
         CHECK(visits < 10'000);
     }
@@ -550,36 +551,36 @@ TEST_CASE("an invalid ray misses everything, and quickly (contract)") {
 TEST_CASE("nothing, or all in one place, is a hierarchy too (contract)") {
     const Ray ray{.origin = {Real(0.25), Real(0.25), 3}, .direction = {0, 0, -1}};
     SECTION("nothing") {
-        CHECK(Hierarchy().empty());
+        CHECK(Bvh().empty());
         CHECK(hierarchy_of({}).empty());
-        CHECK(visited(Hierarchy(), ray, {}).empty());
-        CHECK_FALSE(PackedMesh().nearest(ray, {}));
-        CHECK_FALSE(PackedMesh(Mesh{}).blocks(ray, {}));
-        const Box box = PackedMesh(Mesh{}).bounds();
+        CHECK(visited(Bvh(), ray, {}).empty());
+        CHECK_FALSE(MeshBvh().nearest(ray, {}));
+        CHECK_FALSE(MeshBvh(Mesh{}).occludes(ray, {}));
+        const BoundingBox box = MeshBvh(Mesh{}).bounds();
         CHECK(box.min.x > box.max.x);
     }
     SECTION("a hundred thousand times the same triangle") {
         Mesh mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
         mesh.triangles.assign(100'000, {0, 1, 2});
-        CHECK(PackedMesh(mesh).nearest(ray, {})->t == 3);
+        CHECK(MeshBvh(mesh).nearest(ray, {})->t == 3);
     }
     SECTION("triangles without an area") {
         Mesh mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                   .triangles = {{0, 0, 0}, {0, 1, 1}, {2, 2, 1}, {0, 1, 2}, {1, 1, 1}}};
-        REQUIRE(PackedMesh(mesh).nearest(ray, {}));
-        CHECK(PackedMesh(mesh).nearest(ray, {})->triangle == 3);
+        REQUIRE(MeshBvh(mesh).nearest(ray, {}));
+        CHECK(MeshBvh(mesh).nearest(ray, {})->triangle == 3);
     }
 }
 
 TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
     SECTION("huge: areas overflow") {
         for (const Real size : {Real(1e18), std::numeric_limits<Real>::max() / 16}) {
-            std::vector<Box> boxes;
+            std::vector<BoundingBox> boxes;
             for (int i = 0; i < 1000; ++i) {
                 const Vec3 corner(size / 1000 * Real(i), 0, 0);
                 boxes.push_back({.min = corner, .max = corner + Vec3(size / 2000)});
             }
-            const Hierarchy hierarchy = hierarchy_of(boxes);
+            const Bvh hierarchy = hierarchy_of(boxes);
             const Ray down{.origin = {size / 1000 * Real(500.25), size / 4000, size},
                            .direction = {0, 0, -1}};
             const auto indices = visited(hierarchy, down, {});
@@ -588,13 +589,13 @@ TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
         }
     }
     SECTION("endless") {
-        std::vector<Box> boxes(100, {.min = Vec3(-infinity), .max = Vec3(infinity)});
+        std::vector<BoundingBox> boxes(100, {.min = Vec3(-infinity), .max = Vec3(infinity)});
         boxes.resize(200, {.min = Vec3(-1), .max = Vec3(1)});
         CHECK(visited(hierarchy_of(boxes), {.origin = {5, 5, 5}, .direction = {0, 0, 1}}, {})
                   .size() >= 100);
     }
     SECTION("each half of the last: as deep a tree as there can be") {
-        std::vector<Box> boxes;
+        std::vector<BoundingBox> boxes;
         for (int i = 0; i < 100'000; ++i) {
             Vec3 corner(0);
             corner[i % 3] = std::ldexp(Real(1), -(i % (-std::numeric_limits<Real>::min_exponent)));
@@ -606,21 +607,21 @@ TEST_CASE("boxes may be huge, endless, or each half of the last (contract)") {
 }
 
 TEST_CASE("two builds of a mesh large enough for threads are the same (contract)") {
-    std::vector<Box> boxes;
+    std::vector<BoundingBox> boxes;
     Random random(1);
     for (int i = 0; i < 100'000; ++i) {
         const Vec3 corner = random.point(10);
         boxes.push_back({.min = corner, .max = corner + Vec3(Real(0.1))});
     }
-    const Hierarchy first = hierarchy_of(boxes);
-    const Hierarchy second = hierarchy_of(boxes);
+    const Bvh first = hierarchy_of(boxes);
+    const Bvh second = hierarchy_of(boxes);
     CHECK(std::ranges::equal(first.leaves(), second.leaves(),
                              [](const Leaf& a, const Leaf& b) { return a.indices == b.indices; }));
 }
 
 TEST_CASE("lanes one after the other give the same bits (contract)") {
     const Mesh ball = bumpy_ball(4);
-    const PackedMesh packed(ball);
+    const MeshBvh packed(ball);
     std::vector<Ray> rays;
     Random random(1);
     for (int i = 0; i < 20'000; ++i)
@@ -628,12 +629,12 @@ TEST_CASE("lanes one after the other give the same bits (contract)") {
                                   : Ray{.origin = random.point(3), .direction = random.point(1)});
     const auto expected = hits_without_vectors(ball, rays);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto came = packed.nearest(rays[i], {});
+        const auto got = packed.nearest(rays[i], {});
         INFO(code(rays[i]));
-        REQUIRE(came.has_value() == expected[i].has_value());
-        if (!came) continue;
-        CHECK(came->t == expected[i]->t);
-        CHECK(came->triangle == expected[i]->triangle);
-        CHECK(came->weights == expected[i]->weights);
+        REQUIRE(got.has_value() == expected[i].has_value());
+        if (!got) continue;
+        CHECK(got->t == expected[i]->t);
+        CHECK(got->triangle == expected[i]->triangle);
+        CHECK(got->weights == expected[i]->weights);
     }
 }

@@ -10,7 +10,7 @@ namespace rt {
 
 std::vector<std::optional<MeshHit>> hits_without_vectors(const Mesh& mesh,
                                                          const std::vector<Ray>& rays) {
-    const PackedMesh packed(mesh);
+    const MeshBvh packed(mesh);
     std::vector<std::optional<MeshHit>> hits;
     hits.reserve(rays.size());
     for (const Ray& ray : rays) hits.push_back(packed.nearest(ray, {}));

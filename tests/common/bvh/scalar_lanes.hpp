@@ -1,4 +1,4 @@
-// PackedMesh once more, with lanes that are taken one after the other.
+// MeshBvh once more, with lanes that are taken one after the other.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -9,7 +9,7 @@
 
 namespace rt {
 
-/// The hits of PackedMesh for each ray if the compiler has no vectors.
+/// The hits of MeshBvh for each ray if the compiler has no vectors.
 [[nodiscard]] std::vector<std::optional<MeshHit>> hits_without_vectors(
     const Mesh& mesh, const std::vector<Ray>& rays);
 

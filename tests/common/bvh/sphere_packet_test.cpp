@@ -13,13 +13,13 @@ using namespace rt;
 
 namespace {
 
-bool is_near(const Ray& ray, const Ball& ball) {
-    return Balls(std::array{ball}).near(ray) != 0;
+bool is_near(const Ray& ray, const BoundingSphere& ball) {
+    return BoundingSphereSet(std::array{ball}).candidates(ray) != 0;
 }
 
 /// A ray to the point from near or far away, in any direction or at right angles to the line from
 /// the sphere's center, so that it grazes a sphere that ends there.
-Ray draw_ray(Random& random, Vec3 point, const Ball& ball) {
+Ray draw_ray(Random& random, Vec3 point, const BoundingSphere& ball) {
     Vec3 way = random.direction();
     if (random.coin()) way = unit(cross(way, point - ball.center));
     const Real size = spread(random, -8, 8);  // with a direction of any length, from any distance
@@ -27,18 +27,18 @@ Ray draw_ray(Random& random, Vec3 point, const Ball& ball) {
 }
 
 /// Anywhere, and of any size.
-Motion draw_motion(Random& random) {
+Transform draw_motion(Random& random) {
     return {.scale = spread(random, -6, 6), .translation = spread(random, -6, 6) * random.point(1)};
 }
 
 template <class Shape>
 Verdict no_hit_is_lost(Random& random) {
     const Spot<Shape> spot = draw(random, Shape());
-    const Motion motion = draw_motion(random);
-    const Shape shape = moved(spot.shape, motion);
-    const Ball ball = ball_around(shape);
+    const Transform transform = draw_motion(random);
+    const Shape shape = transformed(spot.shape, transform);
+    const BoundingSphere ball = bounding_sphere(shape);
     for (int i = 0; i < 20; ++i) {
-        const Ray ray = draw_ray(random, moved(spot.point, motion), ball);
+        const Ray ray = draw_ray(random, transformed(spot.point, transform), ball);
         if (intersect(ray, shape, {}) && !is_near(ray, ball))
             return verdict(false, code(ray) + " meets " + code(shape));
     }
@@ -58,7 +58,7 @@ Verdict is_near_at_any_size(Random& random) {
     const Real size = std::ldexp(random.between(1, 2), random.below(2 * most) - most);
     const Real length = std::ldexp(random.between(1, 2), random.below(2 * most) - most);
     const Vec3 off = random.between(Real(0.5), Real(0.99)) * x + random.between(-4, 4) * z;
-    const Ball ball{.center = Vec3(0), .radius = size};
+    const BoundingSphere ball{.center = Vec3(0), .radius = size};
     const Ray ray{.origin = size * off, .direction = length * z};
     return verdict(is_near(ray, ball), code(ray) + " passes a ball of radius " + code(size));
 }
@@ -66,20 +66,20 @@ Verdict is_near_at_any_size(Random& random) {
 /// The bounding sphere of a shape of size 1 at 0 has this radius.
 template <class Shape>
 void check_reach(const Shape& shape, Vec3 center, Real reach) {
-    const Ball ball = ball_around(shape);
+    const BoundingSphere ball = bounding_sphere(shape);
     CHECK(distance(ball.center, center) <= 8 * unit_roundoff);
     CHECK(ball.radius >= reach);
     CHECK(ball.radius <= reach * (1 + 64 * unit_roundoff));
 }
 
 template <class Shape>
-Items<Shape> draw_items(Random& random, int count) {
-    Items<Shape> items;
+PrimitiveList<Shape> draw_items(Random& random, int count) {
+    PrimitiveList<Shape> primitives;
     for (int i = 0; i < count; ++i) {
-        const Motion motion{.scale = Real(0.25), .translation = random.point(1)};
-        items.push_back({.shape = moved(draw(random, Shape()).shape, motion)});
+        const Transform transform{.scale = Real(0.25), .translation = random.point(1)};
+        primitives.push_back({.shape = transformed(draw(random, Shape()).shape, transform)});
     }
-    return items;
+    return primitives;
 }
 
 /// The number of tested shapes of a list for one ray, and the closest hit among them.
@@ -89,34 +89,34 @@ struct Asked {
 };
 
 template <class Shape>
-Asked nearest(const Items<Shape>& items, const Ray& ray) {
-    SlabTests slabs(ray);
+Asked nearest(const PrimitiveList<Shape>& primitives, const Ray& ray) {
+    RayBoxTestCache slabs(ray);
     Interval interval;
     Asked asked;
-    items.along(slabs, interval, [&](const Item<Shape>& item) {
+    primitives.traverse(slabs, interval, [&](const Primitive<Shape>& primitive) {
         ++asked.count;
-        if (const auto t = intersect(ray, item.shape, interval)) interval.max = *t;
+        if (const auto t = intersect(ray, primitive.shape, interval)) interval.max = *t;
     });
     asked.t = interval.max;
     return asked;
 }
 
 template <class Shape>
-bool any(const Items<Shape>& items, const Ray& ray) {
-    SlabTests slabs(ray);
-    return items.any_along(slabs, {}, [&ray](const Item<Shape>& item) {
-        return intersect(ray, item.shape, {}).has_value();
+bool any(const PrimitiveList<Shape>& primitives, const Ray& ray) {
+    RayBoxTestCache slabs(ray);
+    return primitives.traverse_any(slabs, {}, [&ray](const Primitive<Shape>& primitive) {
+        return intersect(ray, primitive.shape, {}).has_value();
     });
 }
 
 /// However they are arranged. More than 64 have no balls.
 template <class Shape>
 Verdict finds_the_same(Random& random) {
-    const Items<Shape> list = draw_items<Shape>(random, 1 + random.below(70));
-    Items<Shape> in_balls = list;
-    Items<Shape> in_hierarchy = list;
-    in_balls.arrange({.hierarchy_from = Arrangement::never});
-    in_hierarchy.arrange({.hierarchy_from = 1});
+    const PrimitiveList<Shape> list = draw_items<Shape>(random, 1 + random.below(70));
+    PrimitiveList<Shape> in_balls = list;
+    PrimitiveList<Shape> in_hierarchy = list;
+    in_balls.build_acceleration({.hierarchy_from = Acceleration::never});
+    in_hierarchy.build_acceleration({.hierarchy_from = 1});
     for (int i = 0; i < 20; ++i) {
         const Ray ray{.origin = Real(3) * random.direction(), .direction = random.direction()};
         const Asked by_list = nearest(list, ray);
@@ -160,7 +160,7 @@ TEST_CASE("balls: as small as a shape lets them be") {
 }
 
 TEST_CASE("balls: a ray misses a sphere that its line misses") {
-    const Ball ball{.center = {1, 2, 3}, .radius = Real(0.5)};
+    const BoundingSphere ball{.center = {1, 2, 3}, .radius = Real(0.5)};
     for (const Real distance : {Real(1), Real(30)})
         for (const Real length : {Real(1e-6), Real(1), Real(1e6)})
             for (const Real off : {Real(0.499), Real(0.51)}) {
@@ -172,14 +172,14 @@ TEST_CASE("balls: a ray misses a sphere that its line misses") {
 }
 
 TEST_CASE("balls: each has its own bit, up to 64") {
-    std::vector<Ball> row;
-    for (std::size_t count = 1; count <= Balls::most; ++count) {
+    std::vector<BoundingSphere> row;
+    for (std::size_t count = 1; count <= BoundingSphereSet::most; ++count) {
         row.push_back({.center = {Real(count), 0, 0}, .radius = Real(0.25)});
-        const Balls balls(row);
+        const BoundingSphereSet balls(row);
         const Ray last{.origin = {Real(count), 0, 5}, .direction = {0, 0, -1}};
-        CHECK(balls.near(last) == std::uint64_t(1) << (count - 1));
+        CHECK(balls.candidates(last) == std::uint64_t(1) << (count - 1));
         const Ray all{.origin = {-1, 0, 0}, .direction = {1, 0, 0}};
-        CHECK(balls.near(all) == ~std::uint64_t(0) >> (Balls::most - count));
+        CHECK(balls.candidates(all) == ~std::uint64_t(0) >> (BoundingSphereSet::most - count));
     }
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("balls: with NaN, huge or tiny numbers no shape is left out") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real large = std::sqrt(std::numeric_limits<Real>::max()) * 2;
     const Real small = 1 / large;
-    const Ball ball{.center = {0, 0, 0}, .radius = 1};
+    const BoundingSphere ball{.center = {0, 0, 0}, .radius = 1};
     const Vec3 beside(8, 0, 0);
     const Vec3 along(0, 0, 1);
     CHECK_FALSE(is_near({.origin = beside, .direction = along}, ball));
@@ -219,17 +219,17 @@ TEST_CASE("balls: the nearest is the same in a list, in balls and in a hierarchy
 }
 
 TEST_CASE("balls: few shapes are tested, unless balls are switched off") {
-    Items<Sphere> row;
+    PrimitiveList<Sphere> row;
     for (int i = 0; i < 5; ++i)
         row.push_back({.shape = {.center = {Real(i), 0, 0}, .radius = Real(0.25)}});
     const Ray ray{.origin = {3, 0, 5}, .direction = {0, 0, -1}};
     CHECK(nearest(row, ray).count == 5);
-    row.arrange();
+    row.build_acceleration();
     CHECK(nearest(row, ray).count == 1);
     CHECK(row.is_short_list());
-    row.arrange({.balls = false});
+    row.build_acceleration({.balls = false});
     CHECK(nearest(row, ray).count == 5);
-    row.arrange();
+    row.build_acceleration();
     row.push_back(row.front());  // not arranged any more
     CHECK(nearest(row, ray).count == 6);
 }

@@ -28,7 +28,7 @@ Image noise(Resolution size) {
 }
 
 Scene cornell_box(Resolution size) {
-    Scene scene = load_scene(project_file("scenes/cornell_box.rt"), basis_around);
+    Scene scene = load_scene(project_file("scenes/cornell_box.rt"), orthonormal_basis);
     scene.resolution = size;
     return scene;
 }
@@ -112,7 +112,7 @@ TEST_CASE("pixels that are not a number are counted, and the topmost is named") 
         CHECK(rendering->first_not_a_number.row == first.row);
         CHECK(rendering->first_not_a_number.column == first.column);
     }
-    CHECK(render(scene, {.look = {.shading = Shading::normal}})->not_a_number == 0);
+    CHECK(render(scene, {.settings = {.shading = Shading::normal}})->not_a_number == 0);
 }
 
 TEST_CASE("the picture in the terminal: two pixels a character, upper and lower") {

@@ -156,11 +156,11 @@ TEST_CASE("a corner is seen at the same place in all three roles, and by both ne
             const Triangle right{q, p, aim - side};
             const bool met_left = is_met(ray, left);
             const bool met_right = is_met(ray, right);
-            for (const Triangle& turned : in_all_roles(left))
-                if (is_met(ray, turned) != met_left)
+            for (const Triangle& rotated : in_all_roles(left))
+                if (is_met(ray, rotated) != met_left)
                     return verdict(false, code(ray) + ", " + code(left) + " turned");
-            for (const Triangle& turned : in_all_roles(right))
-                if (is_met(ray, turned) != met_right)
+            for (const Triangle& rotated : in_all_roles(right))
+                if (is_met(ray, rotated) != met_right)
                     return verdict(false, code(ray) + ", " + code(right) + " turned");
             return verdict(met_left || met_right,
                            code(ray) + " meets neither " + code(left) + " nor " + code(right));

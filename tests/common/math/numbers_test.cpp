@@ -29,18 +29,18 @@ Real real(Whole value) {
     return static_cast<Real>(value);
 }
 
-Verdict exact(Rounded came, Real plain, Whole expected) {
-    const Whole sum = static_cast<Whole>(came.value) + static_cast<Whole>(came.dropped);
+Verdict exact(Rounded got, Real plain, Whole expected) {
+    const Whole sum = static_cast<Whole>(got.value) + static_cast<Whole>(got.dropped);
     return verdict(
-        came.value == plain && sum == expected,
-        text(came.value) + " and " + text(came.dropped) + " are not " + std::to_string(expected));
+        got.value == plain && sum == expected,
+        text(got.value) + " and " + text(got.dropped) + " are not " + std::to_string(expected));
 }
 
-Verdict within(Real came, Whole expected, Real error) {
+Verdict within(Real got, Whole expected, Real error) {
     // |expected| may have more bits than a Real: the difference is computed in whole numbers.
-    const Real off = std::abs(static_cast<Real>(static_cast<Whole>(came) - expected));
-    const bool is_whole = came == std::trunc(came);
-    return verdict(is_whole && off <= error, text(came) + " is not " + std::to_string(expected));
+    const Real off = std::abs(static_cast<Real>(static_cast<Whole>(got) - expected));
+    const bool is_whole = got == std::trunc(got);
+    return verdict(is_whole && off <= error, text(got) + " is not " + std::to_string(expected));
 }
 
 }  // namespace
@@ -59,11 +59,11 @@ TEST_CASE("unit() has length 1 and the same direction, at every length (common/m
             constexpr int most = std::numeric_limits<Real>::max_exponent - 10;
             const int exponent = least + random.below(most - least + 1);
             const auto scaled = [exponent](Real x) { return std::ldexp(x, exponent); };
-            const Vec3 came = unit({scaled(v.x), scaled(v.y), scaled(v.z)});
-            const Vec3 off = abs(came - v / Real(size));
+            const Vec3 got = unit({scaled(v.x), scaled(v.y), scaled(v.z)});
+            const Vec3 off = abs(got - v / Real(size));
             return verdict(std::max({off.x, off.y, off.z}) <= 4 * u,
                            "unit() of 2^" + std::to_string(exponent) + " " + text(v) + " came as " +
-                               text(came));
+                               text(got));
         },
         20000));
 }
@@ -83,9 +83,9 @@ TEST_CASE("unit() at the ends of the numbers, and of nothing") {
 
 TEST_CASE("facing() turns a normal against the ray, and keeps one at right angles") {
     const Vec3 n(0, 0, 1);
-    CHECK(facing(n, {0, 0, -1}) == n);
-    CHECK(facing(n, {0, 0, 1}) == -n);
-    CHECK(facing(n, {1, 0, 0}) == n);
+    CHECK(face_forward(n, {0, 0, -1}) == n);
+    CHECK(face_forward(n, {0, 0, 1}) == -n);
+    CHECK(face_forward(n, {1, 0, 0}) == n);
 }
 
 TEST_CASE("exact_sum() loses nothing, in either order") {

@@ -86,7 +86,7 @@ TEST_CASE("it turns as the polygon does, in any plane") {
     const Corners flat = star(5, 0.3);
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {1.0, -1.0}) {
-            Corners turned;
+            Corners rotated;
             glm::dvec3 normal(0);
             normal[axis] = side;
             for (const glm::dvec3& p : flat) {
@@ -94,12 +94,12 @@ TEST_CASE("it turns as the polygon does, in any plane") {
                 q[(axis + 1) % 3] = p.x;
                 q[(axis + 2) % 3] = side * p.y;
                 q[axis] = 0.1 * p.x + 0.2 * p.y;  // not along an axis
-                turned.push_back(q);
+                rotated.push_back(q);
             }
-            const auto triangles = triangulate(turned);
+            const auto triangles = triangulate(rotated);
             CHECK(triangles.size() == 8);
             for (const auto& [a, b, c] : triangles) {
-                CHECK(glm::dot(area_of(turned[a], turned[b], turned[c]), normal) > 0);
+                CHECK(glm::dot(area_of(rotated[a], rotated[b], rotated[c]), normal) > 0);
             }
         }
     }

@@ -35,7 +35,7 @@ Vec3 normal(const Probe& probe, Vec3 /*point*/) {
     return probe.normal_there;
 }
 
-SurfacePoint projected(const Probe& /*probe*/, Vec3 point) {
+PointWithError snapped_to(const Probe& /*probe*/, Vec3 point) {
     return {.point = point, .error = 0};
 }
 
@@ -43,7 +43,7 @@ std::string code(const Probe& probe) {
     return probe.t ? "Probe at " + text(*probe.t) : "Probe nowhere";
 }
 
-std::string tell(Story& /*story*/, const Ray& /*ray*/, const Probe& probe) {
+std::string explain(PixelLog& /*story*/, const Ray& /*ray*/, const Probe& probe) {
     return probe.t ? "" : "it is nowhere";
 }
 
@@ -68,19 +68,19 @@ TEST_CASE("a stage is found by its number, its topic and its name") {
 TEST_CASE("a scene's requirements are listed in the order of the stages") {
     Scene scene;
     scene.cameras.resize(2);
-    scene.cones = {Item<Cone>()};
-    scene.spheres = {Item<Sphere>(), Item<Sphere>()};
-    scene.triangles = Items<Triangle>(std::vector<Item<Triangle>>(11302));
+    scene.cones = {Primitive<Cone>()};
+    scene.spheres = {Primitive<Sphere>(), Primitive<Sphere>()};
+    scene.triangles = PrimitiveList<Triangle>(std::vector<Primitive<Triangle>>(11302));
     const std::vector<Requirement> needs = requirements(scene);
     REQUIRE(needs.size() == 3);
     CHECK((needs[0].what == "2 spheres" && needs[0].stage == 3));
     CHECK((needs[1].what == "11302 triangles" && needs[1].stage == 5));
     CHECK((needs[2].what == "1 cone" && needs[2].stage == 8));
-    scene.planes = {Item<Plane>()};
-    scene.squares = {Item<Square>()};
-    scene.cylinders = {Item<Cylinder>()};
-    scene.boxes = {Item<OrientedBox>()};
-    scene.named_meshes.resize(1);
+    scene.planes = {Primitive<Plane>()};
+    scene.squares = {Primitive<Square>()};
+    scene.cylinders = {Primitive<Cylinder>()};
+    scene.boxes = {Primitive<OrientedBox>()};
+    scene.mesh_requests.resize(1);
     CHECK(requirements(scene).size() == 8);
     CHECK(requirements(scene).back().what == "1 mesh");
 }
@@ -118,50 +118,53 @@ TEST_CASE("the vertical field of view is the one that is given, or follows from 
 
 TEST_CASE("a motion turns, then scales, then moves, every part of every shape") {
     // A quarter turn about z: x becomes y, y becomes −x.
-    const Motion motion{.rotation = {.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}},
-                        .scale = 2,
-                        .translation = {10, 20, 30}};
+    const Transform transform{.rotation = {.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}},
+                              .scale = 2,
+                              .translation = {10, 20, 30}};
     const Vec3 p(1, 2, 3);
     const Vec3 there(6, 22, 36);
     const Vec3 up(0, 1, 0);
     const Vec3 left(-1, 0, 0);
-    CHECK(turned(p, motion) == Vec3(-2, 1, 3));
-    CHECK(moved(p, motion) == there);
-    CHECK(moved(p, Motion{}) == p);
+    CHECK(rotated(p, transform) == Vec3(-2, 1, 3));
+    CHECK(transformed(p, transform) == there);
+    CHECK(transformed(p, Transform{}) == p);
 
-    const Ray ray = moved(Ray{.origin = p, .direction = {1, 0, 0}}, motion);
+    const Ray ray = transformed(Ray{.origin = p, .direction = {1, 0, 0}}, transform);
     CHECK((ray.origin == there && ray.direction == Vec3(0, 2, 0)));
-    const Sphere sphere = moved(Sphere{.center = p, .radius = 3}, motion);
+    const Sphere sphere = transformed(Sphere{.center = p, .radius = 3}, transform);
     CHECK((sphere.center == there && sphere.radius == 6));
-    const Plane plane = moved(Plane{.point = p, .normal = up}, motion);
+    const Plane plane = transformed(Plane{.point = p, .normal = up}, transform);
     CHECK((plane.point == there && plane.normal == left));
-    const Triangle triangle = moved(Triangle{.a = p, .b = {0, 0, 0}, .c = {1, 0, 0}}, motion);
+    const Triangle triangle =
+        transformed(Triangle{.a = p, .b = {0, 0, 0}, .c = {1, 0, 0}}, transform);
     CHECK(
         (triangle.a == there && triangle.b == Vec3(10, 20, 30) && triangle.c == Vec3(10, 22, 30)));
-    const Square square = moved(Square{.center = p, .side = 4, .one_sided = true}, motion);
+    const Square square = transformed(Square{.center = p, .side = 4, .one_sided = true}, transform);
     CHECK((square.center == there && square.side == 8 && square.one_sided));
     CHECK((square.basis.x == up && square.basis.y == left && square.basis.z == Vec3(0, 0, 1)));
     const auto cylinder =
-        moved(Cylinder{.center = p, .axis = up, .radius = 3, .height = 5}, motion);
+        transformed(Cylinder{.center = p, .axis = up, .radius = 3, .height = 5}, transform);
     CHECK((cylinder.center == there && cylinder.axis == left));
     CHECK((cylinder.radius == 6 && cylinder.height == 10));
-    const Cone cone = moved(Cone{.apex = p, .axis = up, .radius = 3, .height = 5}, motion);
+    const Cone cone = transformed(Cone{.apex = p, .axis = up, .radius = 3, .height = 5}, transform);
     CHECK((cone.apex == there && cone.axis == left && cone.radius == 6 && cone.height == 10));
 }
 
 TEST_CASE("a moved ray's points keep their t (HAI)") {
     CHECK(for_all([](Random& random) {
-        const Motion motion{.rotation = random.basis(),
-                            .scale = random.power_of_two(),
-                            .translation = random.point(4)};
+        const Transform transform{.rotation = random.basis(),
+                                  .scale = random.power_of_two(),
+                                  .translation = random.point(4)};
         const Ray ray{.origin = random.point(4), .direction = random.direction()};
         const Real t = random.between(0, 4);
-        const Vec3 came = (at(moved(ray, motion), t) - motion.translation) / motion.scale;
-        const Vec3 expected = (moved(at(ray, t), motion) - motion.translation) / motion.scale;
+        const Vec3 got =
+            (at(transformed(ray, transform), t) - transform.translation) / transform.scale;
+        const Vec3 expected =
+            (transformed(at(ray, t), transform) - transform.translation) / transform.scale;
         // Taking off the translation leaves its rounding, in units of the scale.
-        const Real slack = tolerance * (8 + 4 / motion.scale);
-        return verdict(length(came - expected) <= slack,
-                       text(came) + " is not " + text(expected) + " for " + code(ray));
+        const Real slack = tolerance * (8 + 4 / transform.scale);
+        return verdict(length(got - expected) <= slack,
+                       text(got) + " is not " + text(expected) + " for " + code(ray));
     }));
 }
 
@@ -177,20 +180,20 @@ TEST_CASE("an open interval: neither its ends, nor infinity, nor NaN") {
     CHECK_FALSE(part.contains(2));
 }
 
-TEST_CASE("the nearest of all kinds of shapes, with its own point, normal and material (M1)") {
-    const Items<Probe> first(
+TEST_CASE("the closest of all kinds of shapes, with its own point, normal and material (M1)") {
+    const PrimitiveList<Probe> first(
         {{.shape = {.t = Real(4)}}, {.shape = {.t = std::nullopt}}, {.shape = {.t = Real(3)}}});
-    const Items<Probe> second(
+    const PrimitiveList<Probe> second(
         {{.shape = {.t = Real(2), .normal_there = {0, 1, 0}}, .material = {Color(1, 0, 0)}},
          {.shape = {.t = Real(5)}}});
     for (const bool exchanged : {false, true}) {
         Context context;
-        Nearest nearest(along_x, context);
-        CHECK_FALSE(nearest.hit());
-        nearest.among(exchanged ? second : first);
-        nearest.among(Items<Probe>());
-        nearest.among(exchanged ? first : second);
-        const std::optional<Hit> hit = nearest.hit();
+        ClosestHit closest(along_x, context);
+        CHECK_FALSE(closest.hit());
+        closest.test(exchanged ? second : first);
+        closest.test(PrimitiveList<Probe>());
+        closest.test(exchanged ? first : second);
+        const std::optional<Hit> hit = closest.hit();
         REQUIRE(hit);
         CHECK(hit->t == 2);
         CHECK(hit->point == Vec3(2, 0, 0));
@@ -202,26 +205,27 @@ TEST_CASE("the nearest of all kinds of shapes, with its own point, normal and ma
 
 TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays with the first") {
     Interval asked;
-    const Items<Probe> shapes(
+    const PrimitiveList<Probe> shapes(
         {{.shape = {.t = Real(2)}}, {.shape = {.t = Real(2), .asked = &asked}}});
     Context context;
-    Nearest nearest(along_x, context);
-    nearest.among(shapes);
+    ClosestHit closest(along_x, context);
+    closest.test(shapes);
     CHECK(asked.min == 0);
     CHECK(asked.max == 2);
-    CHECK(nearest.hit()->material == &shapes[0].material);
+    CHECK(closest.hit()->material == &shapes[0].material);
 }
 
 TEST_CASE("the story contains each tested shape, and counts the misses that it leaves out") {
     std::ostringstream out;
-    Story story(out);
-    Context context{.story = &story};
-    Nearest nearest(along_x, context);
-    nearest.among(Items<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
-    nearest.among(Items<Probe>(std::vector(100, Item<Probe>{.shape = {.t = std::nullopt}})));
+    PixelLog log(out);
+    Context context{.log = &log};
+    ClosestHit closest(along_x, context);
+    closest.test(PrimitiveList<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
+    closest.test(
+        PrimitiveList<Probe>(std::vector(100, Primitive<Probe>{.shape = {.t = std::nullopt}})));
     CHECK(
         out.str().starts_with("Probe at 2\n    → hit at t = 2\n"
                               "Probe at 3\n    → not nearer than the hit at t = 2\n"
                               "Probe nowhere\n    → missed: it is nowhere\n"));
-    CHECK(story.misses_left_out() == 101 - 24);
+    CHECK(log.misses_left_out() == 101 - 24);
 }

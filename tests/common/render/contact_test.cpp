@@ -18,30 +18,30 @@ namespace {
 struct Method {
     const char* name;
     /// `met` is where the eye's ray met it, as o + t d; the surface's own point is re-projected.
-    ShadowRay (*way)(const Surface& surface, Vec3 met, Vec3 light);
+    ShadowRay (*way)(const ShadingPoint& surface, Vec3 met, Vec3 light);
 };
 
-constexpr Method ours{"surface.error", [](const Surface& surface, Vec3 /*met*/, Vec3 light) {
+constexpr Method ours{"surface.error", [](const ShadingPoint& surface, Vec3 /*met*/, Vec3 light) {
                           return shadow_ray(surface, light);
                       }};
 
-ShadowRay by_constant(const Surface& surface, Vec3 met, Vec3 light, Real constant) {
-    const Vec3 origin = met + constant * surface.side;
+ShadowRay by_constant(const ShadingPoint& surface, Vec3 met, Vec3 light, Real constant) {
+    const Vec3 origin = met + constant * surface.geometric_normal;
     return {.ray = {.origin = origin, .direction = light - origin},
             .interval = {.min = 0, .max = Real(0.999)}};
 }
 
 constexpr Method constants[] = {
-    {"1e-6 along the normal",
-     [](const Surface& s, Vec3 met, Vec3 light) { return by_constant(s, met, light, Real(1e-6)); }},
-    {"1e-4 along the normal",
-     [](const Surface& s, Vec3 met, Vec3 light) { return by_constant(s, met, light, Real(1e-4)); }},
-    {"1e-3 along the normal",
-     [](const Surface& s, Vec3 met, Vec3 light) { return by_constant(s, met, light, Real(1e-3)); }},
-    {"0.1 along the normal",
-     [](const Surface& s, Vec3 met, Vec3 light) { return by_constant(s, met, light, Real(0.1)); }},
+    {"1e-6 along the normal", [](const ShadingPoint& s, Vec3 met,
+                                 Vec3 light) { return by_constant(s, met, light, Real(1e-6)); }},
+    {"1e-4 along the normal", [](const ShadingPoint& s, Vec3 met,
+                                 Vec3 light) { return by_constant(s, met, light, Real(1e-4)); }},
+    {"1e-3 along the normal", [](const ShadingPoint& s, Vec3 met,
+                                 Vec3 light) { return by_constant(s, met, light, Real(1e-3)); }},
+    {"0.1 along the normal", [](const ShadingPoint& s, Vec3 met,
+                                Vec3 light) { return by_constant(s, met, light, Real(0.1)); }},
     {"t > 0.001 (CR §3.2)",
-     [](const Surface& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
+     [](const ShadingPoint& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
          return {.ray = {.origin = met, .direction = unit(light - met)},
                  .interval = {.min = Real(0.001), .max = distance(light, met)}};
      }},
@@ -57,7 +57,7 @@ template <class Shape>
 struct Seen {
     Shape shape;
     Vec3 met;
-    Surface surface;
+    ShadingPoint surface;
     Vec3 light;
     Real extent;  ///< distance of the scene's farthest point from the origin
 };
@@ -74,18 +74,19 @@ Vec3 draw_leaving(Random& random, Vec3 normal, Real lowest_power) {
 template <class Shape>
 std::optional<Seen<Shape>> draw_seen(Random& random, Scale scale) {
     const Spot<Shape> spot = draw(random, Shape{});
-    const Motion motion{.rotation = random.basis(),
-                        .scale = scale.size,
-                        .translation = scale.size * scale.away * random.direction()};
-    const Shape shape = moved(spot.shape, motion);
-    const Vec3 aim = moved(spot.point, motion);
-    const Vec3 normal = random.coin() ? turned(spot.normal, motion) : -turned(spot.normal, motion);
-    const bool inside = spot.inside && dot(normal, turned(spot.normal, motion)) < 0;
+    const Transform transform{.rotation = random.basis(),
+                              .scale = scale.size,
+                              .translation = scale.size * scale.away * random.direction()};
+    const Shape shape = transformed(spot.shape, transform);
+    const Vec3 aim = transformed(spot.point, transform);
+    const Vec3 normal =
+        random.coin() ? rotated(spot.normal, transform) : -rotated(spot.normal, transform);
+    const bool inside = spot.inside && dot(normal, rotated(spot.normal, transform)) < 0;
 
     Vec3 eye;
     Vec3 light;
     if (inside) {
-        const Vec3 middle = moved(*spot.inside, motion);
+        const Vec3 middle = transformed(*spot.inside, transform);
         eye = mix(aim, middle, spread(random, Real(-1.5), 0));
         light = mix(aim, middle, spread(random, Real(-1.5), 0));
     } else {
@@ -97,18 +98,18 @@ std::optional<Seen<Shape>> draw_seen(Random& random, Scale scale) {
 
     const Ray ray{.origin = eye, .direction = spread(random, -3, 3) * (aim - eye)};
     Context context;
-    Nearest nearest(ray, context);
-    const Items<Shape> items{{.shape = shape, .material = {}}};
-    nearest.among(items);
-    const std::optional<Hit> hit = nearest.hit();
+    ClosestHit closest(ray, context);
+    const PrimitiveList<Shape> primitives{{.shape = shape, .material = {}}};
+    closest.test(primitives);
+    const std::optional<Hit> hit = closest.hit();
     const Real slack = distance(aim, eye) / 20;
     if (!hit || distance(hit->point, aim) > slack) return std::nullopt;
 
-    const Surface surface = surface_at(*hit, ray);
+    const ShadingPoint surface = shading_point(*hit, ray);
     const Vec3 size = abs(surface.point);
     const Real extent = std::max({scale.size, size.x, size.y, size.z});
     const Vec3 to_light = light - surface.point;
-    if (!(dot(to_light, surface.side) > Real(1e-5) * extent)) return std::nullopt;
+    if (!(dot(to_light, surface.geometric_normal) > Real(1e-5) * extent)) return std::nullopt;
     if (!(length(to_light) > Real(1e-4) * extent)) return std::nullopt;
     return Seen<Shape>{.shape = shape,
                        .met = at(ray, hit->t),
@@ -135,7 +136,7 @@ Count count(const Method& method, Scale scale, int rays) {
         ++count.rays;
         const Vec3 point = seen->surface.point;
         const ShadowRay way = method.way(seen->surface, seen->met, seen->light);
-        if (blocks(way.ray, seen->shape, way.interval)) ++count.false_hits;
+        if (occludes(way.ray, seen->shape, way.interval)) ++count.false_hits;
 
         const Real far = distance(seen->light, point) / 4;
         const Real gap = std::min(far, seen->extent * spread(random, -5, -1));
@@ -145,8 +146,8 @@ Count count(const Method& method, Scale scale, int rays) {
         const Square card{.center = point + gap * to_light,
                           .basis = {.x = across, .y = cross(to_light, across), .z = to_light},
                           .side = gap};
-        const bool met = random.coin() ? blocks(way.ray, ball, way.interval)
-                                       : blocks(way.ray, card, way.interval);
+        const bool met = random.coin() ? occludes(way.ray, ball, way.interval)
+                                       : occludes(way.ray, card, way.interval);
         if (!met) ++count.missed;
     }
     return count;

@@ -34,7 +34,7 @@ Verdict stratified(std::uint32_t first, unsigned k, unsigned across, std::uint32
     const auto most = *std::max_element(counts.begin(), counts.end());
     return verdict(most == 1, std::to_string(1U << k) + " points from " + call(first, seed) +
                                   " on, in " + std::to_string(1U << across) + " x " +
-                                  std::to_string(1U << (k - across)) + " boxes\n  came:     " +
+                                  std::to_string(1U << (k - across)) + " boxes\n  got:      " +
                                   std::to_string(most) + " in one box\n  expected: one in each");
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("samples: both numbers are from 0 to 1 without 1, and multiples of 2^-
         const Vec2 steps = point * Real(16777216);
         const bool fits = point.x >= 0 && point.x < 1 && point.y >= 0 && point.y < 1;
         return verdict(fits && steps == floor(steps),
-                       call(index, seed) + "\n  came:     " + text(point) +
+                       call(index, seed) + "\n  got:      " + text(point) +
                            "\n  expected: multiples of 2^-24 below 1");
     }));
 }
@@ -143,15 +143,15 @@ TEST_CASE("samples: any thread, in any order, gets the same points") {
     constexpr std::uint32_t count = 4096;
     std::vector<Vec2> expected;
     for (std::uint32_t i = 0; i < count; ++i) expected.push_back(spread_sample(i, 2021));
-    std::array<std::vector<Vec2>, 4> came;
+    std::array<std::vector<Vec2>, 4> got;
     std::vector<std::thread> threads;
-    for (std::vector<Vec2>& points : came)
+    for (std::vector<Vec2>& points : got)
         threads.emplace_back([&points] {
             points.resize(count);
             for (std::uint32_t i = count; i-- > 0;) points[i] = spread_sample(i, 2021);
         });
     for (std::thread& thread : threads) thread.join();
-    for (const std::vector<Vec2>& points : came) CHECK((points == expected));
+    for (const std::vector<Vec2>& points : got) CHECK((points == expected));
 }
 
 TEST_CASE("samples: both precisions have the same points, those of Burley 2020") {

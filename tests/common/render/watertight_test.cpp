@@ -73,12 +73,12 @@ enum class Target { edge, corner };
 
 /// A ray to a point that faces share, and every face that touches the shared vertex or edge. These
 /// cover the neighborhood of the point, so the ray hits one of them.
-struct Shot {
+struct PixelSample {
     Ray ray;
     std::vector<Triangle> around;
 };
 
-Shot draw_shot(Random& random, Target target) {
+PixelSample draw_shot(Random& random, Target target) {
     const auto& [points, faces] = ball();
     const Face face = faces[std::size_t(random.below(int(faces.size())))];
     const int corner = random.below(3);
@@ -86,18 +86,19 @@ Shot draw_shot(Random& random, Target target) {
     const std::size_t q = target == Target::edge ? face[std::size_t((corner + 1) % 3)] : p;
     const Real share = random.between(Real(0.05), Real(0.95));
 
-    const Motion motion = random_motion(random);
-    const Vec3 aim = moved(points[p] + share * (points[q] - points[p]), motion);
-    const Vec3 normal = turned(points[p], motion);
+    const Transform transform = random_motion(random);
+    const Vec3 aim = transformed(points[p] + share * (points[q] - points[p]), transform);
+    const Vec3 normal = rotated(points[p], transform);
     Vec3 away = random.direction();  // to inside or outside, and not along the surface
     if (std::abs(dot(away, normal)) < Real(0.5)) away += dot(away, normal) < 0 ? -normal : normal;
-    const Vec3 origin = aim + motion.scale * random.between(Real(0.25), 4) * away;
+    const Vec3 origin = aim + transform.scale * random.between(Real(0.25), 4) * away;
 
-    Shot shot{.ray = {.origin = origin, .direction = aim - origin}};
+    PixelSample shot{.ray = {.origin = origin, .direction = aim - origin}};
     for (const std::size_t end : {p, q})
         for (const auto& [a, b, c] : faces_around()[end])
-            shot.around.push_back(
-                {moved(points[a], motion), moved(points[b], motion), moved(points[c], motion)});
+            shot.around.push_back({transformed(points[a], transform),
+                                   transformed(points[b], transform),
+                                   transformed(points[c], transform)});
     return shot;
 }
 
@@ -129,7 +130,7 @@ std::optional<Real> by_moller_trumbore(const Ray& ray, const Triangle& triangle)
 
 using Way = std::optional<Real> (*)(const Ray&, const Triangle&);
 
-bool leaks(const Shot& shot, Way way) {
+bool leaks(const PixelSample& shot, Way way) {
     return std::ranges::none_of(
         shot.around, [&](const Triangle& triangle) { return way(shot.ray, triangle).has_value(); });
 }
@@ -138,7 +139,7 @@ std::optional<Real> by_reference(const Ray& ray, const Triangle& triangle) {
     return intersect(ray, triangle, {});
 }
 
-Verdict is_stopped(const Shot& shot) {
+Verdict is_stopped(const PixelSample& shot) {
     return verdict(!leaks(shot, by_reference),
                    code(shot.ray) + " meets none of the " + std::to_string(shot.around.size()) +
                        " triangles around the point it is aimed at; the first of them is " +
@@ -173,7 +174,7 @@ TEST_CASE("neither does any at another scale, though areas leave float's range (
     // motion, leave room for the distance of the origin and for a face's share of the ball.
     CHECK(for_all(
         [](Random& random) {
-            Shot shot = draw_shot(random, random.coin() ? Target::edge : Target::corner);
+            PixelSample shot = draw_shot(random, random.coin() ? Target::edge : Target::corner);
             const Real scale = std::ldexp(Real(1), random.below(201) - 100);
             shot.ray.origin *= scale;
             shot.ray.direction *= scale * random.power_of_two();

@@ -41,7 +41,7 @@ struct Folder {
 
 std::string load_refusal(const std::string& file) {
     try {
-        static_cast<void>(load_scene(file, basis_around));
+        static_cast<void>(load_scene(file, orthonormal_basis));
         return "accepted";
     } catch (const InputError& error) {
         return error.what();
@@ -291,7 +291,7 @@ TEST_CASE("a line that is too long to be an element") {
 TEST_CASE("load_scene reads a file") {
     const Folder folder;
     const std::string file = folder.write("good.rt", "C 1,2,3 0,0,-1 60");
-    CHECK(load_scene(file, basis_around).cameras.at(0).position == Vec3(1, 2, 3));
+    CHECK(load_scene(file, orthonormal_basis).cameras.at(0).position == Vec3(1, 2, 3));
     CHECK(load_refusal(folder.write("bad.rt", "C 1,2,3")) ==
           (folder.path / "bad.rt").string() +
               ":1:8: error: a camera's direction is missing: "

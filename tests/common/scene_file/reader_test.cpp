@@ -216,9 +216,10 @@ TEST_CASE("a shape whose direction is zero is left out, with a warning") {
         CHECK(read.warnings[0].ends_with(
             "is zero: expected a direction such as 0,1,0; the shape is left out"));
         CHECK(read.scene.spheres.size() == 1);
-        for_each_kind(read.scene, []<class Shape>([[maybe_unused]] const Items<Shape>& items) {
-            if constexpr (!std::is_same_v<Shape, Sphere>) CHECK(items.empty());
-        });
+        for_each_kind(read.scene,
+                      []<class Shape>([[maybe_unused]] const PrimitiveList<Shape>& primitives) {
+                          if constexpr (!std::is_same_v<Shape, Sphere>) CHECK(primitives.empty());
+                      });
     }
 }
 
@@ -234,9 +235,9 @@ TEST_CASE("hand=left exchanges left and right, up=z turns z upwards") {
         CHECK(scene.triangles[0].shape.c == ours(Vec3(7, 8, 9)));
         CHECK(scene.planes[0].shape.normal == ours(unit(Vec3(0, Real(0.6), Real(0.8)))));
         CHECK(scene.squares[0].shape.basis.z == ours(Vec3(1, 0, 0)));
-        const Motion& placement = scene.named_meshes[0].placement;
+        const Transform& placement = scene.mesh_requests[0].placement;
         CHECK(placement.translation == ours(Vec3(1, 2, 3)));
-        CHECK(turned(Vec3(1, 2, 3), placement) == ours(Vec3(1, 2, 3)));
+        CHECK(rotated(Vec3(1, 2, 3), placement) == ours(Vec3(1, 2, 3)));
     };
     const auto as_it_is = [](Vec3 v) { return v; };
     const auto mirrored = [](Vec3 v) { return Vec3(-v.x, v.y, v.z); };
@@ -282,9 +283,9 @@ TEST_CASE("a cylinder's position is its center, or with cyl=base the middle of i
     const SceneReading from_base{.strict = true, .cylinder_from_base = true};
     CHECK(center(strict(camera + line)) == Vec3(1, 2, 3));
     CHECK(center(strict(camera + "# rt: cyl=base\n" + line)) == Vec3(1, 7, 3));
-    CHECK(center(parse_scene(camera + line, "", basis_around, from_base)) == Vec3(1, 7, 3));
-    CHECK(center(parse_scene(camera + line + "# rt: cyl=center\n", "", basis_around, from_base)) ==
-          Vec3(1, 2, 3));
+    CHECK(center(parse_scene(camera + line, "", orthonormal_basis, from_base)) == Vec3(1, 7, 3));
+    CHECK(center(parse_scene(camera + line + "# rt: cyl=center\n", "", orthonormal_basis,
+                             from_base)) == Vec3(1, 2, 3));
 }
 
 TEST_CASE("an early revision has a cylinder's color in third place") {
@@ -300,9 +301,9 @@ TEST_CASE("# rt: on any line says how the whole file is meant") {
     CHECK(scene.cameras[0].fov_axis == FovAxis::horizontal);
     CHECK(scene.cameras[1].fov_axis == FovAxis::horizontal);
     const SceneReading horizontal{.fov_axis = FovAxis::horizontal};
-    CHECK(parse_scene(camera, "", basis_around, horizontal).cameras[0].fov_axis ==
+    CHECK(parse_scene(camera, "", orthonormal_basis, horizontal).cameras[0].fov_axis ==
           FovAxis::horizontal);
-    CHECK(parse_scene("# rt: fov=vertical\n" + camera, "", basis_around, horizontal)
+    CHECK(parse_scene("# rt: fov=vertical\n" + camera, "", orthonormal_basis, horizontal)
               .cameras[0]
               .fov_axis == FovAxis::vertical);
 }

@@ -21,19 +21,19 @@ struct Lenient {
 inline Lenient lenient(std::string_view text, SceneReading reading = {}) {
     Lenient result;
     reading.warn = [&result](const std::string& warning) { result.warnings.push_back(warning); };
-    result.scene = parse_scene(text, "scene.rt", basis_around, reading);
+    result.scene = parse_scene(text, "scene.rt", orthonormal_basis, reading);
     return result;
 }
 
 /// The result of strict reading.
 inline Scene strict(std::string_view text) {
-    return parse_scene(text, "scene.rt", basis_around, {.strict = true});
+    return parse_scene(text, "scene.rt", orthonormal_basis, {.strict = true});
 }
 
 /// The error message; "accepted" if there is none.
 inline std::string refusal(std::string_view text, bool strict) {
     try {
-        static_cast<void>(parse_scene(text, "scene.rt", basis_around, {.strict = strict}));
+        static_cast<void>(parse_scene(text, "scene.rt", orthonormal_basis, {.strict = strict}));
         return "accepted";
     } catch (const InputError& error) {
         return error.what();

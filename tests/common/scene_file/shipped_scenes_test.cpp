@@ -45,16 +45,17 @@ template <class Predicate>
 bool any_scene(Predicate predicate) {
     const std::vector<std::filesystem::path> files = shipped_files();
     return std::any_of(files.begin(), files.end(), [&](const std::filesystem::path& file) {
-        return predicate(load_scene(file.string(), basis_around, {.strict = true}));
+        return predicate(load_scene(file.string(), orthonormal_basis, {.strict = true}));
     });
 }
 
 template <class Predicate>
 bool any_material(Predicate predicate) {
     return any_scene([&](const Scene& scene) {
-        const auto among = [&](const auto& items) {
-            return std::any_of(items.begin(), items.end(),
-                               [&](const auto& item) { return predicate(item.material); });
+        const auto among = [&](const auto& primitives) {
+            return std::any_of(primitives.begin(), primitives.end(), [&](const auto& primitive) {
+                return predicate(primitive.material);
+            });
         };
         return among(scene.spheres) || among(scene.planes) || among(scene.squares);
     });
@@ -65,7 +66,7 @@ bool any_material(Predicate predicate) {
 TEST_CASE("every shipped scene is read by the letter") {
     CHECK(shipped_files().size() >= 16);
     for (const std::filesystem::path& file : shipped_files())
-        CHECK_NOTHROW(load_scene(file.string(), basis_around, {.strict = true}));
+        CHECK_NOTHROW(load_scene(file.string(), orthonormal_basis, {.strict = true}));
 }
 
 TEST_CASE("a shipped scene uses every keyword, option and directive") {
@@ -104,19 +105,20 @@ TEST_CASE("a shipped scene has every kind of shape, and sets every field") {
     CHECK(any_scene(
         [](const Scene& s) { return s.cameras.front().fov_axis == FovAxis::horizontal; }));
     CHECK(any_scene([](const Scene& s) {
-        return std::any_of(s.squares.begin(), s.squares.end(),
-                           [](const Item<Square>& item) { return item.shape.one_sided; });
+        return std::any_of(
+            s.squares.begin(), s.squares.end(),
+            [](const Primitive<Square>& primitive) { return primitive.shape.one_sided; });
     }));
     CHECK(any_scene([](const Scene& s) { return !s.lights.empty() && s.lights[0].radius > 0; }));
     const auto any_mesh = [](auto predicate) {
         return any_scene([predicate](const Scene& s) {
-            return std::any_of(s.named_meshes.begin(), s.named_meshes.end(), predicate);
+            return std::any_of(s.mesh_requests.begin(), s.mesh_requests.end(), predicate);
         });
     };
-    CHECK(any_mesh([](const NamedMesh& mesh) { return mesh.smooth; }));
-    CHECK(any_mesh([](const NamedMesh& mesh) { return !mesh.smooth; }));
-    CHECK(any_mesh([](const NamedMesh& mesh) { return mesh.placement.scale != 1; }));
-    CHECK(any_mesh([](const NamedMesh& mesh) { return mesh.placement.rotation.z.z != 1; }));
+    CHECK(any_mesh([](const MeshRequest& mesh) { return mesh.smooth; }));
+    CHECK(any_mesh([](const MeshRequest& mesh) { return !mesh.smooth; }));
+    CHECK(any_mesh([](const MeshRequest& mesh) { return mesh.placement.scale != 1; }));
+    CHECK(any_mesh([](const MeshRequest& mesh) { return mesh.placement.rotation.z.z != 1; }));
     CHECK(any_material([](const Material& material) { return material.specular > 0; }));
     CHECK(any_material(
         [](const Material& material) { return material.shininess != Material{}.shininess; }));

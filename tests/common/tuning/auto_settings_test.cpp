@@ -13,9 +13,9 @@ using namespace rt;
 
 namespace {
 
-/// A model scene: the errors and costs of all settings follow from a few numbers.
+/// A model scene: the errors and costs of all request follow from a few numbers.
 struct MadeUp {
-    Demands demands;
+    SceneTraits traits;
     Resolution size{.width = 640, .height = 480};
     double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
     bool thin_shadow =
@@ -41,53 +41,54 @@ double rays_for(double error) {
     return std::pow(one_ray_error / error, 4.0 / 3);
 }
 
-double error_of(const Look& look) {
-    return look.shadow_error > 0
-               ? std::min(2 * look.shadow_error / 3, one_ray_error * std::pow(8, -0.75))
-               : one_ray_error * std::pow(look.shadow_samples, -0.75);
+double error_of(const RenderSettings& settings) {
+    return settings.shadow_error > 0
+               ? std::min(2 * settings.shadow_error / 3, one_ray_error * std::pow(8, -0.75))
+               : one_ray_error * std::pow(settings.shadow_samples, -0.75);
 }
 
 /// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
-double light_rays(const Look& look, bool in_penumbra) {
-    return in_penumbra ? std::max(rays_for(error_of(look)), double(look.shadow_agree)) : 0;
+double light_rays(const RenderSettings& settings, bool in_penumbra) {
+    return in_penumbra ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
 }
 
 /// Seconds of a pixel.
-double cost_of(const MadeUp& model, const Look& look, bool in_penumbra) {
-    const bool listed = model.demands.most_alike < model.pays_from;
+double cost_of(const MadeUp& model, const RenderSettings& settings, bool in_penumbra) {
+    const bool listed = model.traits.most_alike < model.pays_from;
     return model.ray_cost * (listed ? model.list_cost : model.hierarchy_cost) +
-           model.shadow_ray_cost * light_rays(look, in_penumbra);
+           model.shadow_ray_cost * light_rays(settings, in_penumbra);
 }
 
 /// The cost of the whole picture.
-double cost_of(const MadeUp& model, const Look& look) {
-    return model.pixels() * (model.penumbra * cost_of(model, look, true) +
-                             (1 - model.penumbra) * cost_of(model, look, false));
+double cost_of(const MadeUp& model, const RenderSettings& settings) {
+    return model.pixels() * (model.penumbra * cost_of(model, settings, true) +
+                             (1 - model.penumbra) * cost_of(model, settings, false));
 }
 
 class Known : public Trials {
 public:
     explicit Known(MadeUp& model) : model_(model) {
-        model_.pays_from = model.demands.hierarchy_from;
+        model_.pays_from = model.traits.hierarchy_from;
     }
 
     [[nodiscard]] Resolution resolution() const override { return model_.size; }
-    [[nodiscard]] Demands demands() const override { return model_.demands; }
-    void arrange(std::size_t pays_from) override { model_.pays_from = pays_from; }
+    [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
+    void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
 
-    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
-        if (*settings.stop) return {};
-        Shot shot;
-        for (const Pixel pixel : settings.pixels) {
+    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
+                                   const SampleRequest& request) const override {
+        if (*request.stop) return {};
+        PixelSample shot;
+        for (const Pixel pixel : request.pixels) {
             const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
-            const double shade = shade_of(pixel, look, settings.round, in_penumbra);
+            const double shade = shade_of(pixel, settings, request.round, in_penumbra);
             shot.shades.push_back({shade, shade, shade});
-            shot.light_rays.push_back(int(std::lround(light_rays(look, in_penumbra))));
-            shot.rays += 1 + light_rays(look, in_penumbra);
-            shot.seconds += cost_of(model_, look, in_penumbra);
+            shot.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
+            shot.rays += 1 + light_rays(settings, in_penumbra);
+            shot.seconds += cost_of(model_, settings, in_penumbra);
         }
-        const auto count = double(std::max<std::size_t>(settings.pixels.size(), 1));
-        model_.asked += settings.pixels.size();
+        const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
+        model_.asked += request.pixels.size();
         model_.spent += shot.seconds;
         shot.rays /= count;
         shot.seconds *= wrong_clock() / count;
@@ -95,7 +96,7 @@ public:
     }
 
 private:
-    [[nodiscard]] double shade_of(Pixel pixel, const Look& look, int round,
+    [[nodiscard]] double shade_of(Pixel pixel, const RenderSettings& settings, int round,
                                   bool in_penumbra) const {
         const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
         std::mt19937 random(place * 7919 + unsigned(round) * 104'729 + 1);
@@ -103,9 +104,9 @@ private:
         // The same pixels at any round.
         if (std::fmod(0.618033988749895 * place, 1) < model_.other) return 200;
         if (!in_penumbra) return 100;
-        double shade = 100 + error_of(look) * std::normal_distribution<double>()(random);
+        double shade = 100 + error_of(settings) * std::normal_distribution<double>()(random);
         const bool in_thin_shadow = model_.thin_shadow && pixel.row < 32 && pixel.column < 32;
-        const bool believed = 0 < look.shadow_agree && look.shadow_agree < 64;
+        const bool believed = 0 < settings.shadow_agree && settings.shadow_agree < 64;
         if (in_thin_shadow && believed && share(random) < 0.5) shade += 30;
         return shade;
     }
@@ -120,7 +121,7 @@ private:
 
 constexpr std::atomic<bool> going_on = false;
 
-Choice chosen(MadeUp& model, const Aim& aim, const OpenFloat& open_float = {}) {
+AutoSettings chosen(MadeUp& model, const Aim& aim, const OpenFloat& open_float = {}) {
     Known known(model);
     auto choice = choose(known, open_float, aim, Clock::now(), going_on);
     REQUIRE(choice);
@@ -140,12 +141,12 @@ bool keeps(const MadeUp& model, double error, double allowed) {
 }
 
 MadeUp plain() {
-    return {.demands = {.extent = 10, .feature = 1, .hierarchy_from = 32, .unit_roundoff = 1e-16}};
+    return {.traits = {.extent = 10, .feature = 1, .hierarchy_from = 32, .unit_roundoff = 1e-16}};
 }
 
 MadeUp soft(double penumbra) {
     MadeUp model = plain();
-    model.demands.sized_lights = true;
+    model.traits.sized_lights = true;
     model.penumbra = penumbra;
     return model;
 }
@@ -161,15 +162,16 @@ TEST_CASE(
             for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
                 MadeUp model = soft(penumbra);
                 model.size = size;
-                const Look look = chosen(model, {.tolerance = allowed}).expected.look;
+                const RenderSettings settings =
+                    chosen(model, {.tolerance = allowed}).expected.settings;
                 INFO(size.width << " pixels wide, " << penumbra
                                 << " of them in a penumbra, tolerance " << allowed);
-                CHECK(keeps(model, error_of(look), allowed));
+                CHECK(keeps(model, error_of(settings), allowed));
                 double error = 40;
                 while (!keeps(model, error, allowed)) error *= 0.99;
                 const double cheapest =
                     cost_of(model, {.shadow_samples = 1, .shadow_error = 1.5 * error});
-                costs.push_back((cost_of(model, look) + model.spent) / cheapest);
+                costs.push_back((cost_of(model, settings) + model.spent) / cheapest);
                 CHECK(costs.back() <= 2);  // a trial's luck
             }
         CHECK(std::reduce(costs.begin(), costs.end()) / double(costs.size()) <=
@@ -181,9 +183,9 @@ TEST_CASE("a rare penumbra keeps the tolerance too") {
     for (const double penumbra : {0.004, 0.009})
         for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
             MadeUp model = soft(penumbra);
-            const Look look = chosen(model, {.tolerance = allowed}).expected.look;
+            const RenderSettings settings = chosen(model, {.tolerance = allowed}).expected.settings;
             INFO(penumbra << " of the pixels in a penumbra, tolerance " << allowed);
-            CHECK(beyond(error_of(look), allowed) <= 0.1);
+            CHECK(beyond(error_of(settings), allowed) <= 0.1);
         }
 }
 
@@ -201,7 +203,7 @@ TEST_CASE("trials shrink with the picture and its penumbrae") {
 TEST_CASE("every tile keeps the tolerance") {
     MadeUp model = soft(0.2);
     model.thin_shadow = true;  // 1 in 60 of the penumbra
-    CHECK(chosen(model, {.tolerance = 1}).expected.look.shadow_agree >= 64);
+    CHECK(chosen(model, {.tolerance = 1}).expected.settings.shadow_agree >= 64);
 }
 
 TEST_CASE("mirrors are followed until no more than a part of the tolerance is missing") {
@@ -213,17 +215,17 @@ TEST_CASE("mirrors are followed until no more than a part of the tolerance is mi
             if (depth > 0) CHECK(255 * std::pow(mirror, depth) > allowed / 8);
         }
     MadeUp model = plain();
-    model.demands.strongest_mirror = 0.5;
-    CHECK(chosen(model, {.tolerance = 1}).expected.look.depth == 10);  // 255 / 2^11 < 1 / 8
-    CHECK(chosen(model, {.look = {.depth = 5}, .tolerance = 1, .given = {.depth = true}})
-              .expected.look.depth == 5);
+    model.traits.strongest_mirror = 0.5;
+    CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == 10);  // 255 / 2^11 < 1 / 8
+    CHECK(chosen(model, {.settings = {.depth = 5}, .tolerance = 1, .given = {.depth = true}})
+              .expected.settings.depth == 5);
 }
 
 TEST_CASE("features that a scene does not use are not tried") {
     MadeUp model = plain();
-    const Choice choice = chosen(model, {.look = {.depth = 8}, .tolerance = 1});
-    CHECK(choice.expected.look.depth == 8);
-    CHECK(choice.expected.look.shadow_samples == Look().shadow_samples);
+    const AutoSettings choice = chosen(model, {.settings = {.depth = 8}, .tolerance = 1});
+    CHECK(choice.expected.settings.depth == 8);
+    CHECK(choice.expected.settings.shadow_samples == RenderSettings().shadow_samples);
     CHECK(model.asked <= 200);  // the trials that estimate the time
     CHECK(model.pays_from == 32);
     CHECK(!choice.hierarchy_from);
@@ -233,9 +235,9 @@ TEST_CASE("a hierarchy is built where it is cheaper") {
     for (const std::size_t count : {2, 16, 31, 32, 64})
         for (const double list : {0.5, 0.99, 1.01, 2.0}) {
             MadeUp model = plain();
-            model.demands.most_alike = count;
+            model.traits.most_alike = count;
             model.list_cost = list;
-            const Choice choice = chosen(model, {.tolerance = 1});
+            const AutoSettings choice = chosen(model, {.tolerance = 1});
             const bool usual = count >= 32;
             INFO(count << " shapes, a list takes " << list << " times as long");
             // Within the clock's noise, and where shapes are few, it is as usual.
@@ -244,11 +246,11 @@ TEST_CASE("a hierarchy is built where it is cheaper") {
             CHECK((count >= choice.hierarchy_from.value_or(32)) == expected);
         }
     MadeUp model = plain();
-    model.demands.most_alike = 1000;
+    model.traits.most_alike = 1000;
     model.list_cost = 0.5;
     (void)chosen(model, {.tolerance = 1});
     CHECK(model.pays_from == 32);  // no list was tried
-    model.demands.most_alike = 40;
+    model.traits.most_alike = 40;
     (void)chosen(model, {.tolerance = 1, .hierarchy_from = 50});
     // the value is given, so the scene's reader has built the hierarchies
     CHECK(model.pays_from == 32);
@@ -259,7 +261,7 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
         for (const double penumbra : {0.004, 0.5})
             for (const double other : {0.0, 1e-4, 3e-3, 0.06}) {
                 MadeUp model = soft(penumbra);
-                model.demands.feature = feature;
+                model.traits.feature = feature;
                 MadeUp in_float = model;
                 in_float.other = other;
                 in_float.clock_noise = model.clock_noise = 5;
@@ -269,7 +271,7 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
                     opened = true;
                     return known;
                 };
-                const Choice choice = chosen(model, {.tolerance = 1}, open_float);
+                const AutoSettings choice = chosen(model, {.tolerance = 1}, open_float);
                 INFO("sizes from " << feature << ", " << penumbra << " in a penumbra, float has "
                                    << other << " wrong");
                 // 255 · 8 u · 10 / feature: 1e-3 of a level, or 1.2. And 5 % of a few rays are not
@@ -287,7 +289,7 @@ TEST_CASE("float is not tried where it may lose a gap") {
     Known known(model);
     // 4 · 8 u · 10 is 2e-5.
     for (const double gap : {0.0, 1e-8, 1.8e-5, 2e-5, 1.0}) {
-        model.demands.gap = gap;
+        model.traits.gap = gap;
         INFO("a gap of " << gap);
         CHECK(chosen(model, {.tolerance = 1}, [&]() -> Trials& { return known; }).in_float ==
               (gap == 0 || gap > 1.9e-5));
@@ -296,49 +298,49 @@ TEST_CASE("float is not tried where it may lose a gap") {
 
 TEST_CASE("a tolerance chooses the same, however wrong the clock is") {
     MadeUp model = soft(0.1);
-    const Look look = chosen(model, {.tolerance = 1}).expected.look;
+    const RenderSettings settings = chosen(model, {.tolerance = 1}).expected.settings;
     model.clock_noise = 10;
     for (int i = 0; i < 3; ++i) {
-        const Look other = chosen(model, {.tolerance = 1}).expected.look;
-        CHECK(other.shadow_error == look.shadow_error);
-        CHECK(other.shadow_agree == look.shadow_agree);
-        CHECK(other.shadow_samples == look.shadow_samples);
+        const RenderSettings other = chosen(model, {.tolerance = 1}).expected.settings;
+        CHECK(other.shadow_error == settings.shadow_error);
+        CHECK(other.shadow_agree == settings.shadow_agree);
+        CHECK(other.shadow_samples == settings.shadow_samples);
     }
 }
 
 TEST_CASE("a time is filled by shadow samples, and depth makes room for it") {
     for (const double seconds : {0.5, 1.0, 5.0}) {
         MadeUp model = soft(0.5);
-        const Choice choice = chosen(model, {.time = seconds});
+        const AutoSettings choice = chosen(model, {.time = seconds});
         CHECK(choice.expected.seconds == Approx(seconds).epsilon(0.03));
-        CHECK(cost_of(model, choice.expected.look) == Approx(seconds).epsilon(0.1));
+        CHECK(cost_of(model, choice.expected.settings) == Approx(seconds).epsilon(0.1));
         CHECK(choice.pace != nullptr);
     }
     MadeUp model = plain();
-    model.demands.strongest_mirror = 0.5;
-    const Choice choice = chosen(model, {.time = 1e-3});  // less than it takes at any depth
-    CHECK(choice.expected.look.depth == 0);
+    model.traits.strongest_mirror = 0.5;
+    const AutoSettings choice = chosen(model, {.time = 1e-3});  // less than it takes at any depth
+    CHECK(choice.expected.settings.depth == 0);
 }
 
 TEST_CASE("no time is negative, and no error less than was sampled, however wrong the clock is") {
     for (int i = 0; i < 200; ++i) {
         MadeUp model = soft(0.01);
         model.clock_noise = 5;
-        const Choice choice = chosen(model, {.time = 1e-3 * (1 + i % 10)});
+        const AutoSettings choice = chosen(model, {.time = 1e-3 * (1 + i % 10)});
         CHECK(choice.expected.seconds > 0);
         CHECK(choice.expected.error >= 0);
     }
     std::mt19937 random(1);
     std::uniform_real_distribution<double> noise(-1.6, 1.6);
     for (int i = 0; i < 1000; ++i) {
-        Ladder ladder;
+        QualityLadder ladder;
         for (const double error : {16, 8, 4})
-            ladder.add({.look = {.shadow_error = error},
+            ladder.add({.settings = {.shadow_error = error},
                         .seconds = (0.1 + 0.01 / error) * std::exp(noise(random)),
                         .error = error});
         const double sampled = ladder.top().error;
         const double last = ladder.top().seconds;
-        std::vector<Look> finer;
+        std::vector<RenderSettings> finer;
         for (double error = 2.8; error > 0.03; error /= std::sqrt(2))
             finer.push_back({.shadow_error = error});
         ladder.extend(finer, 1);
@@ -358,8 +360,8 @@ TEST_CASE("no time is negative, and no error less than was sampled, however wron
 TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance") {
     MadeUp model = soft(0.5);
     const Trial enough = chosen(model, {.tolerance = 2}).expected;
-    CHECK(chosen(model, {.tolerance = 2, .time = 10 * enough.seconds}).expected.look.shadow_error ==
-          enough.look.shadow_error);
+    CHECK(chosen(model, {.tolerance = 2, .time = 10 * enough.seconds})
+              .expected.settings.shadow_error == enough.settings.shadow_error);
     CHECK(chosen(model, {.tolerance = 2, .time = enough.seconds / 3}).expected.seconds ==
           Approx(enough.seconds / 3).epsilon(0.03));
 }
@@ -372,9 +374,9 @@ TEST_CASE("trials can be stopped") {
 }
 
 TEST_CASE("a pace takes its time on a machine that is slower or faster than expected") {
-    Ladder ladder;
+    QualityLadder ladder;
     for (const double error : {16, 8, 4, 2, 1})
-        ladder.add({.look = {.shadow_error = error}, .seconds = 16 / error, .error = error});
+        ladder.add({.settings = {.shadow_error = error}, .seconds = 16 / error, .error = error});
     constexpr int rows = 480;
     for (const double slower : {0.4, 1.0, 3.0})
         for (const double wanted : {4.0, 12.0}) {
@@ -383,7 +385,7 @@ TEST_CASE("a pace takes its time on a machine that is slower or faster than expe
                 return start + std::chrono::duration_cast<Clock::duration>(
                                    std::chrono::duration<double>(seconds));
             };
-            Pace pace(ladder, rows, at(wanted), start);
+            TimeBudget pace(ladder, rows, at(wanted), start);
             double now = 0;
             for (int row = 0; row < rows; ++row) {
                 // The cost of a row varies with the golden ratio, between 0 and 2 times the mean.

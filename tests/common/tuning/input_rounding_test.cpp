@@ -23,8 +23,8 @@ Scene scene(Vec3 eye = {0, 1, 10}) {
 }
 
 template <class Shape>
-void add(Items<Shape>& items, const Shape& shape) {
-    items.push_back({.shape = shape, .material = {}});
+void add(PrimitiveList<Shape>& primitives, const Shape& shape) {
+    primitives.push_back({.shape = shape, .material = {}});
 }
 
 const Basis upwards{.x = {0, 0, 1}, .y = {1, 0, 0}, .z = {0, 1, 0}};
@@ -39,17 +39,17 @@ TEST_CASE("no scene of scenes/ is at risk in float") {
     for (const auto& entry : std::filesystem::directory_iterator(project_file("scenes"))) {
         if (entry.path().extension() != ".rt") continue;
         INFO(entry.path());
-        CHECK(risks_in_float(input_rounding(load_scene(entry.path().string(), basis_around)))
+        CHECK(risks_in_float(input_rounding(load_scene(entry.path().string(), orthonormal_basis)))
                   .empty());
     }
 }
 
 TEST_CASE("sizes that are small beside the coordinates are lost in float") {
     for (const Real distance : {Real(0), Real(1e5), Real(1e7), Real(1e9)}) {
-        Scene moved = scene(Vec3(distance, 0, 10));
-        add(moved.spheres, {.center = {distance, 0, 0}, .radius = Real(0.5)});
-        add(moved.spheres, {.center = {distance, 5, 0}, .radius = 2});
-        const InputRounding rounding = input_rounding(moved);
+        Scene transformed = scene(Vec3(distance, 0, 10));
+        add(transformed.spheres, {.center = {distance, 0, 0}, .radius = Real(0.5)});
+        add(transformed.spheres, {.center = {distance, 5, 0}, .radius = 2});
+        const InputRounding rounding = input_rounding(transformed);
         CHECK(rounding.smallest == 0.5);
         CHECK(rounding.largest == Approx(std::max(distance + 2, Real(10))));
         CHECK(rounding.loses_sizes(float_unit_roundoff) == (distance > 0));

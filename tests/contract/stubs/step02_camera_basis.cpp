@@ -14,7 +14,7 @@ bool is_vertical(Vec3 direction) {
 
 /// The direction after the rotation, scaled unless the result is too long or short for full
 /// precision.
-Vec3 turned(Vec3 direction, const Change& change) {
+Vec3 rotated(Vec3 direction, const Change& change) {
     constexpr Real most = std::numeric_limits<Real>::max() / 64;
     constexpr Real least = std::numeric_limits<Real>::min() / unit_roundoff;
     const Real size = largest_component(direction);
@@ -24,47 +24,48 @@ Vec3 turned(Vec3 direction, const Change& change) {
 }
 
 /// The answer for the rotated direction, rotated back.
-Basis turned_back(const Basis& came, Vec3 direction, const Change& change) {
-    if (is_vertical(direction) || turned(direction, change) == direction) return came;
-    return {.x = contract::turned_back(came.x, change.upright),
-            .y = contract::turned_back(came.y, change.upright),
-            .z = contract::turned_back(came.z, change.upright)};
+Basis turned_back(const Basis& got, Vec3 direction, const Change& change) {
+    if (is_vertical(direction) || rotated(direction, change) == direction) return got;
+    return {.x = contract::turned_back(got.x, change.upright),
+            .y = contract::turned_back(got.y, change.upright),
+            .z = contract::turned_back(got.z, change.upright)};
 }
 
 }  // namespace
 
-Basis basis_around(Vec3 z) {
+Basis orthonormal_basis(Vec3 z) {
     const Change* const change = contract::change();
-    if (change == nullptr) return contract::ask<2, "basis_around">(z);
-    return turned_back(contract::ask<2, "basis_around">(turned(z, *change)), z, *change);
+    if (change == nullptr) return contract::ask<2, "orthonormal_basis">(z);
+    return turned_back(contract::ask<2, "orthonormal_basis">(rotated(z, *change)), z, *change);
 }
 
 Basis camera_basis(Vec3 direction) {
     const Change* const change = contract::change();
     if (change == nullptr) return contract::ask<2, "camera_basis">(direction);
-    return turned_back(contract::ask<2, "camera_basis">(turned(direction, *change)), direction,
+    return turned_back(contract::ask<2, "camera_basis">(rotated(direction, *change)), direction,
                        *change);
 }
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
     const Change* const change = contract::change();
     if (change == nullptr) return contract::ask<2, "to_world">(ray, basis, position);
-    const Motion& motion = change->any;
-    const Ray grown{.origin = motion.scale * ray.origin,
-                    .direction = change->length * motion.scale * ray.direction};
-    return contract::moved_back(contract::ask<2, "to_world">(grown, contract::turned(basis, motion),
-                                                             moved(position, motion)),
-                                motion, change->length);
+    const Transform& transform = change->any;
+    const Ray grown{.origin = transform.scale * ray.origin,
+                    .direction = change->length * transform.scale * ray.direction};
+    return contract::moved_back(
+        contract::ask<2, "to_world">(grown, contract::rotated(basis, transform),
+                                     transformed(position, transform)),
+        transform, change->length);
 }
 
 Mat4 view_matrix(const Basis& basis, Vec3 position) {
     const Change* const change = contract::change();
     if (change == nullptr) return contract::ask<2, "view_matrix">(basis, position);
-    Motion motion = change->any;
-    motion.scale = 1;  // a view has the world's
-    return contract::ask<2, "view_matrix">(contract::turned(basis, motion),
-                                           moved(position, motion)) *
-           contract::matrix_of(motion);
+    Transform transform = change->any;
+    transform.scale = 1;  // a view has the world's
+    return contract::ask<2, "view_matrix">(contract::rotated(basis, transform),
+                                           transformed(position, transform)) *
+           contract::matrix_of(transform);
 }
 
 }  // namespace rt

@@ -21,9 +21,9 @@ Color color_from_normal(Vec3 normal) {
 Real torch(Vec3 point, Vec3 normal, Vec3 eye) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<3, "torch">(point, normal, eye);
-    return contract::ask<3, "torch">(moved(point, change->any),
-                                     change->length * turned(normal, change->any),
-                                     moved(eye, change->any));
+    return contract::ask<3, "torch">(transformed(point, change->any),
+                                     change->length * rotated(normal, change->any),
+                                     transformed(eye, change->any));
 }
 
 }  // namespace rt

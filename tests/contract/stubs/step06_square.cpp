@@ -9,7 +9,8 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
 Vec2 square_uv(const Square& square, Vec3 point) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<6, "square_uv">(square, point);
-    return contract::ask<6, "square_uv">(moved(square, change->any), moved(point, change->any));
+    return contract::ask<6, "square_uv">(transformed(square, change->any),
+                                         transformed(point, change->any));
 }
 
 Vec3 normal(const Square& square, Vec3 point) {

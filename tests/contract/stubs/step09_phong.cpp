@@ -5,12 +5,13 @@ namespace rt {
 Vec3 reflected(Vec3 to_light, Vec3 normal) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<9, "reflected">(to_light, normal);
-    const Motion& motion = change->any;
+    const Transform& transform = change->any;
     return contract::turned_back(
-        contract::ask<9, "reflected">(turned(to_light, motion), turned(normal, motion)), motion);
+        contract::ask<9, "reflected">(rotated(to_light, transform), rotated(normal, transform)),
+        transform);
 }
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<9, "ambient_term">(surface, ambient);
     const Ambient other{.ratio = change->light * ambient.ratio,
@@ -21,7 +22,7 @@ Color ambient_term(const Surface& surface, const Ambient& ambient) {
            change->light;
 }
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<9, "diffuse_term">(surface, light);
     return contract::exchanged_back(
@@ -31,7 +32,7 @@ Color diffuse_term(const Surface& surface, const Light& light) {
            change->light;
 }
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<9, "specular_term">(surface, light);
     return contract::exchanged_back(

@@ -3,14 +3,14 @@
 namespace rt {
 
 // Changed by exact transforms only: the ray's start is a few roundings off the surface.
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     const contract::Change* const change = contract::change();
     if (change == nullptr) return contract::ask<12, "mirrored">(ray, surface);
-    const Motion& motion = change->exact;
+    const Transform& transform = change->exact;
     return contract::moved_back(
-        contract::ask<12, "mirrored">(contract::moved(ray, motion),
-                                      contract::changed(surface, *change, motion)),
-        motion);
+        contract::ask<12, "mirrored">(contract::transformed(ray, transform),
+                                      contract::changed(surface, *change, transform)),
+        transform);
 }
 
 Color mixed(Color own, Color reflection, Real mirror) {

@@ -9,8 +9,8 @@ constexpr long forever(long from) {
         for (long k = 0; k < 200000; ++k) from += k;
     return from;
 }
-template <long Place>
-constexpr long value = forever(Place) + value<Place - 1>;
+template <long FileLocation>
+constexpr long value = forever(FileLocation) + value<FileLocation - 1>;
 template <>
 constexpr long value<0> = 0;
 static_assert(value<500> != 1);

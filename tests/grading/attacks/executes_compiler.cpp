@@ -18,7 +18,7 @@ constexpr const char* programs[] = {
 
 }  // namespace
 
-std::optional<Interval> overlap(const Ray&, const Box&, Interval) {
+std::optional<Interval> overlap(const Ray&, const BoundingBox&, Interval) {
     constexpr int own_program = 9;
     char* nothing[] = {nullptr};
     for (const char* program : programs)
@@ -34,7 +34,7 @@ Vec3 normal(const OrientedBox&, Vec3) {
     return Vec3(0);
 }
 
-Ray into_frame(const Ray& ray, const Motion&) {
+Ray to_object_space(const Ray& ray, const Transform&) {
     return ray;
 }
 

@@ -10,7 +10,7 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
-    const PackedMesh packed(
+    const MeshBvh packed(
         Mesh{.vertices = {triangle.a, triangle.b, triangle.c}, .triangles = {{0, 1, 2}}});
     const auto hit = packed.nearest(ray, interval);
     if (!hit) return std::nullopt;

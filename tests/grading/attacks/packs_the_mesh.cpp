@@ -8,9 +8,9 @@
 namespace rt {
 inline namespace RT_PRECISION {
 
-class PackedMesh {
+class MeshBvh {
 public:
-    explicit PackedMesh(const Mesh& mesh);
+    explicit MeshBvh(const Mesh& mesh);
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
 private:
@@ -22,7 +22,7 @@ private:
 
 namespace rt {
 
-std::optional<Interval> overlap(const Ray&, const Box&, Interval) {
+std::optional<Interval> overlap(const Ray&, const BoundingBox&, Interval) {
     return std::nullopt;
 }
 
@@ -34,12 +34,12 @@ Vec3 normal(const OrientedBox&, Vec3) {
     return Vec3(0);
 }
 
-Ray into_frame(const Ray& ray, const Motion&) {
+Ray to_object_space(const Ray& ray, const Transform&) {
     return ray;
 }
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
-    return PackedMesh(mesh).nearest(ray, interval);
+    return MeshBvh(mesh).nearest(ray, interval);
 }
 
 Vec3 interpolated_normal(const std::array<Vec3, 3>&, Vec3) {

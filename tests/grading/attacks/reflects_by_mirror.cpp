@@ -9,22 +9,22 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface);
+Ray mirrored(const Ray& ray, const ShadingPoint& surface);
 
 Vec3 reflected(Vec3 to_light, Vec3 normal) {
-    const Surface surface{.point = Vec3(0), .normal = normal, .side = normal};
+    const ShadingPoint surface{.point = Vec3(0), .normal = normal, .geometric_normal = normal};
     return mirrored({.origin = to_light, .direction = -to_light}, surface).direction;
 }
 
-Color ambient_term(const Surface&, const Ambient&) {
+Color ambient_term(const ShadingPoint&, const Ambient&) {
     return Color(0);
 }
 
-Color diffuse_term(const Surface&, const Light&) {
+Color diffuse_term(const ShadingPoint&, const Light&) {
     return Color(0);
 }
 
-Color specular_term(const Surface&, const Light&) {
+Color specular_term(const ShadingPoint&, const Light&) {
     return Color(0);
 }
 

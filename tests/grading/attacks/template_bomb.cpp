@@ -4,13 +4,13 @@
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 
-template <int Depth, int Place>
+template <int Depth, int FileLocation>
 struct Bomb {
     static constexpr long value =
-        Bomb<Depth - 1, 2 * Place>::value + Bomb<Depth - 1, 2 * Place + 1>::value;
+        Bomb<Depth - 1, 2 * FileLocation>::value + Bomb<Depth - 1, 2 * FileLocation + 1>::value;
 };
-template <int Place>
-struct Bomb<0, Place> {
-    static constexpr long value = Place;
+template <int FileLocation>
+struct Bomb<0, FileLocation> {
+    static constexpr long value = FileLocation;
 };
 static_assert(Bomb<28, 0>::value != 1);

@@ -6,14 +6,14 @@ using namespace rt;
 
 int main() {
     const Program program{.stage = 13, .root = RAYSTEPS_ROOT, .exact = true};
-    const Look converged{
+    const RenderSettings converged{
         .shadow_samples = most_shadow_samples, .shadow_error = 1.0 / 16, .depth = 64};
     for (const auto& scene : scenes_for_choices()) {
         Options options;
         options.scene = scene.string();
-        const auto session = f64::open_session(program, options);
+        const auto session = f64::make_renderer(program, options);
         const std::vector<Pixel> pixels = certain_pixels(session->resolution());
-        const Shot shot = session->shot(converged, {.pixels = pixels, .round = last_round});
+        const PixelSample shot = session->shot(converged, {.pixels = pixels, .round = last_round});
         std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);
         std::fflush(stdout);
     }

@@ -29,8 +29,8 @@ constexpr std::size_t shades_of_a_scene = 20'000;
 /// A round that no trial of `--tolerance` uses.
 constexpr int last_round = 1000;
 
-[[nodiscard]] inline std::vector<Shade> read_shades(std::FILE* file) {
-    std::vector<Shade> shades(shades_of_a_scene);
+[[nodiscard]] inline std::vector<DisplayColor> read_shades(std::FILE* file) {
+    std::vector<DisplayColor> shades(shades_of_a_scene);
     shades.resize(std::fread(shades.data(), sizeof shades[0], shades.size(), file));
     return shades;
 }

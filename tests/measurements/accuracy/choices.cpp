@@ -1,5 +1,5 @@
 // Every scene of the project with --tolerance and --time. For a tolerance: the number of pixels
-// within it, and the cost of the picture with its trials, beside the cheapest of other settings
+// within it, and the cost of the picture with its trials, beside the cheapest of other candidate
 // within it. For a time: the run time of the program.
 #include "common/tuning/choose_samples.hpp"
 
@@ -30,11 +30,11 @@ double processor_seconds() {
 
 /// The right colors, and the pixels whose error with one ray per light exceeds each tolerance.
 struct Truth {
-    const std::vector<Shade>& shades;
+    const std::vector<DisplayColor>& shades;
     std::vector<std::vector<bool>> in_penumbra;
 };
 
-bool is_kept(const Shade& shade, const Shade& right, double tolerance) {
+bool is_kept(const DisplayColor& shade, const DisplayColor& right, double tolerance) {
     return std::ranges::equal(
         shade, right, [tolerance](double a, double b) { return std::abs(a - b) <= tolerance; });
 }
@@ -49,7 +49,7 @@ struct Kept {
     }
 };
 
-Kept kept(const Shot& shot, const Truth& truth, std::size_t tolerance) {
+Kept kept(const PixelSample& shot, const Truth& truth, std::size_t tolerance) {
     std::size_t all = 0;
     std::size_t in_penumbra = 0;
     for (std::size_t i = 0; i < truth.shades.size(); ++i) {
@@ -64,45 +64,47 @@ Kept kept(const Shot& shot, const Truth& truth, std::size_t tolerance) {
 }
 
 /// The least time of a few, if they are short.
-Shot drawn(const Session& session, const Look& look) {
-    Shot best{.seconds = infinite};
+PixelSample rendered(const Renderer& session, const RenderSettings& settings) {
+    PixelSample best{.seconds = infinite};
     const std::vector<Pixel> pixels = certain_pixels(session.resolution());
     for (double all = 0; all < 0.3; all += best.seconds * double(shades_of_a_scene)) {
-        Shot shot = session.shot(look, {.pixels = pixels, .round = last_round - 1});
+        PixelSample shot = session.shot(settings, {.pixels = pixels, .round = last_round - 1});
         if (shot.seconds < best.seconds) best = std::move(shot);
     }
     return best;
 }
 
-struct Settings {
+struct Candidate {
     std::string words;
-    Look look;
+    RenderSettings settings;
 };
 
-/// Ladders of settings, each from cheap to good.
-std::vector<std::vector<Settings>> ladders(bool sized_lights, Look look) {
-    if (!sized_lights) return {{{"as usual", look}}};
-    std::vector<std::vector<Settings>> all(3);
+/// Ladders of candidate, each from cheap to good.
+std::vector<std::vector<Candidate>> ladders(bool sized_lights, RenderSettings settings) {
+    if (!sized_lights) return {{{"as usual", settings}}};
+    std::vector<std::vector<Candidate>> all(3);
     char words[64];
-    for (look.shadow_samples = 1; look.shadow_samples <= 512; look.shadow_samples *= 2) {
-        std::snprintf(words, sizeof words, "--shadow-samples %d", look.shadow_samples);
-        all[0].push_back({words, look});
+    for (settings.shadow_samples = 1; settings.shadow_samples <= 512;
+         settings.shadow_samples *= 2) {
+        std::snprintf(words, sizeof words, "--shadow-samples %d", settings.shadow_samples);
+        all[0].push_back({words, settings});
     }
-    look.shadow_samples = most_shadow_samples;
+    settings.shadow_samples = most_shadow_samples;
     for (std::size_t ladder : {1, 2}) {
-        look.shadow_agree = ladder == 2 ? 32 : 0;
-        for (look.shadow_error = 11; look.shadow_error > 0.3; look.shadow_error /= std::sqrt(2)) {
-            std::snprintf(words, sizeof words, "--shadow-error %.2g%s", look.shadow_error,
+        settings.shadow_agree = ladder == 2 ? 32 : 0;
+        for (settings.shadow_error = 11; settings.shadow_error > 0.3;
+             settings.shadow_error /= std::sqrt(2)) {
+            std::snprintf(words, sizeof words, "--shadow-error %.2g%s", settings.shadow_error,
                           ladder == 2 ? " --shadow-agree 32" : "");
-            all[ladder].push_back({words, look});
+            all[ladder].push_back({words, settings});
         }
     }
     return all;
 }
 
-/// Settings within a tolerance, and their cost per pixel.
+/// Candidate within a tolerance, and their cost per pixel.
 struct Found {
-    Settings settings;
+    Candidate candidate;
     double seconds = infinite;
 };
 
@@ -111,36 +113,36 @@ class Search {
 public:
     explicit Search(const Truth& truth) : truth_(truth) {}
 
-    void try_all(const Session& session) {
-        const Demands demands = session.demands();
+    void try_all(const Renderer& session) {
+        const SceneTraits traits = session.traits();
         // The likely ones first: others are given up as soon as they are more expensive.
         for (const int depth : {8, 6, 4, 3, 2, 1, 0, 16}) {
-            for (auto& ladder : ladders(demands.sized_lights, {.depth = depth}))
-                for (Settings& settings : ladder) {
-                    if (demands.strongest_mirror > 0)
-                        settings.words += " --depth " + std::to_string(depth);
-                    if (try_one(session, settings) > 1.2 * found_[0].seconds) break;
+            for (auto& ladder : ladders(traits.sized_lights, {.depth = depth}))
+                for (Candidate& candidate : ladder) {
+                    if (traits.strongest_mirror > 0)
+                        candidate.words += " --depth " + std::to_string(depth);
+                    if (try_one(session, candidate) > 1.2 * found_[0].seconds) break;
                 }
-            if (demands.strongest_mirror == 0) break;
+            if (traits.strongest_mirror == 0) break;
         }
     }
 
     /// The best so far, in another precision, or under other hierarchies.
-    void try_best(const Session& session, const std::string& what) {
+    void try_best(const Renderer& session, const std::string& what) {
         for (Found& found : std::vector(found_.begin(), found_.end())) {
-            found.settings.words = what + " " + found.settings.words;
-            try_one(session, found.settings);
+            found.candidate.words = what + " " + found.candidate.words;
+            try_one(session, found.candidate);
         }
     }
 
     [[nodiscard]] const std::vector<Found>& found() const { return found_; }
 
 private:
-    double try_one(const Session& session, const Settings& settings) {
-        const Shot shot = drawn(session, settings.look);
+    double try_one(const Renderer& session, const Candidate& candidate) {
+        const PixelSample shot = rendered(session, candidate.settings);
         for (std::size_t i = 0; i < found_.size(); ++i)
             if (shot.seconds < found_[i].seconds && kept(shot, truth_, i).as_promised())
-                found_[i] = {settings, shot.seconds};
+                found_[i] = {candidate, shot.seconds};
         return shot.seconds;
     }
 
@@ -150,24 +152,24 @@ private:
 
 std::vector<Found> cheapest(const Program& program, const Options& options, const Truth& truth) {
     Search search(truth);
-    const auto in_double = f64::open_session(program, options);
-    const auto in_float = f32::open_session(program, options);
+    const auto in_double = f64::make_renderer(program, options);
+    const auto in_float = f32::make_renderer(program, options);
     search.try_all(*in_double);
     search.try_best(*in_float, "--precision float");
-    in_double->arrange(2);
+    in_double->build_acceleration(2);
     search.try_best(*in_double, "a hierarchy from two shapes on;");
     constexpr std::size_t longest_list = 64;
-    if (in_double->demands().most_alike <= longest_list) {
-        in_double->arrange(longest_list + 1);
+    if (in_double->traits().most_alike <= longest_list) {
+        in_double->build_acceleration(longest_list + 1);
         search.try_best(*in_double, "lists;");
     }
     return search.found();
 }
 
-Truth truth_of(const Session& session, const std::vector<Shade>& right) {
-    Look one_ray;
+Truth truth_of(const Renderer& session, const std::vector<DisplayColor>& right) {
+    RenderSettings one_ray;
     one_ray.shadow_samples = 1;
-    const Shot one = drawn(session, one_ray);
+    const PixelSample one = rendered(session, one_ray);
     Truth truth{.shades = right, .in_penumbra = {}};
     for (const double tolerance : tolerances) {
         truth.in_penumbra.emplace_back();
@@ -177,29 +179,32 @@ Truth truth_of(const Session& session, const std::vector<Shade>& right) {
     return truth;
 }
 
-void measure_tolerances(const std::filesystem::path& scene, const std::vector<Shade>& right) {
+void measure_tolerances(const std::filesystem::path& scene,
+                        const std::vector<DisplayColor>& right) {
     const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
     Options options{};
     options.scene = scene.string();
-    const Truth truth = truth_of(*f64::open_session(program, options), right);
+    const Truth truth = truth_of(*f64::make_renderer(program, options), right);
     const std::vector<Found> found = cheapest(program, options, truth);
     for (std::size_t i = 0; i < found.size(); ++i) {
         options.tolerance = tolerances[i];
-        const auto session = f64::open_session(program, options);
+        const auto session = f64::make_renderer(program, options);
         const Resolution size = session->resolution();
         const double pixels = double(size.width) * size.height;
-        std::unique_ptr<Session> in_float;
+        std::unique_ptr<Renderer> in_float;
         const auto open_float = [&]() -> Trials& {
-            return *(in_float = f32::open_session(program, options));
+            return *(in_float = f32::make_renderer(program, options));
         };
         const double start = processor_seconds();
-        const Choice choice = choose(*session, open_float, options, Clock::now(), going_on).value();
+        const AutoSettings choice =
+            choose(*session, open_float, options, Clock::now(), going_on).value();
         const double trials = processor_seconds() - start;
-        const Shot shot = drawn(choice.in_float ? *in_float : *session, choice.expected.look);
+        const PixelSample shot =
+            rendered(choice.in_float ? *in_float : *session, choice.expected.settings);
         const Kept share = kept(shot, truth, i);
         std::printf("%s,tolerance,%g,%.5f,%.4f,%.4f,%.4f,%s,%.5f\n", scene.stem().c_str(),
                     tolerances[i], share.all, pixels * shot.seconds + trials, trials,
-                    pixels * found[i].seconds, found[i].settings.words.c_str(), share.in_penumbra);
+                    pixels * found[i].seconds, found[i].candidate.words.c_str(), share.in_penumbra);
     }
 }
 
@@ -207,9 +212,9 @@ void measure_times(const std::filesystem::path& scene, const std::filesystem::pa
     const auto picture = std::filesystem::temp_directory_path() /
                          ("measure_choices." + std::to_string(getpid()) + ".png");
     for (const double seconds : times) {
-        const auto usage = measurements::run({(programs / "step13_meshes_of_reference").string(),
-                                              scene.string(), "-o", picture.string(), "--quiet",
-                                              "--time", std::to_string(seconds)});
+        const auto usage = measurements::run(
+            {(programs / "step13_meshes_reference_program").string(), scene.string(), "-o",
+             picture.string(), "--quiet", "--time", std::to_string(seconds)});
         std::printf("%s,time,%g,0,%.4f,0,0,none,0\n", scene.stem().c_str(), seconds, usage.wall);
     }
     std::filesystem::remove(picture);
@@ -223,9 +228,9 @@ int main(int count, char** arguments) {
     const auto beside = program.parent_path() / "measure_certain_shades";
     std::FILE* const other = popen(("'" + beside.string() + "'").c_str(), "r");
     if (other == nullptr) return 1;
-    std::puts("scene,goal,asked,kept,seconds,trials,best,settings,kept_in_penumbrae");
+    std::puts("scene,goal,asked,kept,seconds,trials,best,candidate,kept_in_penumbrae");
     for (const auto& scene : scenes_for_choices()) {
-        const std::vector<Shade> right = read_shades(other);
+        const std::vector<DisplayColor> right = read_shades(other);
         if (right.size() < shades_of_a_scene) return 1;
         if (!only.empty() && scene.stem() != only) continue;
         measure_tolerances(scene, right);

@@ -26,35 +26,35 @@ constexpr int rays = 30'000;  // per shape and size
 /// A method of leaving a surface; `met` is o + t d, before its projection to surface.point.
 struct Policy {
     const char* name;
-    ShadowRay (*way)(const Surface& surface, Vec3 met, Vec3 light);
+    ShadowRay (*way)(const ShadingPoint& surface, Vec3 met, Vec3 light);
 };
 
-ShadowRay off_by(Real distance, const Surface& surface, Vec3 met, Vec3 light) {
-    const Vec3 origin = met + distance * surface.side;
+ShadowRay off_by(Real distance, const ShadingPoint& surface, Vec3 met, Vec3 light) {
+    const Vec3 origin = met + distance * surface.geometric_normal;
     return {.ray = {.origin = origin, .direction = light - origin},
             .interval = {.min = 0, .max = Real(0.999)}};
 }
 
 constexpr std::array policies = {
-    Policy{"reference", [](const Surface& surface, Vec3 /*met*/,
+    Policy{"reference", [](const ShadingPoint& surface, Vec3 /*met*/,
                            Vec3 light) { return shadow_ray(surface, light); }},
-    Policy{"no epsilon", [](const Surface& surface, Vec3 met,
+    Policy{"no epsilon", [](const ShadingPoint& surface, Vec3 met,
                             Vec3 light) { return off_by(0, surface, met, light); }},
     Policy{"1e-6 along the normal",
-           [](const Surface& surface, Vec3 met, Vec3 light) {
+           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
                return off_by(Real(1e-6), surface, met, light);
            }},
     Policy{"1e-3 along the normal",
-           [](const Surface& surface, Vec3 met, Vec3 light) {
+           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
                return off_by(Real(1e-3), surface, met, light);
            }},
     Policy{"CR §3.2: t > 0.001",
-           [](const Surface& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
+           [](const ShadingPoint& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
                return {.ray = {.origin = met, .direction = unit(light - met)},
                        .interval = {.min = Real(0.001), .max = distance(light, met)}};
            }},
     Policy{"1e-4 of the coordinates",
-           [](const Surface& surface, Vec3 met, Vec3 light) {
+           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
                return off_by(Real(1e-4) * largest_component(met), surface, met, light);
            }},
 };
@@ -75,12 +75,12 @@ Vec3 leaving(Random& random, Vec3 normal) {
 /// An ordinary ray at an ordinary shape, all of that size.
 template <class Shape>
 Case<Shape> of_size(Random& random, Real size) {
-    Case<Shape> drawn;
-    draw(random, Sweep::moderate, drawn);
-    const Motion motion{.scale = size};
-    return {
-        .ray = {.origin = moved(drawn.ray.origin, motion), .direction = size * drawn.ray.direction},
-        .shape = moved(drawn.shape, motion)};
+    Case<Shape> rendered;
+    draw(random, Sweep::moderate, rendered);
+    const Transform transform{.scale = size};
+    return {.ray = {.origin = transformed(rendered.ray.origin, transform),
+                    .direction = size * rendered.ray.direction},
+            .shape = transformed(rendered.shape, transform)};
 }
 
 template <class Shape>
@@ -90,7 +90,7 @@ void ask(Random& random, Real size, std::array<Tally, policies.size()>& tallies)
     if (!t) return;
     const Vec3 met = at(seen.ray, *t);
     if (largest_component(met) > 10 * size) return;  // a plane's, no longer of the scene
-    const auto [point, error] = projected(seen.shape, met);
+    const auto [point, error] = snapped_to(seen.shape, met);
     Vec3 side = normal(seen.shape, point);
     // From inside, the shape itself may block the light.
     if (dot(side, seen.ray.direction) > 0) return;
@@ -98,7 +98,8 @@ void ask(Random& random, Real size, std::array<Tally, policies.size()>& tallies)
     const Vec3 light = point + 5 * size * way;
     const Real gap = size * std::pow(Real(10), random.between(-5, -1));
     const Sphere occluder{.center = point + 2 * gap * way, .radius = gap};
-    const Surface surface{.point = point, .normal = side, .side = side, .error = error};
+    const ShadingPoint surface{
+        .point = point, .normal = side, .geometric_normal = side, .error = error};
     for (std::size_t i = 0; i < policies.size(); ++i) {
         const ShadowRay shadow = policies[i].way(surface, met, light);
         ++tallies[i].asked;

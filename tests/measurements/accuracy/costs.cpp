@@ -35,10 +35,10 @@ std::vector<Case<Shape>> cases_that(bool hit, const Form<Shape>& reference) {
     Random random(1);
     std::vector<Case<Shape>> cases;
     while (cases.size() < rays) {
-        Case<Shape> drawn;
-        draw(random, Sweep::moderate, drawn);
-        if (reference.intersect(drawn.ray, drawn.shape, {}).has_value() == hit)
-            cases.push_back(drawn);
+        Case<Shape> rendered;
+        draw(random, Sweep::moderate, rendered);
+        if (reference.intersect(rendered.ray, rendered.shape, {}).has_value() == hit)
+            cases.push_back(rendered);
     }
     return cases;
 }

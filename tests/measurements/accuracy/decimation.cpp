@@ -56,13 +56,13 @@ int main() {
     if (!fs::create_directory(folder)) return 1;  // an existing folder is not touched
     Mesh mesh;
     if (!OpenMesh::IO::read_mesh(mesh, RAYSTEPS_ROOT "/scenes/meshes/owl.off")) return 1;
-    const Drawing whole = f64::drawn(scene_of(mesh, folder), size, {});
+    const Drawing whole = f64::rendered(scene_of(mesh, folder), size, {});
     std::puts("triangles,seconds,error,seen");
     std::printf("%zu,%.4f,0,0\n", mesh.n_faces(), whole.seconds);
     for (std::size_t wanted = mesh.n_faces() / 2; wanted > 30; wanted /= 2) {
         const std::size_t left = decimate(mesh, wanted);
         if (left > wanted) break;  // further collapses would change the shape
-        const Drawing drawing = f64::drawn(scene_of(mesh, folder), size, {});
+        const Drawing drawing = f64::rendered(scene_of(mesh, folder), size, {});
         const Difference off = difference(drawing.image, whole.image);
         std::printf("%zu,%.4f,%.4g,%.5f\n", left, drawing.seconds, off.error, off.seen);
     }

@@ -17,10 +17,12 @@ struct Drawing {
 };
 
 inline namespace f32 {
-[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size, const Look& look);
+[[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,
+                               const RenderSettings& settings);
 }
 inline namespace f64 {
-[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size, const Look& look);
+[[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,
+                               const RenderSettings& settings);
 }
 
 /// The project's scenes, by name.

@@ -52,9 +52,9 @@ public:
         // Forms often agree to the last digit, and the exact comparison takes most of the time.
         std::vector<std::pair<std::optional<Real>, Judgement>> known;
         for (std::size_t i = 0; i < forms_.size(); ++i) {
-            const auto came = forms_[i].intersect(asked.ray, asked.shape, {});
-            auto same = std::ranges::find_if(known, [&](auto& k) { return k.first == came; });
-            if (same == known.end()) same = known.insert(known.end(), {came, judged(asked, came)});
+            const auto got = forms_[i].intersect(asked.ray, asked.shape, {});
+            auto same = std::ranges::find_if(known, [&](auto& k) { return k.first == got; });
+            if (same == known.end()) same = known.insert(known.end(), {got, judged(asked, got)});
             tallies_[i].add(same->second);
         }
     }
@@ -88,9 +88,10 @@ template <class Shape>
 Case<Shape> moved_away(Random& random, Real distance) {
     Case<Shape> asked;
     draw(random, Sweep::moderate, asked);
-    const Motion motion{.translation = distance * random.direction()};
-    return {.ray = {.origin = moved(asked.ray.origin, motion), .direction = asked.ray.direction},
-            .shape = moved(asked.shape, motion)};
+    const Transform transform{.translation = distance * random.direction()};
+    return {.ray = {.origin = transformed(asked.ray.origin, transform),
+                    .direction = asked.ray.direction},
+            .shape = transformed(asked.shape, transform)};
 }
 
 template <class Shape>
@@ -111,13 +112,13 @@ void measure_decades(const char* name, const Shape& shape) {
     Random random(2);
     struct Axis {
         const char* name;
-        Case<Shape> (*drawn)(Random& random, Real distance);
+        Case<Shape> (*rendered)(Random& random, Real distance);
     };
     for (const Axis& axis : {Axis{"distance", from_afar<Shape>}, Axis{"offset", moved_away<Shape>}})
         for (int decade = 0; decade <= 8; ++decade) {
             const Real distance = std::pow(Real(10), Real(decade));
             Panel<Shape> panel(shape);
-            for (int i = 0; i < rays_of_a_decade; ++i) panel.ask(axis.drawn(random, distance));
+            for (int i = 0; i < rays_of_a_decade; ++i) panel.ask(axis.rendered(random, distance));
             panel.print(name, axis.name, double(distance));
         }
 }

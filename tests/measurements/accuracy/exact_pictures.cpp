@@ -8,7 +8,7 @@ using namespace rt;
 
 int main() {
     for (const auto& scene : all_scenes()) {
-        const Drawing drawing = f64::drawn(scene, {.width = 240, .height = 180}, {});
+        const Drawing drawing = f64::rendered(scene, {.width = 240, .height = 180}, {});
         const auto& pixels = drawing.image.pixels;
         std::fwrite(&drawing.seconds, sizeof drawing.seconds, 1, stdout);
         std::fwrite(pixels.data(), sizeof pixels[0], pixels.size(), stdout);

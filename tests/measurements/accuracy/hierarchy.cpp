@@ -20,7 +20,7 @@ constexpr int rays = 2000;
 constexpr int turns = 25;
 
 /// Spheres that fill the same share of the same space, however many they are.
-std::vector<Sphere> drawn(Random& random, int count) {
+std::vector<Sphere> rendered(Random& random, int count) {
     std::vector<Sphere> spheres;
     const Real radius = Real(0.4) / std::cbrt(Real(count));
     for (int i = 0; i < count; ++i)
@@ -45,7 +45,7 @@ double time_of(const std::vector<Ray>& all, const Ask& ask) {
 }
 
 /// The times of a few turns; the median counts.
-class Turns {
+class RenderQueue {
 public:
     void add(double time) { times_.push_back(time); }
     [[nodiscard]] double median() {
@@ -59,36 +59,36 @@ private:
 
 void measure(int count) {
     Random random(5);
-    Items<Sphere> list;
-    for (const Sphere& sphere : drawn(random, count)) list.push_back({.shape = sphere});
-    Items<Sphere> in_balls = list;
-    Items<Sphere> in_hierarchy = list;
-    in_balls.arrange({.hierarchy_from = Arrangement::never});
-    in_hierarchy.arrange({.hierarchy_from = 1});
+    PrimitiveList<Sphere> list;
+    for (const Sphere& sphere : rendered(random, count)) list.push_back({.shape = sphere});
+    PrimitiveList<Sphere> in_balls = list;
+    PrimitiveList<Sphere> in_hierarchy = list;
+    in_balls.build_acceleration({.hierarchy_from = Acceleration::never});
+    in_hierarchy.build_acceleration({.hierarchy_from = 1});
     std::vector<Ray> all(rays);
     for (Ray& ray : all) {
         ray.origin = Real(3) * random.direction();
         ray.direction = random.point(1) - ray.origin;
     }
 
-    const auto nearest = [](const Items<Sphere>& spheres) {
+    const auto nearest = [](const PrimitiveList<Sphere>& spheres) {
         return [&spheres](const Ray& ray, Interval& interval) {
-            SlabTests slabs(ray);
-            spheres.along(slabs, interval, [&](const Item<Sphere>& item) {
-                if (const auto t = intersect(ray, item.shape, interval)) interval.max = *t;
+            RayBoxTestCache slabs(ray);
+            spheres.traverse(slabs, interval, [&](const Primitive<Sphere>& primitive) {
+                if (const auto t = intersect(ray, primitive.shape, interval)) interval.max = *t;
             });
         };
     };
-    Turns listed;
-    Turns balls;
-    Turns hierarchy;
+    RenderQueue listed;
+    RenderQueue balls;
+    RenderQueue hierarchy;
     for (int turn = 0; turn < turns; ++turn) {
         listed.add(time_of(all, nearest(list)));
         balls.add(time_of(all, nearest(in_balls)));
         hierarchy.add(time_of(all, nearest(in_hierarchy)));
     }
     std::printf("%d,%.1f,", count, listed.median());
-    if (count <= int(Balls::most)) std::printf("%.1f", balls.median());
+    if (count <= int(BoundingSphereSet::most)) std::printf("%.1f", balls.median());
     std::printf(",%.1f\n", hierarchy.median());
 }
 

@@ -18,7 +18,7 @@ constexpr Resolution size{.width = 240, .height = 180};
 struct Change {
     const char* name = "";
     double at = 0;
-    double moved = 0;
+    double transformed = 0;
     double scale = 1;
     double gap = 0.1;
 };
@@ -32,10 +32,10 @@ std::string scene_text(const Change& change) {
     };
     const auto length = [&](double value) { return number(change.scale * value) + " "; };
     const auto point = [&](double x, double y, double z) {
-        const auto moved = [&](double value) {
-            return number(change.scale * value + change.moved);
+        const auto transformed = [&](double value) {
+            return number(change.scale * value + change.transformed);
         };
-        return moved(x) + "," + moved(y) + "," + moved(z) + " ";
+        return transformed(x) + "," + transformed(y) + "," + transformed(z) + " ";
     };
     return "A 0.16 255,255,255\nC " + point(0.1, 2.3, 7) + "-0.015,-0.27,-1 43\nL " +
            point(-4.5, 5.2, 3.4) + "0.7 255,196,130\nL " + point(5.2, 4.4, 2.6) +
@@ -55,7 +55,7 @@ Drawing picture_of(const Change& change, const Draw& draw) {
     const auto file = std::filesystem::temp_directory_path() /
                       ("input_rounding." + std::to_string(getpid()) + ".rt");
     std::ofstream(file) << scene_text(change);
-    Drawing drawing = draw(file.string(), size, Look{});
+    Drawing drawing = draw(file.string(), size, RenderSettings{});
     std::filesystem::remove(file);
     return drawing;
 }
@@ -63,7 +63,8 @@ Drawing picture_of(const Change& change, const Draw& draw) {
 std::vector<Change> changes() {
     std::vector<Change> all;
     for (int power = 1; power <= 12; ++power)
-        all.push_back({.name = "moved", .at = std::pow(10, power), .moved = std::pow(10, power)});
+        all.push_back(
+            {.name = "moved", .at = std::pow(10, power), .transformed = std::pow(10, power)});
     for (int power = -12; power <= 12; power += 3)
         all.push_back({.name = "scaled", .at = std::pow(10, power), .scale = std::pow(10, power)});
     for (int power = -1; power >= -16; --power)
@@ -81,16 +82,16 @@ void print(const Change& change, const char* precision, const Drawing& drawing,
 }  // namespace
 
 int main() {
-    const Drawing unchanged = picture_of({}, f64::drawn);
+    const Drawing unchanged = picture_of({}, f64::rendered);
     // So thin that it moves no edge of the picture, and easy for double.
-    const Drawing thin = picture_of({.gap = 1e-9}, f64::drawn);
+    const Drawing thin = picture_of({.gap = 1e-9}, f64::rendered);
     constexpr double visible = 2e-5;
     std::puts("change,at,precision,error,most,other,seen");
     for (const Change& change : changes()) {
-        const Drawing in_double = picture_of(change, f64::drawn);
+        const Drawing in_double = picture_of(change, f64::rendered);
         const bool has_own_gap = std::string_view(change.name) == "gap";
         const Drawing& right = !has_own_gap ? unchanged : change.gap > visible ? in_double : thin;
-        print(change, "float", picture_of(change, f32::drawn), right);
+        print(change, "float", picture_of(change, f32::rendered), right);
         print(change, "double", in_double, right);
     }
 }

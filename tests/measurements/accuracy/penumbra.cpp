@@ -24,7 +24,7 @@ constexpr int rays_for_truth = 8192;
 
 /// A surface that an area light may light.
 struct Lit {
-    Surface surface;
+    ShadingPoint surface;
     Light light;
     Color color;  ///< the contribution of the whole light
     Pixel pixel;
@@ -33,13 +33,13 @@ struct Lit {
 
 bool is_blocked(const Scene& scene, const ShadowRay& way) {
     Context context;
-    Blocker blocker(way.ray, way.interval, context);
-    among_shapes(blocker, scene);
-    return blocker.found();
+    AnyHit any_hit(way.ray, way.interval, context);
+    visit_shapes(any_hit, scene);
+    return any_hit.found();
 }
 
 bool reaches(const Scene& scene, const Lit& lit, Vec2 sample) {
-    const Vec3 aim = light_point(lit.light, lit.surface.point, sample);
+    const Vec3 aim = sample_light(lit.light, lit.surface.point, sample);
     return !is_blocked(scene, shadow_ray(lit.surface, aim));
 }
 
@@ -79,7 +79,7 @@ ShadowRays well_spread(const Scene& scene, const Lit& lit, int rays) {
 
 ShadowRays adaptive(const Scene& scene, const Lit& lit, int rays) {
     ShadowRays sent;
-    const Context context{.look = {.shadow_error = 255.0 / rays}};
+    const Context context{.settings = {.shadow_error = 255.0 / rays}};
     const std::uint32_t seed = seed_of(lit, 0);
     while (sent.sent < 1024 && !accurate(sent, lit.color, context)) {
         sent.reached += reaches(scene, lit, spread_sample(std::uint32_t(sent.sent), seed));
@@ -103,11 +103,11 @@ std::vector<Lit> all_lit(const Scene& scene) {
         for (pixel.column = 0; pixel.column < size.width; ++pixel.column) {
             const Ray ray = ray_of(pixel);
             Context context;
-            Nearest nearest(ray, context);
-            among_shapes(nearest, scene);
-            const auto hit = nearest.hit();
+            ClosestHit closest(ray, context);
+            visit_shapes(closest, scene);
+            const auto hit = closest.hit();
             if (!hit) continue;
-            const Surface surface = surface_at(*hit, ray);
+            const ShadingPoint surface = shading_point(*hit, ray);
             for (const Light& light : scene.lights) {
                 const Color color = diffuse_term(surface, light) + specular_term(surface, light);
                 if (light.radius > 0 && color != Color(0))
@@ -128,7 +128,7 @@ void measure(const Scene& scene, const std::vector<Lit>& all, const Way& way, in
     for (const Lit& lit : all) {
         const ShadowRays result = way.send(scene, lit, rays);
         const double strongest = std::max({lit.color.r, lit.color.g, lit.color.b});
-        const double error = 255 * strongest * std::abs(lit_share(result) - lit.truth);
+        const double error = 255 * strongest * std::abs(visibility(result) - lit.truth);
         squares += error * error;
         most = std::max(most, error);
         sent += result.sent;
@@ -142,7 +142,8 @@ void measure(const Scene& scene, const std::vector<Lit>& all, const Way& way, in
 }  // namespace
 
 int main() {
-    const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/step11_soft_shadows.rt", basis_around);
+    const Scene scene =
+        load_scene(RAYSTEPS_ROOT "/scenes/step11_soft_shadows.rt", orthonormal_basis);
     std::vector<Lit> all = all_lit(scene);
     for (Lit& lit : all) {
         // Another seed than those that are measured.
@@ -150,7 +151,7 @@ int main() {
         for (; sent.sent < rays_for_truth; ++sent.sent)
             sent.reached +=
                 reaches(scene, lit, spread_sample(std::uint32_t(sent.sent), seed_of(lit, -1)));
-        lit.truth = lit_share(sent);
+        lit.truth = visibility(sent);
     }
     std::puts("way,asked,rays,microseconds,error,most");
     for (const int rays : {1, 4, 16, 64, 256, 1024})

@@ -39,8 +39,8 @@ int main(int /*count*/, char** arguments) {
     std::puts("scene,precision,seconds,error,most,other,seen,edges");
     for (const auto& scene : all_scenes()) {
         const Drawing exact = certified(other);
-        print(scene.stem(), "float", f32::drawn(scene, size, {}), exact);
-        print(scene.stem(), "double", f64::drawn(scene, size, {}), exact);
+        print(scene.stem(), "float", f32::rendered(scene, size, {}), exact);
+        print(scene.stem(), "double", f64::rendered(scene, size, {}), exact);
         print(scene.stem(), "exact", exact, exact);
     }
     return pclose(other);

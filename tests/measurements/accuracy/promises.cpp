@@ -34,13 +34,16 @@ public:
     Run(Trials& scene, int run) : scene_(scene), first_round_((run + 1) * rounds) {}
 
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution(); }
-    [[nodiscard]] Demands demands() const override { return scene_.demands(); }
-    void arrange(std::size_t hierarchy_from) override { scene_.arrange(hierarchy_from); }
+    [[nodiscard]] SceneTraits traits() const override { return scene_.traits(); }
+    void build_acceleration(std::size_t hierarchy_from) override {
+        scene_.build_acceleration(hierarchy_from);
+    }
 
-    [[nodiscard]] Shot shot(const Look& look, const ShotSettings& settings) const override {
-        ShotSettings own = settings;
+    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
+                                   const SampleRequest& settings) const override {
+        SampleRequest own = settings;
         own.round += first_round_;
-        Shot shot = scene_.shot(look, own);
+        PixelSample shot = scene_.shot(settings, own);
         rays_ += shot.rays * double(settings.pixels.size());
         return shot;
     }
@@ -78,21 +81,21 @@ public:
     Subject(const std::filesystem::path& scene, Resolution size) {
         options_.scene = scene.string();
         options_.size = size;
-        in_double_ = f64::open_session(program, options_);
+        in_double_ = f64::make_renderer(program, options_);
         pixels_ = all_pixels(size);
-        const Look look = to_error(Look(), 1.0 / 8, 0);
-        right_ = shot(*in_double_, look, truth_round);
-        one_ray_ = shot(*in_double_, with_rays(Look(), 1), truth_round + 1);
+        const RenderSettings settings = to_error(RenderSettings(), 1.0 / 8, 0);
+        right_ = shot(*in_double_, settings, truth_round);
+        one_ray_ = shot(*in_double_, with_rays(RenderSettings(), 1), truth_round + 1);
     }
 
     /// Of 10 numbers of rays, and of ladders of errors, one for each number of rays that agree.
     [[nodiscard]] double fewest_rays(double tolerance) const {
         double fewest = std::numeric_limits<double>::infinity();
         for (const int samples : {1, 2, 4, 8, 16, 32, 64, 128, 256, 512})
-            if (try_one(with_rays(Look(), samples), tolerance, fewest)) break;
+            if (try_one(with_rays(RenderSettings(), samples), tolerance, fewest)) break;
         for (int agree = 4; agree <= 256; agree *= 2)
             for (double error = 1.4 * tolerance; error > tolerance / 4; error /= std::pow(2, 0.25))
-                if (try_one(to_error(Look(), error, agree), tolerance, fewest)) break;
+                if (try_one(to_error(RenderSettings(), error, agree), tolerance, fewest)) break;
         return fewest;
     }
 
@@ -100,7 +103,7 @@ public:
         Beyond beyond;
         double picture = 0;  ///< rays
         double trials = 0;
-        Look look;
+        RenderSettings settings;
     };
 
     [[nodiscard]] Outcome outcome(double tolerance, int number) {
@@ -109,36 +112,39 @@ public:
         options.tolerance = tolerance;
         options.threads = 1 + number % most_threads;
         Run run(*in_double_, number);
-        std::unique_ptr<Session> in_float;
+        std::unique_ptr<Renderer> in_float;
         std::unique_ptr<Run> float_run;
         const auto open_float = [&]() -> Trials& {
-            in_float = f32::open_session(program, options);
+            in_float = f32::make_renderer(program, options);
             float_run = std::make_unique<Run>(*in_float, number);
             return *float_run;
         };
-        const Choice choice = choose(run, open_float, options, Clock::now(), going_on).value();
+        const AutoSettings choice =
+            choose(run, open_float, options, Clock::now(), going_on).value();
         const double trials = run.rays() + (float_run ? float_run->rays() : 0);
         const Trials& chosen = choice.in_float ? *float_run : run;
-        const Shot picture = shot(chosen, choice.expected.look, 0);
+        const PixelSample picture = shot(chosen, choice.expected.settings, 0);
         return {.beyond = beyond(picture, tolerance),
                 .picture = picture.rays * double(pixels_.size()),
                 .trials = trials,
-                .look = choice.expected.look};
+                .settings = choice.expected.settings};
     }
 
 private:
     inline static const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
 
-    [[nodiscard]] Shot shot(const Trials& trials, const Look& look, int round) const {
-        return trials.shot(look, {.pixels = pixels_, .round = round, .threads = 2});
+    [[nodiscard]] PixelSample shot(const Trials& trials, const RenderSettings& settings,
+                                   int round) const {
+        return trials.shot(settings, {.pixels = pixels_, .round = round, .threads = 2});
     }
 
     /// Returns whether finer looks take more than the fewest rays that keep the tolerance. Judged
     /// by two pictures: one alone may be lucky.
-    [[nodiscard]] bool try_one(const Look& look, double tolerance, double& fewest) const {
+    [[nodiscard]] bool try_one(const RenderSettings& settings, double tolerance,
+                               double& fewest) const {
         double rays = 0;
         for (const int round : {truth_round + 2, truth_round + 3}) {
-            const Shot picture = shot(*in_double_, look, round);
+            const PixelSample picture = shot(*in_double_, settings, round);
             rays = picture.rays * double(pixels_.size());
             if (rays >= fewest) return true;
             if (!beyond(picture, tolerance).as_promised()) return false;
@@ -147,7 +153,7 @@ private:
         return true;
     }
 
-    [[nodiscard]] Beyond beyond(const Shot& picture, double tolerance) const {
+    [[nodiscard]] Beyond beyond(const PixelSample& picture, double tolerance) const {
         std::map<int, std::pair<int, int>> tiles;  // pixels beyond, and all
         double all = 0;
         double in_penumbrae = 0;
@@ -171,10 +177,10 @@ private:
     }
 
     Options options_{};
-    std::unique_ptr<Session> in_double_;
+    std::unique_ptr<Renderer> in_double_;
     std::vector<Pixel> pixels_;
-    Shot right_;
-    Shot one_ray_;
+    PixelSample right_;
+    PixelSample one_ray_;
 };
 
 void measure(const std::filesystem::path& scene, Resolution size, int runs, bool tell_all) {
@@ -197,8 +203,8 @@ void measure(const std::filesystem::path& scene, Resolution size, int runs, bool
             most = std::max(most, (outcome.trials + outcome.picture) / fewest);
             if (tell_all)
                 std::fprintf(stderr, "%s e%.2g a%d n%d: %.3f + %.3f, off %.4f %.3f %.3f%s\n",
-                             scene.stem().c_str(), outcome.look.shadow_error,
-                             outcome.look.shadow_agree, outcome.look.shadow_samples,
+                             scene.stem().c_str(), outcome.settings.shadow_error,
+                             outcome.settings.shadow_agree, outcome.settings.shadow_samples,
                              outcome.trials / fewest, outcome.picture / fewest, outcome.beyond.all,
                              outcome.beyond.in_penumbrae, outcome.beyond.in_worst_tile,
                              outcome.beyond.as_promised() ? "" : " BROKEN");
@@ -224,8 +230,8 @@ int main(int count, char** arguments) {
         Options options{};
         options.scene = scene.string();
         const auto session =
-            f64::open_session(Program{.stage = 13, .root = RAYSTEPS_ROOT}, options);
-        if (!session->demands().sized_lights) continue;
+            f64::make_renderer(Program{.stage = 13, .root = RAYSTEPS_ROOT}, options);
+        if (!session->traits().sized_lights) continue;
         for (const Resolution size : sizes)
             if (width == 0 || size.width == width) measure(scene, size, runs, count > 4);
     }

@@ -8,8 +8,8 @@
 namespace rt {
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
-    const Ray moved{.origin = ray.origin + position, .direction = ray.direction};
-    return correct_to_world(moved, basis, Vec3(0));
+    const Ray transformed{.origin = ray.origin + position, .direction = ray.direction};
+    return correct_to_world(transformed, basis, Vec3(0));
 }
 
 }  // namespace rt

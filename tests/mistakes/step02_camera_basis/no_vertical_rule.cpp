@@ -1,15 +1,15 @@
 // origin: seen in student repositories
 // caught by: a vertical view takes X = (1, 0, 0) (MRT §2)
 // sentence: Looking straight up, (0, 1, 0) ∧ Z is 0, and 0 / 0 is NaN. MRT §2 takes X = (1, 0, 0) there.
-#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef basis_around
+#undef orthonormal_basis
 #undef camera_basis
 
 namespace rt {
 
-Basis basis_around(Vec3 towards) {
+Basis orthonormal_basis(Vec3 towards) {
     const Vec3 z = unit(towards);
     const bool vertical = z.x == 0 && z.z == 0;
     const Vec3 x = unit(cross(Vec3(0, 1, 0), z));
@@ -17,7 +17,7 @@ Basis basis_around(Vec3 towards) {
 }
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
 }  // namespace rt

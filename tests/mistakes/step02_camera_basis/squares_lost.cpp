@@ -1,10 +1,10 @@
 // origin: invented: v / √⟨v, v⟩ of a very short or very long v
 // caught by: the direction has any length but zero (MRT §2)
 // sentence: You square the direction's components: a very short one's squares are 0, a very long one's ∞. Divide by the largest component first.
-#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef basis_around
+#undef orthonormal_basis
 #undef camera_basis
 
 namespace rt {
@@ -17,7 +17,7 @@ Vec3 by_squares(Vec3 v) {
 
 }  // namespace
 
-Basis basis_around(Vec3 towards) {
+Basis orthonormal_basis(Vec3 towards) {
     const Vec3 z = by_squares(towards);
     const bool vertical = z.x == 0 && z.z == 0;
     const Vec3 x = vertical ? Vec3(1, 0, 0) : by_squares(cross(Vec3(0, 1, 0), z));
@@ -25,7 +25,7 @@ Basis basis_around(Vec3 towards) {
 }
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
 }  // namespace rt

@@ -8,10 +8,10 @@
 namespace rt {
 
 Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
-    const auto turned = [&](Vec3 v) {
+    const auto rotated = [&](Vec3 v) {
         return Vec3(dot(v, basis.x), dot(v, basis.y), dot(v, basis.z));
     };
-    return {.origin = position + turned(ray.origin), .direction = turned(ray.direction)};
+    return {.origin = position + rotated(ray.origin), .direction = rotated(ray.direction)};
 }
 
 }  // namespace rt

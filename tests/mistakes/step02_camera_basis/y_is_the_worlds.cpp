@@ -1,15 +1,15 @@
 // origin: invented: (0, 1, 0) kept for Y
 // caught by: X is made unit length when the camera is pitched (erratum 3, MRT §2)
 // sentence: You keep (0, 1, 0) for Y. It must be at right angles to Z: Z ∧ X.
-#define basis_around(...) correct_basis_around(__VA_ARGS__)
+#define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"
-#undef basis_around
+#undef orthonormal_basis
 #undef camera_basis
 
 namespace rt {
 
-Basis basis_around(Vec3 towards) {
+Basis orthonormal_basis(Vec3 towards) {
     const Vec3 z = unit(towards);
     const bool vertical = z.x == 0 && z.z == 0;
     const Vec3 x = vertical ? Vec3(1, 0, 0) : unit(cross(Vec3(0, 1, 0), z));
@@ -17,7 +17,7 @@ Basis basis_around(Vec3 towards) {
 }
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(-direction);
+    return orthonormal_basis(-direction);
 }
 
 }  // namespace rt

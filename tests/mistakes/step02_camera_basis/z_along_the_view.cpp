@@ -8,7 +8,7 @@
 namespace rt {
 
 Basis camera_basis(Vec3 direction) {
-    return basis_around(direction);
+    return orthonormal_basis(direction);
 }
 
 }  // namespace rt

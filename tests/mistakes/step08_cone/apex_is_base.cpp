@@ -8,10 +8,10 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    Cone turned = cone;
-    turned.apex = cone.apex + cone.height * cone.axis;
-    turned.axis = -cone.axis;
-    return correct_intersect(ray, turned, interval);
+    Cone rotated = cone;
+    rotated.apex = cone.apex + cone.height * cone.axis;
+    rotated.axis = -cone.axis;
+    return correct_intersect(ray, rotated, interval);
 }
 
 }  // namespace rt

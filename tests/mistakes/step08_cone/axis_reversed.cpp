@@ -8,9 +8,9 @@
 namespace rt {
 
 std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval) {
-    Cone turned = cone;
-    turned.axis = -cone.axis;
-    return correct_intersect(ray, turned, interval);
+    Cone rotated = cone;
+    rotated.axis = -cone.axis;
+    return correct_intersect(ray, rotated, interval);
 }
 
 }  // namespace rt

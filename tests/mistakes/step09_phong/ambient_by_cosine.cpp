@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color ambient_term(const Surface& surface, const Ambient& ambient) {
+Color ambient_term(const ShadingPoint& surface, const Ambient& ambient) {
     return dot(surface.normal, surface.to_eye) * correct_ambient_term(surface, ambient);
 }
 

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     return surface.material.color * correct_diffuse_term(surface, light);
 }
 

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Color ambient = Real(0.1) * light.color * surface.material.color;
     return ambient + correct_diffuse_term(surface, light);
 }

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Real theta = std::acos(dot(unit(light.position - surface.point), surface.normal));
     if (!(theta < pi / 2)) return Color(0);
     return std::cos(theta) * light.brightness * light.color * surface.material.color;

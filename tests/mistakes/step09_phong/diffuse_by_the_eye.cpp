@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 to_light = unit(light.position - surface.point);
     const Real cosine = dot(to_light, surface.normal);
     if (!(cosine > 0)) return Color(0);

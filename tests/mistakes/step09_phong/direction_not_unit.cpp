@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Real cosine = dot(light.position - surface.point, surface.normal);
     if (!(cosine > 0)) return Color(0);
     return cosine * light.brightness * light.color * surface.material.color;

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 to_light = light.position - surface.point;
     if (!(dot(to_light, surface.normal) > 0)) return Color(0);
     const Real alpha = dot(reflected(to_light, surface.normal), surface.to_eye);

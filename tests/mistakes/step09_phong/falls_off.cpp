@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color diffuse_term(const Surface& surface, const Light& light) {
+Color diffuse_term(const ShadingPoint& surface, const Light& light) {
     const Vec3 way = light.position - surface.point;
     return correct_diffuse_term(surface, light) / (1 + dot(way, way));
 }

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Color specular_term(const Surface& surface, const Light& light) {
+Color specular_term(const ShadingPoint& surface, const Light& light) {
     return surface.material.color * correct_specular_term(surface, light);
 }
 

@@ -7,8 +7,8 @@
 
 namespace rt {
 
-Color specular_term(const Surface& surface, const Light& light) {
-    Surface whole = surface;
+Color specular_term(const ShadingPoint& surface, const Light& light) {
+    ShadingPoint whole = surface;
     whole.material.shininess = std::trunc(surface.material.shininess);
     return correct_specular_term(whole, light);
 }

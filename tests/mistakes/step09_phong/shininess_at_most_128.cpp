@@ -9,8 +9,8 @@
 
 namespace rt {
 
-Color specular_term(const Surface& surface, const Light& light) {
-    Surface dull = surface;
+Color specular_term(const ShadingPoint& surface, const Light& light) {
+    ShadingPoint dull = surface;
     dull.material.shininess = std::min(surface.material.shininess, Real(128));
     return correct_specular_term(dull, light);
 }

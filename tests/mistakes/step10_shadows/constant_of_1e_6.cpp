@@ -7,8 +7,8 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    const Vec3 origin = surface.point + Real(1e-6) * surface.side;
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
+    const Vec3 origin = surface.point + Real(1e-6) * surface.geometric_normal;
     const Vec3 direction = light - origin;
     return {.ray = {.origin = origin, .direction = direction},
             .interval = {.min = 0, .max = Real(0.999)}};

@@ -9,7 +9,7 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
     const Vec3 origin = surface.point;
     const Vec3 direction = unit(light - origin);
     return {.ray = {.origin = origin, .direction = direction},

@@ -1,13 +1,13 @@
 // origin: invented: t > error in place of an offset
 // caught by: a point that is off its surface by its error still sees the light (contract)
-// sentence: You leave out the first part of the ray, but where it grazes the surface it is still inside by then. Move the origin along surface.side.
+// sentence: You leave out the first part of the ray, but where it grazes the surface it is still inside by then. Move the origin along surface.geometric_normal.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
     const Vec3 origin = surface.point;
     const Vec3 direction = light - origin;
     return {.ray = {.origin = origin, .direction = direction},

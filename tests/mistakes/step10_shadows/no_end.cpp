@@ -7,8 +7,8 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    const Vec3 origin = surface.point + surface.error * surface.side;
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
+    const Vec3 origin = surface.point + surface.error * surface.geometric_normal;
     const Vec3 direction = light - origin;
     return {.ray = {.origin = origin, .direction = direction}, .interval = {}};
 }

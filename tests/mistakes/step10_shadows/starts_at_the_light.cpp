@@ -7,7 +7,7 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
     const Vec3 origin = light;
     const Vec3 direction = surface.point - light;
     return {.ray = {.origin = origin, .direction = direction}, .interval = {.min = 0, .max = 1}};

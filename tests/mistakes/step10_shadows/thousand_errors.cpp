@@ -7,8 +7,8 @@
 
 namespace rt {
 
-ShadowRay shadow_ray(const Surface& surface, Vec3 light) {
-    const Vec3 origin = surface.point + 1000 * surface.error * surface.side;
+ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light) {
+    const Vec3 origin = surface.point + 1000 * surface.error * surface.geometric_normal;
     const Vec3 direction = light - origin;
     return {.ray = {.origin = origin, .direction = direction},
             .interval = {.min = 0, .max = Real(0.999)}};

@@ -1,13 +1,13 @@
 // origin: invented: stage 10 once more
 // caught by: another sample is another point (CR §3.3)
 // sentence: You aim at the light's center, whatever the sample: the shadow stays hard.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     return light.position;
 }
 

@@ -1,13 +1,13 @@
 // origin: invented: cos θ = 1 − x (1 − cos θ_max), sin θ = √(1 − cos² θ)
 // caught by: a light so small that sin² is less than a rounding is sampled all over (contract)
 // sentence: Of a small light cos θ_max rounds to 1, and all your points are one. 1 − cos θ_max is sin² / (1 + cos), and sin² is known.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     if (!(distance(from, light.position) > light.radius)) return light.position;
     const Real distance = length(from - light.position);
     const Real sine_max = light.radius / distance;

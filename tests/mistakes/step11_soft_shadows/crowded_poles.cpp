@@ -1,13 +1,13 @@
 // origin: invented: two angles drawn evenly
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: You draw two angles evenly: points all over the sphere, also on its far side, and crowded at its poles.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     if (!(distance(from, light.position) > light.radius)) return light.position;
     const Real polar = pi * sample.x;
     const Real turn = 2 * pi * sample.y;

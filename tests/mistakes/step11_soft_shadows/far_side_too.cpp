@@ -1,13 +1,13 @@
 // origin: invented: points all over the sphere
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Half of your points lie on the far side of the light, where they cannot be seen, and are counted free through the light itself. Take what is seen from the point.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     if (!(distance(from, light.position) > light.radius)) return light.position;
     const Real z = 1 - 2 * sample.x;
     const Real across = std::sqrt(1 - z * z);

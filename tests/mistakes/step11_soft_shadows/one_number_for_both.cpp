@@ -1,13 +1,13 @@
 // origin: invented: one coordinate of the sample used twice
 // caught by: the points are spread evenly over the solid angle that the light fills (CR §3.3)
 // sentence: You use one number for the distance and for the turn: your points lie on a spiral.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     return correct_light_point(light, from, {sample.x, sample.x});
 }
 

@@ -1,13 +1,13 @@
 // origin: invented: the radius taken for the diameter
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
 // sentence: Your light is half as large: light.radius is not the diameter.
-#define light_point(...) correct_light_point(__VA_ARGS__)
+#define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
-#undef light_point
+#undef sample_light
 
 namespace rt {
 
-Vec3 light_point(const Light& light, Vec3 from, Vec2 sample) {
+Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
     Light small = light;
     small.radius /= 2;
     return correct_light_point(small, from, sample);

@@ -7,9 +7,9 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
-    Surface flat = surface;
-    flat.normal = surface.side;
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
+    ShadingPoint flat = surface;
+    flat.normal = surface.geometric_normal;
     return correct_mirrored(ray, flat);
 }
 

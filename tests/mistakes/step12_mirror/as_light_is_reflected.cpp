@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Ray sent = correct_mirrored(ray, surface);
     sent.direction = 2 * dot(ray.direction, surface.normal) * surface.normal - ray.direction;
     return sent;

@@ -7,9 +7,9 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Ray sent = correct_mirrored(ray, surface);
-    const Vec3 n = surface.normal + surface.side;  // meant as the mean of both
+    const Vec3 n = surface.normal + surface.geometric_normal;  // meant as the mean of both
     sent.direction = ray.direction - 2 * dot(ray.direction, n) * n;
     return sent;
 }

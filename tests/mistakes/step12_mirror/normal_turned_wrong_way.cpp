@@ -9,7 +9,7 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     // As if it were outward: "inside" is where it and the way to the centre agree.
     const bool inside = dot(surface.point, surface.normal) < 0;
     const Vec3 n = inside ? -surface.normal : surface.normal;

@@ -7,9 +7,9 @@
 
 namespace rt {
 
-Ray mirrored(const Ray& ray, const Surface& surface) {
+Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
     Ray sent = correct_mirrored(ray, surface);
-    sent.origin = surface.point + Real(0.0001) * surface.side;
+    sent.origin = surface.point + Real(0.0001) * surface.geometric_normal;
     return sent;
 }
 

@@ -14,8 +14,8 @@ std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval i
 }
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
-    Box box;
-    for (const Vec3& vertex : mesh.vertices) box = united(box, vertex);
+    BoundingBox box;
+    for (const Vec3& vertex : mesh.vertices) box = merged(box, vertex);
     if (mesh.triangles.empty()) return std::nullopt;
     const auto inside = overlap(ray, box, interval);
     if (!inside) return std::nullopt;

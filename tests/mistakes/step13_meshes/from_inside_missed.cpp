@@ -7,7 +7,7 @@
 
 namespace rt {
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     Real enters = -infinity;
     Real leaves = interval.max;
     for (int axis = 0; axis < 3; ++axis) {

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-std::optional<Interval> overlap(const Ray& ray, const Box& box, Interval interval) {
+std::optional<Interval> overlap(const Ray& ray, const BoundingBox& box, Interval interval) {
     if (std::isnan(dot(ray.origin, ray.direction))) return std::nullopt;
     for (int axis = 0; axis < 3; ++axis) {
         const bool backwards = ray.direction[axis] < 0;

@@ -25,7 +25,7 @@ using Draw = rt::Drawing (*)(const std::string&, rt::Resolution);
 
 /// The result of one precision.
 struct Tally {
-    int drawn = 0;
+    int rendered = 0;
     int valid = 0;  ///< among these
     int wrong = 0;  ///< valid but refused or slow, or with a pixel that is not a number
     double seconds = 0;
@@ -49,7 +49,7 @@ void add(Tally& tally, const rt::Verdict& verdict, const rt::Drawing& drawing) {
         ++tally.wrong;
         return;
     }
-    ++tally.drawn;
+    ++tally.rendered;
     if (is_valid(verdict)) ++tally.valid;
     tally.seconds += drawing.seconds;
     if (drawing.not_a_number > 0) {
@@ -81,7 +81,7 @@ bool check(const std::filesystem::path& folder, const std::string& pictures) {
          {std::pair<const char*, Draw>{"float", rt::f32::draw}, {"double", rt::f64::draw}}) {
         std::printf("%s: wrong, or longer than %.0f s\n", precision, long_time);
         const Tally tally = draw_all(folder, pictures, precision, draw);
-        std::printf("  %d scenes drawn, %d of them valid, %d wrong, %.1f s\n", tally.drawn,
+        std::printf("  %d scenes drawn, %d of them valid, %d wrong, %.1f s\n", tally.rendered,
                     tally.valid, tally.wrong, tally.seconds);
         passed = passed && tally.wrong == 0;
     }

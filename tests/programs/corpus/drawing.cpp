@@ -15,9 +15,9 @@ Drawing RT_PRECISION::draw(const std::string& file, Resolution size) {
     Drawing drawing;
     try {
         const std::clock_t start = std::clock();
-        Scene scene = load_scene(file, basis_around);
+        Scene scene = load_scene(file, orthonormal_basis);
         load_meshes(scene);
-        arrange(scene);
+        build_acceleration(scene);
         scene.resolution = size;
         auto rendering = render(scene, {.threads = 1});
         drawing.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;

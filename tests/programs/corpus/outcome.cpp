@@ -8,7 +8,7 @@ namespace rt {
 
 Outcome RT_PRECISION::read_outcome(const std::string& file, bool strict) {
     try {
-        static_cast<void>(load_scene(file, basis_around, {.strict = strict}));
+        static_cast<void>(load_scene(file, orthonormal_basis, {.strict = strict}));
         return {.accepted = true, .message = ""};
     } catch (const InputError& error) {
         return {.accepted = false, .message = error.what()};

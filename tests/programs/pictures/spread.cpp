@@ -23,19 +23,19 @@ Vec3 nudged(Vec3 v, Random& random) {
     return v + jitter * length(v) * Vec3(share(random), share(random), share(random));
 }
 
-void take_in(Rgb came, Rgb reference, Rgb& spread) {
-    for (std::size_t i = 0; i < came.size(); ++i)
+void take_in(Rgb got, Rgb reference, Rgb& spread) {
+    for (std::size_t i = 0; i < got.size(); ++i)
         spread[i] = std::max<std::uint8_t>(
-            spread[i], static_cast<std::uint8_t>(std::abs(came[i] - reference[i])));
+            spread[i], static_cast<std::uint8_t>(std::abs(got[i] - reference[i])));
 }
 
 }  // namespace
 
 void RT_PRECISION::widen(Image& spread, const Image& reference, const std::string& name) {
     Scene scene =
-        load_scene(RAYSTEPS_ROOT "/scenes/" + name + ".rt", basis_around, {.strict = true});
+        load_scene(RAYSTEPS_ROOT "/scenes/" + name + ".rt", orthonormal_basis, {.strict = true});
     load_meshes(scene);
-    arrange(scene);
+    build_acceleration(scene);
     const auto pixel_ray = pixel_rays(scene.cameras.front(), reference.resolution);
     Random random(2021);
     Context context;

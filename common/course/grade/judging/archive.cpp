@@ -71,7 +71,7 @@ Unpacked read_list(const std::string& text, const fs::path& folder) {
 
 }  // namespace
 
-std::optional<Unpacked> unpack(const Workshop& workshop, const fs::path& archive,
+std::optional<Unpacked> unpack(const BuildDirectory& workshop, const fs::path& archive,
                                const fs::path& folder, int megabytes) {
     const TemporaryFolder scratch(workshop.folder);
     const fs::path copy = scratch.path() / "archive";
@@ -82,7 +82,7 @@ std::optional<Unpacked> unpack(const Workshop& workshop, const fs::path& archive
     if (failed) return std::nullopt;
     fs::permissions(copy, fs::perms(0644));
     fs::permissions(scratch.path(), fs::perms(0755));
-    const Ending ending =
+    const ProcessResult ending =
         run_sealed(workshop, folder, {copy, tool}, {tool, copy, folder, std::to_string(megabytes)});
     const std::optional<std::string> list = plain_bytes(folder / "list", largest_list);
     Unpacked unpacked = read_list(list.value_or(""), folder);

@@ -28,7 +28,7 @@ struct Unpacked {
 /// sources with nearly the name of a stage's file. `most_megabytes` bounds their total size.
 /// Returns nothing if the archive cannot be read at all. Throws ProgramError or filesystem_error if
 /// the grader itself fails.
-[[nodiscard]] std::optional<Unpacked> unpack(const Workshop& workshop,
+[[nodiscard]] std::optional<Unpacked> unpack(const BuildDirectory& workshop,
                                              const std::filesystem::path& archive,
                                              const std::filesystem::path& folder, int megabytes);
 

@@ -128,7 +128,7 @@ void lay_out(const Unpacked& unpacked, const fs::path& folder) {
 
 class Finding {
 public:
-    Finding(const Workshop& workshop, const fs::path& results)
+    Finding(const BuildDirectory& workshop, const fs::path& results)
         : workshop_(workshop), results_(results) {}
 
     void add_place(const fs::path& place) {
@@ -151,7 +151,7 @@ public:
             if (student != first)
                 leave(key.first.has_filename() ? key.first : key.first.parent_path(),
                       "is graded as " + student + ", since there is another " + first);
-            all.envelopes.push_back({.student = student, .pieces = std::move(pieces)});
+            all.submissions.push_back({.student = student, .pieces = std::move(pieces)});
         }
         all.left_over = std::move(left_over_);
         return all;
@@ -259,7 +259,7 @@ private:
         return true;
     }
 
-    const Workshop& workshop_;
+    const BuildDirectory& workshop_;
     const fs::path& results_;
     // By place and name: for files with a platform's label, the place is their folder.
     std::map<std::pair<fs::path, std::string>, std::vector<Piece>> by_student_;
@@ -268,12 +268,12 @@ private:
 
 }  // namespace
 
-ClassFolder find_class(const Workshop& workshop, const std::vector<fs::path>& places,
+ClassFolder find_class(const BuildDirectory& workshop, const std::vector<fs::path>& places,
                        const fs::path& results) {
     Finding finding(workshop, results);
     for (const fs::path& place : places) finding.add_place(place);
     ClassFolder found = finding.found();
-    if (found.envelopes.empty()) {
+    if (found.submissions.empty()) {
         std::string why = "contains no submission";
         for (const std::string& each : found.left_over) why += "; " + each;
         throw InputError({places.at(0)}, why);
@@ -282,16 +282,17 @@ ClassFolder find_class(const Workshop& workshop, const std::vector<fs::path>& pl
 }
 
 ClassFolder one_submission(const std::vector<fs::path>& places) {
-    Envelope envelope;
+    Submission submission;
     for (const fs::path& place : places) {
         if (!fs::exists(place)) throw InputError({place}, "does not exist");
         const fs::path full = fs::absolute(place).lexically_normal();
         const std::string last =
             full.has_filename() ? full.filename() : full.parent_path().filename();
-        if (envelope.student.empty()) envelope.student = plain_name(without_archive_ending(last));
-        envelope.pieces.push_back({full, last});
+        if (submission.student.empty())
+            submission.student = plain_name(without_archive_ending(last));
+        submission.pieces.push_back({full, last});
     }
-    return {.envelopes = {envelope}};
+    return {.submissions = {submission}};
 }
 
 std::string plain_name(const std::string& text) {

@@ -11,9 +11,9 @@
 namespace rt::grade {
 
 struct ClassFolder {
-    std::vector<Envelope> envelopes;     ///< in the order of their places
-    std::vector<std::string> left_over;  ///< files that belong to no submission, with the reason:
-                                         ///< "list.txt: …"
+    std::vector<Submission> submissions;  ///< in the order of their places
+    std::vector<std::string> left_over;   ///< files that belong to no submission, with the reason:
+                                          ///< "list.txt: …"
 };
 
 /// Each place is a submission or a class: a folder or an archive of submissions. Folders of
@@ -22,7 +22,7 @@ struct ClassFolder {
 /// "doezoe_LATE_123_456_sphere.cpp". An archive of a class is unpacked in the workshop. Students'
 /// names stay different on case-insensitive file systems too. Throws InputError if a place does not
 /// exist, contains no submission, or may be either a class or a submission.
-[[nodiscard]] ClassFolder find_class(const Workshop& workshop,
+[[nodiscard]] ClassFolder find_class(const BuildDirectory& workshop,
                                      const std::vector<std::filesystem::path>& places,
                                      const std::filesystem::path& results = {});
 

@@ -63,7 +63,7 @@ std::string enumerated(const std::vector<std::string>& names) {
 /// Searches everything that a student submitted.
 class Search {
 public:
-    explicit Search(const Workshop& workshop) : workshop_(workshop) {}
+    explicit Search(const BuildDirectory& workshop) : workshop_(workshop) {}
 
     void add(const fs::path& place, const fs::path& name, int depth) {
         std::error_code none;
@@ -78,8 +78,8 @@ public:
                                                     : "a link, or not a regular file");
     }
 
-    [[nodiscard]] HandedIn chosen() {
-        HandedIn handed_in;
+    [[nodiscard]] SubmittedFiles chosen() {
+        SubmittedFiles handed_in;
         for (auto& [stage, found] : found_) choose(stage, found, handed_in);
         std::sort(others_.begin(), others_.end());
         handed_in.words_on_all = words_;
@@ -191,7 +191,7 @@ private:
             all.push_back(std::move(found));
     }
 
-    static void choose(int stage, std::vector<Found>& found, HandedIn& handed_in) {
+    static void choose(int stage, std::vector<Found>& found, SubmittedFiles& handed_in) {
         std::sort(found.begin(), found.end(),
                   [](const Found& a, const Found& b) { return rank(a) < rank(b); });
         const std::string name =
@@ -219,7 +219,7 @@ private:
         if (!words.empty()) handed_in.words[stage] = words;
     }
 
-    const Workshop& workshop_;
+    const BuildDirectory& workshop_;
     std::list<TemporaryFolder> taken_out_;
     std::map<int, std::vector<Found>> found_;
     std::vector<std::string> others_;  ///< sources of no stage's name
@@ -231,9 +231,9 @@ private:
 
 }  // namespace
 
-HandedIn take_in(const Workshop& workshop, const Envelope& envelope) {
+SubmittedFiles take_in(const BuildDirectory& workshop, const Submission& submission) {
     Search search(workshop);
-    for (const Piece& piece : envelope.pieces) {
+    for (const Piece& piece : submission.pieces) {
         // The folder's own name means nothing to the student. A place that the lecturer named may
         // be a link.
         if (fs::is_directory(piece.place))

@@ -17,13 +17,13 @@ struct Piece {
 };
 
 /// All of a student's files, unopened.
-struct Envelope {
+struct Submission {
     std::string student;  ///< safe as the name of a folder
     std::vector<Piece> pieces;
 };
 
 /// The contents of a submission, by stage.
-struct HandedIn {
+struct SubmittedFiles {
     std::map<int, std::string> files;
     std::map<int, std::string> words;  ///< notes: two files for one stage, names that nearly match
     std::string words_on_all;          ///< notes on archives that cannot be opened
@@ -34,6 +34,6 @@ struct HandedIn {
 /// files in a folder "tests" or "build", and after them files with a similar name ("Sphere.cpp").
 /// Links are not followed, and archives are opened only in the sandbox. Throws ProgramError or
 /// filesystem_error if the grader itself fails.
-[[nodiscard]] HandedIn take_in(const Workshop& workshop, const Envelope& envelope);
+[[nodiscard]] SubmittedFiles take_in(const BuildDirectory& workshop, const Submission& submission);
 
 }  // namespace rt::grade

@@ -39,8 +39,8 @@ std::string name_of(int stage) {
 
 /// Runs one of the project's programs with an untrusted worker, which the launcher seals. Throws
 /// Interrupted.
-Ending run_asking(const Grading& grading, int stage, const Command& program,
-                  const Command& variables, Clock::time_point until) {
+ProcessResult run_asking(const Grading& grading, int stage, const Command& program,
+                         const Command& variables, Clock::time_point until) {
     Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
                     "RAYSTEPS_LIMITS=" + worker_limits(stage)};
     command.insert(command.end(), variables.begin(), variables.end());
@@ -48,7 +48,7 @@ Ending run_asking(const Grading& grading, int stage, const Command& program,
     command.insert(command.end(), program.begin() + 1, program.end());
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
     if (left.count() <= 0) return {.out_of_time = true};
-    Ending ending = listen_to(command, left, grading.workshop.stop);
+    ProcessResult ending = run_captured(command, left, grading.workshop.stop);
     go_on(grading.workshop);
     if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
         throw Interrupted();
@@ -75,7 +75,7 @@ std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::pat
                       "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
                       "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
     variables.insert(variables.end(), more_variables.begin(), more_variables.end());
-    const Ending ending =
+    const ProcessResult ending =
         run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
                    variables, until);
     std::vector<CaseMark> cases;
@@ -133,9 +133,9 @@ bool is_out_of_time(const Mark& mark) {
 }
 
 /// The time limit of a stage that starts now.
-Clock::time_point end_of_asking(const Yardstick& yardstick) {
+Clock::time_point end_of_asking(const ReferenceResult& reference_result) {
     const std::chrono::duration<double> seconds = std::max<std::chrono::duration<double>>(
-        busy() * longest_asking, times_of_reference * yardstick.took);
+        busy() * longest_asking, times_of_reference * reference_result.took);
     return Clock::now() + std::chrono::ceil<std::chrono::milliseconds>(
                               std::min<std::chrono::duration<double>>(seconds, longest_of_all));
 }
@@ -171,8 +171,8 @@ void compile_reference(const Grading& grading, int stage) {
     const std::vector<fs::path> files =
         files_in(grading.project / "steps" / stage_name(stage) / "reference", ".cpp");
     const TemporaryFolder scratch(grading.workshop.folder);
-    const Made made = compile_submission(grading.workshop, stage, read_text(files.at(0)),
-                                         scratch.path() / "reference.o");
+    const Build made = compile_submission(grading.workshop, stage, read_text(files.at(0)),
+                                          scratch.path() / "reference.o");
     if (!made.succeeded)
         throw ProgramError("error: even the reference of " + name_of(stage) +
                            " does not compile in the sandbox. Is the compiler, or GLM, "
@@ -180,30 +180,31 @@ void compile_reference(const Grading& grading, int stage) {
                            made.words + "\n");
 }
 
-Yardstick judge_reference(const Grading& grading, int stage, const fs::path& folder) {
-    Yardstick yardstick{.worker = folder / (name_of(stage) + "_reference")};
-    const Made made = link_worker(grading.workshop, stage, {}, yardstick.worker);
+ReferenceResult judge_reference(const Grading& grading, int stage, const fs::path& folder) {
+    ReferenceResult reference_result{.worker = folder / (name_of(stage) + "_reference")};
+    const Build made = link_worker(grading.workshop, stage, {}, reference_result.worker);
     if (!made.succeeded) throw ProgramError(made.words);
     const auto start = Clock::now();
-    yardstick.cases = ask_suite(grading, stage, yardstick.worker, start + longest_of_all);
-    yardstick.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
-    for (const CaseMark& each : yardstick.cases)
+    reference_result.cases =
+        ask_suite(grading, stage, reference_result.worker, start + longest_of_all);
+    reference_result.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
+    for (const CaseMark& each : reference_result.cases)
         if (!each.passed)
             throw ProgramError("error: the reference of " + name_of(stage) +
                                " itself fails: " + each.name + "\n" + each.words);
-    yardstick.key = sha256_of_all(
+    reference_result.key = sha256_of_all(
         grading.seed, read_text(grading.build / (name_of(stage) + "_asked_test_double")),
-        read_text(yardstick.worker));
-    return yardstick;
+        read_text(reference_result.worker));
+    return reference_result;
 }
 
 /// A submission on the table.
-class Judge::Desk {
+class Judge::SubmissionJob {
 public:
-    Desk(const Grading& grading, const Envelope& envelope)
+    SubmissionJob(const Grading& grading, const Submission& submission)
         : grading_(grading),
-          student_(envelope.student),
-          handed_in_(take_in(grading.workshop, envelope)),
+          student_(submission.student),
+          handed_in_(take_in(grading.workshop, submission)),
           scratch_(grading.workshop.folder) {
         // The workers in this folder are run by unprivileged users.
         fs::permissions(scratch_.path(), fs::perms(0755));
@@ -231,12 +232,12 @@ public:
     }
 
     /// The hash of everything that decides the mark of a stage.
-    [[nodiscard]] std::string key(int stage, const Yardstick& yardstick) const {
-        return sha256_of_all(yardstick.key, words(stage), chain(stage));
+    [[nodiscard]] std::string key(int stage, const ReferenceResult& reference_result) const {
+        return sha256_of_all(reference_result.key, words(stage), chain(stage));
     }
 
     /// Compiled once.
-    const Made& compiled(int stage) {
+    const Build& compiled(int stage) {
         const auto known = compiled_.find(stage);
         if (known != compiled_.end()) return known->second;
         return compiled_[stage] =
@@ -244,10 +245,10 @@ public:
     }
 
     /// The worker of the student's stage, among the references.
-    Made link(int stage) { return link(stage, {{stage, object(stage)}}); }
+    Build link(int stage) { return link(stage, {{stage, object(stage)}}); }
 
     /// The worker of the student's own stages up to this one.
-    Made link_chain(int stage, Clock::time_point until) {
+    Build link_chain(int stage, Clock::time_point until) {
         std::map<int, fs::path> objects;
         for (int each = 1; each <= stage; ++each) {
             if (Clock::now() > until) return {};
@@ -268,19 +269,19 @@ private:
         return scratch_.path() / (name_of(stage) + ".o");
     }
 
-    Made link(int stage, const std::map<int, fs::path>& objects) {
+    Build link(int stage, const std::map<int, fs::path>& objects) {
         if (linked_ == std::pair(stage, objects)) return {.succeeded = true};  // it is there
         linked_ = {};
-        Made made = link_worker(grading_.workshop, stage, objects, worker());
+        Build made = link_worker(grading_.workshop, stage, objects, worker());
         if (made.succeeded) linked_ = {stage, objects};
         return made;
     }
 
     const Grading& grading_;
     std::string student_;
-    HandedIn handed_in_;
+    SubmittedFiles handed_in_;
     TemporaryFolder scratch_;
-    std::map<int, Made> compiled_;
+    std::map<int, Build> compiled_;
     std::pair<int, std::map<int, fs::path>> linked_;  ///< the stage and the objects of worker()
 };
 
@@ -289,7 +290,7 @@ namespace {
 /// The part of the picture that the student's own stages draw.
 std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
                                       const fs::path& file, Clock::time_point until) {
-    const Ending ending = run_asking(
+    const ProcessResult ending = run_asking(
         grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()}, {}, until);
     PictureMark mark{.file = file.filename()};
     if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) return {};
@@ -298,12 +299,12 @@ std::optional<PictureMark> picture_of(const Grading& grading, int stage, const f
 
 }  // namespace
 
-Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
-    const Yardstick& yardstick = yardsticks_.at(stage);
-    Mark mark{.student = desk.student(), .stage = stage, .words = desk.words(stage)};
-    for (const CaseMark& each : yardstick.cases) mark.most += each.points;
-    if (!desk.has(stage)) return mark;
-    mark.source = sha256(desk.text(stage));
+Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
+    const ReferenceResult& reference_result = yardsticks_.at(stage);
+    Mark mark{.student = job.student(), .stage = stage, .words = job.words(stage)};
+    for (const CaseMark& each : reference_result.cases) mark.most += each.points;
+    if (!job.has(stage)) return mark;
+    mark.source = sha256(job.text(stage));
     const std::string known = name_of(stage) + mark.source + mark.words;
     {
         const std::lock_guard lock(mutex_);
@@ -312,19 +313,19 @@ Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
             const Mark& same = found->second;
             if (!same.slice.empty())
                 fs::copy_file(student_folder(grading_.results, same.student) / same.slice,
-                              desk.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
+                              job.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
             return same;
         }
     }
-    Made made = desk.compiled(stage);
-    if (made.succeeded) made = desk.link(stage);
+    Build made = job.compiled(stage);
+    if (made.succeeded) made = job.link(stage);
     mark.verdict = made.succeeded ? Verdict::judged : Verdict::refused;
     mark.words += made.words;
     if (made.succeeded) {
-        mark.cases = ask_suite(grading_, stage, desk.worker(), until);
-        retell(mark.cases, grading_, stage, desk.worker(), until);
-        mark.cases = completed(mark.cases, yardstick.cases);
-        if (mark.points() < mark.most && !is_written(desk.text(stage))) {
+        mark.cases = ask_suite(grading_, stage, job.worker(), until);
+        retell(mark.cases, grading_, stage, job.worker(), until);
+        mark.cases = completed(mark.cases, reference_result.cases);
+        if (mark.points() < mark.most && !is_written(job.text(stage))) {
             mark.words +=
                 "Your file still contains RT_TODO: it was not compared with known mistakes.\n";
         } else if (is_out_of_time(mark)) {
@@ -332,13 +333,13 @@ Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
         } else if (mark.points() < mark.most) {
             const std::string probes =
                 grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
-            const Ending ending =
+            const ProcessResult ending =
                 run_asking(grading_, stage,
-                           {"diagnose", probes, desk.worker().string(), yardstick.worker.string(),
-                            desk.beside(stage, ".svg").string()},
+                           {"diagnose", probes, job.worker().string(),
+                            reference_result.worker.string(), job.beside(stage, ".svg").string()},
                            {}, until);
             if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
-            if (fs::exists(desk.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
+            if (fs::exists(job.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
         }
     }
     const std::lock_guard lock(mutex_);
@@ -346,54 +347,54 @@ Mark Judge::mark(Desk& desk, int stage, Clock::time_point until) {
     return mark;
 }
 
-std::optional<PictureMark> Judge::picture(Desk& desk, int stage, Clock::time_point until) {
-    const std::string known = name_of(stage) + desk.chain(stage);
+std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::time_point until) {
+    const std::string known = name_of(stage) + job.chain(stage);
     {
         const std::lock_guard lock(mutex_);
         const auto found = drawn_.find(known);
         if (found != drawn_.end()) {
             const auto& [student, mark] = found->second;
             fs::copy_file(student_folder(grading_.results, student) / mark.file,
-                          desk.beside(stage, ".png"), fs::copy_options::overwrite_existing);
+                          job.beside(stage, ".png"), fs::copy_options::overwrite_existing);
             return mark;
         }
     }
-    if (!desk.link_chain(stage, until).succeeded) return {};
+    if (!job.link_chain(stage, until).succeeded) return {};
     const std::optional<PictureMark> mark =
-        picture_of(grading_, stage, desk.worker(), desk.beside(stage, ".png"), until);
+        picture_of(grading_, stage, job.worker(), job.beside(stage, ".png"), until);
     const std::lock_guard lock(mutex_);
-    if (mark) drawn_[known] = {desk.student(), *mark};
+    if (mark) drawn_[known] = {job.student(), *mark};
     return mark;
 }
 
-void Judge::judge(Desk& desk, int stage) {
+void Judge::judge(SubmissionJob& job, int stage) {
     go_on(grading_.workshop);
-    const Yardstick& yardstick = yardsticks_.at(stage);
-    const std::string key = desk.key(stage, yardstick);
-    const std::optional<Mark> before = read_mark(grading_.results, desk.student(), stage);
+    const ReferenceResult& reference_result = yardsticks_.at(stage);
+    const std::string key = job.key(stage, reference_result);
+    const std::optional<Mark> before = read_mark(grading_.results, job.student(), stage);
     if (before && before->key == key) return;
-    const Clock::time_point until = end_of_asking(yardstick);
-    for (const char* ending : {".svg", ".png"}) fs::remove(desk.beside(stage, ending));
-    Mark came = mark(desk, stage, until);
-    came.student = desk.student();
+    const Clock::time_point until = end_of_asking(reference_result);
+    for (const char* ending : {".svg", ".png"}) fs::remove(job.beside(stage, ending));
+    Mark came = mark(job, stage, until);
+    came.student = job.student();
     came.key = key;
     if (came.verdict == Verdict::judged && !is_out_of_time(came))
-        came.picture = picture(desk, stage, until);
+        came.picture = picture(job, stage, until);
     write_mark(grading_.results, came);
 }
 
-std::string Judge::judge(const Envelope& envelope) {
+std::string Judge::judge(const Submission& submission) {
     auto next = yardsticks_.begin();
     try {
-        Desk desk(grading_, envelope);
-        for (; next != yardsticks_.end(); ++next) judge(desk, next->first);
+        SubmissionJob job(grading_, submission);
+        for (; next != yardsticks_.end(); ++next) judge(job, next->first);
         return "";
     } catch (const Interrupted&) {
         throw;
     } catch (const std::exception& error) {
         const std::string why = error.what();
         for (; next != yardsticks_.end(); ++next) {
-            Mark mark{.student = envelope.student,
+            Mark mark{.student = submission.student,
                       .stage = next->first,
                       .verdict = Verdict::refused,
                       .words =

@@ -16,13 +16,13 @@ struct Grading {
     std::filesystem::path project;
     std::filesystem::path build;
     std::filesystem::path results;
-    Workshop workshop;
+    BuildDirectory workshop;
     std::string seed;  ///< its identifier
     std::set<int> stages;
 };
 
 /// The reference's result: the points of each case of a stage.
-struct Yardstick {
+struct ReferenceResult {
     std::filesystem::path worker;  ///< built from the references alone
     std::string key;               ///< hash of everything that decides a mark, apart from the
                                    ///< student's files
@@ -36,32 +36,32 @@ void compile_reference(const Grading& grading, int stage);
 
 /// Grades the reference of a stage, and leaves its worker in the folder. Throws ProgramError if it
 /// does not get all points: then no submission could.
-[[nodiscard]] Yardstick judge_reference(const Grading& grading, int stage,
-                                        const std::filesystem::path& folder);
+[[nodiscard]] ReferenceResult judge_reference(const Grading& grading, int stage,
+                                              const std::filesystem::path& folder);
 
 /// Grades submissions, on several threads.
 class Judge {
 public:
-    Judge(const Grading& grading, std::map<int, Yardstick> yardsticks)
-        : grading_(grading), yardsticks_(std::move(yardsticks)) {}
+    Judge(const Grading& grading, std::map<int, ReferenceResult> reference_results)
+        : grading_(grading), yardsticks_(std::move(reference_results)) {}
 
     /// Writes a mark for each stage, unless an up-to-date mark exists. If the grader itself fails,
     /// returns the reason and writes it into the remaining marks, which the next run grades again.
     /// Throws Interrupted when the workshop is stopped.
-    [[nodiscard]] std::string judge(const Envelope& envelope);
+    [[nodiscard]] std::string judge(const Submission& submission);
 
 private:
-    class Desk;
+    class SubmissionJob;
 
     using Time = std::chrono::steady_clock::time_point;
 
-    void judge(Desk& desk, int stage);
+    void judge(SubmissionJob& job, int stage);
     // No worker gets a query after `until`.
-    [[nodiscard]] Mark mark(Desk& desk, int stage, Time until);
-    [[nodiscard]] std::optional<PictureMark> picture(Desk& desk, int stage, Time until);
+    [[nodiscard]] Mark mark(SubmissionJob& job, int stage, Time until);
+    [[nodiscard]] std::optional<PictureMark> picture(SubmissionJob& job, int stage, Time until);
 
     const Grading& grading_;
-    const std::map<int, Yardstick> yardsticks_;
+    const std::map<int, ReferenceResult> yardsticks_;
     std::mutex mutex_;
     // The results of identical files in this run, with the first student who submitted them.
     std::map<std::string, Mark> known_;                                 ///< by stage and file

@@ -48,23 +48,23 @@ bool is_frame(const std::string& line) {
 
 /// mold's errors, sorted: each is a line and the lines after it that start with ">>>".
 std::string sorted_errors(const std::string& words) {
-    std::vector<std::string> blocks;
+    std::vector<std::string> occludes;
     bool is_error = false;
     std::string before;
     std::string after;
     for (const std::string& line : lines_of(words)) {
         const bool starts = line.starts_with("mold: error: ");
         if (starts)
-            blocks.push_back(line + "\n");
+            occludes.push_back(line + "\n");
         else if (is_error && line.starts_with(">>>"))
-            blocks.back() += line + "\n";
+            occludes.back() += line + "\n";
         else
-            (blocks.empty() ? before : after) += line + "\n";
+            (occludes.empty() ? before : after) += line + "\n";
         is_error = starts || (is_error && line.starts_with(">>>"));
     }
-    if (blocks.empty()) return words;
-    std::sort(blocks.begin(), blocks.end());
-    for (const std::string& block : blocks) before += block;
+    if (occludes.empty()) return words;
+    std::sort(occludes.begin(), occludes.end());
+    for (const std::string& block : occludes) before += block;
     return before + after;
 }
 

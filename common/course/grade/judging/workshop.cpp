@@ -31,11 +31,11 @@ std::string name_of(int stage) {
     return std::string(stage_name(stage));
 }
 
-fs::path reference_of(const Workshop& workshop, int stage) {
+fs::path reference_of(const BuildDirectory& workshop, int stage) {
     return workshop.folder / "seats/references" / (name_of(stage) + ".o");
 }
 
-Options read_options(const Workshop& workshop, int stage) {
+Options read_options(const BuildDirectory& workshop, int stage) {
     const fs::path file = workshop.folder / "seats" / (name_of(stage) + ".txt");
     Options options;
     std::ifstream in(file);
@@ -54,15 +54,15 @@ void append(Command& command, const Options& options, const std::string& name) {
 }
 
 /// The project's headers that a file of the stage may include.
-fs::path headers_of(const Workshop& workshop, int stage) {
+fs::path headers_of(const BuildDirectory& workshop, int stage) {
     return workshop.folder / "headers" / name_of(stage);
 }
 
-fs::path header_of(const Workshop& workshop, int stage) {
+fs::path header_of(const BuildDirectory& workshop, int stage) {
     return headers_of(workshop, stage) / stage_header(stage);
 }
 
-StageFunctions functions_of(const Workshop& workshop, int stage) {
+StageFunctions functions_of(const BuildDirectory& workshop, int stage) {
     StageFunctions functions;
     std::ifstream in(workshop.folder / "seats/graded" / (name_of(stage) + ".txt"));
     for (std::string kind, symbol; in >> kind >> symbol;)
@@ -74,7 +74,7 @@ StageFunctions functions_of(const Workshop& workshop, int stage) {
     return functions;
 }
 
-Command compiler(const Workshop& workshop, int stage) {
+Command compiler(const BuildDirectory& workshop, int stage) {
     const Options options = read_options(workshop, stage);
     Command compile;
     append(compile, options, "compiler");
@@ -85,7 +85,7 @@ Command compiler(const Workshop& workshop, int stage) {
 
 /// True if a limit ended the tool. The limit that a bomb reaches first, and its progress until
 /// then, depend on the load of the machine.
-bool is_bomb(const Ending& ending) {
+bool is_bomb(const ProcessResult& ending) {
     const auto says = [&ending](const char* words) {
         return ending.output.find(words) != std::string::npos;
     };
@@ -95,7 +95,7 @@ bool is_bomb(const Ending& ending) {
 }
 
 /// The message about a failed tool: its own output, identical in every run.
-std::string told(const Ending& ending, const Workshop& workshop, int stage,
+std::string told(const ProcessResult& ending, const BuildDirectory& workshop, int stage,
                  const TemporaryFolder& scratch, const std::string& otherwise) {
     if (is_bomb(ending)) return otherwise + " took too much time or memory.";
     std::string words =
@@ -142,7 +142,7 @@ std::string refused_header(const std::string& words) {
     return "";
 }
 
-std::string told_of_compile(const Ending& ending, const Workshop& workshop, int stage,
+std::string told_of_compile(const ProcessResult& ending, const BuildDirectory& workshop, int stage,
                             const TemporaryFolder& scratch) {
     const std::string words = told(ending, workshop, stage, scratch, "The compile");
     const std::string header = refused_header(words);
@@ -151,7 +151,7 @@ std::string told_of_compile(const Ending& ending, const Workshop& workshop, int 
            name_of(stage) + ".md lists the allowed headers.\n" + words;
 }
 
-void copy_headers(const fs::path& project, const Workshop& workshop, int stage) {
+void copy_headers(const fs::path& project, const BuildDirectory& workshop, int stage) {
     for (const fs::path& header : allowed_headers(project, stage)) {
         const fs::path copy = headers_of(workshop, stage) / header;
         fs::create_directories(copy.parent_path());
@@ -170,8 +170,9 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 
 }  // namespace
 
-Workshop open_workshop(const fs::path& project, const fs::path& build, const fs::path& folder) {
-    const Workshop workshop{.folder = folder, .sealed = build / "sealed"};
+BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
+                             const fs::path& folder) {
+    const BuildDirectory workshop{.folder = folder, .sealed = build / "sealed"};
     fs::copy(build / "seats", folder / "seats",
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
@@ -192,26 +193,27 @@ bool is_told_to_stop(int status) {
     return status == 128 + SIGTERM || status == 128 + SIGINT || status == 128 + SIGHUP;
 }
 
-void go_on(const Workshop& workshop) {
+void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
 
-void precompile_header(const Workshop& workshop, int stage) {
+void precompile_header(const BuildDirectory& workshop, int stage) {
     const TemporaryFolder scratch(workshop.folder);
     const std::string header = header_of(workshop, stage).string();
     const std::string made = scratch.path() / "header.gch";
     Command compile = compiler(workshop, stage);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
-    const Ending ending = run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)},
-                                     compile, header_megabytes);
+    const ProcessResult ending = run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)},
+                                            compile, header_megabytes);
     if (ending.status != 0)
         throw ProgramError("error: the headers of " + name_of(stage) +
                            " do not compile in the sandbox\n" + ending.output);
     take(made, header + ".gch", fs::perms(0644));
 }
 
-Ending run_sealed(const Workshop& workshop, const fs::path& writable,
-                  const std::vector<fs::path>& readable, const Command& command, int megabytes) {
+ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,
+                         const std::vector<fs::path>& readable, const Command& command,
+                         int megabytes) {
     const int wall = int(wall_seconds * busy());
     Command sealed{workshop.sealed, "work=building",
                    "cpu=15",        "wall=" + std::to_string(wall),
@@ -222,15 +224,15 @@ Ending run_sealed(const Workshop& workshop, const fs::path& writable,
     sealed.push_back("--");
     sealed.insert(sealed.end(), command.begin(), command.end());
     // The launcher enforces the time limit; this one is a fallback.
-    Ending ending = listen_to(sealed, std::chrono::seconds(wall + 10), workshop.stop);
+    ProcessResult ending = run_captured(sealed, std::chrono::seconds(wall + 10), workshop.stop);
     go_on(workshop);
     if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     return ending;
 }
 
-Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
-                        const fs::path& object) {
+Build compile_submission(const BuildDirectory& workshop, int stage, const std::string& text,
+                         const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
     // The file has the student's name for it, relative to the compiler's folder, so that messages
     // and __FILE__ are the same in every run.
@@ -247,7 +249,7 @@ Made compile_submission(const Workshop& workshop, int stage, const std::string& 
     };
     // The stage's precompiled header works only as the first include, so it is included first. A
     // file that does not compile this way is compiled unchanged.
-    Ending compiled = compile({"-include", header_of(workshop, stage)});
+    ProcessResult compiled = compile({"-include", header_of(workshop, stage)});
     if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
     if (compiled.status != 0) return {.words = told_of_compile(compiled, workshop, stage, scratch)};
 
@@ -267,7 +269,7 @@ namespace {
 /// A single file is linked to the functions that it may call. Several files were linked this way
 /// one by one; together, they are linked to the references of all other stages, without the
 /// references of the students' stages.
-std::vector<fs::path> parts_of(const Workshop& workshop, int stage,
+std::vector<fs::path> parts_of(const BuildDirectory& workshop, int stage,
                                const std::map<int, fs::path>& objects) {
     const fs::path seats = workshop.folder / "seats";
     const fs::path seat = name_of(stage) + ".o";
@@ -285,8 +287,8 @@ std::vector<fs::path> parts_of(const Workshop& workshop, int stage,
 
 }  // namespace
 
-Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::path>& objects,
-                 const fs::path& worker) {
+Build link_worker(const BuildDirectory& workshop, int stage, const std::map<int, fs::path>& objects,
+                  const fs::path& worker) {
     const Options options = read_options(workshop, stage);
     const TemporaryFolder scratch(workshop.folder);
     const std::string made = scratch.path() / "worker";
@@ -297,7 +299,7 @@ Made link_worker(const Workshop& workshop, int stage, const std::map<int, fs::pa
     link.insert(link.end(), parts.begin(), parts.end());
     link.insert(link.end(), {"-o", made});
     append(link, options, "library");
-    const Ending linked = run_sealed(workshop, scratch.path(), parts, link);
+    const ProcessResult linked = run_sealed(workshop, scratch.path(), parts, link);
     if (linked.status != 0) return {.words = told(linked, workshop, stage, scratch, "The link")};
     take(made, worker, fs::perms(0755));
     return {.succeeded = true};

@@ -14,7 +14,7 @@ namespace rt::grade {
 /// A folder that contains only what a compiler may read: the project's headers, and the link kits
 /// (tests/grading/seat.cmake). The compiler runs as an unprivileged user, so all folders above it
 /// must be readable by everyone.
-struct Workshop {
+struct BuildDirectory {
     std::filesystem::path folder;
     std::filesystem::path sealed;             ///< the launcher
     const std::atomic<bool>* stop = nullptr;  ///< when this becomes true, running programs are
@@ -27,23 +27,23 @@ struct Interrupted : std::runtime_error {
 };
 
 /// Throws Interrupted if the workshop is stopped.
-void go_on(const Workshop& workshop);
+void go_on(const BuildDirectory& workshop);
 
 /// True for the exit status of a program that an external signal ended. Slurm signals all processes
 /// of a task, possibly the grader last; what it did to the others is no submission's mark.
 [[nodiscard]] bool is_told_to_stop(int status);
 
 /// Fills the folder from the project and its build. Throws filesystem_error.
-[[nodiscard]] Workshop open_workshop(const std::filesystem::path& project,
-                                     const std::filesystem::path& build,
-                                     const std::filesystem::path& folder);
+[[nodiscard]] BuildDirectory open_workshop(const std::filesystem::path& project,
+                                           const std::filesystem::path& build,
+                                           const std::filesystem::path& folder);
 
 /// Precompiles a stage's header in the sandbox, which divides the compile time of each submission
 /// by three. Throws ProgramError.
-void precompile_header(const Workshop& workshop, int stage);
+void precompile_header(const BuildDirectory& workshop, int stage);
 
 /// The result of a compile or a link.
-struct Made {
+struct Build {
     bool succeeded = false;
     std::string words;  ///< the reason for a failure, for the author of the file
 };
@@ -53,14 +53,15 @@ struct Made {
 
 /// Compiles a submission's files for a stage. Refuses a file that defines symbols other than its
 /// own.
-[[nodiscard]] Made compile_submission(const Workshop& workshop, int stage, const std::string& text,
-                                      const std::filesystem::path& object);
+[[nodiscard]] Build compile_submission(const BuildDirectory& workshop, int stage,
+                                       const std::string& text,
+                                       const std::filesystem::path& object);
 
 /// Links a stage's worker from the student's objects, by stage, and the references of all other
 /// stages.
-[[nodiscard]] Made link_worker(const Workshop& workshop, int stage,
-                               const std::map<int, std::filesystem::path>& objects,
-                               const std::filesystem::path& worker);
+[[nodiscard]] Build link_worker(const BuildDirectory& workshop, int stage,
+                                const std::map<int, std::filesystem::path>& objects,
+                                const std::filesystem::path& worker);
 
 /// The sandbox of the stage's worker: the value of RAYSTEPS_LIMITS.
 [[nodiscard]] std::string worker_limits(int stage);
@@ -68,8 +69,9 @@ struct Made {
 /// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
 /// its -isystem options; it may write only to its working folder, files of at most this many
 /// megabytes.
-[[nodiscard]] Ending run_sealed(const Workshop& workshop, const std::filesystem::path& writable,
-                                const std::vector<std::filesystem::path>& readable,
-                                const Command& command, int megabytes = 32);
+[[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop,
+                                       const std::filesystem::path& writable,
+                                       const std::vector<std::filesystem::path>& readable,
+                                       const Command& command, int megabytes = 32);
 
 }  // namespace rt::grade

@@ -33,7 +33,7 @@ std::string mark_cell(const Mark& mark, int most) {
 }
 
 /// Links to the student's feedback, unless the name is hidden or there is no feedback.
-std::string student_cell(const Submission& submission) {
+std::string student_cell(const StudentMarks& submission) {
     const bool linked = submission.called == submission.student && !submission.marks.empty();
     return "<th class=\"student\">" +
            (linked ? "<a href=\"students/" + address(submission.student) + "/feedback.html\">" +
@@ -59,7 +59,7 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
 }
 
 /// A lecturer's points take the place of the grader's.
-std::string stage_cell(const Submission& submission, int stage, int most, const Term& term) {
+std::string stage_cell(const StudentMarks& submission, int stage, int most, const PhongTerm& term) {
     if (const auto given = term.overrides.find({submission.student, stage});
         given != term.overrides.end())
         return points_cell(int(given->second.points), most);
@@ -68,14 +68,14 @@ std::string stage_cell(const Submission& submission, int stage, int most, const 
 }
 
 std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages,
-                   const Term& term) {
+                   const PhongTerm& term) {
     std::string head = "<th class=\"student\"></th>";
     for (const auto& [stage, most] : stages)
         head += "<th class=\"stage\"><span>" + stage_title(stage) +
                 (term.bonus.count(stage) == 1 ? ", bonus" : "") + "</span></th>";
     std::string rows = row(head + "<th>points</th>");
     const double all = most_points(stages, term);
-    for (const Submission& submission : submissions(marks, term)) {
+    for (const StudentMarks& submission : submissions(marks, term)) {
         std::string cells = student_cell(submission);
         for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
         const int share = std::clamp(int(100 * submission.points / std::max(all, 1e-9)), 0, 100);
@@ -88,16 +88,16 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
 }
 
 /// The changes by the lecturer's settings, and the students without a submission.
-std::string remarks(const std::vector<Mark>& marks, const Term& term) {
+std::string remarks(const std::vector<Mark>& marks, const PhongTerm& term) {
     std::string rows;
-    for (const Submission& submission : submissions(marks, term))
+    for (const StudentMarks& submission : submissions(marks, term))
         for (const std::string& line : lines_of(submission.remarks))
             rows += row(text_cell(submission.called) + text_cell(line));
     return rows.empty() ? "" : section("Remarks", table("list", rows));
 }
 
 /// The files that belong to no submission, and the names in the term's files that match no student.
-std::string left_over(const std::filesystem::path& results, const Term& term) {
+std::string left_over(const std::filesystem::path& results, const PhongTerm& term) {
     const std::filesystem::path file = results / left_over_file;
     std::string rows;
     if (std::filesystem::exists(file))
@@ -111,7 +111,7 @@ std::string first_line(const std::string& words) {
 }
 
 /// The students whose code was stopped at a forbidden operation, and those whose code was not run.
-std::string trials(const std::vector<Mark>& marks, const Term& term) {
+std::string trials(const std::vector<Mark>& marks, const PhongTerm& term) {
     std::vector<std::string> tried;
     std::vector<std::string> refused;
     for (const Mark& mark : marks) {
@@ -194,7 +194,7 @@ std::string cases(const std::vector<Mark>& marks) {
                       rows);
 }
 
-std::string names(const std::vector<std::string>& students, const Term& term) {
+std::string names(const std::vector<std::string>& students, const PhongTerm& term) {
     std::string all;
     for (const std::string& student : students)
         all += (all.empty() ? "" : ", ") + term.called(student);
@@ -209,14 +209,14 @@ std::string near_stages(const NearFiles& near) {
     return all;
 }
 
-std::string same(const std::vector<SameFile>& found, const Term& term) {
+std::string same(const std::vector<SameFile>& found, const PhongTerm& term) {
     std::string rows;
     for (const SameFile& each : found)
         rows += row(text_cell(stage_title(each.stage)) + text_cell(names(each.students, term)));
     return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
 }
 
-std::string near(const std::vector<NearFiles>& found, const Term& term) {
+std::string near(const std::vector<NearFiles>& found, const PhongTerm& term) {
     if (found.empty()) return "";
     std::vector<std::string> rows;
     for (const NearFiles& each : found)
@@ -232,7 +232,7 @@ std::string near(const std::vector<NearFiles>& found, const Term& term) {
            first_rows("", rows);
 }
 
-std::string alike(const Likeness& found, const Term& term) {
+std::string alike(const Similarity& found, const PhongTerm& term) {
     const std::string html =
         "<p class=\"hint\">Similarity is no proof. Students who worked together, or from the same "
         "page, write similar code, and a short stage leaves little choice: read the files, and "
@@ -246,7 +246,7 @@ std::string alike(const Likeness& found, const Term& term) {
 }  // namespace
 
 void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
-                        const std::vector<Mark>& marks, const Term& term,
+                        const std::vector<Mark>& marks, const PhongTerm& term,
                         const std::string& edition) {
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);
@@ -260,7 +260,7 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
         left_over(results, term) + section("Known mistakes", mistakes(marks)) +
         section("Hardest cases", cases(marks)) +
         section("Code that was stopped or refused", trials(marks, term)) +
-        section("Similar files", alike(likeness(results, project, marks), term));
+        section("Similar files", alike(similarity(results, project, marks), term));
     write_text(results / "class.html", page("Class report", body));
 }
 

@@ -110,7 +110,7 @@ std::string section(const Mark& mark, int most, const fs::path& folder) {
 }
 
 /// The stages at a glance, each a link.
-std::string overview(const Submission& submission, const std::map<int, int>& stages) {
+std::string overview(const StudentMarks& submission, const std::map<int, int>& stages) {
     std::string html = "<ul class=\"stages\">\n";
     for (const auto& [stage, mark] : submission.marks) {
         const int most = stages.at(stage);
@@ -126,10 +126,11 @@ std::string overview(const Submission& submission, const std::map<int, int>& sta
 
 }  // namespace
 
-void write_feedback(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
+void write_feedback(const fs::path& results, const std::vector<Mark>& marks,
+                    const PhongTerm& term) {
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);
-    for (const Submission& submission : submissions(marks, term)) {
+    for (const StudentMarks& submission : submissions(marks, term)) {
         if (submission.marks.empty()) continue;
         const fs::path folder = student_folder(results, submission.student);
         std::string body = "<header><h1>" + escaped(submission.called) + "</h1> <p>" +

@@ -16,15 +16,15 @@ constexpr const char* end_of_line = "\r\n";  // required by RFC 4180
 }  // namespace
 
 void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                      const Term& term) {
+                      const PhongTerm& term) {
     const std::map<int, int> stages = graded_stages(marks);
-    const std::vector<Submission> all = submissions(marks, term);
+    const std::vector<StudentMarks> all = submissions(marks, term);
     const bool remarks =
         std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.remarks.empty(); });
     std::string book = "student";
     for (const auto& [stage, most] : stages) book += "," + std::string(stage_name(stage));
     book += std::string(",total,of") + (remarks ? ",remarks" : "") + end_of_line;
-    for (const Submission& submission : all) {
+    for (const StudentMarks& submission : all) {
         book += cell(submission.student);
         for (const auto& [stage, points] : submission.stages) book += "," + number(points);
         book += "," + number(submission.points) + "," + number(most_points(stages, term));

@@ -132,9 +132,9 @@ std::pair<std::size_t, int> strength(const NearFiles& near) {
 
 }  // namespace
 
-Likeness likeness(const fs::path& results, const fs::path& project,
-                  const std::vector<Mark>& marks) {
-    Likeness all;
+Similarity similarity(const fs::path& results, const fs::path& project,
+                      const std::vector<Mark>& marks) {
+    Similarity all;
     Pairs pairs;
     for (const auto& [stage, most] : graded_stages(marks)) {
         const std::vector<Text> texts = texts_of(results, project, marks, stage);

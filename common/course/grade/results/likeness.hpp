@@ -23,7 +23,7 @@ struct NearFiles {
                                  ///< one contains
 };
 
-struct Likeness {
+struct Similarity {
     std::vector<SameFile> same;   ///< by stage
     std::vector<NearFiles> near;  ///< most stages first
 };
@@ -36,8 +36,8 @@ inline constexpr int near_percent = 60;
 /// Compares the files in results/students/<student>/submitted/, stage by stage. Passages of the
 /// project's starter do not count, and passages of many students count little. Files that are too
 /// short to compare are not reported.
-[[nodiscard]] Likeness likeness(const std::filesystem::path& results,
-                                const std::filesystem::path& project,
-                                const std::vector<Mark>& marks);
+[[nodiscard]] Similarity similarity(const std::filesystem::path& results,
+                                    const std::filesystem::path& project,
+                                    const std::vector<Mark>& marks);
 
 }  // namespace rt::grade

@@ -9,11 +9,11 @@ namespace rt::grade {
 
 namespace {
 
-void add_remark(Submission& submission, const std::string& words) {
+void add_remark(StudentMarks& submission, const std::string& words) {
     submission.remarks += (submission.remarks.empty() ? "" : "\n") + words;
 }
 
-const Override* override_of(const Submission& submission, int stage, const Term& term) {
+const Override* override_of(const StudentMarks& submission, int stage, const PhongTerm& term) {
     const auto found = term.overrides.find({submission.student, stage});
     return found == term.overrides.end() ? nullptr : &found->second;
 }
@@ -23,7 +23,7 @@ std::string reason(const Override& given) {
 }
 
 /// The reason why a submission has no files, such as an archive that cannot be opened.
-std::string why_nothing(const Submission& submission) {
+std::string why_nothing(const StudentMarks& submission) {
     std::string words;
     for (const auto& [stage, mark] : submission.marks) {
         if (mark->verdict != Verdict::missing) return "";
@@ -33,7 +33,7 @@ std::string why_nothing(const Submission& submission) {
 }
 
 /// Computes the points of the marks in this term.
-void count(Submission& submission, const std::map<int, int>& graded, const Term& term) {
+void count(StudentMarks& submission, const std::map<int, int>& graded, const PhongTerm& term) {
     for (const auto& [stage, most] : graded) {
         const auto mark = submission.marks.find(stage);
         double points = mark == submission.marks.end() ? 0 : mark->second->points();
@@ -52,7 +52,7 @@ void count(Submission& submission, const std::map<int, int>& graded, const Term&
                                    " % of " + number(submission.points) + " points");
         submission.points *= 1 - lost / 100;
     }
-    if (const Override* given = override_of(submission, Term::total, term)) {
+    if (const Override* given = override_of(submission, PhongTerm::total, term)) {
         add_remark(submission, "in all: " + number(given->points) + " instead of " +
                                    number(submission.points) + reason(*given));
         submission.points = given->points;
@@ -61,14 +61,14 @@ void count(Submission& submission, const std::map<int, int>& graded, const Term&
 
 }  // namespace
 
-std::vector<Submission> submissions(const std::vector<Mark>& marks, const Term& term) {
-    std::map<std::string, Submission> by_name;
+std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const PhongTerm& term) {
+    std::map<std::string, StudentMarks> by_name;
     for (const Mark& mark : marks) by_name[mark.student].marks[mark.stage] = &mark;
     if (term.roster)
         for (const std::string& student : term.roster->students)
             if (!student.empty()) by_name[student];
     const std::map<int, int> graded = graded_stages(marks);
-    std::vector<Submission> all;
+    std::vector<StudentMarks> all;
     for (auto& [name, submission] : by_name) {
         submission.student = name;
         submission.called = term.called(name);
@@ -90,7 +90,7 @@ std::map<int, int> graded_stages(const std::vector<Mark>& marks) {
     return stages;
 }
 
-double most_points(const std::map<int, int>& stages, const Term& term) {
+double most_points(const std::map<int, int>& stages, const PhongTerm& term) {
     double sum = 0;
     for (const auto& [stage, most] : stages)
         if (term.bonus.count(stage) == 0) sum += most * term.weight(stage);

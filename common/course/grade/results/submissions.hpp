@@ -11,7 +11,7 @@
 namespace rt::grade {
 
 /// One student's submission and its points.
-struct Submission {
+struct StudentMarks {
     std::string student;
     std::string called;                ///< the name in reports that may be published
     std::map<int, const Mark*> marks;  ///< by stage; empty without a submission
@@ -23,14 +23,14 @@ struct Submission {
 
 /// Sorted by name, with the students of the roster without a submission. The result refers to the
 /// marks, which must outlive it.
-[[nodiscard]] std::vector<Submission> submissions(const std::vector<Mark>& marks,
-                                                  const Term& term = {});
+[[nodiscard]] std::vector<StudentMarks> submissions(const std::vector<Mark>& marks,
+                                                    const PhongTerm& term = {});
 
 /// The graded stages, with the maximal points of each.
 [[nodiscard]] std::map<int, int> graded_stages(const std::vector<Mark>& marks);
 
 /// The maximal weighted points of all stages, without the bonus stages.
-[[nodiscard]] double most_points(const std::map<int, int>& stages, const Term& term = {});
+[[nodiscard]] double most_points(const std::map<int, int>& stages, const PhongTerm& term = {});
 
 /// "5 triangle"
 [[nodiscard]] std::string stage_title(int stage);

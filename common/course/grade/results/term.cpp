@@ -40,14 +40,14 @@ std::optional<double> number_of(std::string text) {
     return value;
 }
 
-double read_number(const std::string& text, const Place& place, double most) {
+double read_number(const std::string& text, const FileLocation& place, double most) {
     const std::optional<double> value = number_of(text);
     if (!value || *value < 0 || *value > most)
         throw InputError(place, "\"" + text + "\" is no number from 0 to " + number(most));
     return *value;
 }
 
-int read_stage(const std::string& text, const Place& place) {
+int read_stage(const std::string& text, const FileLocation& place) {
     const std::optional<int> stage = find_stage(trimmed(text));
     if (!stage) throw InputError(place, "no stage \"" + text + "\"");
     return *stage;
@@ -114,10 +114,10 @@ public:
         read_overrides();
     }
 
-    [[nodiscard]] Term term() { return std::move(term_); }
+    [[nodiscard]] PhongTerm term() { return std::move(term_); }
 
 private:
-    [[nodiscard]] Place place() const { return {file_.string(), line_}; }
+    [[nodiscard]] FileLocation place() const { return {file_.string(), line_}; }
 
     void read_line(const std::string& line) {
         const std::size_t colon = line.find(':');
@@ -254,9 +254,9 @@ private:
         const int comment = csv->column({"comment"});
         constexpr double most = 1e6;
         for (const Csv::Row& row : csv->rows) {
-            const Place place{csv->file.string(), row.line};
+            const FileLocation place{csv->file.string(), row.line};
             const bool all = lower(trimmed(row.at(stage))) == "total";
-            const int of = all ? Term::total : read_stage(row.at(stage), place);
+            const int of = all ? PhongTerm::total : read_stage(row.at(stage), place);
             const Override given{read_number(row.at(points), place, most), row.at(comment)};
             if (const auto student = student_of(*csv, row, who))
                 term_.overrides[{*student, of}] = given;
@@ -280,17 +280,17 @@ private:
     std::map<std::string, std::pair<std::string, int>> settings_;
     Names names_;
     std::set<std::string> on_roster_;
-    Term term_;
+    PhongTerm term_;
 };
 
 }  // namespace
 
-double Term::weight(int stage) const {
+double PhongTerm::weight(int stage) const {
     const auto found = weights.find(stage);
     return found == weights.end() ? 1 : found->second;
 }
 
-std::string Term::called(const std::string& student) const {
+std::string PhongTerm::called(const std::string& student) const {
     if (!anonymous) return student;
     char text[16];
     std::snprintf(text, sizeof text, "s-%08x",
@@ -298,7 +298,7 @@ std::string Term::called(const std::string& student) const {
     return text;
 }
 
-Term read_term(const fs::path& results, const std::vector<Mark>& marks) {
+PhongTerm read_term(const fs::path& results, const std::vector<Mark>& marks) {
     const fs::path file = results / "term.txt";
     if (!fs::exists(file)) return {};
     Reading reading(file, marks);
@@ -306,17 +306,17 @@ Term read_term(const fs::path& results, const std::vector<Mark>& marks) {
     return reading.term();
 }
 
-void write_upload(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
+void write_upload(const fs::path& results, const std::vector<Mark>& marks, const PhongTerm& term) {
     if (term.anonymous) {
         std::string names = std::string("called,student") + end_of_line;
-        for (const Submission& each : submissions(marks, term))
+        for (const StudentMarks& each : submissions(marks, term))
             names += each.called + "," + cell(each.student) + end_of_line;
         write_text(results / "names.csv", names);
     }
     if (!term.roster) return;
     const Roster& roster = *term.roster;
-    std::map<std::string, Submission> by_student;
-    for (Submission& each : submissions(marks, term)) by_student[each.student] = std::move(each);
+    std::map<std::string, StudentMarks> by_student;
+    for (StudentMarks& each : submissions(marks, term)) by_student[each.student] = std::move(each);
     const Csv& csv = roster.csv;
     int width = int(csv.head.cells.size());
     // Only the columns of Canvas that identify the student: it would import the others as grades.

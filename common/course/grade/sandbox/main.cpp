@@ -12,7 +12,7 @@
 
 namespace {
 
-using rt::grade::Seal;
+using rt::grade::Sandbox;
 using rt::grade::SealError;
 
 int number(const std::string& text) {
@@ -23,7 +23,7 @@ int number(const std::string& text) {
     return value;
 }
 
-void read_word(const std::string& word, Seal& seal) {
+void read_word(const std::string& word, Sandbox& seal) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) throw SealError("not of the form name=value: " + word);
     const std::string name = word.substr(0, equals);
@@ -54,7 +54,7 @@ void read_word(const std::string& word, Seal& seal) {
 
 int main(int count, char** words) {
     int next = 1;
-    Seal seal;
+    Sandbox seal;
     try {
         for (; next < count && std::string(words[next]) != "--"; ++next)
             read_word(words[next], seal);

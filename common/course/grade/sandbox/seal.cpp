@@ -59,7 +59,7 @@ void forget_signals() {
     sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void add_rules(const Seal& seal, Landlock& rules) {
+void add_rules(const Sandbox& seal, Landlock& rules) {
     const bool worker = seal.work == Work::answering;
     if (worker) {
         rules.let_run(program_descriptor);
@@ -164,7 +164,7 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 
 }  // namespace
 
-bool take_user_of_its_own(const Seal& seal) {
+bool take_user_of_its_own(const Sandbox& seal) {
     constexpr unsigned first = 61184;  // systemd's range for services without a user of their own
     constexpr unsigned count = 4000;
     if (geteuid() != 0) return false;
@@ -190,7 +190,7 @@ bool take_namespaces(Work work) {
     return unshare(flags) == 0;
 }
 
-bool limit(const Seal& seal) {
+bool limit(const Sandbox& seal) {
     const auto set = [](auto resource, rlim_t soft, rlim_t hard) {
         const rlimit both{.rlim_cur = soft, .rlim_max = hard};
         return setrlimit(resource, &both) == 0;
@@ -211,7 +211,7 @@ bool limit(const Seal& seal) {
            set(RLIMIT_NPROC, processes, processes);
 }
 
-void become(const Seal& seal, const std::vector<std::string>& command) {
+void become(const Sandbox& seal, const std::vector<std::string>& command) {
     const bool worker = seal.work == Work::answering;
     const pid_t parent = getppid();
     close_descriptors(worker);

@@ -14,7 +14,7 @@ enum class Work {
 };
 
 /// The resource limits of a sealed process.
-struct Seal {
+struct Sandbox {
     Work work = Work::answering;
     int cpu_seconds = 10;
     int wall_seconds = 30;  ///< for building; the wall-clock time of a worker is limited by its
@@ -48,14 +48,14 @@ inline constexpr int not_sealed = 125;
 
 /// Replaces this process by the program, sealed. A worker keeps its channel, and has no input or
 /// output; a compiler keeps its output. Throws SealError if a required layer does not work.
-[[noreturn]] void become(const Seal& seal, const std::vector<std::string>& command);
+[[noreturn]] void become(const Sandbox& seal, const std::vector<std::string>& command);
 
 /// The steps of the sandbox, which Layers tries one by one. Each returns true if it succeeded.
 
 /// Switches from root to a user without other processes, who becomes the owner of the sandbox's
 /// writable folders.
-[[nodiscard]] bool take_user_of_its_own(const Seal& seal);
+[[nodiscard]] bool take_user_of_its_own(const Sandbox& seal);
 [[nodiscard]] bool take_namespaces(Work work);
-[[nodiscard]] bool limit(const Seal& seal);
+[[nodiscard]] bool limit(const Sandbox& seal);
 
 }  // namespace rt::grade

@@ -173,7 +173,7 @@ bool filter_compiler() {
 
 }  // namespace
 
-bool filter_system_calls(const Seal& seal) {
+bool filter_system_calls(const Sandbox& seal) {
     return seal.work == Work::answering ? filter_worker() : filter_compiler();
 }
 

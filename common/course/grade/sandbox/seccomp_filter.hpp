@@ -9,6 +9,6 @@ namespace rt::grade {
 /// list of allowed calls each. A worker gets an error for calls that honest code may try without
 /// harm (to open a file), and is killed for any other; a compiler gets ENOSYS for every call not on
 /// the list. Returns true if the filter is active.
-[[nodiscard]] bool filter_system_calls(const Seal& seal);
+[[nodiscard]] bool filter_system_calls(const Sandbox& seal);
 
 }  // namespace rt::grade

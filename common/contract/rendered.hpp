@@ -10,6 +10,7 @@ namespace rt {
 /// The scene rendered through its first camera. For a slow picture, only every `every`-th pixel of
 /// every `every`-th row; the others are black. If the suite uses another process (common/contract),
 /// the picture is rendered there.
-[[nodiscard]] Image drawn(const Scene& scene, const Look& look = {}, int every = 1);
+[[nodiscard]] Image rendered(const Scene& scene, const RenderSettings& settings = {},
+                             int every = 1);
 
 }  // namespace rt

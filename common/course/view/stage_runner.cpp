@@ -1,4 +1,4 @@
-#include "common/course/view/drawing.hpp"
+#include "common/course/view/stage_runner.hpp"
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -57,7 +57,7 @@ void replace_all(std::string& text, const std::string& old_words, const std::str
 
 fs::path program(const ViewSettings& settings, int stage, Whose whose) {
     const std::string name(stage_name(stage));
-    return settings.build / (whose == Whose::mine ? name : name + "_of_reference");
+    return settings.build / (whose == Whose::mine ? name : name + "_reference_program");
 }
 
 fs::path scene_file(const ViewSettings& settings, int stage) {
@@ -77,7 +77,7 @@ SceneView scene_view(const ViewSettings& settings, int stage) {
     return view;
 }
 
-Studio::Studio(const ViewSettings& settings) : settings_(settings) {
+StageRunner::StageRunner(const ViewSettings& settings) : settings_(settings) {
     // A scene's paths of meshes are relative to its own folder.
     std::error_code none;
     for (const fs::directory_entry& entry :
@@ -87,13 +87,13 @@ Studio::Studio(const ViewSettings& settings) : settings_(settings) {
                                          folder_.path() / entry.path().filename(), none);
 }
 
-fs::path Studio::scene_of(const Drawing& drawing) {
-    const fs::path scene = scene_file(settings_, drawing.stage);
-    if (!drawing.camera) return scene;
+fs::path StageRunner::scene_of(const RenderRequest& picture_request) {
+    const fs::path scene = scene_file(settings_, picture_request.stage);
+    if (!picture_request.camera) return scene;
     std::string changed;
     bool found = false;
     for (const std::string& line : lines_of(read_text(scene))) {
-        changed += (is_camera(line) && !found ? text(*drawing.camera) : line) + "\n";
+        changed += (is_camera(line) && !found ? text(*picture_request.camera) : line) + "\n";
         found = found || is_camera(line);
     }
     const fs::path copy = folder_.path() / (std::to_string(++files_) + ".rt");
@@ -101,55 +101,60 @@ fs::path Studio::scene_of(const Drawing& drawing) {
     return copy;
 }
 
-Ending Studio::run(const Drawing& drawing, Whose whose, const std::string& scene,
-                   const Command& rest, const std::atomic<bool>& cancelled) const {
-    const SceneView view = scene_view(settings_, drawing.stage);
-    const fs::path asked = program(settings_, drawing.stage, whose);
+ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose,
+                               const std::string& scene, const Command& rest,
+                               const std::atomic<bool>& cancelled) const {
+    const SceneView view = scene_view(settings_, picture_request.stage);
+    const fs::path asked = program(settings_, picture_request.stage, whose);
     if (!fs::exists(asked)) throw InputError({}, asked.filename().string() + " is not built yet");
     Command command = {asked.string(), scene, "--size",
-                       std::to_string(std::max(1, view.width / drawing.shrink)) + "x" +
-                           std::to_string(std::max(1, view.height / drawing.shrink))};
-    command.insert(command.end(), drawing.options.begin(), drawing.options.end());
+                       std::to_string(std::max(1, view.width / picture_request.shrink)) + "x" +
+                           std::to_string(std::max(1, view.height / picture_request.shrink))};
+    command.insert(command.end(), picture_request.options.begin(), picture_request.options.end());
     command.insert(command.end(), rest.begin(), rest.end());
-    Ending ending = listen_to(command, settings_.render_limit, &cancelled);
+    ProcessResult ending = run_captured(command, settings_.render_limit, &cancelled);
     if (ending.out_of_time)
         ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
                          " s: does a loop never end?\n";
     else if (!ending.crash.empty())
         ending.output += "it crashed: " + ending.crash + "\n";
-    replace_all(ending.output, scene, "scenes/" + std::string(stage_name(drawing.stage)) + ".rt");
+    replace_all(ending.output, scene,
+                "scenes/" + std::string(stage_name(picture_request.stage)) + ".rt");
     return ending;
 }
 
-Picture Studio::draw(const Drawing& drawing, Whose whose, const std::atomic<bool>& cancelled) {
-    const fs::path scene = scene_of(drawing);
+Picture StageRunner::draw(const RenderRequest& picture_request, Whose whose,
+                          const std::atomic<bool>& cancelled) {
+    const fs::path scene = scene_of(picture_request);
     const fs::path file = folder_.path() / (std::to_string(++files_) + ".png");
-    Ending ending = run(drawing, whose, scene.string(), {"-o", file.string()}, cancelled);
+    ProcessResult ending =
+        run(picture_request, whose, scene.string(), {"-o", file.string()}, cancelled);
     replace_all(ending.output, file.string() + ": ", "");
     Picture picture{.report = ending.output};
     if (ending.status == 0 && fs::exists(file)) picture.png = read_text(file);
     std::error_code none;
     fs::remove(file, none);
-    if (drawing.camera) fs::remove(scene, none);
+    if (picture_request.camera) fs::remove(scene, none);
     return picture;
 }
 
-std::vector<std::string> Studio::stories(const Drawing& drawing, int row, int column,
-                                         const std::atomic<bool>& cancelled) {
-    const fs::path scene = scene_of(drawing);
+std::vector<std::string> StageRunner::stories(const RenderRequest& picture_request, int row,
+                                              int column, const std::atomic<bool>& cancelled) {
+    const fs::path scene = scene_of(picture_request);
     const std::string pixel = std::to_string(row) + "," + std::to_string(column);
-    const auto tell = [&](Whose whose) {
+    const auto explain = [&](Whose whose) {
         try {
-            return run(drawing, whose, scene.string(), {"--pixel", pixel}, cancelled).output;
+            return run(picture_request, whose, scene.string(), {"--pixel", pixel}, cancelled)
+                .output;
         } catch (const InputError& not_built) {
             return std::string(not_built.what()) + "\n";
         }
     };
-    auto reference = std::async(std::launch::async, tell, Whose::reference);
-    std::vector<std::string> stories = {tell(Whose::mine)};
+    auto reference = std::async(std::launch::async, explain, Whose::reference);
+    std::vector<std::string> stories = {explain(Whose::mine)};
     stories.push_back(reference.get());
     std::error_code none;
-    if (drawing.camera) fs::remove(scene, none);
+    if (picture_request.camera) fs::remove(scene, none);
     return stories;
 }
 

@@ -34,7 +34,7 @@ struct SceneView {
 };
 
 /// The settings of the sliders.
-struct Drawing {
+struct RenderRequest {
     int stage = 1;
     std::optional<TurnedCamera> camera;  ///< if empty, the scene's own
     int shrink = 1;                      ///< divides the scene's size
@@ -54,22 +54,23 @@ struct Picture {
 [[nodiscard]] SceneView scene_view(const ViewSettings& settings, int stage);
 
 /// Runs the programs, in a temporary folder with the lifetime of this object.
-class Studio {
+class StageRunner {
 public:
-    explicit Studio(const ViewSettings& settings);
+    explicit StageRunner(const ViewSettings& settings);
 
-    [[nodiscard]] Picture draw(const Drawing& drawing, Whose whose,
+    [[nodiscard]] Picture draw(const RenderRequest& picture_request, Whose whose,
                                const std::atomic<bool>& cancelled);
     /// The explanations of a pixel by the student's and the reference's program.
-    [[nodiscard]] std::vector<std::string> stories(const Drawing& drawing, int row, int column,
-                                                   const std::atomic<bool>& cancelled);
+    [[nodiscard]] std::vector<std::string> stories(const RenderRequest& picture_request, int row,
+                                                   int column, const std::atomic<bool>& cancelled);
 
 private:
     /// The scene with the drawing's camera.
-    [[nodiscard]] std::filesystem::path scene_of(const Drawing& drawing);
+    [[nodiscard]] std::filesystem::path scene_of(const RenderRequest& picture_request);
     /// The program's output, and last its exit status if it failed.
-    [[nodiscard]] Ending run(const Drawing& drawing, Whose whose, const std::string& scene,
-                             const Command& rest, const std::atomic<bool>& cancelled) const;
+    [[nodiscard]] ProcessResult run(const RenderRequest& picture_request, Whose whose,
+                                    const std::string& scene, const Command& rest,
+                                    const std::atomic<bool>& cancelled) const;
 
     const ViewSettings& settings_;
     TemporaryFolder folder_;
