@@ -40,11 +40,11 @@ public:
     }
 
     [[nodiscard]] PixelSample shot(const RenderSettings& settings,
-                                   const SampleRequest& settings) const override {
-        SampleRequest own = settings;
+                                   const SampleRequest& request) const override {
+        SampleRequest own = request;
         own.round += first_round_;
         PixelSample shot = scene_.shot(settings, own);
-        rays_ += shot.rays * double(settings.pixels.size());
+        rays_ += shot.rays * double(request.pixels.size());
         return shot;
     }
 
