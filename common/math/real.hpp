@@ -1,7 +1,7 @@
 // The floating-point type of all lengths, directions and colors, and the types built from it.
 //
 // Every file that computes is compiled twice, once with RT_FLOAT defined. A type that contains a
-// Real is in `namespace rt::inline RT_PRECISION`, so that both compilations link into one program
+// Real is in `inline namespace RT_PRECISION`, so that both compilations link into one program
 // and `--precision` selects one at run time. Functions that only use these types are in plain
 // `namespace rt`: their parameter types distinguish the two compilations.
 #pragma once
