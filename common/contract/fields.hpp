@@ -142,8 +142,8 @@ inline constexpr auto record<Camera> = record_of("Camera", field("position", &Ca
                                                  field("fov_axis", &Camera::fov_axis));
 template <>
 inline constexpr auto record<RenderSettings> = record_of(
-    "Look", field("shading", &RenderSettings::shading), field("term", &RenderSettings::term),
-    field("shadow_samples", &RenderSettings::shadow_samples),
+    "RenderSettings", field("shading", &RenderSettings::shading),
+    field("term", &RenderSettings::term), field("shadow_samples", &RenderSettings::shadow_samples),
     field("shadow_error", &RenderSettings::shadow_error),
     field("shadow_agree", &RenderSettings::shadow_agree), field("depth", &RenderSettings::depth));
 

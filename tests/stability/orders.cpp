@@ -1,4 +1,4 @@
-// Compiled twice: for the references, and for `--precision exact`, which has a Nearest of its own.
+// Compiled twice: for the references, and for `--precision exact`, which has a ClosestHit of its own.
 #include "tests/stability/orders.hpp"
 
 #include "common/bvh/mesh_bvh.hpp"
@@ -52,7 +52,7 @@ oracle::Number exact_t(const Ray& ray, const Shape& shape) {
     return root.value().value();
 }
 
-// Returns the closer one according to Nearest: the shapes have the materials 1 and 2.
+// Returns the closer one according to ClosestHit: the shapes have the materials 1 and 2.
 
 Mesh mesh_of(const std::vector<Triangle>& triangles) {
     Mesh mesh;

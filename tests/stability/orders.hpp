@@ -12,7 +12,7 @@ struct Orders {
     std::string where;  ///< the first that was wrong
 };
 
-/// True if the program's Nearest is that of `--precision exact`.
+/// True if the program's ClosestHit is that of `--precision exact`.
 [[nodiscard]] bool asks_exactly();
 
 /// For every pair of kinds, `times` pairs of shapes whose t are 1e-3, ½, 1 and 4 ulps apart, within

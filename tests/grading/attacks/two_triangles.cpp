@@ -1,5 +1,8 @@
-// attack: a square of two triangles, intersected by stage 5's reference, which its page does not
-// list ceiling: as a stub stage: step06_square compiles: no told: Your file calls rt::intersect(
+// attack: a square of two triangles, intersected by stage 5's reference, not on its page's list
+// ceiling: as a stub
+// stage: step06_square
+// compiles: no
+// told: Your file calls rt::intersect(
 #include "steps/step06_square/square.hpp"
 
 namespace rt {
