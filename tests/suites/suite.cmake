@@ -28,6 +28,12 @@ function(raysteps_link_suite program objects precision)
     endforeach()
 endfunction()
 
+# The suites of several files, tests/suites/<stage>/<part>_test.cpp: their cases run, and are
+# reported, in the order of the parts.
+set(step11_soft_shadows_parts light_points visibility scenes)
+set(step12_mirror_parts reflected_ray self_intersection reflections)
+set(step13_meshes_parts boxes frames meshes scenes)
+
 # raysteps_stage_suite(<stage>)
 #
 # The suite of a stage, and the student's own tests: the chosen file, with the references of all
@@ -36,8 +42,13 @@ function(raysteps_stage_suite stage)
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(TRANSFORM stages APPEND _reference)
     list(REMOVE_ITEM stages ${stage}_reference)
+    set(suite ${stage})
+    if(DEFINED ${stage}_parts)
+        list(TRANSFORM ${stage}_parts PREPEND ${stage}/ OUTPUT_VARIABLE suite)
+    endif()
+    list(TRANSFORM suite REPLACE "(.+)" "suites/\\1_test.cpp")
     file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
-    raysteps_suite(${stage} LABEL ${stage} SOURCES suites/${stage}_test.cpp ${own_tests}
+    raysteps_suite(${stage} LABEL ${stage} SOURCES ${suite} ${own_tests}
         STAGES ${stage} ${stage}_picture ${stages})
     if(TARGET course)
         raysteps_contract(${stage} ${stages})
