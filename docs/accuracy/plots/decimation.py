@@ -10,7 +10,7 @@ def plots():
     fig, (pixels, times) = figure(720, 230, 2)
     pixels.plot([int(count) for count in counts], [100 * float(t[0]["seen"]) for t in turns],
                 **SERIES[0])
-    pixels.set(title="Pixels off by more than 2 steps of 255, %", ylim=(-1.5, 30))
+    pixels.set(title="Pixels off by more than 2 levels of 255, %", ylim=(-1.5, 30))
     whole = middle(turns[0], "seconds")
     times.plot([int(count) for count in counts], [middle(t, "seconds") / whole for t in turns],
                **SERIES[1])

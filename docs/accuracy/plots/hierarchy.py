@@ -1,4 +1,4 @@
-"""The nearest of many spheres: in a list, in balls, and in a hierarchy."""
+"""The nearest of many spheres: in a list, in bounding spheres, and in a hierarchy."""
 from data import different, middle, read, where
 from style import SERIES, figure, plain
 
@@ -11,7 +11,7 @@ def plots():
         counts = different(own, "spheres")
         axes.plot([int(count) for count in counts],
                   [middle(where(own, spheres=count), column) for count in counts],
-                  label={"list": "list", "balls": "in balls"}.get(column, "in a hierarchy"), **look)
+                  label={"list": "list", "balls": "in bounding spheres"}.get(column, "in a hierarchy"), **look)
     axes.set(xscale="log", yscale="log", title="Nanoseconds a ray", xlabel="spheres")
     plain(axes.xaxis, [1, 2, 4, 8, 16, 32, 64, 128, 256, 512])
     plain(axes.yaxis, [10, 100, 1000])

@@ -20,6 +20,6 @@ def plots():
             panels.append((label, ats, cells))
         else:
             remarks.append(f"{label} {tens(min(ats))} to {tens(max(ats))}: no pixel")
-    drawing.block("Pixels off by more than 2 steps of 255", precisions, panels, "; ".join(remarks))
+    drawing.block("Pixels off by more than 2 levels of 255", precisions, panels, "; ".join(remarks))
     yield "input_rounding", "Pixels that a scene loses when moved, scaled, or with a small gap", \
         drawing.draw()

@@ -9,7 +9,7 @@ def plots():
     turns = [where(rows, depth=depth) for depth in depths]
     fig, (errors, times) = figure(720, 230, 2)
     errors.plot([int(d) for d in depths], [float(t[0]["error"]) for t in turns], **SERIES[0])
-    errors.set(title="Error in steps of 255, root mean square", xlabel="depth", ylim=(-2, 48))
+    errors.set(title="Error in levels of 255, root mean square", xlabel="depth", ylim=(-2, 48))
     all_of_it = middle(turns[-1], "seconds")
     times.plot([int(d) for d in depths], [middle(t, "seconds") / all_of_it for t in turns],
                **SERIES[1])

@@ -12,7 +12,7 @@ def plots():
         axes.plot([middle(turns, "microseconds") for turns in asked],
                   [float(turns[0]["error"]) for turns in asked], label=way, **look)
     axes.set(xscale="log", yscale="log", xlabel="microseconds a surface",
-             title="Error of a color in steps of 255, root mean square")
+             title="Error of a color in levels of 255, root mean square")
     plain(axes.xaxis, [0.1, 1, 10, 100])
     plain(axes.yaxis, [0.1, 1, 10])
     axes.legend(loc="lower left")

@@ -89,7 +89,7 @@ def hierarchy():
         turns = where(rows, spheres=count)
         lines.append([count] + [two_digits(middle(turns, column)) if turns[0][column] else ""
                                 for column in ("list", "balls", "hierarchy")])
-    return table(["spheres", "list, ns", "in balls, ns", "in a hierarchy, ns"], lines)
+    return table(["spheres", "list, ns", "in bounding spheres, ns", "in a hierarchy, ns"], lines)
 
 
 def decimation():

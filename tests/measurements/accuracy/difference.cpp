@@ -8,7 +8,7 @@ namespace rt {
 
 namespace {
 
-/// In steps of 255, of the channel that differs most.
+/// In levels of 255, of the channel that differs most.
 int steps(const Rgb& a, const Rgb& b) {
     int worst = 0;
     for (std::size_t channel = 0; channel < 3; ++channel)

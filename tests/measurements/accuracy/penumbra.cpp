@@ -119,7 +119,7 @@ std::vector<Lit> all_lit(const Scene& scene) {
 }
 
 /// One line: over all surfaces, the rays that were sent to each, the time that they took, and the
-/// error of the color in steps of 255, as the root of its mean square and at most.
+/// error of the color in levels of 255, as the root of its mean square and at most.
 void measure(const Scene& scene, const std::vector<Lit>& all, const Way& way, int rays) {
     double squares = 0;
     double most = 0;
