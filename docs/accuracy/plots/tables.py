@@ -79,7 +79,7 @@ def mirrors():
         lines.append([depth, two_digits(middle(turns, "seconds") / longest),
                       two_digits(float(row["error"])), row["most"],
                       two_digits(100 * float(row["seen"])) + " %"])
-    return table(["depth", "time", "error", "largest error", "pixels off by more than 2 steps"],
+    return table(["depth", "time", "error", "largest error", "pixels off by more than 2 levels"],
                  lines)
 
 
@@ -101,7 +101,7 @@ def decimation():
         lines.append([thousands(float(count)), two_digits(middle(turns, "seconds") / whole),
                       two_digits(float(turns[0]["error"])),
                       two_digits(100 * float(turns[0]["seen"])) + " %"])
-    return table(["triangles", "time", "error", "pixels off by more than 2 steps"], lines)
+    return table(["triangles", "time", "error", "pixels off by more than 2 levels"], lines)
 
 
 def pictures():
@@ -115,7 +115,7 @@ def pictures():
         lines.append([f"`{scene}`", two_digits(middle(of["float"], "seconds") / unit),
                       two_digits(middle(of["exact"], "seconds") / unit), *shares])
     return table(["scene", "time: float", "exact", "pixels other than exact's, of 100,000: double",
-                  "float", "by more than 2 steps", "on an edge"], lines)
+                  "float", "by more than 2 levels", "on an edge"], lines)
 
 
 def input_rounding():
