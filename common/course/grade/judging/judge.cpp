@@ -1,9 +1,8 @@
 #include "common/course/grade/judging/judge.hpp"
 
-#include "common/course/build/suite_report.hpp"
 #include "common/course/grade/judging/load.hpp"
-#include "common/course/grade/judging/seed.hpp"
 #include "common/course/grade/judging/sha256.hpp"
+#include "common/course/grade/judging/submission_job.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
@@ -17,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The limits of a worker. Right answers use at most a tenth of them. A case has less than the
-// sandbox allows for a process, so that the client always ends it.
-constexpr int answer_seconds = 5;
-constexpr int case_seconds = 8;
-constexpr int suite_seconds = 20;
 // A wall-clock limit as a fallback: suite, diagnosis and picture of a stage, on an idle machine.
 constexpr std::chrono::seconds longest_asking{60};
 // A stage may take this many times as long as its reference took on this machine, under the same
@@ -35,63 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 std::string name_of(int stage) {
     return std::string(stage_name(stage));
-}
-
-/// Runs one of the project's programs with an untrusted worker, which the launcher seals. Throws
-/// Interrupted.
-ProcessResult run_asking(const Grading& grading, int stage, const Command& program,
-                         const Command& variables, Clock::time_point until) {
-    Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
-                    "RAYSTEPS_LIMITS=" + worker_limits(stage)};
-    command.insert(command.end(), variables.begin(), variables.end());
-    command.push_back(grading.build / program.front());
-    command.insert(command.end(), program.begin() + 1, program.end());
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-    if (left.count() <= 0) return {.out_of_time = true};
-    ProcessResult ending = run_captured(command, left, grading.workshop.stop);
-    go_on(grading.workshop);
-    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
-        throw Interrupted();
-    return ending;
-}
-
-/// The cases that the stage's starter passes.
-std::set<std::string> given_cases(const Grading& grading, int stage) {
-    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
-    if (!fs::exists(file)) return {};
-    const std::vector<std::string> lines = lines_of(read_text(file));
-    return {lines.begin(), lines.end()};
-}
-
-/// The report of the stage's suite on the worker, run with these additional variables. Contains the
-/// cases that were reached.
-std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
-                                Clock::time_point until, const Command& more_variables = {}) {
-    const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
-    Command variables{"RAYSTEPS_WORKER=" + worker.string(),
-                      "RAYSTEPS_REPORT=" + report.string(),
-                      "RAYSTEPS_SEED_FILE=" + seed_file(grading.results).string(),
-                      "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
-                      "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
-                      "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
-    variables.insert(variables.end(), more_variables.begin(), more_variables.end());
-    const ProcessResult ending =
-        run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
-                   variables, until);
-    std::vector<CaseMark> cases;
-    if (!fs::exists(report) && ending.out_of_time) return cases;
-    if (!fs::exists(report))
-        throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
-    const std::set<std::string> given = given_cases(grading, stage);
-    for (const CaseResult& each : read_report(read_text(report)))
-        cases.push_back({.name = each.name,
-                         .points = each.points,
-                         .passed = each.passed,
-                         .given = given.count(each.name) == 1,
-                         .place = each.place,
-                         .words = each.failure});
-    fs::remove(report);
-    return cases;
 }
 
 bool was_waited_for(const CaseMark& each) {
@@ -198,93 +135,6 @@ ReferenceResult judge_reference(const Grading& grading, int stage, const fs::pat
     return reference_result;
 }
 
-/// A submission on the table.
-class Judge::SubmissionJob {
-public:
-    SubmissionJob(const Grading& grading, const Submission& submission)
-        : grading_(grading),
-          student_(submission.student),
-          handed_in_(take_in(grading.workshop, submission)),
-          scratch_(grading.workshop.folder) {
-        // The workers in this folder are run by unprivileged users.
-        fs::permissions(scratch_.path(), fs::perms(0755));
-        fs::create_directories(student_folder(grading_.results, student_) / "submitted");
-        for (const auto& [stage, text] : handed_in_.files)
-            write_text(student_folder(grading_.results, student_) / "submitted" /
-                           (name_of(stage).substr(7) + ".cpp"),
-                       text);
-    }
-
-    [[nodiscard]] const std::string& student() const { return student_; }
-    [[nodiscard]] bool has(int stage) const { return handed_in_.files.count(stage) == 1; }
-    [[nodiscard]] const std::string& text(int stage) const { return handed_in_.files.at(stage); }
-
-    [[nodiscard]] std::string words(int stage) const {
-        const auto found = handed_in_.words.find(stage);
-        return found == handed_in_.words.end() ? handed_in_.words_on_all : found->second;
-    }
-
-    /// The hash of the student's files up to a stage.
-    [[nodiscard]] std::string chain(int stage) const {
-        std::string all;
-        for (int each = 1; each <= stage; ++each) all += has(each) ? sha256(text(each)) : "-";
-        return sha256(all);
-    }
-
-    /// The hash of everything that decides the mark of a stage.
-    [[nodiscard]] std::string key(int stage, const ReferenceResult& reference_result) const {
-        return sha256_of_all(reference_result.key, words(stage), chain(stage));
-    }
-
-    /// Compiled once.
-    const Build& compiled(int stage) {
-        const auto known = compiled_.find(stage);
-        if (known != compiled_.end()) return known->second;
-        return compiled_[stage] =
-                   compile_submission(grading_.workshop, stage, text(stage), object(stage));
-    }
-
-    /// The worker of the student's stage, among the references.
-    Build link(int stage) { return link(stage, {{stage, object(stage)}}); }
-
-    /// The worker of the student's own stages up to this one.
-    Build link_chain(int stage, Clock::time_point until) {
-        std::map<int, fs::path> objects;
-        for (int each = 1; each <= stage; ++each) {
-            if (Clock::now() > until) return {};
-            if (has(each) && compiled(each).succeeded) objects[each] = object(each);
-        }
-        return link(stage, objects);
-    }
-
-    [[nodiscard]] fs::path worker() const { return scratch_.path() / "worker"; }
-
-    /// In the results, beside the mark.
-    [[nodiscard]] fs::path beside(int stage, const std::string& ending) const {
-        return student_folder(grading_.results, student_) / (name_of(stage) + ending);
-    }
-
-private:
-    [[nodiscard]] fs::path object(int stage) const {
-        return scratch_.path() / (name_of(stage) + ".o");
-    }
-
-    Build link(int stage, const std::map<int, fs::path>& objects) {
-        if (linked_ == std::pair(stage, objects)) return {.succeeded = true};  // it is there
-        linked_ = {};
-        Build made = link_worker(grading_.workshop, stage, objects, worker());
-        if (made.succeeded) linked_ = {stage, objects};
-        return made;
-    }
-
-    const Grading& grading_;
-    std::string student_;
-    SubmittedFiles handed_in_;
-    TemporaryFolder scratch_;
-    std::map<int, Build> compiled_;
-    std::pair<int, std::map<int, fs::path>> linked_;  ///< the stage and the objects of worker()
-};
-
 namespace {
 
 /// The part of the picture that the student's own stages draw.
@@ -370,7 +220,7 @@ std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::
 void Judge::judge(SubmissionJob& job, int stage) {
     go_on(grading_.workshop);
     const ReferenceResult& reference_result = yardsticks_.at(stage);
-    const std::string key = job.key(stage, reference_result);
+    const std::string key = job.key(stage, reference_result.key);
     const std::optional<Mark> before = read_mark(grading_.results, job.student(), stage);
     if (before && before->key == key) return;
     const Clock::time_point until = end_of_asking(reference_result);

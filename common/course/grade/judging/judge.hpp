@@ -1,25 +1,14 @@
 // The grading of one submission.
 #pragma once
 
+#include "common/course/grade/judging/ask_suite.hpp"
 #include "common/course/grade/judging/intake.hpp"
 #include "common/course/grade/results/results.hpp"
 
-#include <atomic>
 #include <map>
 #include <mutex>
-#include <set>
 
 namespace rt::grade {
-
-/// The settings for grading a class.
-struct Grading {
-    std::filesystem::path project;
-    std::filesystem::path build;
-    std::filesystem::path results;
-    BuildDirectory workshop;
-    std::string seed;  ///< its identifier
-    std::set<int> stages;
-};
 
 /// The reference's result: the points of each case of a stage.
 struct ReferenceResult {
@@ -39,6 +28,8 @@ void compile_reference(const Grading& grading, int stage);
 [[nodiscard]] ReferenceResult judge_reference(const Grading& grading, int stage,
                                               const std::filesystem::path& folder);
 
+class SubmissionJob;
+
 /// Grades submissions, on several threads.
 class Judge {
 public:
@@ -51,8 +42,6 @@ public:
     [[nodiscard]] std::string judge(const Submission& submission);
 
 private:
-    class SubmissionJob;
-
     using Time = std::chrono::steady_clock::time_point;
 
     void judge(SubmissionJob& job, int stage);

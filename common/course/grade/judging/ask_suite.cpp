@@ -1,0 +1,81 @@
+#include "common/course/grade/judging/ask_suite.hpp"
+
+#include "common/course/build/suite_report.hpp"
+#include "common/course/grade/judging/seed.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+
+namespace rt::grade {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The limits of a worker. Right answers use at most a tenth of them. A case has less than the
+// sandbox allows for a process, so that the client always ends it.
+constexpr int answer_seconds = 5;
+constexpr int case_seconds = 8;
+constexpr int suite_seconds = 20;
+
+using Clock = std::chrono::steady_clock;
+
+std::string name_of(int stage) {
+    return std::string(stage_name(stage));
+}
+
+/// The cases that the stage's starter passes.
+std::set<std::string> given_cases(const Grading& grading, int stage) {
+    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
+    if (!fs::exists(file)) return {};
+    const std::vector<std::string> lines = lines_of(read_text(file));
+    return {lines.begin(), lines.end()};
+}
+
+}  // namespace
+
+ProcessResult run_asking(const Grading& grading, int stage, const Command& program,
+                         const Command& variables, Clock::time_point until) {
+    Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
+                    "RAYSTEPS_LIMITS=" + worker_limits(stage)};
+    command.insert(command.end(), variables.begin(), variables.end());
+    command.push_back(grading.build / program.front());
+    command.insert(command.end(), program.begin() + 1, program.end());
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    if (left.count() <= 0) return {.out_of_time = true};
+    ProcessResult ending = run_captured(command, left, grading.workshop.stop);
+    go_on(grading.workshop);
+    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+        throw Interrupted();
+    return ending;
+}
+
+std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
+                                Clock::time_point until, const Command& more_variables) {
+    const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
+    Command variables{"RAYSTEPS_WORKER=" + worker.string(),
+                      "RAYSTEPS_REPORT=" + report.string(),
+                      "RAYSTEPS_SEED_FILE=" + seed_file(grading.results).string(),
+                      "RAYSTEPS_SECONDS=" + std::to_string(answer_seconds),
+                      "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
+                      "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
+    variables.insert(variables.end(), more_variables.begin(), more_variables.end());
+    const ProcessResult ending =
+        run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
+                   variables, until);
+    std::vector<CaseMark> cases;
+    if (!fs::exists(report) && ending.out_of_time) return cases;
+    if (!fs::exists(report))
+        throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
+    const std::set<std::string> given = given_cases(grading, stage);
+    for (const CaseResult& each : read_report(read_text(report)))
+        cases.push_back({.name = each.name,
+                         .points = each.points,
+                         .passed = each.passed,
+                         .given = given.count(each.name) == 1,
+                         .place = each.place,
+                         .words = each.failure});
+    fs::remove(report);
+    return cases;
+}
+
+}  // namespace rt::grade
