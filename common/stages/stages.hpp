@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace rt {
@@ -24,6 +25,11 @@ inline constexpr int mesh_stage = 13;
 /// The name of a stage from 1 to 13.
 [[nodiscard]] constexpr std::string_view stage_name(int stage) {
     return stage_names.at(static_cast<std::size_t>(stage - 1));
+}
+
+/// The same, for longer names.
+[[nodiscard]] inline std::string name_of(int stage) {
+    return std::string(stage_name(stage));
 }
 
 /// The number of the stage that "5", "05", "step05", "triangle" or "step05_triangle" names; nothing

@@ -21,7 +21,7 @@ constexpr std::size_t most_looks = 100'000'000;
 constexpr std::size_t looks_for_a_pair = 10'000;
 
 /// A shape of any kind.
-struct ShadingPoint {
+struct Surface {
     BoundingBox box;
     std::function<Vec3(Vec2)> point;  ///< maps a point of the unit square to the surface
     std::function<Real(Vec3)> distance;
@@ -49,7 +49,7 @@ void take_in(InputRounding& scene, const auto& primitives) {
 }
 
 /// The largest distance from `surface`'s nearest twentieth to the other surface.
-Real gap(const ShadingPoint& surface, const std::function<Real(Vec3)>& distance) {
+Real gap(const Surface& surface, const std::function<Real(Vec3)>& distance) {
     std::array<Real, samples> distances;
     for (std::size_t i = 0; i < samples; ++i)
         distances[i] = distance(surface.point(spread_sample(std::uint32_t(i), 0)));
@@ -62,8 +62,8 @@ bool apart(const BoundingBox& a, const BoundingBox& b, Real distance) {
     return glm::max(way.x, glm::max(way.y, way.z)) > distance;
 }
 
-std::vector<ShadingPoint> bounded_surfaces(const Scene& scene) {
-    std::vector<ShadingPoint> surfaces;
+std::vector<Surface> bounded_surfaces(const Scene& scene) {
+    std::vector<Surface> surfaces;
     const auto take = [&surfaces](const auto& primitives) {
         for (const auto& primitive : primitives) {
             const auto& shape = primitive.shape;
@@ -76,7 +76,7 @@ std::vector<ShadingPoint> bounded_surfaces(const Scene& scene) {
     };
     for_each_kind(scene, take);
     take(scene.meshes);
-    std::ranges::sort(surfaces, {}, [](const ShadingPoint& surface) { return surface.box.min.x; });
+    std::ranges::sort(surfaces, {}, [](const Surface& surface) { return surface.box.min.x; });
     return surfaces;
 }
 
@@ -86,10 +86,10 @@ Real smallest_gap(const Scene& scene, Real widest) {
     const auto consider = [&](Real gap) {
         if (gap < widest) least = glm::min(least, gap);
     };
-    const std::vector<ShadingPoint> surfaces = bounded_surfaces(scene);
+    const std::vector<Surface> surfaces = bounded_surfaces(scene);
     std::size_t looks = 0;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        const ShadingPoint& a = surfaces[i];
+        const Surface& a = surfaces[i];
         for (const auto& plane : scene.planes) {
             const auto to_plane = [&](Vec3 point) { return distance(point, plane.shape); };
             const Real middle = to_plane(a.box.min / Real(2) + a.box.max / Real(2));
@@ -98,7 +98,7 @@ Real smallest_gap(const Scene& scene, Real widest) {
             looks += looks_for_a_pair;
         }
         for (std::size_t k = i + 1; k < surfaces.size() && looks < most_looks; ++k, ++looks) {
-            const ShadingPoint& b = surfaces[k];
+            const Surface& b = surfaces[k];
             if (b.box.min.x > a.box.max.x + widest) break;
             if (apart(a.box, b.box, widest)) continue;
             consider(gap(a, b.distance));

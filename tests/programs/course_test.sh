@@ -67,7 +67,7 @@ says "changed since it passed"
 echo "// of mine" > $stage/student/helpers.hpp
 echo "// of mine" > $stage/student/helpers.cpp
 {
-    printf '#include "%s"\n' common/./ray.hpp common/scene/scene.hpp helpers.hpp ../sphere.hpp
+    printf '#include "%s"\n' common/./geometry/ray.hpp common/scene/scene.hpp helpers.hpp ../sphere.hpp
     printf '# include <steps/step04_plane/plane.hpp>\n'
     printf '/* not so:\n#include "common/image/png.hpp"\n*/ // #include "common/render/render.hpp"\n'
     cat $stage/reference/sphere.cpp

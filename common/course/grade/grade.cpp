@@ -38,10 +38,6 @@ constexpr std::size_t headers_pay_from = 4;  // submissions
 
 std::atomic<bool> stop = false;
 
-std::string name_of(int stage) {
-    return std::string(stage_name(stage));
-}
-
 void check_seal() {
     const std::vector<Layer> all = layers();
     std::fputs(text_of(all).c_str(), stderr);

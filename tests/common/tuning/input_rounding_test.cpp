@@ -6,6 +6,7 @@
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "tests/kit/picture.hpp"
+#include "tests/kit/random.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -19,10 +19,6 @@ constexpr int suite_seconds = 20;
 
 using Clock = std::chrono::steady_clock;
 
-std::string name_of(int stage) {
-    return std::string(stage_name(stage));
-}
-
 /// The cases that the stage's starter passes.
 std::set<std::string> given_cases(const Grading& grading, int stage) {
     const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";

@@ -27,10 +27,6 @@ constexpr const char* not_reached = "was not reached: the cases before it took t
 
 using Clock = std::chrono::steady_clock;
 
-std::string name_of(int stage) {
-    return std::string(stage_name(stage));
-}
-
 bool was_waited_for(const CaseMark& each) {
     return !each.passed && (each.words.find("gave no answer within") != std::string::npos ||
                             each.words.find("took longer than") != std::string::npos);

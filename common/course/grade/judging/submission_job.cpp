@@ -9,10 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string name_of(int stage) {
-    return std::string(stage_name(stage));
-}
-
 }  // namespace
 
 SubmissionJob::SubmissionJob(const Grading& grading, const Submission& submission)

@@ -27,10 +27,6 @@ constexpr int header_megabytes = 256;
 /// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
 using Options = std::multimap<std::string, std::string>;
 
-std::string name_of(int stage) {
-    return std::string(stage_name(stage));
-}
-
 fs::path reference_of(const BuildDirectory& workshop, int stage) {
     return workshop.folder / "seats/references" / (name_of(stage) + ".o");
 }
