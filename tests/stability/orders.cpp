@@ -1,4 +1,5 @@
-// Compiled twice: for the references, and for `--precision exact`, which has a ClosestHit of its own.
+// Compiled twice: for the references, and for `--precision exact`, which has a ClosestHit of its
+// own.
 #include "tests/stability/orders.hpp"
 
 #include "common/bvh/mesh_bvh.hpp"

@@ -56,6 +56,7 @@ inline std::set<std::uint32_t> visited(const Bvh& hierarchy, const Ray& ray, Int
 
 inline Mesh octahedron() {
     return {.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+            .normals = {},
             .triangles = {{0, 2, 4},
                           {2, 1, 4},
                           {1, 3, 4},
@@ -68,7 +69,7 @@ inline Mesh octahedron() {
 
 /// Four triangles for one, and the vertices on the unit sphere.
 inline Mesh refined(const Mesh& mesh) {
-    Mesh finer{.vertices = mesh.vertices};
+    Mesh finer{.vertices = mesh.vertices, .normals = {}, .triangles = {}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t p, std::uint32_t q) {
         const auto [found, is_new] =

@@ -29,6 +29,7 @@ inline std::string got_text(const std::optional<MeshHit>& hit) {
 
 inline Mesh octahedron() {
     return {.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+            .normals = {},
             .triangles = {{0, 2, 4},
                           {2, 1, 4},
                           {1, 3, 4},
