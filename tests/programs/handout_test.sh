@@ -50,7 +50,7 @@ ls "$project"/steps/*/reference/*.cpp > /dev/null || exit 1
 sealed "$project"/steps/*/reference/*.cpp "$project"/steps/*/story.cpp
 grep -rlE '^// caught by: ' old > out && fail "no known mistake"
 grep -rlF '#include "steps/step03_sphere/reference' old > out && fail "nothing of the reference's"
-find old -path '*reference/*' ! -name 'f[36][24].a' -type f > out
+find old/steps -path '*reference/*' ! -name 'f[36][24].a' -type f > out
 [ ! -s out ] || fail "archives alone"
 for part in mistakes/step03_sphere/near_root_only.cpp alternatives mutation oracle stability \
     contract/wrong grading/attacks; do
