@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <string>
 #include <system_error>
@@ -18,6 +19,15 @@ std::size_t take(std::string_view& text, std::string_view characters,
     const std::size_t count = std::min({text.find_first_not_of(characters), text.size(), most});
     text.remove_prefix(count);
     return count;
+}
+
+/// Returns the digits of a number without the zeros at either end, and without a point.
+std::string significant(std::string_view number) {
+    std::string kept(number);
+    std::erase(kept, '.');
+    kept.erase(kept.find_last_not_of('0') + 1);
+    kept.erase(0, kept.find_first_not_of('0'));
+    return kept;
 }
 
 /// Returns the double nearest to an unsigned number; infinity if it is too large.
@@ -51,9 +61,18 @@ std::optional<Decimal> parse_decimal(std::string_view text) {
 
     const double value = nearest_double(magnitude);
     return Decimal{.value = negative ? -value : value,
-                   .zero = mantissa.find_first_of("123456789") == std::string_view::npos,
                    .whole = !has_point && !scientific,
-                   .scientific = scientific};
+                   .scientific = scientific,
+                   .digits = significant(mantissa)};
+}
+
+bool exceeds(const Decimal& number, int bound) {
+    const double magnitude = std::abs(number.value);
+    if (magnitude != bound) return magnitude > bound;
+    // The nearest double is the bound. A number above it starts with its digits: 1.000…01. One
+    // below it does not: 0.999….
+    const std::string limit = significant(std::to_string(bound));
+    return number.digits.starts_with(limit) && number.digits != limit;
 }
 
 }  // namespace rt

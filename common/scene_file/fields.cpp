@@ -10,9 +10,14 @@ inline namespace RT_PRECISION {
 
 namespace {
 
-/// Returns whether 0 ≤ number ≤ bound; −0 is 0.
+/// Returns whether 0 ≤ number ≤ bound for the number as written; −0 is 0.
 bool within(const Decimal& number, int bound) {
-    return (number.zero || !std::signbit(number.value)) && number.value <= bound;
+    const bool below = std::signbit(number.value) && exceeds(number, 0);
+    return !below && !exceeds(number, bound);
+}
+
+bool positive(const Decimal& number) {
+    return !std::signbit(number.value) && exceeds(number, 0);
 }
 
 std::string component_of(const std::string& name) {
@@ -119,10 +124,10 @@ Color Fields::color_or_white() {
 int Fields::pixels(std::string_view field) {
     const Token token = take_word(field);
     const auto number = parse_decimal(token.text);
-    if (!number || !number->whole || number->value <= 0) {
+    if (!number || !number->whole || !positive(*number)) {
         refuse(token, what(field) + " must be a positive whole number");
     }
-    if (number->value <= largest_side) return static_cast<int>(number->value);
+    if (!exceeds(*number, largest_side)) return static_cast<int>(number->value);
     warn(token, "resolution",
          what(field) + " is clipped from " + quoted(token.text) + " to " +
              std::to_string(largest_side));
@@ -167,7 +172,7 @@ Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
 
 Real Fields::length_of(Token token, const std::string& name) {
     const Decimal number = decimal(token, name);
-    if (number.zero || std::signbit(number.value)) refuse(token, name + " must be positive");
+    if (!positive(number)) refuse(token, name + " must be positive");
     const auto length = Real(number.value);
     const bool vanishes = length / 2 == 0;
     if (vanishes) refuse(token, name + " must be large enough to compute with");
@@ -178,7 +183,7 @@ Real Fields::length_of(Token token, const std::string& name) {
 /// the format does; lenient reading accepts any length.
 std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view field) {
     for (std::size_t i = 0; strict() && i < read.parts.size(); ++i) {
-        if (std::abs(read.numbers[i].value) <= 1) continue;
+        if (!exceeds(read.numbers[i], 1)) continue;
         refuse(read.parts[i], component_of(what(field)) + " must be from -1 to 1");
     }
     if (read.value == Vec3(0)) return std::nullopt;

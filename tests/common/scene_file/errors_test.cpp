@@ -153,12 +153,16 @@ TEST_CASE("a base-anchored cylinder whose center is out of range") {
           "scene.rt:3:1: error: a cylinder's center is too far away");
 }
 
-TEST_CASE("ranges are judged by the nearest double, in both precisions") {
-    // 1 + 2⁻⁵², and a number so near to it that no double lies between them.
-    for (const std::string above_one : {"1.0000000000000002220446", "1.0000000000000002"})
-        CHECK(strict_refusal(with_camera("A " + above_one + " 1,2,3")) ==
+TEST_CASE("ranges are judged by the digits, not by the nearest float or double") {
+    const std::string above_one = "1." + std::string(100, '0') + "1";
+    for (const std::string& text : {above_one, "1" + above_one.substr(2) + "e-101"})
+        CHECK(lenient_refusal(with_camera("A " + text + " 1,2,3")) ==
               "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
-                  above_one + "\"");
+                  text.substr(0, 40) + "...\"");
+    const std::string nines(100, '9');
+    CHECK(strict_refusal(with_camera("A 0." + nines + " 1,2,3")) == "accepted");
+    CHECK(lenient_refusal("C 0,0,0 1,0,0 179." + nines) == "accepted");
+    CHECK(lenient_refusal("C 0,0,0 1,0,0 18" + above_one.substr(2) + "e-100") != "accepted");
     CHECK(strict_refusal(with_camera("A 1." + std::string(100, '0') + " 1,2,3")) == "accepted");
     CHECK(strict_refusal(with_camera("A -0.0 1,2,3")) == "accepted");
     for (const std::string below_zero : {"-1e-300", "-1e-400"})  // the second rounds to −0
