@@ -1,0 +1,96 @@
+#include "common/course/exercise/commands.hpp"
+
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/hints.hpp"
+#include "common/course/exercise/workbook.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/paint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace rt {
+
+namespace {
+
+constexpr std::array<const char*, stage_names.size()> brings = {
+    "a ray through every pixel",
+    "a camera in any direction",
+    "spheres, and the closest of them",
+    "planes, and a horizon",
+    "triangles without cracks between them",
+    "squares, and the Cornell box",
+    "open cylinders",
+    "open cones",
+    "light: ambient, diffuse, specular",
+    "shadows",
+    "soft shadows of area lights",
+    "mirrors",
+    "meshes of a million triangles",
+};
+
+}  // namespace
+
+void show_progress() {
+    const int current = current_stage();
+    for (int stage = 1; stage <= int(brings.size()); ++stage) {
+        const Workbook workbook(stage);
+        const char* mark = stage == current ? "▸" : " ";
+        if (workbook.state() == State::done) mark = "✓";
+        std::string line = std::string(mark) + (stage < 10 ? "  " : " ") + std::to_string(stage) +
+                           "  " + std::string(stage_name(stage));
+        line.resize(line.size() + 24 - stage_name(stage).size(), ' ');
+        line += workbook.state() == State::untouched ? brings[std::size_t(stage - 1)]
+                                                     : workbook.summary();
+        std::puts(workbook.state() == State::done ? styled(line, Style::good).c_str()
+                  : stage == current              ? styled(line, Style::bold).c_str()
+                                                  : line.c_str());
+    }
+    const bool started = Workbook(current).state() == State::started;
+    std::printf("\nNext: ./course %s %d, and read docs/%s.md\n", started ? "check" : "start",
+                current, stage_name(current).data());
+}
+
+void start(int stage) {
+    Workbook(stage).start();
+    std::printf(
+        "yours to write: %s\nread:           docs/%s.md\nthen:           ./course check %d\n",
+        Workbook(stage).files().front().lexically_relative(project_folder).c_str(),
+        stage_name(stage).data(), stage);
+}
+
+void reset(int stage) {
+    std::printf("your old files are kept in %s\n", Workbook(stage).reset().c_str());
+}
+
+void show_hint(int stage) {
+    Workbook workbook(stage);
+    Record record = workbook.record();
+    record.hints = std::min(record.hints + 1, hint_levels);
+    std::printf("%s, hint %d of %d\n\n%s", stage_name(stage).data(), record.hints, hint_levels,
+                hint_text(stage, record.hints).c_str());
+    workbook.remember(record);
+}
+
+int show_solution(int stage) {
+    const auto files = files_in(project_folder / step_path(stage, "reference"), ".cpp");
+    if (files.empty()) throw InputError({}, "the solutions are not part of this hand-out");
+    Workbook workbook(stage);
+    Record record = workbook.record();
+    ++record.solution_asked;
+    workbook.remember(record);
+    if (workbook.state() != State::done && record.solution_asked < 2) {
+        std::printf(
+            "%s does not pass yet. ./course hint %d helps; repeat the command for the solution.\n",
+            stage_name(stage).data(), stage);
+        return 1;
+    }
+    for (const auto& file : files)
+        std::printf("// %s\n%s", file.lexically_relative(project_folder).c_str(),
+                    read_text(file).c_str());
+    return 0;
+}
+
+}  // namespace rt

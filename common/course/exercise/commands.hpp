@@ -1,0 +1,24 @@
+// The short commands about a stage's files: their state, start, reset, hint, solution.
+#pragma once
+
+namespace rt {
+
+/// `./course`: prints one line for each stage, and what to do next.
+void show_progress();
+
+/// `./course start`: copies the starter, and prints the paths of what to write and read. Throws
+/// InputError if the stage is started already.
+void start(int stage);
+
+/// `./course reset`: keeps the student's files in a new folder, and copies the starter again.
+/// Throws InputError if the stage is not started.
+void reset(int stage);
+
+/// `./course hint`: prints the next hint, and counts it.
+void show_hint(int stage);
+
+/// `./course solution`: prints the reference and returns 0 if the stage is done or at the second
+/// call; else returns 1. Throws InputError in a hand-out without solutions.
+int show_solution(int stage);
+
+}  // namespace rt

@@ -1,0 +1,94 @@
+#include "common/course/exercise/run.hpp"
+
+#include "common/course/build/build.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/handout/manifest.hpp"
+#include "common/system/input_error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <thread>
+
+namespace rt {
+
+namespace {
+
+constexpr const char* test_time_limit = "300";  // seconds; an endless loop is a failure
+
+/// Builds a program of all the student's stages. If another stage does not compile, prints how to
+/// build without it.
+void build_all_mine(int stage) {
+    try {
+        build({stage_target(stage)});
+    } catch (const ProgramError& error) {
+        const std::string text = error.what();
+        for (int other = 1; other < stage; ++other)
+            if (text.find(step_path(other, "student/")) == 0)
+                throw ProgramError(text + "Without that stage: --reference " +
+                                   std::to_string(other) + "\n");
+        throw;
+    }
+}
+
+/// True for the option that selects the exact precision, which has a program of its own.
+bool wants_exact(const Command& words) {
+    const auto name = std::find(words.begin(), words.end(), "--precision");
+    return std::find(words.begin(), words.end(), "--precision=exact") != words.end() ||
+           (words.end() - name >= 2 && name[1] == "exact");
+}
+
+/// Runs a program of the build.
+int run_built(const std::string& program, const Command& words) {
+    Command command = {(build_folder / program).string()};
+    command.insert(command.end(), words.begin(), words.end());
+    return run_process(command);
+}
+
+}  // namespace
+
+int run_stage(int stage, const Command& words, const std::string& references) {
+    choose_reference(references);
+    std::string name = stage_target(stage);
+    if (wants_exact(words)) {
+        if (is_handout(project_folder))
+            throw InputError({}, "--precision exact is not part of this hand-out");
+        name = stage_target(stage, "_exact");
+        build({name});
+    } else {
+        build_all_mine(stage);
+    }
+    return run_built(name, words);
+}
+
+int run_tests(std::optional<int> stage, const Command& words) {
+    const std::string cores = std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+    Command command = {"ctest", "--test-dir", build_folder.string(), "-j",
+                       cores,   "--timeout",  test_time_limit};
+    command.insert(command.end(),
+                   {"--output-on-failure", "--progress", "--no-label-summary", "--no-tests=error"});
+    std::vector<std::string> targets;
+    if (stage) {
+        const std::string name = stage_target(*stage);
+        targets = {name + "_test_float", name + "_test_double"};
+        command.insert(command.end(), {"-L", "^" + name + "$"});
+    }
+    command.insert(command.end(), words.begin(), words.end());
+    choose_reference("");
+    build(targets);
+    const int status = run_process(command);
+    if (!stage && !has_meshes)
+        std::puts("step13_meshes was left out: ./course test 13 installs OpenMesh");
+    std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
+    return status;
+}
+
+int run_grader(const Command& words) {
+    choose_reference("all");
+    std::vector<std::string> targets = {"grading"};
+    if (std::find(words.begin(), words.end(), "--self-test") != words.end())
+        targets.insert(targets.end(), {"seal_test", "attacks_test"});
+    build(targets);
+    return run_built("grade", words);
+}
+
+}  // namespace rt
