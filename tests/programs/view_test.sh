@@ -219,7 +219,7 @@ ask Runtime.evaluate '"expression":"document.getElementById(`reset`).click()"'
 shows "the scene's own camera again" "images.reference.width === 640 &&
     $sum === $before"
 
-# A click: both explanations of the pixel under it, and the first line that differs.
+# A click: both explanations of the pixel under it, and the first difference.
 value "(b => Math.round(b.left + b.width / 2) + ' ' + Math.round(b.top + b.height / 2))(
     document.getElementById('mine').getBoundingClientRect())"
 box=$value
@@ -235,6 +235,8 @@ shows "one first line that differs, the colour" "document.querySelectorAll('.fir
     document.querySelector('.first .mine').textContent.includes('color = ') &&
     document.querySelector('.first .mine').textContent !==
     document.querySelector('.first .reference').textContent"
+shows "the first difference" "/^The first difference: .*color, of /.test(
+    document.getElementById('told').textContent)"
 
 # A compiler error, and then a right program: reported, and rendered again, without a click.
 echo "triangle.cpp:7:3: error: expected ';'" > project/compiler_says
@@ -244,11 +246,27 @@ shows "the compiler's error" "!document.querySelector('[data-of=mine] pre').hidd
 rm project/compiler_says
 program step05_triangle
 echo "another" >> project/steps/step05_triangle/student/triangle.cpp
-shows "no difference once it is right" "$caption === 'Every pixel is the same.'"
+shows "no difference once it is right" "$caption.startsWith('The same picture as ')"
 shows "no error any more" "document.querySelector('[data-of=mine] pre').hidden"
-shows "the same story" \
-    "document.getElementById('told').textContent === 'Both explanations are the same.'"
+told="document.getElementById('told').textContent"
+shows "the same story" "$told === 'Nothing differs.'"
+
+# Numbers are compared, not texts; a function that is not written is reported, and no difference.
+script "echo 'steps/step04_plane/student/plane.cpp:7: intersect is not written yet' >&2
+\"$build/step05_triangle\" \"\$@\" | sed 's/\([(, ]\)0\([,)]\)/\1-0\2/g; s/\(\.[0-9]\{9\}\)[0-9]*/\1/g'"
+touch project/steps/step05_triangle/student/triangle.cpp
+shows "no difference by the sign of zero or the last digits" "
+    $told.startsWith('Nothing differs.') && document.querySelector('.differs') === null"
+shows "what is not written" "$told.includes('plane.cpp:7: intersect is not written yet')"
+
+# Whose files draw the picture.
+parts="document.getElementById('parts').textContent"
+shows "the stages of mine" "$parts.includes('your stage 5 and the references of stages 1, 2, 3, 4')"
+mkdir -p project/steps/step03_sphere/student
+touch project/steps/step03_sphere/student/sphere.cpp
 program step05_triangle "--shade normal"
+shows "two of mine" "$parts.includes('your stages 3, 5 and') && $parts.includes('all but stage 5')"
+rm -r project/steps/step03_sphere
 shows "a program that is replaced is drawn anew" "/pixels differ/.test($caption)"
 
 # A program that crashes, and an endless one: reported, and the page still works.

@@ -2,14 +2,16 @@
 
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/status_line.hpp"
+#include "common/course/build/student_objects.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
-#include "common/system/terminal.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 
 namespace rt {
 
@@ -22,6 +24,16 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
+const std::string compiling = "Building CXX object ";
+
+/// The file of an edge of the build: "sphere.cpp" of "Building CXX object …/sphere.cpp.o".
+std::string file_of(const std::string& edge) {
+    std::string file = edge.substr(edge.find_last_of("/ ") + 1);
+    const std::size_t object = file.rfind(".o");
+    if (object != std::string::npos && object + 2 == file.size()) file.resize(object);
+    return file;
+}
+
 /// Parses the output of ninja, line by line.
 class Listener {
 public:
@@ -29,25 +41,31 @@ public:
         int done = 0;
         int total = 0;
         double seconds = 0;
-        if (std::sscanf(line.c_str(), "[%d %d %lf]", &done, &total, &seconds) == 3) {
-            if (shown_ && done > 0)
-                std::fprintf(stderr, "\rbuilding: %3d %%, %.0f s left\033[K", 100 * done / total,
-                             seconds * (total - done) / done);
+        int end = 0;
+        if (std::sscanf(line.c_str(), "[%d %d %lf] %n", &done, &total, &seconds, &end) == 3) {
+            const std::string edge =
+                line.substr(std::size_t(end), line.find_last_not_of('\n') + 1 - std::size_t(end));
+            show_progress(done, total, seconds, file_of(edge));
+            const bool compiles = edge.rfind(compiling, 0) == 0 && is_student_object(edge);
+            object_ = compiles ? edge.substr(compiling.size()) : "";
+            if (!object_.empty()) warnings_[object_] = "";
             in_failure_ = false;
         } else if (line.rfind("FAILED: ", 0) == 0) {
             failures_.emplace_back();
             in_failure_ = skip_ = true;
+            warnings_.erase(object_);
             // the long command line of a failed step, which does not help the student
         } else if (skip_) {
             skip_ = false;
         } else if (line.rfind("ninja: ", 0) != 0 || line.rfind("ninja: error: ", 0) == 0) {
             (in_failure_ ? failures_.back() : rest_) += line;
+            if (!in_failure_ && !object_.empty()) warnings_[object_] += line;
         }
     }
 
     /// The errors; without errors, the rest of the output.
     std::string end() {
-        if (shown_) std::fputs("\r\033[K", stderr);
+        for (const auto& [object, output] : warnings_) keep_warnings(build_folder / object, output);
         // A file that fails in one precision fails in the other with the same message.
         std::sort(failures_.begin(), failures_.end());
         failures_.erase(std::unique(failures_.begin(), failures_.end()), failures_.end());
@@ -57,7 +75,18 @@ public:
     }
 
 private:
-    bool shown_ = errors_on_terminal();
+    void show_progress(int done, int total, double seconds, const std::string& file) const {
+        if (done == 0 || total == 0) return;
+        std::array<char, 64> share{};
+        std::snprintf(share.data(), share.size(),
+                      "building: %3d %%, %.0f s left: ", 100 * done / total,
+                      seconds * (total - done) / done);
+        status_.show(share.data() + file);
+    }
+
+    StatusLine status_{"building …"};
+    std::string object_;                           ///< the student's object that was compiled last
+    std::map<std::string, std::string> warnings_;  ///< of each student's object
     bool in_failure_ = false;
     bool skip_ = false;
     std::vector<std::string> failures_;
@@ -98,6 +127,7 @@ void choose_reference(const std::string& stages) {
     const std::string setting = "RAYSTEPS_REFERENCE:STRING=" + stages;
     for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
         if (line == setting) return;
+    const StatusLine status("configuring …");
     const ProcessResult ending =
         run_captured({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
     if (ending.status != 0) throw ProgramError("error: cmake failed\n" + ending.output);

@@ -3,7 +3,7 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/image_diff.hpp"
-#include "common/course/exercise/log_diff.hpp"
+#include "common/course/exercise/log_text.hpp"
 #include "common/image/png.hpp"
 #include "common/image/preview.hpp"
 #include "common/system/files.hpp"
@@ -83,10 +83,10 @@ int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
         pixel = std::to_string(comparison.center->row) + "," +
                 std::to_string(comparison.center->column);
     }
-    std::fputs(beside(answer(my_program(contest), contest, {"--pixel", pixel}),
-                      answer(reference_program(contest), contest, {"--pixel", pixel}))
-                   .c_str(),
-               stdout);
+    const LogDiff diff =
+        compare_logs(answer(my_program(contest), contest, {"--pixel", pixel}),
+                     answer(reference_program(contest), contest, {"--pixel", pixel}));
+    std::fputs(text(diff).c_str(), stdout);
     return 0;
 }
 

@@ -1,7 +1,6 @@
 #include "common/course/exercise/log_diff.hpp"
 
 #include "common/system/files.hpp"
-#include "common/system/paint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr double rounding = 1e-5;  // between two right formulas, in float and in double
+constexpr double rounding = 1e-5;   // between two right formulas, in float and in double
+constexpr std::size_t most = 2000;  // lines; a scene with more shapes logs no more of its misses
 
 /// True if two texts are equal up to the last digits of their numbers.
 bool same(const std::string& a, const std::string& b) {
@@ -40,11 +40,31 @@ bool same(const std::string& a, const std::string& b) {
 
 constexpr const char* verdict = "→";  // precedes a result: a hit, a miss
 
-/// The name of a line's quantity: "t" in "  t = 4".
+/// The text with "#" for each number.
+std::string without_numbers(const std::string& line) {
+    std::string text;
+    for (const char* p = line.c_str(); *p != '\0';) {
+        char* after = nullptr;
+        std::strtod(p, &after);
+        text += after == p ? *p : '#';
+        p = after == p ? p + 1 : after;
+    }
+    return text;
+}
+
+/// The name of a line's quantity: "t" in "  t = 4". Of a line without one, all but its numbers.
 std::string name(const std::string& line) {
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
     if (line.compare(start, std::string(verdict).size(), verdict) == 0) return verdict;
-    return line.substr(start, line.find(" = ") - start);
+    const std::size_t end = line.find(" = ");
+    return end == std::string::npos ? without_numbers(line.substr(start))
+                                    : line.substr(start, end - start);
+}
+
+Lines names(const Lines& lines) {
+    Lines all;
+    for (const std::string& line : lines) all.push_back(name(line));
+    return all;
 }
 
 /// For each pair of tails, the number of lines with common names, in order.
@@ -52,87 +72,69 @@ std::vector<std::vector<int>> common_tails(const Lines& a, const Lines& b) {
     std::vector<std::vector<int>> longest(a.size() + 1, std::vector<int>(b.size() + 1));
     for (std::size_t i = a.size(); i-- > 0;)
         for (std::size_t j = b.size(); j-- > 0;)
-            longest[i][j] = name(a[i]) == name(b[j])
-                                ? longest[i + 1][j + 1] + 1
-                                : std::max(longest[i + 1][j], longest[i][j + 1]);
+            longest[i][j] = a[i] == b[j] ? longest[i + 1][j + 1] + 1
+                                         : std::max(longest[i + 1][j], longest[i][j + 1]);
     return longest;
 }
 
-/// The output, section by section, without equal sections.
-class Page {
-public:
-    void both(const std::string& line) { add("          ", line); }
-    void mine(const std::string& line) { differ("mine      ", line); }
-    void reference(const std::string& line) { differ("reference ", line); }
+/// Removes the messages about functions that are not written yet, and returns them, each once.
+std::vector<std::string> take_unwritten(Lines& lines) {
+    std::vector<std::string> taken;
+    const auto is_message = [&taken](const std::string& line) {
+        if (line.find(" is not written yet") == std::string::npos) return false;
+        if (std::find(taken.begin(), taken.end(), line) == taken.end()) taken.push_back(line);
+        return true;
+    };
+    lines.erase(std::remove_if(lines.begin(), lines.end(), is_message), lines.end());
+    return taken;
+}
 
-    [[nodiscard]] std::string text() {
-        end_section();
-        if (first_.empty()) return "Nothing differs.\n";
-        if (alike_ > 0) text_ += "(" + std::to_string(alike_) + " equal sections are left out)\n";
-        return text_ + "\nThe first difference: " + first_ + "\n";
+const std::string& either(const LogRow& row) {
+    return row.mine ? *row.mine : *row.reference;
+}
+
+std::string first_difference(const std::vector<LogRow>& rows) {
+    std::string heading;
+    for (const LogRow& row : rows) {
+        if (is_heading(row)) heading = either(row);
+        if (!row.differs) continue;
+        const std::string what = name(either(row));
+        return (what == verdict ? "the result" : what) + ", of " + heading;
     }
-
-private:
-    void add(const std::string& whose, const std::string& line) {
-        if (line.rfind(' ', 0) != 0) {  // a heading
-            end_section();
-            heading_ = line;
-        }
-        section_ += whose + line + "\n";
-    }
-
-    void differ(const std::string& whose, const std::string& line) {
-        add(styled(whose, Style::bold), line);
-        differs_ = true;
-        if (!first_.empty()) return;
-        first_ = (name(line) == verdict ? "the result" : name(line)) + ", of " + heading_;
-    }
-
-    void end_section() {
-        if (differs_)
-            text_ += section_;
-        else if (!section_.empty())
-            ++alike_;
-        section_.clear();
-        differs_ = false;
-    }
-
-    std::string text_;
-    std::string section_;
-    std::string heading_;
-    std::string first_;
-    bool differs_ = false;
-    int alike_ = 0;
-};
+    return "";
+}
 
 }  // namespace
 
-std::string beside(const std::string& mine, const std::string& reference) {
-    constexpr std::size_t most =
-        2000;  // lines; a scene with more shapes logs no more of its misses
+bool is_heading(const LogRow& row) {
+    return either(row).rfind(' ', 0) != 0;
+}
+
+LogDiff compare_logs(const std::string& mine, const std::string& reference) {
     Lines a = lines_of(mine);
     Lines b = lines_of(reference);
+    LogDiff diff{.rows = {}, .first = "", .unwritten = take_unwritten(a)};
     a.resize(std::min(a.size(), most));
     b.resize(std::min(b.size(), most));
-    const auto longest = common_tails(a, b);
-    Page page;
+    const Lines a_names = names(a);
+    const Lines b_names = names(b);
+    const auto longest = common_tails(a_names, b_names);
     std::size_t i = 0;
     std::size_t j = 0;
     while (i < a.size() || j < b.size()) {
-        const bool pair = i < a.size() && j < b.size() && name(a[i]) == name(b[j]);
-        if (pair && same(a[i], b[j])) {
-            page.both(a[i]);
+        const bool left = i < a.size();
+        const bool right = j < b.size();
+        if (left && right && a_names[i] == b_names[j]) {
+            diff.rows.push_back({a[i], b[j], !same(a[i], b[j])});
             ++i, ++j;
-        } else if (pair) {
-            page.mine(a[i++]);
-            page.reference(b[j++]);
-        } else if (i < a.size() && (j == b.size() || longest[i + 1][j] >= longest[i][j + 1])) {
-            page.mine(a[i++]);
+        } else if (left && (!right || longest[i + 1][j] >= longest[i][j + 1])) {
+            diff.rows.push_back({a[i++], {}, true});
         } else {
-            page.reference(b[j++]);
+            diff.rows.push_back({{}, b[j++], true});
         }
     }
-    return page.text();
+    diff.first = first_difference(diff.rows);
+    return diff;
 }
 
 }  // namespace rt

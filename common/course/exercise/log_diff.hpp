@@ -1,13 +1,30 @@
-// Comparison of the student's explanation of a pixel with the reference's.
+// Comparison of the student's explanation of a pixel with the reference's: of numbers, not of
+// texts.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace rt {
 
-/// Two explanations, line by line: common lines once, different lines beneath one another; equal
-/// sections are left out, and the first difference is named. Numbers that differ by rounding alone
-/// are equal.
-[[nodiscard]] std::string beside(const std::string& mine, const std::string& reference);
+/// A line of one explanation or of both: the same quantity, with equal or different values.
+struct LogRow {
+    std::optional<std::string> mine;
+    std::optional<std::string> reference;
+    bool differs = false;
+};
+
+struct LogDiff {
+    std::vector<LogRow> rows;  ///< at most the first 2000 lines of each explanation
+    std::string first;         ///< "t, of Sphere{…}": the first difference; empty without one
+    std::vector<std::string> unwritten;  ///< the messages about functions that are not written yet
+};
+
+/// Two explanations, line by line. Numbers that differ by rounding alone are equal.
+[[nodiscard]] LogDiff compare_logs(const std::string& mine, const std::string& reference);
+
+/// True for the first line of a section.
+[[nodiscard]] bool is_heading(const LogRow& row);
 
 }  // namespace rt

@@ -2,6 +2,7 @@
 const $ = (id) => document.getElementById(id);
 const both = ["mine", "reference"];
 const page = Math.floor(Math.random() * 1e9);
+const rounding = 1;  // as in `./course compare`: a color near n + ½ may be rounded up or down
 const sliders = {  // name, range on either side of 0 or of the scene's value, step
   x: ["x", 10, 0.05], y: ["y", 10, 0.05], z: ["z", 10, 0.05],
   yaw: ["turn right", 180, 1], pitch: ["tilt up", 90, 1], fov: ["field of view", 0, 1]};
@@ -102,7 +103,7 @@ function compare() {
       largest = Math.max(largest, difference);
     }
     result.data[i + 3] = 255;
-    if (largest > 0) ++count;
+    if (largest > rounding) ++count;
     if (largest > most) { most = largest; where = i / 4; }
   }
   canvas.getContext("2d").putImageData(result, 0, 0);
@@ -110,7 +111,7 @@ function compare() {
   const scale = size.width / mine.width;
   $("worst").onclick = () => choose(Math.floor(Math.floor(where / mine.width) * scale),
                                     Math.floor(where % mine.width * scale));
-  caption.textContent = count === 0 ? "Every pixel is the same."
+  caption.textContent = count === 0 ? "The same picture as the reference’s."
     : `${count} of ${mine.width * mine.height} pixels differ, by ${most} of 255 at most.`;
   swipe();
 }
@@ -176,40 +177,19 @@ function choose(row, column) {
   tell();
 }
 
-/// Pairs of lines, null for a missing one: the longest common subsequence, after the common start.
-function align(a, b) {
-  const pairs = [];
-  while (a.length && b.length && a[0] === b[0]) pairs.push([a.shift(), b.shift()]);
-  const length = Array.from({length: a.length + 1}, () => new Uint16Array(b.length + 1));
-  for (let i = a.length - 1; i >= 0; --i)
-    for (let j = b.length - 1; j >= 0; --j)
-      length[i][j] = a[i] === b[j] ? length[i + 1][j + 1] + 1
-                                   : Math.max(length[i + 1][j], length[i][j + 1]);
-  for (let i = 0, j = 0; i < a.length || j < b.length;) {
-    const keepsA = i < a.length && length[i + 1][j] === length[i][j];
-    const keepsB = j < b.length && length[i][j + 1] === length[i][j];
-    if (i < a.length && j < b.length && a[i] === b[j]) pairs.push([a[i++], b[j++]]);
-    else if (keepsA && keepsB && length[i + 1][j + 1] === length[i][j])
-      pairs.push([a[i++], b[j++]]);
-    else if (keepsA) pairs.push([a[i++], null]);
-    else pairs.push([null, b[j++]]);
-  }
-  return pairs;
-}
-
 async function tell() {
   const asked = pixel;
   const answer = await fetch("story?" + parameters(pixel)).catch(() => null);
   if (asked !== pixel || !answer || answer.status === 409) return;
   if (!answer.ok) { $("told").textContent = await answer.text(); return; }
-  const {mine, reference} = await answer.json();
-  const pairs = align(mine.trimEnd().split("\n"), reference.trimEnd().split("\n"));
-  const first = pairs.findIndex(([a, b]) => a !== b);
+  const {rows, first, unwritten} = await answer.json();
   $("story").hidden = false;
-  $("story").replaceChildren(...pairs.map(([a, b], index) => {
+  const firstRow = rows.findIndex(([, , differs]) => differs);
+  $("story").replaceChildren(...rows.map(([mine, reference, differs], index) => {
     const line = document.createElement("li");
-    line.className = a === b ? "same" : index === first ? "differs first" : "differs";
-    for (const [whose, text] of a === b ? [["", a]] : [["mine", a], ["reference", b]]) {
+    line.className = !differs ? "same" : index === firstRow ? "differs first" : "differs";
+    for (const [whose, text] of differs ? [["mine", mine], ["reference", reference]]
+                                        : [["", mine]]) {
       const cell = document.createElement("span");
       cell.className = whose;
       cell.textContent = text ?? "";
@@ -217,17 +197,31 @@ async function tell() {
     }
     return line;
   }));
-  $("told").className = first < 0 ? "" : "differ";
-  $("told").textContent = first < 0 ? "Both explanations are the same."
-    : `The first line that differs is line ${first + 1}.`;
-  if (broken) $("told").textContent += " Yours is from the last program that was built.";
-  let heading = Math.max(first, 0);  // of the first section that differs
-  while (heading > 0 && (pairs[heading][0] ?? " ").startsWith(" ")) --heading;
+  $("told").className = first ? "differ" : "";
+  $("told").textContent = first ? `The first difference: ${first}.` : "Nothing differs.";
+  for (const message of unwritten) $("told").textContent += `\n${message}`;
+  if (broken) $("told").textContent += "\nYours is from the last program that was built.";
+  let heading = Math.max(firstRow, 0);  // of the first section that differs
+  while (heading > 0 && (rows[heading][0] ?? rows[heading][1]).startsWith(" ")) --heading;
   const line = $("story").children[heading];
   $("story").scrollTop = line.offsetTop - $("story").offsetTop;
 }
 
 // ---- the stage
+
+/// A sentence about whose files draw the picture.
+function parts(started) {
+  const used = started.filter((other) => other <= Math.max(stage, 2));  // scenes need stage 2
+  const all = Array.from({length: stage}, (_, index) => index + 1);
+  const others = all.filter((other) => !used.includes(other));
+  const name = (list) => (list.length > 1 ? "stages " : "stage ") + list.join(", ");
+  if (used.length === 0) return "Mine is drawn with the references of all stages.";
+  return `Mine is drawn with your ${name(used)}` +
+    (others.length ? ` and the reference${others.length > 1 ? "s" : ""} of ${name(others)}` : "") +
+    (used.some((other) => other !== stage)
+      ? `. ./course check, compare and explain take the references of all but stage ${stage}.`
+      : ".");
+}
 
 function showNews(news) {
   const sameScene = size.scene === news.programs.split("_")[2];
@@ -243,6 +237,7 @@ function showNews(news) {
   [...$("stages").children].forEach((chip, index) => {
     chip.lastChild.className = news.started.includes(index + 1) ? "started" : "";
   });
+  $("parts").textContent = parts(news.started);
   $("whose-mine").textContent = news.started.includes(stage) ? "Mine"
     : `Mine (${stage} is not started)`;
   if (news.building) return say("building…");

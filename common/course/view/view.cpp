@@ -1,5 +1,6 @@
 #include "common/course/view/view.hpp"
 
+#include "common/course/exercise/log_diff.hpp"
 #include "common/course/view/server.hpp"
 #include "common/course/view/stage_runner.hpp"
 #include "common/course/view/turns.hpp"
@@ -74,6 +75,23 @@ RenderRequest parse_request(const Request& request) {
         add_choice(picture_request.options, request, "term",
                    {"", "ambient", "diffuse", "specular"});
     return picture_request;
+}
+
+std::string json_line(const std::optional<std::string>& line) {
+    return line ? json(*line) : "null";
+}
+
+/// A row is [mine, the reference's, whether they differ].
+std::string json_rows(const LogDiff& diff) {
+    std::string rows;
+    for (const LogRow& row : diff.rows)
+        rows += (rows.empty() ? "[" : ",[") + json_line(row.mine) + "," + json_line(row.reference) +
+                "," + (row.differs ? "true]" : "false]");
+    std::string unwritten;
+    for (const std::string& message : diff.unwritten)
+        unwritten += (unwritten.empty() ? "" : ",") + json(message);
+    return "{\"rows\":[" + rows + "],\"first\":" + json(diff.first) + ",\"unwritten\":[" +
+           unwritten + "]}";
 }
 
 /// The page's questions, answered.
@@ -176,8 +194,7 @@ private:
                 told = runner_.stories(picture_request, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was requested"};
-        return {.body = "{\"mine\":" + json(told[0]) + ",\"reference\":" + json(told[1]) + "}",
-                .type = json_type};
+        return {.body = json_rows(compare_logs(told[0], told[1])), .type = json_type};
     }
 
     const ViewSettings& settings_;
