@@ -96,20 +96,6 @@ double ulps_between(Real got, const Number& expected) {
     return abs((Number(got) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
 }
 
-template <class Shape>
-Judgement judge(const Case<Shape>& asked, std::optional<Real> got) {
-    const oracle::Ray ray = exact(asked.ray);
-    const auto shape = exact(asked.shape);
-    const double unit = unit_of(asked, got);
-    const Answer expected = answer(ray, shape, exact(asked.interval));
-    Judgement judgement{.wrong = !same(got, expected, rounding(asked, unit))};
-    if (!got) return judgement;
-    judgement.off =
-        Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
-    if (!judgement.wrong) judgement.ulps = ulps_between(*got, expected.roots[*expected.first]);
-    return judgement;
-}
-
 /// True if the answer is right for a ray that is moved by this much, across itself or along.
 template <class Shape>
 bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double distance) {
@@ -134,8 +120,24 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double di
     return right(d) || right(-d);
 }
 
+}  // namespace
+
 template <class Shape>
-double band_of(const Case<Shape>& asked, std::optional<Real> got, double known) {
+Judgement judged(const Case<Shape>& asked, std::optional<Real> got) {
+    const oracle::Ray ray = exact(asked.ray);
+    const auto shape = exact(asked.shape);
+    const double unit = unit_of(asked, got);
+    const Answer expected = answer(ray, shape, exact(asked.interval));
+    Judgement judgement{.wrong = !same(got, expected, rounding(asked, unit))};
+    if (!got) return judgement;
+    judgement.off =
+        Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
+    if (!judgement.wrong) judgement.ulps = ulps_between(*got, expected.roots[*expected.first]);
+    return judgement;
+}
+
+template <class Shape>
+double band(const Case<Shape>& asked, std::optional<Real> got, double known) {
     const double unit = unit_of(asked, got);
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
@@ -159,84 +161,29 @@ double band_of(const Case<Shape>& asked, std::optional<Real> got, double known) 
 }
 
 template <class Shape>
-std::optional<Real> rounded_answer(const Case<Shape>& asked) {
+std::optional<Real> exact_answer(const Case<Shape>& asked) {
     const auto root = intersect(exact(asked.ray), exact(asked.shape), exact(asked.interval));
     if (!root) return std::nullopt;
     return root->value().template convert_to<Real>();
 }
 
-}  // namespace
-
-Judgement judged(const Case<Sphere>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Sphere>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Sphere>& asked) {
-    return rounded_answer(asked);
-}
-
-Judgement judged(const Case<Plane>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Plane>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Plane>& asked) {
-    return rounded_answer(asked);
-}
-
-Judgement judged(const Case<Triangle>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Triangle>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Triangle>& asked) {
-    return rounded_answer(asked);
-}
-
-Judgement judged(const Case<Square>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Square>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Square>& asked) {
-    return rounded_answer(asked);
-}
-
-Judgement judged(const Case<Cylinder>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Cylinder>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Cylinder>& asked) {
-    return rounded_answer(asked);
-}
-
-Judgement judged(const Case<Cone>& asked, std::optional<Real> got) {
-    return judge(asked, got);
-}
-
-double band(const Case<Cone>& asked, std::optional<Real> got, double known) {
-    return band_of(asked, got, known);
-}
-
-std::optional<Real> exact_answer(const Case<Cone>& asked) {
-    return rounded_answer(asked);
-}
+template Judgement judged(const Case<Sphere>&, std::optional<Real>);
+template double band(const Case<Sphere>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Sphere>&);
+template Judgement judged(const Case<Plane>&, std::optional<Real>);
+template double band(const Case<Plane>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Plane>&);
+template Judgement judged(const Case<Triangle>&, std::optional<Real>);
+template double band(const Case<Triangle>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Triangle>&);
+template Judgement judged(const Case<Square>&, std::optional<Real>);
+template double band(const Case<Square>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Square>&);
+template Judgement judged(const Case<Cylinder>&, std::optional<Real>);
+template double band(const Case<Cylinder>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Cylinder>&);
+template Judgement judged(const Case<Cone>&, std::optional<Real>);
+template double band(const Case<Cone>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<Cone>&);
 
 }  // namespace rt

@@ -16,30 +16,18 @@ struct Judgement {
     std::optional<double> ulps;  ///< of a right hit: the distance of t from the exact one
 };
 
-[[nodiscard]] Judgement judged(const Case<Sphere>& asked, std::optional<Real> got);
-[[nodiscard]] Judgement judged(const Case<Plane>& asked, std::optional<Real> got);
-[[nodiscard]] Judgement judged(const Case<Triangle>& asked, std::optional<Real> got);
-[[nodiscard]] Judgement judged(const Case<Square>& asked, std::optional<Real> got);
-[[nodiscard]] Judgement judged(const Case<Cylinder>& asked, std::optional<Real> got);
-[[nodiscard]] Judgement judged(const Case<Cone>& asked, std::optional<Real> got);
+// Each template is instantiated for the six shapes of the exercises.
 
-// The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
-// answer that a move by `known` makes right is not examined further, and gives `known`.
+template <class Shape>
+[[nodiscard]] Judgement judged(const Case<Shape>& asked, std::optional<Real> got);
 
-[[nodiscard]] double band(const Case<Sphere>& asked, std::optional<Real> got, double known);
-[[nodiscard]] double band(const Case<Plane>& asked, std::optional<Real> got, double known);
-[[nodiscard]] double band(const Case<Triangle>& asked, std::optional<Real> got, double known);
-[[nodiscard]] double band(const Case<Square>& asked, std::optional<Real> got, double known);
-[[nodiscard]] double band(const Case<Cylinder>& asked, std::optional<Real> got, double known);
-[[nodiscard]] double band(const Case<Cone>& asked, std::optional<Real> got, double known);
+/// The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
+/// answer that a move by `known` makes right is not examined further, and gives `known`.
+template <class Shape>
+[[nodiscard]] double band(const Case<Shape>& asked, std::optional<Real> got, double known);
 
-// The exact t, rounded once.
-
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Sphere>& asked);
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Plane>& asked);
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Triangle>& asked);
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Square>& asked);
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Cylinder>& asked);
-[[nodiscard]] std::optional<Real> exact_answer(const Case<Cone>& asked);
+/// The exact t, rounded once.
+template <class Shape>
+[[nodiscard]] std::optional<Real> exact_answer(const Case<Shape>& asked);
 
 }  // namespace rt
