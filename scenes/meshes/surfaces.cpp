@@ -115,8 +115,12 @@ Polygons cube() {
     return cut_up(box(glm::dvec3(0), glm::dvec3(1)));
 }
 
+Polygons cut_icosahedron(int n) {
+    return CutIcosahedron(n).result();
+}
+
 Polygons hilly_sphere(int n) {
-    Polygons sphere = CutIcosahedron(n).result();
+    Polygons sphere = cut_icosahedron(n);
     for (glm::dvec3& v : sphere.vertices) {
         const glm::dvec3 direction = glm::normalize(v);
         v = height(direction) * direction;

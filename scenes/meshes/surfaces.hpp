@@ -8,7 +8,10 @@ namespace rt {
 /// The cube from −1 to 1, each face two triangles.
 [[nodiscard]] Polygons cube();
 
-/// A sphere with hills of four sizes, 20 n² triangles: an icosahedron whose edges are cut into n.
+/// The icosahedron, its edges cut into n: 20 n² flat triangles around 0.
+[[nodiscard]] Polygons cut_icosahedron(int n);
+
+/// A sphere with hills of four sizes: the cut icosahedron's vertices, moved in and out.
 [[nodiscard]] Polygons hilly_sphere(int n);
 
 /// The cage of a pebble: an icosahedron, drawn out and dented.

@@ -1,10 +1,11 @@
 #include "tests/measurements/workload.hpp"
 
+#include "scenes/meshes/surfaces.hpp"
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include <cmath>
-#include <map>
 #include <random>
 
 namespace measurements {
@@ -21,27 +22,6 @@ vec3 vec(const Point& p) {
 
 Point point(vec3 v) {
     return {v.x, v.y, v.z};
-}
-
-/// The twelve corners and twenty faces of the icosahedron.
-TriangleMesh icosahedron() {
-    const float g = (1 + std::sqrt(5.0F)) / 2;
-    return {.vertices = {{-1, g, 0},
-                         {1, g, 0},
-                         {-1, -g, 0},
-                         {1, -g, 0},
-                         {0, -1, g},
-                         {0, 1, g},
-                         {0, -1, -g},
-                         {0, 1, -g},
-                         {g, 0, -1},
-                         {g, 0, 1},
-                         {-g, 0, -1},
-                         {-g, 0, 1}},
-            .triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                          {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                          {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                          {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
 }
 
 vec3 displaced(vec3 p) {
@@ -87,36 +67,14 @@ std::vector<RayQuery> primary_rays(vec3 eye) {
 }  // namespace
 
 TriangleMesh displaced_sphere(int frequency) {
-    const TriangleMesh coarse = icosahedron();
-    TriangleMesh fine;
-    // A point of a face is its corners, each with a weight; those of weight 0 do not count, so that
-    // two faces have the points of their common edge in common.
-    using Name = std::map<std::uint32_t, int>;
-    std::map<Name, std::uint32_t> names;
-    const auto vertex = [&](const std::array<std::uint32_t, 3>& face, int i, int j) {
-        const std::array<int, 3> weights = {frequency - i - j, i, j};
-        Name name;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (weights[k] > 0) name[face[k]] = weights[k];
-        const auto [found, is_new] = names.try_emplace(name, std::uint32_t(fine.vertices.size()));
-        if (is_new) {
-            vec3 sum(0);
-            for (const auto& [corner, weight] : name)
-                sum += float(weight) * vec(coarse.vertices[corner]);
-            fine.vertices.push_back(point(displaced(sum)));
-        }
-        return found->second;
-    };
-    for (const auto& face : coarse.triangles)
-        for (int i = 0; i < frequency; ++i)
-            for (int j = 0; i + j < frequency; ++j) {
-                fine.triangles.push_back(
-                    {vertex(face, i, j), vertex(face, i + 1, j), vertex(face, i, j + 1)});
-                if (i + j + 1 < frequency)
-                    fine.triangles.push_back({vertex(face, i + 1, j), vertex(face, i + 1, j + 1),
-                                              vertex(face, i, j + 1)});
-            }
-    return fine;
+    const rt::Polygons flat = rt::cut_icosahedron(frequency);
+    TriangleMesh mesh;
+    for (const glm::dvec3& vertex : flat.vertices)
+        mesh.vertices.push_back(point(displaced(vec3(vertex))));
+    for (const std::vector<int>& face : flat.faces)
+        mesh.triangles.push_back(
+            {std::uint32_t(face[0]), std::uint32_t(face[1]), std::uint32_t(face[2])});
+    return mesh;
 }
 
 std::vector<RaySet> ray_sets(const TriangleMesh& mesh, const Engine& engine) {
