@@ -4,10 +4,10 @@
 #include "common/bvh/bvh.hpp"
 #include "common/geometry/bounds.hpp"
 
+#include "tests/kit/meshes.hpp"
 #include "tests/kit/shape_checks.hpp"
 
 #include <cmath>
-#include <map>
 #include <set>
 #include <vector>
 
@@ -52,39 +52,6 @@ inline std::set<std::uint32_t> visited(const Bvh& hierarchy, const Ray& ray, Int
     RayBoxTestCache slabs(ray);
     hierarchy.nearest(slabs, interval, [&](std::uint32_t index) { indices.insert(index); });
     return indices;
-}
-
-inline Mesh octahedron() {
-    return {.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-            .normals = {},
-            .triangles = {{0, 2, 4},
-                          {2, 1, 4},
-                          {1, 3, 4},
-                          {3, 0, 4},
-                          {2, 0, 5},
-                          {1, 2, 5},
-                          {3, 1, 5},
-                          {0, 3, 5}}};
-}
-
-/// Four triangles for one, and the vertices on the unit sphere.
-inline Mesh refined(const Mesh& mesh) {
-    Mesh finer{.vertices = mesh.vertices, .normals = {}, .triangles = {}};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t p, std::uint32_t q) {
-        const auto [found, is_new] =
-            middles.try_emplace(std::minmax(p, q), std::uint32_t(finer.vertices.size()));
-        if (is_new) finer.vertices.push_back(normalize(mesh.vertices[p] + mesh.vertices[q]));
-        return found->second;
-    };
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const std::uint32_t ab = middle(a, b);
-        const std::uint32_t bc = middle(b, c);
-        const std::uint32_t ca = middle(c, a);
-        finer.triangles.insert(finer.triangles.end(),
-                               {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    return finer;
 }
 
 /// A closed surface of 8 · 4^times triangles around 0, between 0.8 and 1.2 from it.

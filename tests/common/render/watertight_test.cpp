@@ -3,55 +3,17 @@
 // and here they leak.
 #include "steps/step05_triangle/triangle.hpp"
 
+#include "tests/kit/meshes.hpp"
 #include "tests/kit/shape_checks.hpp"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 using namespace rt;
 
 namespace {
 
-using Face = std::array<std::size_t, 3>;
-
-/// A closed surface: every edge is in two faces.
-struct Mesh {
-    std::vector<Vec3> points;
-    std::vector<Face> faces;
-};
-
-Mesh octahedron() {
-    return {.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-            .faces = {{0, 2, 4},
-                      {2, 1, 4},
-                      {1, 3, 4},
-                      {3, 0, 4},  //
-                      {2, 0, 5},
-                      {1, 2, 5},
-                      {3, 1, 5},
-                      {0, 3, 5}}};
-}
-
-/// Four faces for one, and the points on the unit sphere.
-Mesh refined(const Mesh& mesh) {
-    Mesh finer{.points = mesh.points};
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
-    const auto middle = [&](std::size_t p, std::size_t q) {
-        const auto [found, is_new] = middles.try_emplace(std::minmax(p, q), finer.points.size());
-        if (is_new) finer.points.push_back(normalize(mesh.points[p] + mesh.points[q]));
-        return found->second;
-    };
-    for (const auto& [a, b, c] : mesh.faces) {
-        const std::size_t ab = middle(a, b);
-        const std::size_t bc = middle(b, c);
-        const std::size_t ca = middle(c, a);
-        for (const Face face :
-             {Face{a, ab, ca}, Face{ab, b, bc}, Face{ca, bc, c}, Face{ab, bc, ca}})
-            finer.faces.push_back(face);
-    }
-    return finer;
-}
+using Face = std::array<std::uint32_t, 3>;
 
 const Mesh& ball() {
     static const Mesh mesh = refined(refined(refined(octahedron())));
@@ -61,9 +23,9 @@ const Mesh& ball() {
 /// The faces that touch each point.
 const std::vector<std::vector<Face>>& faces_around() {
     static const auto around = [] {
-        std::vector<std::vector<Face>> faces(ball().points.size());
-        for (const Face& face : ball().faces)
-            for (const std::size_t corner : face) faces[corner].push_back(face);
+        std::vector<std::vector<Face>> faces(ball().vertices.size());
+        for (const Face& face : ball().triangles)
+            for (const std::uint32_t corner : face) faces[corner].push_back(face);
         return faces;
     }();
     return around;
@@ -73,17 +35,18 @@ enum class Target { edge, corner };
 
 /// A ray to a point that faces share, and every face that touches the shared vertex or edge. These
 /// cover the neighborhood of the point, so the ray hits one of them.
-struct PixelSample {
+struct AimedRay {
     Ray ray;
     std::vector<Triangle> around;
 };
 
-PixelSample draw_shot(Random& random, Target target) {
-    const auto& [points, faces] = ball();
+AimedRay draw_shot(Random& random, Target target) {
+    const std::vector<Vec3>& points = ball().vertices;
+    const auto& faces = ball().triangles;
     const Face face = faces[std::size_t(random.below(int(faces.size())))];
     const int corner = random.below(3);
-    const std::size_t p = face[std::size_t(corner)];
-    const std::size_t q = target == Target::edge ? face[std::size_t((corner + 1) % 3)] : p;
+    const std::uint32_t p = face[std::size_t(corner)];
+    const std::uint32_t q = target == Target::edge ? face[std::size_t((corner + 1) % 3)] : p;
     const Real share = random.between(Real(0.05), Real(0.95));
 
     const Transform transform = random_motion(random);
@@ -93,8 +56,8 @@ PixelSample draw_shot(Random& random, Target target) {
     if (std::abs(dot(away, normal)) < Real(0.5)) away += dot(away, normal) < 0 ? -normal : normal;
     const Vec3 origin = aim + transform.scale * random.between(Real(0.25), 4) * away;
 
-    PixelSample shot{.ray = {.origin = origin, .direction = aim - origin}};
-    for (const std::size_t end : {p, q})
+    AimedRay shot{.ray = {.origin = origin, .direction = aim - origin}};
+    for (const std::uint32_t end : {p, q})
         for (const auto& [a, b, c] : faces_around()[end])
             shot.around.push_back({transformed(points[a], transform),
                                    transformed(points[b], transform),
@@ -130,7 +93,7 @@ std::optional<Real> by_moller_trumbore(const Ray& ray, const Triangle& triangle)
 
 using Way = std::optional<Real> (*)(const Ray&, const Triangle&);
 
-bool leaks(const PixelSample& shot, Way way) {
+bool leaks(const AimedRay& shot, Way way) {
     return std::ranges::none_of(
         shot.around, [&](const Triangle& triangle) { return way(shot.ray, triangle).has_value(); });
 }
@@ -139,7 +102,7 @@ std::optional<Real> by_reference(const Ray& ray, const Triangle& triangle) {
     return intersect(ray, triangle, {});
 }
 
-Verdict is_stopped(const PixelSample& shot) {
+Verdict is_stopped(const AimedRay& shot) {
     return verdict(!leaks(shot, by_reference),
                    code(shot.ray) + " meets none of the " + std::to_string(shot.around.size()) +
                        " triangles around the point it is aimed at; the first of them is " +
@@ -174,7 +137,7 @@ TEST_CASE("neither does any at another scale, though areas leave float's range (
     // motion, leave room for the distance of the origin and for a face's share of the ball.
     CHECK(for_all(
         [](Random& random) {
-            PixelSample shot = draw_shot(random, random.coin() ? Target::edge : Target::corner);
+            AimedRay shot = draw_shot(random, random.coin() ? Target::edge : Target::corner);
             const Real scale = std::ldexp(Real(1), random.below(201) - 100);
             shot.ray.origin *= scale;
             shot.ray.direction *= scale * random.power_of_two();

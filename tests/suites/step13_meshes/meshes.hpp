@@ -4,6 +4,7 @@
 #include "steps/step13_meshes/meshes.hpp"
 
 #include "common/explain/text.hpp"
+#include "tests/kit/meshes.hpp"
 
 #include <optional>
 #include <string>
@@ -25,19 +26,6 @@ inline std::string got_text(const std::optional<MeshHit>& hit) {
     return hit ? "triangle " + std::to_string(hit->triangle) + " at t = " + text(hit->t) +
                      ", weights " + text(hit->weights)
                : "no hit";
-}
-
-inline Mesh octahedron() {
-    return {.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-            .normals = {},
-            .triangles = {{0, 2, 4},
-                          {2, 1, 4},
-                          {1, 3, 4},
-                          {3, 0, 4},
-                          {2, 0, 5},
-                          {1, 2, 5},
-                          {3, 1, 5},
-                          {0, 3, 5}}};
 }
 
 }  // namespace rt
