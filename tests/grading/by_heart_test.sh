@@ -9,15 +9,8 @@
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
 shift 2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 od -An -N8 -tx8 /dev/urandom > "$folder/seed"
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # points REPORT STAGE: "7 21". 0 points if only the starter's cases pass.
 points() {

@@ -12,18 +12,11 @@ kills=${4:-3}
 only=${5:-}  # "step03_sphere step13_meshes"
 SOURCE_DATE_EPOCH=0  # a fixed date for the class report
 export SOURCE_DATE_EPOCH
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 class=$folder/class
 seed=$folder/seed
 echo 9d0f5a37c1e86b24 > "$seed"
 mkdir "$class" "$folder/reports"
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 stages=
 for seat in "$build"/seats/step*.o; do

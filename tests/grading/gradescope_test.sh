@@ -2,15 +2,8 @@
 # The autograder for Gradescope, with stubs for the grader and for an image's tools:
 # gradescope_test.sh GRADE
 grade=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # A relative folder, from any other.
 mkdir elsewhere

@@ -7,17 +7,10 @@
 set -eu
 build=$(cd "$1" && pwd)
 project=$(cd "$2" && pwd)
-folder=$(mktemp -d)
+. "$(dirname "$0")/../lib.sh"
 chmod 755 "$folder"
-trap 'rm -rf "$folder"' EXIT
 class=$folder/class
 sphere=$project/steps/step03_sphere/reference/sphere.cpp
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # submit NAME < FILE
 submit() {

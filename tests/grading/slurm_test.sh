@@ -19,14 +19,8 @@ for program in munged mungekey slurmctld slurmd sbatch; do
     PATH=$PATH:/usr/sbin:/sbin
     command -v $program > /dev/null || { echo "error: no $program: slurm-wlm and munge bring it" >&2; exit 2; }
 done
-folder=$(mktemp -d)
+. "$(dirname "$0")/../lib.sh"
 chmod 755 "$folder"
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # Waits for a condition: until SECONDS COMMAND...
 until_true() {

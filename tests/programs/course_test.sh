@@ -4,20 +4,12 @@
 # It runs in a copy of the project, since the student's files are among the sources; the needed
 # parts are built there again, so that this is a part of .ci/run, and not of `./course test`.
 project=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 (cd "$project" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
     --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
 cd "$folder" || exit 1
 stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    sed 's/^/    /' out
-    failed=1
-}
 
 # course STATUS WORDS…: runs it; its output is in the file out.
 course() {

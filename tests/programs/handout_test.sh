@@ -4,17 +4,9 @@
 # The hand-out is built in the same way as by a student, which takes two minutes: run it by hand
 # before a hand-out is made; it is not a part of `./course test` nor of .ci/run.
 project=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
 stage=steps/step03_sphere
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    sed 's/^/    /' "$folder/out"
-    failed=1
-}
 
 # course STATUS WORDS…: runs the student's; its output is in the file out.
 course() {

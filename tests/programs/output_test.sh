@@ -2,16 +2,8 @@
 # Destinations of pictures, allowed and refused: output_test.sh BUILD_FOLDER PROJECT_FOLDER
 build=$1
 project=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    sed 's/^/    /' out err 2> /dev/null
-    failed=1
-}
 
 # picture_of SIZE FILE: true for a PNG of this size, "width height" in hexadecimal.
 picture_of() {

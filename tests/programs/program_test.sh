@@ -2,16 +2,8 @@
 # The programs at the prompt: program_test.sh BUILD_FOLDER PROJECT_FOLDER
 build=$1
 scenes=$2/scenes
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    sed 's/^/    /' out err 2> /dev/null
-    failed=1
-}
 
 # refused WHAT MESSAGE PROGRAM ARGUMENTS…: one error with this message, status 2, no picture.
 refused() {

@@ -2,20 +2,12 @@
 # Foreign scenes: they look as meant, or a warning contains a remedy: strangers_test.sh BUILD_FOLDER
 # PROJECT_FOLDER
 build=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
 if [ ! -x "$build/step13_meshes" ]; then
     echo "skipped: step13_meshes is not built"
     exit 77
 fi
-
-fail() {
-    echo "FAILED: $1"
-    sed 's/^/    /' out err 2> /dev/null
-    failed=1
-}
 
 # draw SCENE OPTIONS…: the scene's text in printf's format.
 draw() {

@@ -3,15 +3,8 @@
 # Needs util-linux' script, which runs a program on a terminal; status 77 if it is not installed.
 build=$1
 script --version 2> /dev/null | grep -q util-linux || exit 77
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # seen ARGUMENTS…: the terminal's output for a picture that takes about a second.
 seen() {

@@ -6,9 +6,8 @@ build=$1
 project=$2
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || exit 77
 command -v curl > /dev/null || exit 77
-folder=$(mktemp -d)
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
 server=
 chromium=
 
@@ -20,11 +19,6 @@ end() {
 }
 trap end EXIT
 trap 'exit 1' HUP INT TERM
-
-fail() {
-    echo "FAILED: $1"
-    failed=1
-}
 
 # A small project: a student has started stage 5, and shows normals in place of colors.
 mkdir -p project/common/course project/steps/step05_triangle/student built temporary

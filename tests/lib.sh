@@ -1,0 +1,12 @@
+# The common head of the shell tests, which source it: a temporary folder, removed at the end, and
+# the report of failures. A test ends with `exit $failed`.
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failed=0
+
+# fail WHAT: reports it, with the folder's files out and err, if there are any.
+fail() {
+    echo "FAILED: $1"
+    sed 's/^/    /' "$folder/out" "$folder/err" 2> /dev/null || true
+    failed=1
+}
