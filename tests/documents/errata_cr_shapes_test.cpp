@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 using namespace rt;
 
@@ -94,4 +95,29 @@ TEST_CASE("erratum 28: the mesh is ten thousand times too small (CR §4.2)") {
     const Ray ray{.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}};
     CHECK(hits(ray, triangle, 5));
     CHECK(misses(ray, printed));
+}
+
+TEST_CASE("erratum 32: a hit is the only answer that is not returned (CR §4.1)") {
+    // The paths of getIntersection: what each returns, or nothing where the function ends without a
+    // return.
+    const auto printed = [](bool parallel, Real t, bool inside) -> std::optional<bool> {
+        if (parallel) return false;
+        if (t < 0) return false;
+        if (!inside) return false;
+        return std::nullopt;  // after "result.intersectionExists = true"
+    };
+    const Triangle triangle{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
+    const Ray along{.origin = {1, 1, 0}, .direction = {1, 0, 0}};
+    const Ray behind{.origin = {1, 1, -2}, .direction = {0, 0, -1}};
+    const Ray beside{.origin = {3, 3, 2}, .direction = {0, 0, -1}};
+    const Ray onto{.origin = {1, 1, 2}, .direction = {0, 0, -1}};
+    for (const Ray& ray : {along, behind, beside, onto}) {
+        const Vec3 n = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+        const Real t = dot(triangle.a - ray.origin, n) / dot(ray.direction, n);
+        const Vec3 w = barycentric(triangle, at(ray, t));
+        const bool inside = w.x >= 0 && w.y >= 0 && w.z >= 0;
+        const bool is_hit = intersect(ray, triangle, {}).has_value();
+        CHECK(printed(dot(ray.direction, n) == 0, t, inside).has_value() == !is_hit);
+    }
+    CHECK(hits(onto, triangle, 2));
 }

@@ -51,6 +51,7 @@ double said_in(const std::string& file, const std::string& before, const std::st
 // The numbers of a page.
 Knowledge stage1();
 Knowledge stage2();
+Knowledge stage3();
 Knowledge stage4();
 Knowledge stage8();
 Knowledge stage9();

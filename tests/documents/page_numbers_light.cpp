@@ -30,6 +30,9 @@ Knowledge stage9() {
                      {"⟨R, V⟩", dot(reflected(l, n), -l)},
                      {"a step of the picture", 1 / 255.0},
                      {"the float behind 1", std::nextafter(1.0F, 2.0F)}};
+    for (const double exponent : {2, 8, 32, 128, 512})
+        all.push_back({"where the highlight is below one level",
+                       std::acos(std::pow(255, -1 / exponent)) / degree, "°"});
     for (const double exponent : {2, 32, 512})
         all.push_back({"where the highlight is half as bright",
                        std::acos(std::pow(2, -1 / exponent)) / degree, "°"});
@@ -68,7 +71,8 @@ Knowledge stage12() {
             {"a mirror's share", share},
             {"after three reflections", share * share * share},
             {"the share of facing mirrors", m},
-            {"what they show", 100 * (1 - std::pow(m, depth + 1)), "%"}};
+            {"what they show", 100 * (1 - std::pow(m, depth + 1)), "%"},
+            {"the rest", 100 * std::pow(m, depth + 1), "%"}};
 }
 
 }  // namespace rt

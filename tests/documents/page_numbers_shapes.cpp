@@ -29,17 +29,33 @@ Knowledge stage1() {
             {"a field of view", fov / degree, "°"},
             {"seen with half of the screen", 2 * std::atan(top / 2) / degree, "°"},
             {"seen with tan(FOV)", 2 * std::atan(std::tan(fov)) / degree, "°"},
-            {"where the screen is as high as it is far", 2 * std::atan(1) / degree, "°"}};
+            {"where the screen is as high as it is far", 2 * std::atan(1) / degree, "°"},
+            {"half of it", std::atan(1) / degree, "°"},
+            {"where the tangent of the half is infinite", 2 * std::acos(0) / degree, "°"},
+            {"one degree less", 2 * std::acos(0) / degree - 1, "°"},
+            {"all rays are the same", 0, "°"}};
 }
 
 Knowledge stage2() {
     const Vec3 pitched(0, std::sin(60 * degree), std::cos(60 * degree));
     const double length_of_x = length(cross(Vec3(0, 1, 0), pitched));
+    const Vec3 before = camera_basis({0, 1, Real(-0.01)}).x;
+    const Vec3 after = camera_basis({0, 1, Real(0.01)}).x;
     return {{"‖(0, 1, 0) ∧ Z‖", length_of_x},
+            {"X before and after the vertical", std::acos(dot(before, after)) / degree, "°"},
             {"the pitch", std::acos(length_of_x) / degree, "°"},
             {"between the lines of the sky",
              said_in("steps/step02_camera_basis/main.cpp", "std::remainder(angle, ", " * degree"),
              "°"}};
+}
+
+Knowledge stage3() {
+    // C of a sphere at distance 1000 is just below 1000².
+    const double step = 1e6F - std::nextafter(1e6F, 0.0F);
+    return {{"between two floats", step},
+            {"half of it, rounded away", step / 2},
+            {"the radius", std::sqrt(step / 2)},
+            {"where a cosine is 0", std::acos(0) / degree, "°"}};
 }
 
 Knowledge stage4() {
@@ -49,8 +65,16 @@ Knowledge stage4() {
     const Real t = *intersect(ray, plane, {});
     const Vec3 p = at(ray, t);
     CHECK(close(dot(n, ray.direction), -3));
-    return {{"n", n.x}, {"n", n.z}, {"⟨r_p − r_0, n⟩", dot(plane.point - ray.origin, n)},
-            {"t", t},   {"p", p.x}, {"p", p.y},
+    const Scene scene = load_scene(project_file("scenes/step04_plane.rt"), orthonormal_basis);
+    const Ray low = pixel_rays(scene.cameras.front(), scene.resolution)({194, 320});
+    const Real far = *intersect(low, scene.planes.begin()->shape, {});
+    return {{"the ground's last row", scene.cameras.front().position.z - at(low, far).z},
+            {"n", n.x},
+            {"n", n.z},
+            {"⟨r_p − r_0, n⟩", dot(plane.point - ray.origin, n)},
+            {"t", t},
+            {"p", p.x},
+            {"p", p.y},
             {"p", p.z}};
 }
 

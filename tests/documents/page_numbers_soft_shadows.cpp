@@ -168,6 +168,8 @@ std::vector<Row> soft_shadow_table() {
 
 Knowledge stage11() {
     Knowledge all = light_shares();
+    all.push_back({"the error of twice as many independent points", std::pow(2, -0.5)});
+    all.push_back({"the error of twice as many even points", std::pow(2, -0.75)});
     const std::vector<Row> table = soft_shadow_table();
     for (const Row& row : table) {
         const std::string told = "| `" + row.option + "` | " + decimals(row.drawn.rays, 1) + " | " +

@@ -129,7 +129,7 @@ Knowledge nothing() {
 }
 
 const Page pages[] = {
-    {"step01_ray_generation", stage1}, {"step02_camera_basis", stage2},  {"step03_sphere", nothing},
+    {"step01_ray_generation", stage1}, {"step02_camera_basis", stage2},  {"step03_sphere", stage3},
     {"step04_plane", stage4},          {"step05_triangle", nothing},     {"step06_square", nothing},
     {"step07_cylinder", nothing},      {"step08_cone", stage8},          {"step09_phong", stage9},
     {"step10_shadows", stage10},       {"step11_soft_shadows", stage11}, {"step12_mirror", stage12},
