@@ -41,12 +41,16 @@ std::vector<Shown> shown(const std::regex& pattern) {
     return all;
 }
 
-/// The commands that `./course` lists.
+/// The commands that `./course` lists: `add("test [N] …", …)` in its main.cpp.
 std::set<std::string> commands() {
-    static const std::regex command(R"(\./course ([a-z]+))");
-    std::set<std::string> all;
+    static const std::regex command(R"(add(?:_of_stage|_of_program)?\( *"([a-z]+))");
+    std::string source;
     for (const PageLine& line : read_page(project_file("common/course/main.cpp")))
-        if (std::smatch match; std::regex_search(line.text, match, command)) all.insert(match[1]);
+        source += line.words();
+    std::set<std::string> all;
+    using Matches = std::sregex_iterator;
+    for (Matches it(source.begin(), source.end(), command), end; it != end; ++it)
+        all.insert(it->str(1));
     return all;
 }
 
