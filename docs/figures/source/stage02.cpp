@@ -37,13 +37,33 @@ void draw_screen(Sketch& sketch, const Basis& basis, Vec3 position) {
     for (int j = 0; j <= width; ++j) sketch.line(at(ray(0, j), 1), at(ray(height, j), 1), thin);
 }
 
+/// The camera of stage 1: its axes are the world's.
+void draw_default_camera(Svg& svg, Vec2 place) {
+    Sketch sketch(svg, looking_along({-0.45, -0.42, -1}, place, 44));
+    const Basis basis = camera_basis({0, 0, -1});
+    const Pen axis{.color = green, .width = 1.5};
+    sketch.arrow({0, 0, 0}, -basis.z, {.color = blue, .width = 1.5});
+    sketch.arrow({0, 0, 0}, basis.x, axis);
+    sketch.arrow({0, 0, 0}, basis.y, axis);
+    sketch.arrow({0, 0, 0}, basis.z, axis);
+    sketch.mark({0, 0, 0}, Mark::given);
+    const TextStyle of_axis{.color = green, .size = 13};
+    sketch.label(-basis.z, {0, -6}, "$c$ = (0, 0, −1)",
+                 {.color = blue, .anchor = Anchor::start, .size = 13});
+    sketch.label(basis.x, {12, 4}, "$X$", of_axis);
+    sketch.label(basis.y, {-10, 2}, "$Y$", of_axis);
+    sketch.label(basis.z, {-10, 8}, "$Z$", of_axis);
+    svg.text(place + Vec2(14, 46), "the default camera", {.color = gray, .size = 13});
+}
+
 }  // namespace
 
 std::string camera_axes() {
-    Svg svg({640, 400}, "The basis X, Y, Z of a camera that looks down, and its direction c");
-    Sketch sketch(svg, looking_along({0.1, -0.42, -1}, {158, 330}, 106));
+    Svg svg({640, 372}, "The basis X, Y, Z of a camera that looks down, and its direction c");
+    // So that on the page no axis lies along an edge of what the picture shows.
+    Sketch sketch(svg, looking_along({0.4, -0.42, -1}, {205, 305}, 96));
     const Vec3 position(0, 2, 0);
-    const Basis basis = camera_basis({0.75, -1.3, -0.45});
+    const Basis basis = camera_basis({0.37, -0.82, -0.44});
     const Vec3 c = -basis.z;
     const Pen axis{.color = green, .width = 2.2};
 
@@ -58,18 +78,19 @@ std::string camera_axes() {
     sketch.mark(position, Mark::given);
 
     const TextStyle of_axis{.color = green};
-    const TextStyle after{.color = gray, .anchor = Anchor::start, .size = 13};
-    sketch.label(position, {-14, 14}, "$o_C$");
-    sketch.label(position + Vec3(0, 1, 0), {8, 4}, "(0, 1, 0)", after);
-    sketch.label(position + c, {-6, 19}, "$c$", {.color = blue});
-    sketch.label(position + basis.x, {13, 0}, "$X$", of_axis);
+    const TextStyle before{.color = gray, .anchor = Anchor::end, .size = 13};
+    sketch.label(position, {-24, 8}, "$o_C$");
+    sketch.label(position + Vec3(0, 1, 0), {-8, 4}, "(0, 1, 0)", before);
+    sketch.label(position + c, {14, 6}, "$c$", {.color = blue});
+    sketch.label(position + basis.x, {13, 4}, "$X$", of_axis);
     sketch.label(position + basis.y, {12, 4}, "$Y$", of_axis);
     sketch.label(position + basis.z, {-12, 0}, "$Z$", of_axis);
-    sketch.label({2, 0, -1}, {0, 24}, "what the picture shows", {.color = gray, .size = 13});
+    sketch.label({1, 0, -1}, {12, 8}, "what the picture shows", {.color = gray, .size = 13});
     const TextStyle formula{.color = green, .anchor = Anchor::start};
     svg.text({360, 52}, "$Z$ = −$c$, made unit length", formula);
     svg.text({360, 76}, "$X$ = (0, 1, 0) ∧ $Z$, made unit length", formula);
     svg.text({360, 100}, "$Y$ = $Z$ ∧ $X$", formula);
+    draw_default_camera(svg, {520, 172});
     return svg.source();
 }
 
