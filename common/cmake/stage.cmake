@@ -16,7 +16,7 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 # stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
 #                             that this stage and earlier ones share with later ones: the other
 #                             files beside a main.cpp, except story.cpp
-# stepNN_name_whole_f64       the picture and the references, compiled as a unity build
+# stepNN_name_unity_f64       the picture and the references, compiled as a unity build
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
@@ -106,7 +106,7 @@ endfunction()
 function(raysteps_link_program program stage)
     add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
     set(parts ${stage}_picture ${ARGN})
-    if(TARGET ${stage}_whole_f64 AND NOT RAYSTEPS_STUDENT_FILES)
+    if(TARGET ${stage}_unity_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_unity)
     endif()
     foreach(precision IN ITEMS f32 f64)
@@ -119,7 +119,7 @@ endfunction()
 
 # raysteps_unity(<stage> <meshes> <part>...)
 #
-# Defines <stage>_whole_f32 and _f64: the stage's picture, with its main.cpp and these parts
+# Defines <stage>_unity_f32 and _f64: the stage's picture, with its main.cpp and these parts
 # compiled as a unity build, so that calls between them are inlined: this saves up to a fifth of a
 # picture's time (docs/reference/speed.md). With a student's file, programs are linked from separate parts
 # instead, so that a change compiles only one.
@@ -130,11 +130,11 @@ function(raysteps_unity stage meshes)
     foreach(part IN LISTS ARGN)
         list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
     endforeach()
-    raysteps_compile_twice(${stage}_whole_objects ${sources})
-    raysteps_start_from_common(${stage}_whole_objects)
-    set_target_properties(${stage}_whole_objects_f32 ${stage}_whole_objects_f64 PROPERTIES
+    raysteps_compile_twice(${stage}_unity_objects ${sources})
+    raysteps_start_from_common(${stage}_unity_objects)
+    set_target_properties(${stage}_unity_objects_f32 ${stage}_unity_objects_f64 PROPERTIES
         UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    raysteps_picture(${stage}_unity ${stage}_whole_objects ${meshes})
+    raysteps_picture(${stage}_unity ${stage}_unity_objects ${meshes})
 endfunction()
 
 # raysteps_picture(<name> <part>...)
