@@ -7,9 +7,12 @@
 #include "common/course/exercise/check.hpp"
 #include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/compare.hpp"
+#include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/run.hpp"
+#include "common/course/exercise/suggestion.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/course/handout/handout.hpp"
+#include "common/course/handout/manifest.hpp"
 #include "common/course/handout/update.hpp"
 #include "common/course/view/view.hpp"
 #include "common/system/input_error.hpp"
@@ -18,6 +21,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 
@@ -32,13 +36,25 @@ struct Words {
     bool mine = false;
     std::string reference;
     std::string place;
+    std::optional<int> level;
 };
+
+/// "triangle" and "step05_triangle", for each stage.
+std::vector<std::string> stage_words() {
+    std::vector<std::string> words;
+    for (const std::string_view name : rt::stage_names) {
+        words.emplace_back(name.substr(std::string_view("stepNN_").size()));
+        words.emplace_back(name);
+    }
+    return words;
+}
 
 int parse_stage(const std::string& text) {
     const std::optional<int> stage = text.empty() ? rt::current_stage() : rt::find_stage(text);
     if (!stage)
-        throw rt::InputError(
-            {}, "no stage \"" + text + "\": give a number 1 to 13 or a name like step05_triangle");
+        throw rt::InputError({}, "no stage \"" + text +
+                                     "\": give a number 1 to 13 or a name like step05_triangle." +
+                                     rt::suggestion(text, stage_words()));
     if (*stage == rt::mesh_stage && !rt::has_meshes)
         throw rt::InputError({}, std::string(rt::stage_name(*stage)) +
                                      " needs OpenMesh: libopenmesh-dev, or what your system "
@@ -55,6 +71,14 @@ std::string parse_stages(std::string text) {
         stages += (stages.empty() ? "" : ";") +
                   (word == "all" ? word : std::to_string(parse_stage(word)));
     return stages;
+}
+
+/// True for a command that only a clone has and this is a hand-out, or the other way round.
+bool is_missing(const std::string& command) {
+    constexpr std::array<std::string_view, 5> of_clones = {"solution", "audit", "measure", "grade",
+                                                           "handout"};
+    if (!rt::is_handout(rt::project_folder)) return command == "update";
+    return std::find(of_clones.begin(), of_clones.end(), command) != of_clones.end();
 }
 
 /// "ROW,COLUMN"
@@ -80,8 +104,12 @@ int view(int stage) {
 
 rt::ComparisonRequest comparison(const Words& words, const rt::Command& rest) {
     const int stage = parse_stage(words.stage);
-    rt::choose_reference(parse_stages(words.reference));
-    return {.stage = stage, .all_mine = words.mine || !words.reference.empty(), .words = rest};
+    const std::string references = parse_stages(words.reference);
+    rt::choose_reference(references);
+    return {.stage = stage,
+            .all_mine = words.mine || !references.empty(),
+            .references = references,
+            .words = rest};
 }
 
 int explain(const Words& words, rt::Command rest) {
@@ -128,6 +156,7 @@ private:
     /// A command that hands words over to the stage's program, which answers --help.
     void add_of_program(const std::string& usage, const std::string& description, const Body& body);
     void print_list() const;
+    [[nodiscard]] std::vector<std::string> command_names() const;
     [[nodiscard]] int stage() const { return parse_stage(words_.stage); }
 
     CLI::App app_{"Raysteps: a ray tracer in thirteen steps", "./course"};
@@ -171,10 +200,13 @@ void Commands::add_student_commands() {
                  [this](Rest) { return rt::check(stage()); });
     add_of_stage("watch N", "check again whenever you save",
                  [this](Rest) -> int { rt::watch(stage()); });
-    add_of_stage("hint N", "show the next of three hints", [this](Rest) {
-        rt::show_hint(stage());
-        return 0;
-    });
+    add_of_stage("hint N [LEVEL]", "show the next of three hints, or 1, 2 or 3 again",
+                 [this](Rest) {
+                     rt::show_hint(stage(), words_.level);
+                     return 0;
+                 })
+        ->add_option("LEVEL", words_.level)
+        ->check(CLI::Range(1, rt::hint_levels));
     add_of_program(
         "run N [scene.rt] [options]", "render its scene, or yours; --help lists options",
         [this](Rest rest) { return rt::run_stage(stage(), rest, parse_stages(words_.reference)); });
@@ -221,9 +253,16 @@ void Commands::add_author_commands() {
 void Commands::print_list() const {
     std::puts("");
     for (const CLI::App* command : app_.get_subcommands({}))
-        std::puts(command->get_description().c_str());
+        if (!is_missing(command->get_name())) std::puts(command->get_description().c_str());
     std::printf("\nN is %s.\n", stage_option);
     std::puts("run, compare, explain: --mine uses all your stages, --reference 3,5 all but these.");
+}
+
+std::vector<std::string> Commands::command_names() const {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app_.get_subcommands({}))
+        if (!is_missing(command->get_name())) names.push_back(command->get_name());
+    return names;
 }
 
 int Commands::run(int argc, char** argv) {
@@ -240,7 +279,8 @@ int Commands::run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         const auto chosen = app_.get_subcommands();
         throw rt::InputError({}, chosen.empty() ? "no command \"" + std::string(argv[1]) +
-                                                      "\": ./course lists the commands"
+                                                      "\": ./course lists the commands." +
+                                                      rt::suggestion(argv[1], command_names())
                                                 : chosen[0]->get_name() + ": " + error.what());
     }
     if (app_.get_subcommands().empty()) {

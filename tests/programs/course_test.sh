@@ -96,6 +96,42 @@ sed 's/^}  \/\/ namespace rt$/float drawn_twice() { return 1; }\n&/' $stage/refe
 course 1 check 3
 says "anonymous namespace"
 
+# A helper outside an anonymous namespace: a warning each time, though it is compiled once, and one
+# more if another stage has the same. That stage is judged with this stage's reference, and says so.
+sed 's/^}  \/\/ namespace rt$/Real twice(Real x) { return 2 * x; }\n&/' $stage/reference/sphere.cpp > $mine
+course 0 run 3 -o picture.png
+for _ in first second; do
+    course 0 check 3
+    says "$mine:"
+    says "warning: no previous declaration"
+    says "anonymous namespace"
+    says_not "is defined twice"
+done
+other=steps/step04_plane
+course 0 start 4
+sed 's/^}  \/\/ namespace rt$/Real twice(Real x) { return 2 * x; }\n&/' $other/reference/plane.cpp \
+    > $other/student/plane.cpp
+course 0 check 4
+says "$other/student/plane.cpp: warning: rt::twice(double) is defined twice, also in $mine"
+says "Judged with the references in place of your stage 3; ./course run 4 uses yours."
+course 2 run 4 -o picture.png
+says "error: defined twice: rt::twice("
+says "$mine"
+cp $other/reference/plane.cpp $other/student/plane.cpp
+cp tests/mistakes/step03_sphere/subtracts_r_squared.cpp $mine
+course 0 run 4 -o picture.png
+says "your step03_sphere is used: changed since it passed."
+course 0 run 4 --reference 3 -o picture.png
+says_not "step03_sphere is used"
+course 0 compare 4
+says "Judged with the references in place of your stage 3"
+course 1 compare 4 --mine scenes/step04_plane.rt --size 64x48
+says "Why? ./course explain 4 --mine scenes/step04_plane.rt --size 64x48"
+cp scenes/step04_plane.rt "my scene.rt"
+course 1 compare 4 --reference 4,1 "my scene.rt"
+says "Why? ./course explain 4 --reference 4,1 'my scene.rt'"
+rm -r $other/student "my scene.rt" picture.png
+
 # A wrong answer: the case, the call, the line to paste, and the pixels.
 cp tests/mistakes/step03_sphere/near_root_only.cpp $mine
 course 1 check 3
@@ -122,6 +158,13 @@ course 2 compare 3
 cmp -s README.md renders/step03_sphere_compare.png || fail "what is no picture stays"
 rm renders/step03_sphere_compare.png
 
+# The student's own output has a heading.
+sed 's/^Vec3 normal(.*/&\n    std::puts("I am here");/; s/^#include "steps.*/&\n#include <cstdio>/' \
+    $stage/reference/sphere.cpp > $mine
+course 0 check 3
+says "Your code prints:"
+says "  I am here"
+
 # A crash, an endless loop.
 printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s\n%s\n}\n' $stage \
     'std::optional<Real> intersect(const Ray&, const Sphere&, Interval) { std::raise(SIGSEGV); return {}; }' \
@@ -133,6 +176,17 @@ says "your code crashed: Segmentation fault"
 sed -i 's/std::raise(SIGSEGV);/for (volatile bool on = true; on;) continue;/' $mine
 course 1 check 3
 says "your code does not end"
+began=$(date +%s)
+course 2 compare 3
+says "your code does not end: it was stopped after 10 s"
+[ $(($(date +%s) - began)) -lt 60 ] || fail "compare stops it as soon as check does"
+
+# Typos.
+course 2 chek 3
+says "no command \"chek\""
+says "Did you mean check?"
+course 2 check Tringle
+says "Did you mean triangle?"
 
 # Hints, the solution.
 course 0 hint 3
@@ -141,6 +195,11 @@ course 0 hint 3
 course 0 hint 3
 course 0 hint 3
 says "hint 3 of 3"
+course 0 hint 3 1
+says "hint 1 of 3"
+course 0 hint 3
+says "hint 3 of 3"
+course 2 hint 3 4
 course 1 solution 3
 course 0 solution 3
 says "std::optional<Real> intersect("

@@ -16,7 +16,12 @@ const std::regex students_file(R"((?:^|.*/)(steps/step\w+/student/[^:]+))");
 /// A place that the compiler lists in the context of an error: "in instantiation of …".
 const std::regex mention(R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))");
 const std::regex undefined(R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)");
-const std::regex duplicate(R"((?:multiple definition of|duplicate symbol:) [`']?([^`';]*))");
+/// With ld and lld, the symbol comes first; with mold, two objects.
+const std::regex duplicate(
+    R"((?:multiple definition of|duplicate symbol:) (?:\S+\.o: \S+\.o: )?[`']?([^`';]*))");
+/// A student's object, where CMake puts it.
+const std::regex students_object(
+    R"((steps/step\w+)/CMakeFiles/\w+_student_f\d+\.dir/(student/[^:]+)\.o\b)");
 
 /// The path of a student's file, relative to the project's folder; empty for any other file.
 std::string own(const std::string& file) {
@@ -59,6 +64,17 @@ std::string led_to(const Lines& lines) {
     return "";
 }
 
+/// " in FILE and FILE", for the students' objects that the line names.
+std::string objects(const std::string& line) {
+    std::string text;
+    for (std::sregex_iterator match(line.begin(), line.end(), students_object), end; match != end;
+         ++match) {
+        const std::string file = (*match)[1].str() + "/" + (*match)[2].str();
+        if (text.find(file) == std::string::npos) text += (text.empty() ? " in " : " and ") + file;
+    }
+    return text;
+}
+
 /// Errors of the linker: missing or duplicate symbols.
 std::string linker(const Lines& lines) {
     for (const std::string& line : lines) {
@@ -68,8 +84,10 @@ std::string linker(const Lines& lines) {
                    "\nIs it written, in namespace rt, with the parameters that the stage's header "
                    "has?";
         if (std::regex_search(line, match, duplicate))
-            return "error: defined twice: " + match[1].str() +
-                   "\nPut helper functions into an anonymous namespace.";
+            return "error: defined twice: " + match[1].str() + objects(line) +
+                   (match[1].str() == "main"
+                        ? "\nThe program has a main of its own: remove yours."
+                        : "\nPut helper functions into an anonymous namespace: namespace { … }");
     }
     return "";
 }

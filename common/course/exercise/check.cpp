@@ -3,11 +3,15 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/status_line.hpp"
+#include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/diagnosis.hpp"
+#include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/may_include.hpp"
 #include "common/course/exercise/suite.hpp"
 #include "common/course/exercise/workbook.hpp"
+#include "common/course/exercise/wrap.hpp"
 #include "common/image/png.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -19,7 +23,6 @@
 #include <cstdio>
 #include <ctime>
 #include <future>
-#include <set>
 #include <thread>
 
 namespace rt {
@@ -27,6 +30,7 @@ namespace rt {
 namespace {
 
 constexpr std::chrono::seconds picture_limit{20};
+constexpr const char* not_written = " is not written yet";  // from common/stages/todo.cpp
 
 /// A case in both precisions.
 struct Outcome {
@@ -51,13 +55,14 @@ struct Judgement {
         return ended() && !outcomes.empty() && passed() == int(outcomes.size());
     }
     [[nodiscard]] bool written() const {
-        return in_double.output.find("is not written yet") == std::string::npos;
+        return in_double.output.find(not_written) == std::string::npos;
     }
 };
 
 /// Runs both suites at the same time. A case that was not reached because of a crash has not
 /// passed.
 Judgement judge(const std::string& name) {
+    const StatusLine status("testing …");
     std::future<SuiteResult> beside =
         std::async(std::launch::async, [&name] { return run_suite(name + "_test_float"); });
     Judgement judgement{.in_double = run_suite(name + "_test_double")};
@@ -80,18 +85,24 @@ std::string now() {
 }
 
 /// Prints the output of the student's code, each line once, since code may print for every ray.
+/// The messages about functions that are not written yet are first; what is left, the student's
+/// own prints, has a heading.
 void show_output(const SuiteResult& suite) {
     constexpr std::size_t most = 12;
-    std::set<std::string> seen;
+    std::vector<std::string> messages;
+    std::vector<std::string> prints;
     for (const std::string& line : lines_of(suite.output)) {
-        if (!seen.insert(line).second) continue;
-        if (seen.size() > most) {
-            std::puts("  …");
-            break;
-        }
-        std::printf("  %s\n", line.c_str());
+        auto& list = line.find(not_written) == std::string::npos ? prints : messages;
+        if (list.size() <= most && std::find(list.begin(), list.end(), line) == list.end())
+            list.push_back(line);
     }
-    if (!seen.empty()) std::puts("");
+    for (auto* const list : {&messages, &prints}) {
+        if (list->empty()) continue;
+        if (list == &prints) std::puts("Your code prints:");
+        if (list->size() > most) list->back() = "…";
+        for (const std::string& line : *list) std::printf("  %s\n", line.c_str());
+        std::puts("");
+    }
 }
 
 /// Explains the first failure, if there is one.
@@ -105,11 +116,18 @@ void explain_failure(const Judgement& judgement) {
     const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
     std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(),
                 float_only ? "  (in float only)" : "");
-    for (const std::string& line : lines_of(failed.failure)) std::printf("    %s\n", line.c_str());
+    for (const std::string& line : lines_of(failed.failure))
+        std::printf("%s\n", wrapped("    " + line).c_str());
     if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
     if (!suite.ended.empty() && failed.name == suite.cases.back().name)
         std::printf("    your code %s\n    The cases after this one were not run.\n",
                     suite.ended.c_str());
+}
+
+ProcessResult drawn(const std::string& program, const std::filesystem::path& file) {
+    const StatusLine status("drawing your picture …");
+    return run_captured({(build_folder / program).string(), "--quiet", "-o", file.string()},
+                        picture_limit);
 }
 
 /// Writes the student's picture beside the reference's to a file, and prints its path.
@@ -117,9 +135,7 @@ void show_picture(int stage) {
     const std::string name(stage_name(stage));
     const TemporaryFolder folder(build_folder);
     const std::filesystem::path mine = folder.path() / "mine.png";
-    const ProcessResult ending = run_captured(
-        {(build_folder / (name + "_checked")).string(), "--quiet", "-o", mine.string()},
-        picture_limit);
+    const ProcessResult ending = drawn(name + "_checked", mine);
     if (ending.out_of_time || ending.status != 0) {
         std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
                                                       : ending.crash.empty()
@@ -166,6 +182,24 @@ void show_ungraded_files(const Workbook& workbook) {
                         graded.c_str());
 }
 
+/// Prints the compiler's first warning, also if it was compiled before, with its cure.
+void show_warning(int stage) {
+    const std::string warning = first_warning(kept_warnings(stage));
+    std::fputs(warning.c_str(), stdout);
+    if (warning.find("no previous ") != std::string::npos)
+        std::puts("Put helper functions into an anonymous namespace: namespace { … }");
+}
+
+/// Warns of symbols for which no program can be linked with another stage of the student's.
+void show_shared_symbols(int stage) {
+    for (const SharedSymbol& each : shared_symbols(stage))
+        std::printf(
+            "%s: warning: %s is defined twice, also in %s: ./course run cannot link both.\nPut "
+            "helper "
+            "functions into an anonymous namespace: namespace { … }\n",
+            each.file.c_str(), each.name.c_str(), each.other_file.c_str());
+}
+
 void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
     Record record = workbook.record();
     record.checked = now();
@@ -206,12 +240,14 @@ int check(int stage) {
 
     show_output(judgement.in_double);
     show_cases(judgement.outcomes);
-    std::fputs(first_warning(built.output).c_str(), stdout);
+    show_warning(stage);
+    show_shared_symbols(stage);
     show_refused_includes(workbook);
     show_ungraded_files(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
     if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);
+    show_references_used(stage);
     show_count(judgement, stage);
     return judgement.right() ? 0 : 1;
 }

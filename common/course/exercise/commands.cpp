@@ -65,12 +65,14 @@ void reset(int stage) {
     std::printf("your old files are kept in %s\n", Workbook(stage).reset().c_str());
 }
 
-void show_hint(int stage) {
+void show_hint(int stage, std::optional<int> level) {
     Workbook workbook(stage);
     Record record = workbook.record();
-    record.hints = std::min(record.hints + 1, hint_levels);
-    std::printf("%s, hint %d of %d\n\n%s", stage_name(stage).data(), record.hints, hint_levels,
-                hint_text(stage, record.hints).c_str());
+    const int shown = level.value_or(std::min(record.hints + 1, hint_levels));
+    record.hints = std::max(record.hints, shown);
+    std::printf("%s, hint %d of %d\n\n%s", stage_name(stage).data(), shown, hint_levels,
+                hint_text(stage, shown).c_str());
+    if (shown > 1) std::printf("\nAn earlier hint again: ./course hint %d 1\n", stage);
     workbook.remember(record);
 }
 

@@ -1,6 +1,8 @@
 // The short commands about a stage's files: their state, start, reset, hint, solution.
 #pragma once
 
+#include <optional>
+
 namespace rt {
 
 /// `./course`: prints one line for each stage, and what to do next.
@@ -14,8 +16,8 @@ void start(int stage);
 /// Throws InputError if the stage is not started.
 void reset(int stage);
 
-/// `./course hint`: prints the next hint, and counts it.
-void show_hint(int stage);
+/// `./course hint`: prints the next hint, or the one of this level, and counts it.
+void show_hint(int stage, std::optional<int> level);
 
 /// `./course solution`: prints the reference and returns 0 if the stage is done or at the second
 /// call; else returns 1. Throws InputError in a hand-out without solutions.

@@ -2,6 +2,8 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/status_line.hpp"
+#include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/log_text.hpp"
 #include "common/image/png.hpp"
@@ -12,14 +14,17 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 
 namespace rt {
 
 namespace {
 
-constexpr std::chrono::seconds time_limit{600};
+constexpr std::chrono::milliseconds reference_limit = std::chrono::minutes(10);
+constexpr std::chrono::milliseconds least_limit = std::chrono::seconds(10);  // as for a suite
+constexpr int slower_at_most = 20;                                           // than the reference
 
 std::string my_program(const ComparisonRequest& contest) {
     return stage_target(contest.stage, contest.all_mine ? "" : "_checked");
@@ -33,29 +38,81 @@ void build_both(const ComparisonRequest& contest) {
     build({my_program(contest), reference_program(contest)});
 }
 
-/// The output of a program, which becomes an error message if the program fails.
+/// A program's output. Without a result, throws InputError or ProgramError.
 std::string answer(const std::string& program, const ComparisonRequest& contest,
-                   const Command& more) {
+                   const Command& more, std::chrono::milliseconds limit) {
     Command command = {(build_folder / program).string()};
     command.insert(command.end(), contest.words.begin(), contest.words.end());
     command.insert(command.end(), more.begin(), more.end());
-    const ProcessResult ending = run_captured(command, time_limit);
-    if (ending.out_of_time) throw InputError({}, program + " does not end");
+    const ProcessResult ending = run_captured(command, limit);
+    const std::string seconds = std::to_string(limit.count() / 1000) + " s";
+    if (ending.out_of_time)
+        throw InputError({}, program == my_program(contest)
+                                 ? "your code does not end: it was stopped after " + seconds
+                                 : program + " was stopped after " + seconds);
     if (!ending.crash.empty()) throw InputError({}, program + " crashed: " + ending.crash);
     if (ending.status != 0) throw ProgramError(ending.output);
     return ending.output;
 }
 
-Image picture(const std::string& program, const ComparisonRequest& contest) {
-    const TemporaryFolder folder(build_folder);
-    const std::string file = (folder.path() / "picture.png").string();
-    answer(program, contest, {"--quiet", "-o", file});
-    return read_png(file);
+template <class Result>
+struct Both {
+    Result mine;
+    Result reference;
+};
+
+/// Calls `ask(program, limit)` for both programs, the reference's first: a scene for which that
+/// needs long may take as long, but an endless loop is stopped soon.
+template <class Ask>
+auto ask_both(const ComparisonRequest& contest, const Ask& ask) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    auto reference = ask(reference_program(contest), reference_limit);
+    const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
+    auto mine = ask(my_program(contest), std::max(least_limit, slower_at_most * took));
+    return Both<decltype(mine)>{std::move(mine), std::move(reference)};
 }
 
 Comparison compare_both(const ComparisonRequest& contest) {
-    return compare(picture(my_program(contest), contest),
-                   picture(reference_program(contest), contest));
+    const StatusLine status("drawing both pictures …");
+    const auto both = ask_both(contest, [&contest](const std::string& program, auto limit) {
+        const TemporaryFolder folder(build_folder);
+        const std::string file = (folder.path() / "picture.png").string();
+        answer(program, contest, {"--quiet", "-o", file}, limit);
+        return read_png(file);
+    });
+    return compare(both.mine, both.reference);
+}
+
+/// A word as the shell takes it.
+std::string quoted(const std::string& word) {
+    constexpr const char* plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text;
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return "'" + text + "'";
+}
+
+/// The command that explains the same picture.
+std::string explain_command(const ComparisonRequest& contest) {
+    std::string command = "./course explain " + std::to_string(contest.stage);
+    std::string references = contest.references;
+    std::replace(references.begin(), references.end(), ';', ',');
+    if (!references.empty())
+        command += " --reference " + references;
+    else if (contest.all_mine)
+        command += " --mine";
+    for (const std::string& word : contest.words) command += " " + quoted(word);
+    return command;
+}
+
+/// Reports whose files the student's program consists of.
+void show_parts(const ComparisonRequest& contest) {
+    if (contest.all_mine)
+        warn_of_earlier(contest.stage, contest.references);
+    else
+        show_references_used(contest.stage);
 }
 
 }  // namespace
@@ -69,8 +126,9 @@ int compare_pictures(const ComparisonRequest& contest) {
         std::fputs(preview(comparison.side_by_side, terminal_columns()).c_str(), stdout);
     std::printf("%s: yours, the reference's, the difference\n%s\n", file.c_str(),
                 summary(comparison).c_str());
+    show_parts(contest);
     if (!comparison.center) return 0;
-    std::printf("Why? ./course explain %d\n", contest.stage);
+    std::printf("Why? %s\n", explain_command(contest).c_str());
     return 1;
 }
 
@@ -78,15 +136,20 @@ int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
     build_both(contest);
     if (pixel.empty()) {
         const Comparison comparison = compare_both(contest);
-        std::printf("%s\n\n", summary(comparison).c_str());
-        if (!comparison.center) return 0;
+        std::printf("%s\n", summary(comparison).c_str());
+        if (!comparison.center) {
+            show_parts(contest);
+            return 0;
+        }
+        std::puts("");
         pixel = std::to_string(comparison.center->row) + "," +
                 std::to_string(comparison.center->column);
     }
-    const LogDiff diff =
-        compare_logs(answer(my_program(contest), contest, {"--pixel", pixel}),
-                     answer(reference_program(contest), contest, {"--pixel", pixel}));
-    std::fputs(text(diff).c_str(), stdout);
+    const auto both = ask_both(contest, [&](const std::string& program, auto limit) {
+        return answer(program, contest, {"--pixel", pixel}, limit);
+    });
+    std::fputs(text(compare_logs(both.mine, both.reference)).c_str(), stdout);
+    show_parts(contest);
     return 0;
 }
 

@@ -2,6 +2,8 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/status_line.hpp"
+#include "common/course/exercise/wrap.hpp"
 
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
@@ -19,6 +21,11 @@ std::string program(const std::string& name) {
     return (build_folder / name).string();
 }
 
+ProcessResult diagnosed(const Command& command) {
+    const StatusLine status("comparing with known mistakes …");
+    return run_captured(command, time_limit);
+}
+
 }  // namespace
 
 void show_diagnosis(int stage) {
@@ -29,16 +36,16 @@ void show_diagnosis(int stage) {
     const std::filesystem::path drawing = project_folder / slice;
     std::error_code none;
     std::filesystem::remove(drawing, none);
-    const ProcessResult ending = run_captured(
-        {program("diagnose"),
-         (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
-         program(student), program(reference), drawing.string()},
-        time_limit);
+    const ProcessResult ending =
+        diagnosed({program("diagnose"),
+                   (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
+                   program(student), program(reference), drawing.string()});
     if (ending.out_of_time || ending.status != 1) return;
     std::puts("");
     for (const std::string& line : lines_of(ending.output)) {
         const bool mistake = line.rfind("mistake: ", 0) == 0;
-        std::printf("%s\n", mistake ? styled(line, Style::bold).c_str() : line.c_str());
+        const std::string shown = wrapped(line);
+        std::printf("%s\n", mistake ? styled(shown, Style::bold).c_str() : shown.c_str());
     }
     if (std::filesystem::exists(drawing)) std::printf("drawn:     %s\n", slice.c_str());
 }

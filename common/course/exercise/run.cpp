@@ -2,6 +2,7 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/input_error.hpp"
 
@@ -56,6 +57,7 @@ int run_stage(int stage, const Command& words, const std::string& references) {
         build({name});
     } else {
         build_all_mine(stage);
+        warn_of_earlier(stage, references);
     }
     return run_built(name, words);
 }

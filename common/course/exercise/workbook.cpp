@@ -5,6 +5,7 @@
 #include "common/system/hash.hpp"
 #include "common/system/input_error.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -16,6 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* progress_file = "progress.txt";
+constexpr int scene_stage = 2;  // the reader of scenes calls it, in stage 1 too
 
 /// "key: value" lines.
 Record read_record(const fs::path& file) {
@@ -65,19 +67,17 @@ State Workbook::state() const {
     return passed && record_.checked_files == fingerprint() ? State::done : State::started;
 }
 
-std::string Workbook::summary() const {
+std::string Workbook::verdict() const {
     if (files().empty()) return "";
-    std::string line;
-    if (record_.checked.empty())
-        line = "not checked yet";
-    else if (state() != State::done && record_.passed == record_.cases)
-        line = "changed since it passed";
-    else
-        line =
-            std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases pass";
-    if (record_.hints > 0)
-        line += ", " + std::to_string(record_.hints) + (record_.hints == 1 ? " hint" : " hints");
-    return line;
+    if (record_.checked.empty()) return "not checked yet";
+    if (state() != State::done && record_.passed == record_.cases) return "changed since it passed";
+    return std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases pass";
+}
+
+std::string Workbook::summary() const {
+    if (record_.hints == 0) return verdict();
+    return verdict() + ", " + std::to_string(record_.hints) +
+           (record_.hints == 1 ? " hint" : " hints");
 }
 
 std::string Workbook::fingerprint() const {
@@ -140,6 +140,13 @@ int current_stage() {
         if (state == State::untouched && !untouched) untouched = stage;
     }
     return untouched.value_or(int(stage_names.size()));
+}
+
+std::vector<int> started_before(int stage) {
+    std::vector<int> started;
+    for (int other = 1; other < std::max(stage, scene_stage + 1); ++other)
+        if (other != stage && Workbook(other).state() != State::untouched) started.push_back(other);
+    return started;
 }
 
 }  // namespace rt

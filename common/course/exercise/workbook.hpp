@@ -28,7 +28,9 @@ public:
     [[nodiscard]] int stage() const { return stage_; }
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     [[nodiscard]] State state() const;
-    /// One line about it: "17 of 21 cases pass, 2 hints".
+    /// The last check: "17 of 21 cases pass", "changed since it passed"; empty if not started.
+    [[nodiscard]] std::string verdict() const;
+    /// The same with the number of hints.
     [[nodiscard]] std::string summary() const;
     /// Changes whenever a file does.
     [[nodiscard]] std::string fingerprint() const;
@@ -55,5 +57,8 @@ private:
 /// The student's current stage: the first that is started and not done, else the first that is not
 /// started; the last if all are done.
 [[nodiscard]] int current_stage();
+
+/// The other stages with files of the student's that a program of this stage can use.
+[[nodiscard]] std::vector<int> started_before(int stage);
 
 }  // namespace rt

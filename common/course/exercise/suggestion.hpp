@@ -1,0 +1,14 @@
+// The word that somebody may have meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// " Did you mean X?" for the most similar of the known words, whatever their case: it begins with
+/// the word, or at most a third of the letters differ. Empty if there is none.
+[[nodiscard]] std::string suggestion(const std::string& word,
+                                     const std::vector<std::string>& known);
+
+}  // namespace rt

@@ -1,0 +1,56 @@
+// Texts that `./course` prints: suggestions, long lines, errors of the linker.
+#include "common/course/build/compiler_errors.hpp"
+#include "common/course/exercise/suggestion.hpp"
+#include "common/course/exercise/wrap.hpp"
+
+#include "tests/kit/catch.hpp"
+
+using namespace rt;
+
+TEST_CASE("a typo gets a suggestion, and another word none") {
+    const std::vector<std::string> known = {"start", "check",    "watch",  "triangle",
+                                            "plane", "cylinder", "phong",  "step05_triangle",
+                                            "cone",  "shadows",  "sphere", "soft_shadows"};
+    for (const auto& [typo, meant] :
+         std::vector<std::pair<std::string, std::string>>{{"chek", "check"},
+                                                          {"CHECK", "check"},
+                                                          {"tringle", "triangle"},
+                                                          {"Triangle", "triangle"},
+                                                          {"trinagle", "triangle"},
+                                                          {"cyl", "cylinder"},
+                                                          {"sart", "start"},
+                                                          {"shperes", "sphere"},
+                                                          {"step5_triangle", "step05_triangle"}})
+        CHECK(suggestion(typo, known) == " Did you mean " + meant + "?");
+    for (const char* other : {"", "14", "x", "help", "my_scene.rt", "mirrors"})
+        CHECK(suggestion(other, known).empty());
+}
+
+TEST_CASE("a long line is broken after commas, and stays C++") {
+    CHECK(wrapped("short, and whole", 40) == "short, and whole");
+    CHECK(wrapped("  CHECK(hits(first, second, third));", 20) ==
+          "  CHECK(hits(first,\n      second,\n      third));");
+    CHECK(wrapped("f(\"a, b, c, d\", e)", 12) == "f(\"a, b, c, d\",\n    e)");
+    CHECK(wrapped("without_a_comma_it_is_longer", 10) == "without_a_comma_it_is_longer");
+    CHECK(wrapped("ééé, ééé, ééé", 13) == "ééé, ééé, ééé");
+}
+
+TEST_CASE("a symbol that is defined twice is named with its files") {
+    const std::string a =
+        "steps/step03_sphere/CMakeFiles/step03_sphere_student_f32.dir/student/sphere.cpp.o";
+    const std::string b =
+        "steps/step07_cylinder/CMakeFiles/step07_cylinder_student_f32.dir/student/cylinder.cpp.o";
+    const std::string both =
+        " in steps/step07_cylinder/student/cylinder.cpp and steps/step03_sphere/student/sphere.cpp";
+    const std::string cure =
+        "\nPut helper functions into an anonymous namespace: namespace { … }\n";
+    CHECK(first_error("mold: error: duplicate symbol: " + b + ": " + a + ": rt::solve(float)\n") ==
+          "error: defined twice: rt::solve(float)" + both + cure);
+    CHECK(first_error("/usr/bin/ld: " + b + ": in function `rt::solve(float)':\n" +
+                      "cylinder.cpp:(.text+0x0): multiple definition of `rt::solve(float)'; " + a +
+                      ":sphere.cpp:(.text+0x0): first defined here\n")
+              .rfind("error: defined twice: rt::solve(float)", 0) == 0);
+    CHECK(first_error("mold: error: duplicate symbol: main.cpp.o: " + a + ": main\n") ==
+          "error: defined twice: main in steps/step03_sphere/student/sphere.cpp\n"
+          "The program has a main of its own: remove yours.\n");
+}
