@@ -1,8 +1,8 @@
-// diagnose PROBES WORKER REFERENCE [SLICE.svg]
+// diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg]
 //
-// Diagnoses the functions of WORKER: prints the known mistakes that they show, or the smallest call
-// with an answer that differs from the reference's. Exit status 0 if nothing is found, 1 if
-// something is, 2 if the worker could not be queried.
+// Diagnoses the functions of WORKER, whose suite has written REPORT: prints the known mistakes that
+// they show, or the smallest call with an answer that differs from the reference's. Exit status 0
+// if nothing is found, 1 if something is, 2 if the worker could not be queried.
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
 #include "common/contract/probes.hpp"
@@ -48,7 +48,8 @@ bool tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
 }
 
 int diagnose(const std::vector<std::string>& words) {
-    if (words.size() < 3) throw std::runtime_error("diagnose PROBES WORKER REFERENCE [SLICE.svg]");
+    if (words.size() < 4)
+        throw std::runtime_error("diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg]");
     const Probes probes = read_probes(content_of(words[0]));
     Asked student(words[1]);
     std::vector<Call> calls;
@@ -56,17 +57,18 @@ int diagnose(const std::vector<std::string>& words) {
     const std::vector<Answer> answers = student(calls);
     const bool nothing_is_written = tell_what_never_changes(probes, answers);
     const std::vector<Mistake> mistakes =
-        nothing_is_written ? std::vector<Mistake>{} : recognised(probes, answers);
-    for (const auto& [name, sentence] : mistakes)
-        std::cout << "mistake: " << name << ": " << sentence << '\n';
+        nothing_is_written ? std::vector<Mistake>{}
+                           : recognised(probes, answers, read_case_results(content_of(words[3])));
+    for (const Mistake& mistake : mistakes)
+        std::cout << "mistake: " << mistake.name << ": " << mistake.sentence << '\n';
     if (!mistakes.empty()) return 1;
 
     Asked reference(words[2]);
     const auto difference = smallest_difference(probes, answers, student, reference);
     if (!difference) return 0;
     explain(*difference);
-    if (words.size() > 3 && can_be_drawn(difference->call))
-        std::ofstream(words[3]) << slice(*difference, reference);
+    if (words.size() > 4 && can_be_drawn(difference->call))
+        std::ofstream(words[4]) << slice(*difference, reference);
     return 1;
 }
 

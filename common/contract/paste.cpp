@@ -1,5 +1,7 @@
 #include "common/contract/paste.hpp"
 
+#include <sstream>
+
 namespace rt::contract {
 
 namespace {
@@ -50,7 +52,7 @@ std::string gives_lines(const std::string& what, const Value& value) {
         if (value.parts.empty()) return "CHECK_FALSE(" + what + ");\n";
         return gives_lines("(*" + what + ")", value.parts.front());
     }
-    std::string lines;
+    std::string lines;  // of more than one part: in a block, after the call
     for (std::size_t i = 0; i < value.parts.size(); ++i) {
         const bool named = value.type->kind == Kind::record;
         const std::string part = what + (named ? std::string(".") + value.type->parts[i].name
@@ -69,15 +71,25 @@ std::string paste_line(const Call& call, const Value& expected) {
                                        : hits_code(call, expected.parts.front())) +
                ");";
     if (call.callee->name == "normal")
-        return "CHECK(normal_is(" + arguments_code(call) + ", " + code(expected) + "));";
-    std::string lines = gives_lines(call.callee->name + "(" + arguments_code(call) + ")", expected);
-    lines.pop_back();
-    return lines;
+        return "CHECK(normal_is(" + arguments_code(call) + ", " +
+               code(without_signed_zeros(expected)) + "));";
+    const std::string called = call.callee->name + "(" + arguments_code(call) + ")";
+    const Value answer = without_signed_zeros(expected);
+    if (answer.type->kind == Kind::truth || answer.type->kind == Kind::integer ||
+        is_given(answer)) {
+        std::string line = gives_lines(called, answer);
+        line.pop_back();
+        return line;
+    }
+    std::string block = "{\n    const auto answer = " + called + ";\n";
+    std::istringstream lines(gives_lines("answer", answer));
+    for (std::string line; std::getline(lines, line);) block += "    " + line + "\n";
+    return block + "}";
 }
 
 std::string told(const Call& call, const Answer& answer) {
     if (!answer.value) return "your code " + answer.failure;
-    if (!asks_for_hit(call)) return code(*answer.value);
+    if (!asks_for_hit(call)) return code(without_signed_zeros(*answer.value));
     return answer.value->parts.empty() ? "no hit"
                                        : "a hit at t = " + code(answer.value->parts.front());
 }

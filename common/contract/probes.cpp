@@ -1,7 +1,10 @@
 #include "common/contract/probes.hpp"
 
+#include "common/contract/open_answers.hpp"
+
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 namespace rt::contract {
@@ -10,7 +13,8 @@ namespace {
 
 constexpr const char* head =
     "# Calls that distinguish the known mistakes of this stage from the reference and each other,\n"
-    "# with the answers. Made by choose_probes from the suite's own calls, not by hand.\n";
+    "# with the answers, and the cases that each mistake fails. Made by choose_probes from the\n"
+    "# suite's own calls, not by hand.\n";
 
 /// "mistake name: sentence" behind its first word.
 Mistake read_mistake(const std::string& line) {
@@ -39,27 +43,158 @@ void read_wrong(const Probes& probes, Probe& probe, const std::string& line) {
         probe.mistaken[place_of(probes, name)] = answer;
 }
 
-/// The probes of a mistake: those of the functions with wrong answers. Other functions may have
-/// other mistakes.
+/// "functions: name"
+SuiteCase read_case(int stage, const std::string& line) {
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string::npos) throw Malformed("no name of a case: " + line);
+    const std::vector<std::string> names = words_of(line.substr(0, colon));
+    SuiteCase read{.name = line.substr(colon + 2), .calls = {}};
+    for (const Callee& callee : callees())
+        if (callee.stage == stage && std::ranges::find(names, callee.name) != names.end())
+            read.calls.push_back(&callee);
+    return read;
+}
+
+/// "..x. name": an x for each case that the mistake fails.
+void read_fails(Probes& probes, const std::string& line) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.size() != 2 || words[0].size() != probes.cases.size())
+        throw Malformed("not a mark for each case, and a mistake: " + line);
+    std::vector<bool>& fails = probes.mistakes[place_of(probes, words[1])].fails;
+    for (const char mark : words[0]) fails.push_back(mark == 'x');
+}
+
+/// Within the suites' tolerance; of an open function, exactly: the last digits count there.
+double tolerance_of(const Probes& probes, const Call& call) {
+    return is_open(probes, *call.callee) ? 0 : right_tolerance;
+}
+
+std::string answer_text(const Probes& probes, const Call& call, const Answer& answer) {
+    return is_open(probes, *call.callee) && answer.value ? code(*answer.value) : code(answer);
+}
+
+std::string cases_text(const Probes& probes) {
+    std::string text;
+    for (const auto& [name, calls] : probes.cases) {
+        std::vector<std::string> names;  // one of overloads
+        for (const Callee* const callee : calls)
+            if (std::ranges::find(names, callee->name) == names.end())
+                names.push_back(callee->name);
+        text += "case ";
+        for (const std::string& each : names) text += (&each == names.data() ? "" : " ") + each;
+        text += ": " + name + "\n";
+    }
+    for (const Mistake& mistake : probes.mistakes) {
+        if (mistake.fails.empty()) continue;
+        text += "fails ";
+        for (const bool fails : mistake.fails) text += fails ? 'x' : '.';
+        text += " " + mistake.name + "\n";
+    }
+    return text.empty() ? "" : "\n" + text;
+}
+
+bool differs(const Probes& probes, const Probe& probe, const Answer& answer) {
+    return is_open(probes, *probe.call.callee) ? !same_kind(probe.call, answer, probe.right)
+                                               : !same(answer, probe.right, right_tolerance);
+}
+
+/// The functions in which a mistake differs from the reference. Other functions may have other
+/// mistakes.
 bool errs_in(const Probes& probes, std::size_t mistake, const Callee& callee) {
     return std::ranges::any_of(probes.probes, [&](const Probe& probe) {
         return probe.call.callee == &callee &&
-               !same(probe.mistaken[mistake], probe.right, right_tolerance);
+               !same(probe.mistaken[mistake], probe.right, tolerance_of(probes, probe.call));
     });
 }
 
-bool is_recognised(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
-    bool wrong = false;
+bool errs_in_open(const Probes& probes, std::size_t mistake) {
+    return std::ranges::any_of(callees(), [&](const Callee& callee) {
+        return callee.stage == probes.stage && is_open(probes, callee) &&
+               errs_in(probes, mistake, callee);
+    });
+}
+
+/// True if the answers are the mistake's. Of an open function, most are of the mistake's kind:
+/// where a formula cancels, others of the same kind are not.
+bool answers_like(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
+    constexpr double most = 0.7;
+    double open = 0;
+    double alike = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Probe& probe = probes.probes[i];
         if (!errs_in(probes, mistake, *probe.call.callee)) continue;
-        if (!same(answers[i], probe.mistaken[mistake], mistake_tolerance)) return false;
-        wrong = wrong || !same(answers[i], probe.right, right_tolerance);
+        const Answer& expected = probe.mistaken[mistake];
+        if (is_open(probes, *probe.call.callee)) {
+            ++open;
+            if (same_kind(probe.call, answers[i], expected)) ++alike;
+        } else if (!same(answers[i], expected, mistake_tolerance)) {
+            return false;
+        }
     }
-    return wrong;
+    return alike >= most * open;
+}
+
+/// True if an answer of a function in which the mistake differs from the reference is wrong.
+bool is_wrong(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (errs_in(probes, mistake, *probes.probes[i].call.callee) &&
+            differs(probes, probes.probes[i], answers[i]))
+            return true;
+    return false;
+}
+
+/// True if a case may fail because of a wrong function in which the mistake is right.
+bool may_fail(const Probes& probes, std::size_t mistake, const SuiteCase& each,
+              const std::vector<Answer>& answers) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        const Callee* const callee = probes.probes[i].call.callee;
+        if (std::ranges::find(each.calls, callee) != each.calls.end() &&
+            !errs_in(probes, mistake, *callee) && differs(probes, probes.probes[i], answers[i]))
+            return true;
+    }
+    return false;
+}
+
+/// True if the failing cases are those that the mistake fails. Cases that were not run, or not
+/// known, do not count.
+bool fails_like(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
+                const CaseResults& results) {
+    const std::vector<bool>& fails = probes.mistakes[mistake].fails;
+    for (std::size_t i = 0; i < fails.size(); ++i) {
+        const auto found = results.find(probes.cases[i].name);
+        if (found == results.end() || found->second == !fails[i]) continue;
+        const bool failed = !found->second;
+        if (!failed || !may_fail(probes, mistake, probes.cases[i], answers)) return false;
+    }
+    return true;
+}
+
+bool is_recognised(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
+                   const CaseResults& results) {
+    if (!answers_like(probes, mistake, answers)) return false;
+    if (!results.empty() && !fails_like(probes, mistake, answers, results)) return false;
+    if (is_wrong(probes, mistake, answers)) return true;
+    const std::vector<bool>& fails = probes.mistakes[mistake].fails;
+    return !results.empty() && errs_in_open(probes, mistake) &&
+           std::ranges::find(fails, true) != fails.end();
 }
 
 }  // namespace
+
+CaseResults read_case_results(const std::string& report) {
+    CaseResults results;
+    std::istringstream lines(report);
+    std::string name;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("case ")) {
+            name = line.substr(5);
+            results[name] = false;
+        } else if (line == "passed") {
+            results[name] = true;
+        }
+    }
+    return results;
+}
 
 Probes read_probes(const std::string& text) {
     Probes probes;
@@ -70,6 +205,8 @@ Probes read_probes(const std::string& text) {
         const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
         if (word == "stage") probes.stage = std::stoi(rest);
         if (word == "mistake") probes.mistakes.push_back(read_mistake(rest));
+        if (word == "case") probes.cases.push_back(read_case(probes.stage, rest));
+        if (word == "fails") read_fails(probes, rest);
         if (word == "open") probes.open = words_of(rest);
         if (word == "call") probes.probes.push_back({.call = read_call(probes.stage, rest)});
         if (word != "right" && word != "wrong") continue;
@@ -88,21 +225,23 @@ Probes read_probes(const std::string& text) {
 
 std::string text_of(const Probes& probes) {
     std::string text = head + ("stage " + std::to_string(probes.stage)) + "\n";
-    for (const auto& [name, sentence] : probes.mistakes)
-        text += "mistake " + name + ": " + sentence + "\n";
+    for (const Mistake& mistake : probes.mistakes)
+        text += "mistake " + mistake.name + ": " + mistake.sentence + "\n";
     if (!probes.open.empty()) {
         text += "open";
         for (const std::string& name : probes.open) text += " " + name;
         text += "\n";
     }
+    text += cases_text(probes);
     for (const auto& [call, right, mistaken] : probes.probes) {
-        text += "\ncall " + code(call) + "\nright " + code(right) + "\n";
+        text += "\ncall " + code(call) + "\nright " + answer_text(probes, call, right) + "\n";
+        const double within = tolerance_of(probes, call);
         std::vector<bool> told(mistaken.size());
         for (std::size_t i = 0; i < mistaken.size(); ++i) {
-            if (told[i] || same(mistaken[i], right, right_tolerance)) continue;
-            text += "wrong " + code(mistaken[i]) + " |";
+            if (told[i] || same(mistaken[i], right, within)) continue;
+            text += "wrong " + answer_text(probes, call, mistaken[i]) + " |";
             for (std::size_t j = i; j < mistaken.size(); ++j) {
-                if (told[j] || !same(mistaken[j], mistaken[i], right_tolerance)) continue;
+                if (told[j] || !same(mistaken[j], mistaken[i], within)) continue;
                 told[j] = true;
                 text += " " + probes.mistakes[j].name;
             }
@@ -119,14 +258,22 @@ bool is_open(const Probes& probes, const Callee& callee) {
 bool is_recognisable(const Probes& probes, const std::string& mistake) {
     const std::size_t place = place_of(probes, mistake);
     return std::ranges::any_of(probes.probes, [&](const Probe& probe) {
-        return !same(probe.mistaken[place], probe.right, right_tolerance);
+        return !same(probe.mistaken[place], probe.right, tolerance_of(probes, probe.call));
     });
 }
 
-std::vector<Mistake> recognised(const Probes& probes, const std::vector<Answer>& answers) {
+std::vector<Mistake> recognised(const Probes& probes, const std::vector<Answer>& answers,
+                                const CaseResults& results) {
     std::vector<Mistake> found;
-    for (std::size_t i = 0; i < probes.mistakes.size(); ++i)
-        if (is_recognised(probes, i, answers)) found.push_back(probes.mistakes[i]);
+    std::set<std::string> sentences;
+    bool open = false;
+    for (std::size_t i = 0; i < probes.mistakes.size(); ++i) {
+        if (!is_recognised(probes, i, answers, results)) continue;
+        open = open || errs_in_open(probes, i);
+        if (sentences.insert(probes.mistakes[i].sentence).second)
+            found.push_back(probes.mistakes[i]);
+    }
+    if (open && found.size() > 1) return {};
     return found;
 }
 

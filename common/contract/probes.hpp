@@ -1,17 +1,26 @@
 // The file tests/mistakes/<stage>/probes.txt: calls that distinguish the known mistakes of a stage
-// from the reference, with the answers of each. It identifies a mistake without its source.
+// from the reference, with the answers of each, and the cases of the suite that each mistake fails.
+// It identifies a mistake without its source.
 #pragma once
 
 #include "common/contract/call.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace rt::contract {
 
+/// A case of the stage's suite.
+struct SuiteCase {
+    std::string name;
+    std::vector<const Callee*> calls;  ///< the stage's functions that it calls
+};
+
 struct Mistake {
     std::string name;
     std::string sentence;
+    std::vector<bool> fails = {};  ///< in the order of Probes::cases
 };
 
 struct Probe {
@@ -21,8 +30,15 @@ struct Probe {
     std::vector<Answer> mistaken;
 };
 
+/// The cases that a suite has run, by name: true if the case has passed.
+using CaseResults = std::map<std::string, bool>;
+
+/// Parses the output of tests/kit/report.cpp. A case without an end, after a crash, has failed.
+[[nodiscard]] CaseResults read_case_results(const std::string& report);
+
 struct Probes {
     int stage = 0;
+    std::vector<SuiteCase> cases;
     std::vector<Mistake> mistakes;
     /// Functions whose contract leaves the answer open: other right answers differ.
     std::vector<std::string> open;
@@ -40,11 +56,14 @@ struct Probes {
 /// differ by less than right answers do.
 [[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
 
-/// The mistakes that the answers to all probes, in their order, show. A mistake is recognized if
-/// the answers equal its own for every probe of the functions in which it differs from the
-/// reference, and are not the reference's.
+/// The mistakes that the answers to all probes, in their order, and the results of the suite show.
+/// The answers equal the mistake's for every probe of the functions in which it differs from the
+/// reference. The failing cases are the mistake's, and others only if these call a function that is
+/// wrong too. A mistake in an open function must be the only one with these failing cases. Without
+/// results, the answers alone decide, and no mistake of an open function is recognized.
 [[nodiscard]] std::vector<Mistake> recognised(const Probes& probes,
-                                              const std::vector<Answer>& answers);
+                                              const std::vector<Answer>& answers,
+                                              const CaseResults& results);
 
 /// A mistake is computed in many ways, and then rounded otherwise.
 inline constexpr double mistake_tolerance = 1e-9;

@@ -59,8 +59,7 @@ double read_number(std::string_view& text) {
     if (take(text, "false")) return 0;
     if (take(text, "infinity")) return double(infinity);
     if (take(text, "-infinity")) return -double(infinity);
-    if (take(text, "std::numeric_limits<Real>::quiet_NaN()"))
-        return std::numeric_limits<double>::quiet_NaN();
+    if (take(text, "NAN")) return std::numeric_limits<double>::quiet_NaN();
     const bool wrapped = take(text, "Real(");
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -219,6 +218,13 @@ Value read_value(const Type& type, std::string_view& text) {
 
 bool same(const Value& got, const Value& expected, double within) {
     return same_at(got, expected, 1, within);
+}
+
+Value without_signed_zeros(Value value) {
+    for_each_number(value, [](Value& number) {
+        if (number.number == 0) number.number = 0;
+    });
+    return value;
 }
 
 const Value* find(const Value& value, std::string_view name) {

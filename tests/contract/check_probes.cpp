@@ -1,8 +1,9 @@
-// check_probes PROBES FOLDER REFERENCE RIGHT… MISTAKE=WORKER…
+// check_probes PROBES FOLDER REFERENCE RIGHT… MISTAKE=WORKER… < CASES
 //
 // Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
-// with the same answers, and the reference and the other right answers are not recognized as a
-// mistake. Prints the recognized mistakes.
+// with the same answers and failing cases, and the reference and the other right answers are not
+// recognized as a mistake. The cases of the suite, one a line, are those of probes.txt. Prints the
+// recognized mistakes.
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
 #include "common/contract/probes.hpp"
@@ -25,7 +26,7 @@ public:
     void right(const std::string& worker) {
         Asked asked(worker);
         const std::vector<Answer> answers = asked(calls_);
-        for (const Mistake& mistake : recognised(probes_, answers))
+        for (const Mistake& mistake : recognised(probes_, answers, {}))
             complain(worker + " is right, but recognized as " + mistake.name);
         Asked reference(reference_);
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
@@ -46,12 +47,24 @@ public:
         Asked asked(worker);
         bool as_itself = false;
         std::string names;
-        for (const Mistake& mistake : recognised(probes_, asked(calls_))) {
-            as_itself = as_itself || mistake.name == name;
+        for (const Mistake& mistake : recognised(probes_, asked(calls_), results_of(*known))) {
+            as_itself = as_itself || mistake.sentence == sentence;
             names += " " + mistake.name;
         }
         std::cout << name << ":" << names << '\n';
-        if (!as_itself) complain(name + " is not recognized");
+        // In an open function, several may have the same failing cases: then none is named.
+        if (!as_itself && !(names.empty() && !probes_.open.empty()))
+            complain(name + " is not recognized");
+    }
+
+    /// The names of the suite's cases.
+    void cases(std::istream& names) {
+        std::size_t count = 0;
+        for (std::string name; std::getline(names, name); ++count)
+            if (count >= probes_.cases.size() || probes_.cases[count].name != name)
+                return complain("not a case of probes.txt, in this order: " + name);
+        if (count != probes_.cases.size())
+            complain("probes.txt contains more cases than the suite");
     }
 
     [[nodiscard]] int end() {
@@ -61,6 +74,13 @@ public:
     }
 
 private:
+    [[nodiscard]] CaseResults results_of(const Mistake& mistake) const {
+        CaseResults results;
+        for (std::size_t i = 0; i < mistake.fails.size(); ++i)
+            results[probes_.cases[i].name] = !mistake.fails[i];
+        return results;
+    }
+
     void complain(const std::string& what) {
         std::cout << "error: " << what << '\n';
         ++failures_;
@@ -75,6 +95,7 @@ private:
 
 int check(const std::vector<std::string>& words) {
     Check check(read_probes(content_of(words.at(0))), words.at(2));
+    check.cases(std::cin);
     check.right(words.at(2));
     for (std::size_t i = 3; i < words.size(); ++i) {
         const std::size_t equals = words[i].find('=');

@@ -1,8 +1,11 @@
-// choose_probes STAGE RECORD REFERENCE FOLDER ALTERNATIVE… MISTAKE=WORKER…
+// choose_probes STAGE REPORTS REFERENCE FOLDER ALTERNATIVE… MISTAKE=WORKER…
 //
 // Writes a stage's probes.txt to the standard output: a few of the calls that its suite made
-// (RECORD), which separate every known mistake from the reference and from the others.
+// (REPORTS/record), which separate every known mistake from the reference and from the others, and
+// the cases that fail (REPORTS/reference.report, REPORTS/<mistake>.report).
+#include "common/contract/contracts.hpp"
 #include "common/contract/files.hpp"
+#include "common/contract/open_answers.hpp"
 #include "common/contract/probes.hpp"
 
 #include <algorithm>
@@ -18,12 +21,48 @@ namespace {
 constexpr std::size_t most_probes = 64;
 constexpr int times_separated = 3;        ///< each mistake from the reference
 constexpr int calls_of_each = 6;          ///< per function, at least
+constexpr int calls_of_open = 16;         ///< per open function: not all have to match
 constexpr int most_of_case = 2000;        ///< of one test case, per function
 constexpr int most_plain = 300;           ///< of these, the plainest
 constexpr int most_calls_of_each = 1500;  ///< of these, from plain to complex
 /// A function is open if another right one answers that share of its calls otherwise.
 constexpr double open_share = 0.02;
 constexpr std::size_t longest_call = 1200;  // characters: meshes are long
+
+/// True for many points of a light, or a picture.
+bool is_batch(const std::string& question) {
+    return question.front() == '\0';
+}
+
+/// The functions of the stage that each case has called: a picture calls them all.
+std::vector<SuiteCase> cases_of(const std::string& record, const std::string& report, int stage) {
+    std::vector<SuiteCase> cases;
+    std::istringstream lines(report);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("case ")) cases.push_back({.name = line.substr(5), .calls = {}});
+    Reader reader(record);
+    std::size_t next = 0;
+    const auto calls = [&](const Callee& callee) {
+        auto& all = cases.at(next - 1).calls;
+        if (std::ranges::find(all, &callee) == all.end()) all.push_back(&callee);
+    };
+    while (reader.left() > 0) {
+        std::string question(get<std::uint32_t>(reader), '\0');
+        reader.raw(question.data(), question.size());
+        if (question.empty()) {
+            ++next;
+        } else if (is_batch(question)) {
+            const bool is_picture = std::uint8_t(question[1]) == picture_place;
+            for (const Callee& callee : callees())
+                if (callee.stage == stage && (is_picture || callee.name == "sample_light"))
+                    calls(callee);
+        } else if (const Call call = call_of(question); call.callee->stage == stage) {
+            calls(*call.callee);
+        }
+    }
+    for (SuiteCase& each : cases) std::ranges::sort(each.calls, {}, &Callee::place);
+    return cases;
+}
 
 /// The recorded calls of the stage, each once, the plainest first.
 std::vector<Call> recorded(const std::string& record, int stage) {
@@ -36,7 +75,7 @@ std::vector<Call> recorded(const std::string& record, int stage) {
         std::string question(get<std::uint32_t>(reader), '\0');
         reader.raw(question.data(), question.size());
         if (question.empty()) in_case.clear();
-        if (question.empty() || !seen.insert(question).second) continue;
+        if (question.empty() || is_batch(question) || !seen.insert(question).second) continue;
         const Call call = call_of(question);
         if (in_case[call.callee]++ >= most_of_case) continue;
         ++count[call.callee];
@@ -61,8 +100,8 @@ struct Table {
     std::vector<std::vector<Answer>> mistaken;  ///< one list of answers a mistake
 };
 
-bool differ(const Answer& a, const Answer& b) {
-    return !same(a, b, mistake_tolerance);
+bool differ(const Call& call, bool is_open, const Answer& a, const Answer& b) {
+    return is_open ? !same_kind(call, a, b) : !same(a, b, mistake_tolerance);
 }
 
 /// Removes calls with several right answers, and names the functions with most of them.
@@ -95,12 +134,13 @@ std::vector<std::string> take_out_open(Table& table, const std::vector<std::stri
 }
 
 /// Workers with equal answers to a call have the same number; the reference's is 0.
-std::vector<int> kinds_of_answers(const Table& table, std::size_t call) {
+std::vector<int> kinds_of_answers(const Table& table, std::size_t call, bool is_open) {
     std::vector<const Answer*> kinds = {&table.right[call]};
     std::vector<int> numbers;
     for (const auto& answers : table.mistaken) {
-        const auto kind = std::ranges::find_if(
-            kinds, [&](const Answer* known) { return !differ(answers[call], *known); });
+        const auto kind = std::ranges::find_if(kinds, [&](const Answer* known) {
+            return !differ(table.calls[call], is_open, answers[call], *known);
+        });
         numbers.push_back(int(kind - kinds.begin()));
         if (kind == kinds.end()) kinds.push_back(&answers[call]);
     }
@@ -108,11 +148,12 @@ std::vector<int> kinds_of_answers(const Table& table, std::size_t call) {
 }
 
 /// Greedy: always the call that separates most of the remaining pairs, the plainest of these.
-std::set<std::size_t> chosen(const Table& table) {
+std::set<std::size_t> chosen(const Table& table, const Probes& probes_of_stage) {
     const std::size_t count = table.mistaken.size();
     std::vector<std::vector<int>> kinds;
     for (std::size_t i = 0; i < table.calls.size(); ++i)
-        kinds.push_back(kinds_of_answers(table, i));
+        kinds.push_back(
+            kinds_of_answers(table, i, is_open(probes_of_stage, *table.calls[i].callee)));
     std::vector<int> wanted(count, times_separated);
     std::vector<std::vector<bool>> apart(count, std::vector<bool>(count));
     std::set<std::size_t> probes;
@@ -144,7 +185,7 @@ std::set<std::size_t> chosen(const Table& table) {
         }
     }
     for (const Callee& callee : callees()) {
-        int left = calls_of_each;
+        int left = is_open(probes_of_stage, callee) ? calls_of_open : calls_of_each;
         for (const std::size_t probe : probes) left -= table.calls[probe].callee == &callee ? 1 : 0;
         for (std::size_t call = 0; call < table.calls.size() && left > 0; ++call)
             if (table.calls[call].callee == &callee && probes.insert(call).second) --left;
@@ -154,7 +195,7 @@ std::set<std::size_t> chosen(const Table& table) {
 
 struct Request {
     int stage;
-    std::string record;
+    std::string reports;
     std::string reference;
     std::string folder;
     std::vector<std::string> alternatives;
@@ -162,11 +203,9 @@ struct Request {
 };
 
 Request read_request(int argc, char** argv) {
-    if (argc < 5) throw std::runtime_error("choose_probes STAGE RECORD REFERENCE FOLDER …");
-    Request request{.stage = std::atoi(argv[1]),
-                    .record = content_of(argv[2]),
-                    .reference = argv[3],
-                    .folder = argv[4]};
+    if (argc < 5) throw std::runtime_error("choose_probes STAGE REPORTS REFERENCE FOLDER …");
+    Request request{
+        .stage = std::atoi(argv[1]), .reports = argv[2], .reference = argv[3], .folder = argv[4]};
     for (int i = 5; i < argc; ++i) {
         const std::string word = argv[i];
         const std::size_t equals = word.find('=');
@@ -179,16 +218,23 @@ Request read_request(int argc, char** argv) {
 }
 
 Probes choose(const Request& request) {
-    Table table{.calls = recorded(request.record, request.stage)};
+    const std::string record = content_of(request.reports + "/record");
+    Table table{.calls = recorded(record, request.stage)};
     table.right = Asked(request.reference)(table.calls);
     Probes probes{.stage = request.stage};
+    probes.cases =
+        cases_of(record, content_of(request.reports + "/reference.report"), request.stage);
     probes.open = take_out_open(table, request.alternatives);
     for (const auto& [name, worker] : request.mistakes) {
-        probes.mistakes.push_back(
-            {.name = name, .sentence = sentence_in(request.folder + "/" + name + ".cpp")});
+        const CaseResults results =
+            read_case_results(content_of(request.reports + "/" + name + ".report"));
+        Mistake mistake{.name = name,
+                        .sentence = sentence_in(request.folder + "/" + name + ".cpp")};
+        for (const SuiteCase& each : probes.cases) mistake.fails.push_back(!results.at(each.name));
+        probes.mistakes.push_back(mistake);
         table.mistaken.push_back(Asked(worker)(table.calls));
     }
-    for (const std::size_t call : chosen(table))
+    for (const std::size_t call : chosen(table, probes))
         probes.probes.push_back({.call = table.calls[call], .right = table.right[call]});
     // Again, in this order: a mistake's answer may depend on earlier calls.
     std::vector<Call> calls;

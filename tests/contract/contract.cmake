@@ -53,7 +53,8 @@ endfunction()
 # raysteps_recognition(<stage> <mistakes> <alternatives> <other stages>...)
 #
 # A worker of each known mistake and each other right answer; the test that the stage's probes.txt
-# recognizes the former and not the latter; and the target <stage>_probes, which writes it.
+# recognizes the former and not the latter, and knows the suite's cases; and the target
+# <stage>_probes, which writes it.
 function(raysteps_recognition stage mistakes alternatives)
     set(folder ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
     set(words)
@@ -69,16 +70,28 @@ function(raysteps_recognition stage mistakes alternatives)
     endforeach()
     set(reference $<TARGET_FILE:${stage}_reference_worker>)
 
+    set(suite $<TARGET_FILE:${stage}_test_double>)
+    set(check $<TARGET_FILE:check_probes> ${folder}/probes.txt ${folder} ${reference} ${words})
     add_test(NAME recognition_${stage}
-        COMMAND check_probes ${folder}/probes.txt ${folder} ${reference} ${words})
+        COMMAND sh -c "suite=$1; shift; \"$suite\" --list-test-names-only | \"$@\"" sh ${suite} ${check})
     set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
 
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${stage})
-    set(record ${CMAKE_CURRENT_BINARY_DIR}/${stage}.record)
+    set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
+    set(runs)
+    foreach(file IN LISTS mistakes)
+        get_filename_component(name ${file} NAME_WE)
+        list(APPEND runs COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_REPORT=${reports}/${name}.report
+            sh -c "\"$0\" --out /dev/null || true"
+            $<TARGET_FILE:mistake_${stage}_${name}_double>)
+    endforeach()
     add_custom_target(${stage}_probes
-        COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_RECORD=${record} RAYSTEPS_WORKER=${reference}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${reports}
+        COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_RECORD=${reports}/record
+            RAYSTEPS_REPORT=${reports}/reference.report RAYSTEPS_WORKER=${reference}
             $<TARGET_FILE:${stage}_asked_test_double>
-        COMMAND choose_probes ${number} ${record} ${reference} ${folder} ${words}
+        ${runs}
+        COMMAND choose_probes ${number} ${reports} ${reference} ${folder} ${words}
             > ${folder}/probes.txt
         VERBATIM)
 endfunction()

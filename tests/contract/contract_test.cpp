@@ -123,7 +123,7 @@ Diagnosis diagnosis(const std::string& wrong) {
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
     const auto answers = student(calls);
-    return {.mistakes = recognised(probes, answers),
+    return {.mistakes = recognised(probes, answers, {}),
             .smallest = smallest_difference(probes, answers, student, reference)};
 }
 
@@ -226,6 +226,85 @@ TEST_CASE("a worker is restarted after a crash, but not after a timeout") {
     CHECK_FALSE(hangs(ahead_call).asked());
 }
 
+namespace {
+
+/// A mistake of the sphere that fails one case of three, and its answers.
+struct Tangent {
+    Probes probes = read_probes(
+        "stage 3\nmistake tangent_lost: You test > for >=.\n"
+        "case intersect: a tangent\ncase intersect: a small sphere\ncase normal: a normal\n"
+        "fails x.. tangent_lost\n"
+        "call intersect(Ray{{0, 1, 5}, {0, 0, -1}}, Sphere{{0, 0, 0}, 1}, Interval{0, infinity})\n"
+        "right 5\nwrong std::nullopt | tangent_lost\n"
+        "call normal(Sphere{{0, 0, 0}, 1}, {0, 0, 1})\nright {0, 0, 1}\n");
+    std::vector<Answer> answers = {probes.probes[0].mistaken[0], probes.probes[1].right};
+
+    [[nodiscard]] bool is_named(const CaseResults& results) const {
+        return !recognised(probes, answers, results).empty();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mistake is recognized only if the cases that fail are those that it fails") {
+    Tangent known;
+    CHECK(known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", false}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", true}, {"a small sphere", true}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", false}}));
+    // A crash before the other cases, and a case that was added since.
+    CHECK(known.is_named({{"a tangent", false}}));
+    CHECK(known.is_named({{"a tangent", false}, {"another", false}}));
+}
+
+TEST_CASE("a mistake is recognized beside another one, in another function") {
+    Tangent known;
+    known.answers[1].value->parts[2].number = -1;
+    CHECK(known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", false}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", false}, {"a normal", false}}));
+}
+
+namespace {
+
+/// Two mistakes in a function with many right answers: only their cases tell them from another
+/// right answer.
+struct OpenFunction {
+    Probes probes = read_probes(
+        "stage 11\nmistake half: You go half way round.\nmistake disc: You aim at a disc.\n"
+        "open sample_light\ncase sample_light: even\ncase sample_light: seen\n"
+        "fails x. half\nfails xx disc\n"
+        "call sample_light(Light{{0, 4, 0}, 1, {1, 1, 1}, 2}, {0, 0, 0}, {0, 0})\n"
+        "right {0, 2, 0}\nwrong {Real(0.001), 2, 0} | half\nwrong {1, 4, 0} | disc\n");
+
+    /// The names for this answer, if the first case fails, or both.
+    [[nodiscard]] std::string names(Vec3 answer, bool both_fail) const {
+        Writer writer;
+        put(writer, answer);
+        Reader reader(writer.bytes());
+        const std::vector<Answer> answers = {{.value = get_value(type_of<Vec3>(), reader)}};
+        std::string names;
+        for (const Mistake& mistake :
+             recognised(probes, answers, {{"even", false}, {"seen", !both_fail}}))
+            names += mistake.name;
+        return names;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mistake in an open function is recognized by the cases and the kind of answer") {
+    const OpenFunction function;
+    CHECK(function.names({0, 2, 0}, false) == "half");
+    CHECK(function.names({0, Real(2.001), Real(0.06)}, false) == "half");  // another basis
+    CHECK(function.names({0, 4, 1}, true) == "disc");
+    CHECK(function.names({0, 4, 1}, false).empty());
+    CHECK(function.names({0, 2, 0}, true).empty());
+}
+
 TEST_CASE("an unknown mistake is shown by a call with round numbers") {
     for (const char* const wrong : {"too_large", "flattened", "throws"}) {
         const Diagnosis found = diagnosis(wrong);
@@ -259,6 +338,18 @@ TEST_CASE("a failing call is a line to paste") {
     CHECK(paste_line(call, Value{.type = hit.type}) ==
           "CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, "
           "Sphere{.center = {0, 0, 0}, .radius = 1}));");
+}
+
+TEST_CASE("an answer of several parts is one call in a line to paste, without the sign of a zero") {
+    const Call call = read_call(2, "orthonormal_basis({0, 0, 1})");
+    const Basis basis{.x = {1, 0, Real(-0.0)}, .y = {0, 1, 0}, .z = {0, 0, 1}};
+    const std::string bytes = bytes_of(basis);
+    Reader reader(bytes);
+    CHECK(paste_line(call, get_value(type_of<Basis>(), reader)) ==
+          "{\n    const auto answer = orthonormal_basis({0, 0, 1});\n"
+          "    CHECK(gives(\"answer.x\", answer.x, Vec3{1, 0, 0}));\n"
+          "    CHECK(gives(\"answer.y\", answer.y, Vec3{0, 1, 0}));\n"
+          "    CHECK(gives(\"answer.z\", answer.z, Vec3{0, 0, 1}));\n}");
 }
 
 TEST_CASE("a slice shows the shape's section, the ray and both hits") {

@@ -165,7 +165,9 @@ namespace rt {
 
 Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
     using namespace contract;
-    return picture_in(link().ask(picture_question(scene, settings, every)), scene.resolution);
+    const std::string question = picture_question(scene, settings, every);
+    link().record(question);
+    return picture_in(link().ask(question), scene.resolution);
 }
 
 std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed, int count) {
@@ -177,6 +179,7 @@ std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed
     put(question, now == nullptr ? from : rt::transformed(from, now->any));
     put(question, seed);
     put(question, count);
+    link().record(question.bytes());
     const std::string bytes = link().ask(question.bytes());
     Reader reader(bytes);
     auto points = get<std::vector<Vec3>>(reader);

@@ -31,9 +31,16 @@ std::string told(const Catch::AssertionResult& result) {
     const std::string expanded = result.getExpandedExpression();
     if (!expanded.empty() && expanded.front() == '\n')
         return expanded.substr(expanded.find_first_not_of("\n "));
+    if (result.getResultType() == Catch::ResultWas::FatalErrorCondition)
+        return "your code crashed: " + std::string(result.getMessage());
     std::string text = result.getExpressionInMacro();
-    if (result.hasMessage())  // an exception's or a signal's
-        text += (text.empty() ? "" : "\n  got:      ") + std::string(result.getMessage());
+    const std::string message = result.hasMessage() ? std::string(result.getMessage()) : "";
+    // The link to a worker throws what it has to say itself: "Your code crashed".
+    if (result.getResultType() == Catch::ResultWas::ThrewException &&
+        message.rfind("Your code", 0) != 0)
+        return text + "\n  got:      an exception: " + message;
+    if (!message.empty())
+        text += (text.empty() ? "" : "\n  got:      ") + message;
     else if (expanded != result.getExpression())
         text += "\n  got:      " + expanded;
     return text;

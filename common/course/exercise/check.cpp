@@ -116,12 +116,15 @@ void explain_failure(const Judgement& judgement) {
     const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
     std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(),
                 float_only ? "  (in float only)" : "");
+    if (!suite.ended.empty() && failed.name == suite.cases.back().name) {
+        // A failure that came before is of another question.
+        std::printf("    your code %s.\n    The cases after this one were not run.\n",
+                    suite.ended.c_str());
+        return;
+    }
     for (const std::string& line : lines_of(failed.failure))
         std::printf("%s\n", wrapped("    " + line).c_str());
     if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
-    if (!suite.ended.empty() && failed.name == suite.cases.back().name)
-        std::printf("    your code %s\n    The cases after this one were not run.\n",
-                    suite.ended.c_str());
 }
 
 ProcessResult drawn(const std::string& program, const std::filesystem::path& file) {
@@ -246,7 +249,8 @@ int check(int stage) {
     show_ungraded_files(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
-    if (judgement.ended() && !judgement.right() && judgement.written()) show_diagnosis(stage);
+    if (!judgement.right() && judgement.written())
+        show_diagnosis(stage, report_of(name + "_test_double"));
     show_references_used(stage);
     show_count(judgement, stage);
     return judgement.right() ? 0 : 1;

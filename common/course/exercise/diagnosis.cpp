@@ -15,7 +15,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::chrono::seconds time_limit{10};
+constexpr std::chrono::seconds time_limit{20};
 
 std::string program(const std::string& name) {
     return (build_folder / name).string();
@@ -28,7 +28,7 @@ ProcessResult diagnosed(const Command& command) {
 
 }  // namespace
 
-void show_diagnosis(int stage) {
+void show_diagnosis(int stage, const std::filesystem::path& report) {
     const std::string student = stage_target(stage, "_worker_double");
     const std::string reference = stage_target(stage, "_reference_worker");
     if (!try_build({"diagnose", student, reference}).succeeded) return;  // not on this system
@@ -39,7 +39,7 @@ void show_diagnosis(int stage) {
     const ProcessResult ending =
         diagnosed({program("diagnose"),
                    (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
-                   program(student), program(reference), drawing.string()});
+                   program(student), program(reference), report.string(), drawing.string()});
     if (ending.out_of_time || ending.status != 1) return;
     std::puts("");
     for (const std::string& line : lines_of(ending.output)) {

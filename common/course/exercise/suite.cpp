@@ -11,10 +11,24 @@ namespace {
 
 constexpr std::chrono::seconds time_limit{10};  // the slowest suite takes one
 
+/// What usually causes the signal.
+std::string meaning_of(const std::string& crash) {
+    if (crash == "Segmentation fault")
+        return ". It read memory that is not its own: a null pointer, an index out of range, or a "
+               "function that calls itself without end";
+    if (crash == "Aborted") return ". An assertion failed, or std::abort was called";
+    if (crash == "Floating point exception") return ". A whole number was divided by 0";
+    return "";
+}
+
 }  // namespace
 
+std::filesystem::path report_of(const std::string& program) {
+    return build_folder / (program + ".report");
+}
+
 SuiteResult run_suite(const std::string& program) {
-    const std::filesystem::path report = build_folder / (program + ".report");
+    const std::filesystem::path report = report_of(program);
     std::filesystem::remove(report);
     const ProcessResult ending =
         run_captured({"env", "RAYSTEPS_REPORT=" + report.string(),
@@ -26,7 +40,7 @@ SuiteResult run_suite(const std::string& program) {
         result.ended =
             "does not end: it was stopped after " + std::to_string(time_limit.count()) + " s";
     else if (!ending.crash.empty())
-        result.ended = "crashed: " + ending.crash;
+        result.ended = "crashed: " + ending.crash + meaning_of(ending.crash);
     return result;
 }
 

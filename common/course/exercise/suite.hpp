@@ -3,6 +3,8 @@
 
 #include "common/course/build/suite_report.hpp"
 
+#include <filesystem>
+
 namespace rt {
 
 struct SuiteResult {
@@ -10,6 +12,9 @@ struct SuiteResult {
     std::string ended;   ///< the reason for an early end, a crash or a timeout; else empty
     std::string output;  ///< the output of the student's own code
 };
+
+/// The report that `run_suite` leaves.
+[[nodiscard]] std::filesystem::path report_of(const std::string& program);
 
 /// Runs a suite's program, for at most ten seconds.
 [[nodiscard]] SuiteResult run_suite(const std::string& program);

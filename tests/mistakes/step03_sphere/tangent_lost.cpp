@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: a ray that touches the sphere meets it (PHY, B² − 4AC = 0)
-// sentence: You test Δ > 0. At Δ = 0 the ray touches the sphere, and meets it.
+// sentence: At Δ = 0 the ray touches the sphere, and meets it: test Δ >= 0. You test Δ > 0, or compare Δ with a constant.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: seen in student repositories: |det| < 1e-6 (Möller, Trumbore 1997)
 // caught by: small triangles are seen: there is no epsilon (MRT §5)
-// sentence: You call a small determinant parallel. It grows with the triangle's area: small triangles are lost.
+// sentence: A determinant less than a constant counts as parallel, as in GLM's intersectRayTriangle. The determinant grows with the triangle's area: small triangles are lost. Compare it with 0.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

@@ -1,6 +1,6 @@
 // origin: GLM's gtx/intersect, called in place of one's own
 // caught by: small triangles are seen: there is no epsilon (MRT §5)
-// sentence: GLM's intersectRayTriangle has an epsilon: it loses small triangles and sees what is behind the ray.
+// sentence: A determinant less than a constant counts as parallel, as in GLM's intersectRayTriangle. The determinant grows with the triangle's area: small triangles are lost. Compare it with 0.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step05_triangle/reference/triangle.cpp"
 #undef intersect

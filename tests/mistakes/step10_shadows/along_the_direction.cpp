@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: a point that is off its surface by its error still sees the light (contract)
-// sentence: You move along the ray: where it grazes the surface, that hardly leaves it. Move along surface.geometric_normal.
+// sentence: You leave the surface along the ray: where it grazes the surface, that hardly leaves it. Move the origin along surface.geometric_normal.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray

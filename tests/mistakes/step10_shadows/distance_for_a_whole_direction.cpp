@@ -1,6 +1,6 @@
 // origin: seen in student repositories
 // caught by: a shape behind the light casts no shadow (CR §3.2, maxDist)
-// sentence: You compare t with the distance, but t counts in the direction's length: the light is at t = 1. Make the direction a unit vector, or compare with 1.
+// sentence: Your interval reaches as far as the square of the distance: t is compared with the distance of a direction that is not a unit vector (there the light is at t = 1), or with dot(L, L), without its root.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray

@@ -1,6 +1,6 @@
 // origin: invented: t > error in place of an offset
 // caught by: a point that is off its surface by its error still sees the light (contract)
-// sentence: You leave out the first part of the ray, but where it grazes the surface it is still inside by then. Move the origin along surface.geometric_normal.
+// sentence: You leave the surface along the ray: where it grazes the surface, that hardly leaves it. Move the origin along surface.geometric_normal.
 #define shadow_ray(...) correct_shadow_ray(__VA_ARGS__)
 #include "steps/step10_shadows/reference/shadows.cpp"
 #undef shadow_ray

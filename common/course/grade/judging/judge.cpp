@@ -33,18 +33,29 @@ bool was_waited_for(const CaseMark& each) {
 }
 
 /// The passing cases are known. A case that also fails with the suite's own inputs is reported as
-/// by `./course check`, with inputs that a student can repeat.
-void retell(std::vector<CaseMark>& cases, const Grading& grading, int stage, const fs::path& worker,
-            Clock::time_point until) {
+/// by `./course check`, with inputs that a student can repeat. Returns the cases with these inputs.
+std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& grading, int stage,
+                             const fs::path& worker, Clock::time_point until) {
     const auto fails = [](const CaseMark& each) { return !each.passed; };
-    if (std::none_of(cases.begin(), cases.end(), fails)) return;
-    if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return;  // it would be again
-    for (const CaseMark& told : ask_suite(grading, stage, worker, until, {"RAYSTEPS_AS_WRITTEN=1"}))
+    if (std::none_of(cases.begin(), cases.end(), fails)) return cases;
+    if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return cases;  // it would be again
+    std::vector<CaseMark> as_written =
+        ask_suite(grading, stage, worker, until, {"RAYSTEPS_AS_WRITTEN=1"});
+    for (const CaseMark& told : as_written)
         for (CaseMark& each : cases)
             if (!each.passed && !told.passed && each.name == told.name) {
                 each.place = told.place;
                 each.words = told.words;
             }
+    return as_written;
+}
+
+/// The cases as a report of the suite, which diagnose reads.
+void write_report(const fs::path& file, const std::vector<CaseMark>& cases) {
+    std::string text;
+    for (const CaseMark& each : cases)
+        text += "case " + each.name + "\n" + (each.passed ? "passed" : "failed") + "\n";
+    write_text(file, text);
 }
 
 /// The same marks as if all cases had been reached.
@@ -169,7 +180,8 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
     mark.words += made.words;
     if (made.succeeded) {
         mark.cases = ask_suite(grading_, stage, job.worker(), until);
-        retell(mark.cases, grading_, stage, job.worker(), until);
+        const std::vector<CaseMark> as_written =
+            retell(mark.cases, grading_, stage, job.worker(), until);
         mark.cases = completed(mark.cases, reference_result.cases);
         if (mark.points() < mark.most && !is_written(job.text(stage))) {
             mark.words +=
@@ -179,11 +191,14 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
         } else if (mark.points() < mark.most) {
             const std::string probes =
                 grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
-            const ProcessResult ending =
-                run_asking(grading_, stage,
-                           {"diagnose", probes, job.worker().string(),
-                            reference_result.worker.string(), job.beside(stage, ".svg").string()},
-                           {}, until);
+            const fs::path report = job.worker().parent_path() / (name_of(stage) + ".report");
+            write_report(report, as_written);
+            const ProcessResult ending = run_asking(
+                grading_, stage,
+                {"diagnose", probes, job.worker().string(), reference_result.worker.string(),
+                 report.string(), job.beside(stage, ".svg").string()},
+                {}, until);
+            fs::remove(report);
             if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
             if (fs::exists(job.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
         }
