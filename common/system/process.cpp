@@ -28,27 +28,34 @@ constexpr int milliseconds_to_end = 200;
 
 enum class Group { ours, its_own };
 
+/// How a program is started.
+struct Launch {
+    Streams streams = Streams::both;  ///< those that `output` takes
+    int signal = SIGTERM;             ///< what it gets when its caller ends
+    Group group = Group::ours;
+    int output = -1;  ///< a descriptor; -1 for the caller's streams, also for its input
+};
+
 /// In the child: becomes the program, or returns why not. Calls nothing that might wait for another
 /// thread of the parent.
-int become(char** arguments, int output, Group group, pid_t parent) {
+int become(char** arguments, const Launch& launch, pid_t parent) {
     signal(SIGINT, SIG_DFL);
-    if (group == Group::its_own) setpgid(0, 0);
-    // A program with captured output is killed together with its caller; any other gets SIGTERM.
-    prctl(PR_SET_PDEATHSIG, output == -1 ? SIGTERM : SIGKILL);
+    if (launch.group == Group::its_own) setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, launch.signal);
     if (getppid() != parent) _exit(signalled + SIGKILL);
-    if (output != -1) {
+    if (launch.output != -1) {
         const int nothing = open("/dev/null", O_RDONLY);
         if (nothing == -1 || dup2(nothing, STDIN_FILENO) == -1) return errno;
         if (nothing != STDIN_FILENO) close(nothing);
-        for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
-            if (dup2(output, stream) == -1) return errno;
+        if (dup2(launch.output, STDOUT_FILENO) == -1) return errno;
+        if (launch.streams == Streams::both && dup2(launch.output, STDERR_FILENO) == -1)
+            return errno;
     }
     execvp(arguments[0], arguments);
     return errno;
 }
 
-/// Starts the program; `output` takes both its streams, unless it is -1.
-pid_t start(const Command& command, int output, Group group) {
+pid_t start(const Command& command, const Launch& launch) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
@@ -58,7 +65,7 @@ pid_t start(const Command& command, int output, Group group) {
     const pid_t process = fork();
     int error = process == -1 ? errno : 0;
     if (process == 0) {
-        error = become(arguments.data(), output, group, parent);
+        error = become(arguments.data(), launch, parent);
         _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
     }
     close(failure[1]);
@@ -70,17 +77,43 @@ pid_t start(const Command& command, int output, Group group) {
     throw InputError({}, command[0] + " cannot be started: " + std::strerror(error));
 }
 
-/// Collects the program's output, until it closes the pipe or `given_up` returns true.
-void listen(int ear, const std::function<bool()>& given_up, std::string& output) {
+/// A program, and the end of a pipe where its output arrives.
+struct HeardProgram {
+    pid_t process;
+    int ear;
+};
+
+HeardProgram start_heard(const Command& command, Launch launch) {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    const auto [ear, mouth] = ends;
+    launch.output = mouth;
+    try {
+        const pid_t process = start(command, launch);
+        close(mouth);
+        return {.process = process, .ear = ear};
+    } catch (...) {
+        close(ear);
+        close(mouth);
+        throw;
+    }
+}
+
+/// Passes the program's output on until it closes the pipe or `hear` returns false. `hear` gets an
+/// empty piece when nothing was printed for a while.
+void listen(int ear, int milliseconds, const std::function<bool(std::string_view piece)>& hear) {
     std::array<char, 4096> heard{};
-    while (!given_up()) {
+    std::size_t size = 0;
+    while (hear({heard.data(), size})) {
+        size = 0;
         pollfd question{ear, POLLIN, 0};
-        if (poll(&question, 1, milliseconds_between_looks) != 1) continue;
+        if (poll(&question, 1, milliseconds) != 1) continue;
         const ssize_t count = read(ear, heard.data(), heard.size());
         if (count == -1 && errno == EINTR) continue;
-        if (count <= 0) return;
-        output.append(heard.data(), std::min(std::size_t(count), most_output - output.size()));
+        if (count <= 0) break;
+        size = std::size_t(count);
     }
+    close(ear);
 }
 
 /// The status from waitpid.
@@ -100,7 +133,7 @@ std::string crash(int answer) {
 int run_process(const Command& command) {
     // Ctrl-C is for the program: its parent must survive to report how it ended.
     const auto previous = std::signal(SIGINT, SIG_IGN);
-    const int answer = wait_for(start(command, -1, Group::ours));
+    const int answer = wait_for(start(command, {}));
     std::signal(SIGINT, previous);
     // A shell would report the crash, but it only sees this process.
     const std::string crashed = crash(answer);
@@ -109,29 +142,31 @@ int run_process(const Command& command) {
     return exit_status(answer);
 }
 
+int run_heard(const Command& command, Streams streams,
+              const std::function<void(std::string_view)>& hear) {
+    constexpr int second = 1000;
+    const auto [process, ear] = start_heard(command, {.streams = streams});
+    listen(ear, second, [&hear](std::string_view piece) {
+        hear(piece);
+        return true;
+    });
+    return exit_status(wait_for(process));
+}
+
 ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                            const std::atomic<bool>* cancelled) {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
-    const auto [ear, mouth] = ends;
     const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
-    pid_t process = 0;
-    try {
-        process = start(command, mouth, group);
-    } catch (...) {
-        close(ear);
-        close(mouth);
-        throw;
-    }
-    close(mouth);
+    const auto [process, ear] = start_heard(command, {.signal = SIGKILL, .group = group});
     const auto deadline = std::chrono::steady_clock::now() + limit;
     ProcessResult ending;
     const auto given_up = [&] {
         ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
         return ending.out_of_time || (cancelled != nullptr && *cancelled);
     };
-    listen(ear, given_up, ending.output);
-    close(ear);
+    listen(ear, milliseconds_between_looks, [&](std::string_view piece) {
+        ending.output += piece.substr(0, most_output - ending.output.size());
+        return !given_up();
+    });
     // It may continue with closed streams.
     int answer = 0;
     for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {

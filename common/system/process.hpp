@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rt {
@@ -22,6 +24,15 @@ using Command = std::vector<std::string>;
 /// the program cannot be started.
 [[nodiscard]] int run_process(const Command& command);
 
+/// The output of a program that is captured; the other stream remains the caller's.
+enum class Streams { output, both };
+
+/// Runs a program until it ends, and passes on its output in pieces, with an empty piece at the
+/// start and whenever nothing was printed for a second. Returns the same as run_process. Throws
+/// InputError if the program cannot be started.
+[[nodiscard]] int run_heard(const Command& command, Streams streams,
+                            const std::function<void(std::string_view piece)>& hear);
+
 /// The result of a program with captured output.
 struct ProcessResult {
     int status = 0;            ///< the same as the result of run_process
@@ -38,7 +49,7 @@ struct ProcessResult {
 [[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                                          const std::atomic<bool>* cancelled = nullptr);
 
-/// The exit status in a result of waitpid or pclose; 128 + the number of a signal.
+/// The exit status in a result of waitpid; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
 
 }  // namespace rt

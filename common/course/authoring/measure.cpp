@@ -8,12 +8,8 @@
 #include "common/system/terminal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
-
-#include <poll.h>
-#include <unistd.h>
 
 namespace rt {
 
@@ -83,22 +79,13 @@ private:
 
 /// All that a program prints. Throws ProgramError if it fails.
 std::string output_of(const std::string& program, const Meter& meter) {
-    std::FILE* const pipe = popen(("'" + (build_folder / program).string() + "'").c_str(), "r");
-    if (pipe == nullptr) throw InputError({}, "cannot start " + program);
     std::string output;
-    std::array<char, 4096> buffer{};
-    pollfd words{.fd = fileno(pipe), .events = POLLIN, .revents = 0};
-    for (;;) {
-        constexpr int second = 1000;
-        if (poll(&words, 1, second) == 0) {
-            meter.explain();
-            continue;
-        }
-        const ssize_t count = read(words.fd, buffer.data(), buffer.size());
-        if (count <= 0) break;
-        output.append(buffer.data(), std::size_t(count));
-    }
-    if (exit_status(pclose(pipe)) != 0) throw ProgramError("error: " + program + " fails\n");
+    const auto hear = [&](std::string_view piece) {
+        output += piece;
+        if (piece.empty()) meter.explain();
+    };
+    if (run_heard({(build_folder / program).string()}, Streams::output, hear) != 0)
+        throw ProgramError("error: " + program + " fails\n");
     return output;
 }
 

@@ -17,13 +17,6 @@ namespace rt {
 
 namespace {
 
-/// An argument quoted for the shell.
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return text + "'";
-}
-
 const std::string compiling = "Building CXX object ";
 
 /// The file of an edge of the build: "sphere.cpp" of "Building CXX object …/sphere.cpp.o".
@@ -93,28 +86,19 @@ private:
     std::string rest_;
 };
 
-/// A line of any length with its end; nothing at the end of the file.
-std::string read_line(std::FILE* file) {
-    std::string line;
-    std::array<char, 4096> buffer{};
-    while (std::fgets(buffer.data(), buffer.size(), file) != nullptr) {
-        line += buffer.data();
-        if (line.back() == '\n') break;
-    }
-    return line;
-}
-
 }  // namespace
 
 Build try_build(const std::vector<std::string>& targets) {
-    std::string command = "NINJA_STATUS='[%f %t %e] ' ninja -C " + quoted(build_folder.string());
-    for (const std::string& target : targets) command += " " + quoted(target);
-    std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) throw InputError({}, "cannot start ninja");
+    Command command = {"env", "NINJA_STATUS=[%f %t %e] ", "ninja", "-C", build_folder.string()};
+    command.insert(command.end(), targets.begin(), targets.end());
     Listener listener;
-    for (std::string line = read_line(pipe); !line.empty(); line = read_line(pipe))
-        listener.hear(line);
-    const int status = exit_status(pclose(pipe));
+    std::string line;  // the last one, whose end is not printed yet
+    const int status = run_heard(command, Streams::both, [&](std::string_view piece) {
+        line += piece;
+        for (std::size_t end; (end = line.find('\n')) != std::string::npos; line.erase(0, end + 1))
+            listener.hear(line.substr(0, end + 1));
+    });
+    if (!line.empty()) listener.hear(line);
     return {.succeeded = status == 0, .output = listener.end()};
 }
 
