@@ -1,6 +1,7 @@
 #include "common/mesh_file/element_lists.hpp"
 
 #include "common/mesh_file/mesh_file.hpp"
+#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,7 +32,7 @@ int take_corner_count(std::string_view& line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     const auto corners = whole_number(word);
     if (!corners || *corners < 0) {
-        lines.refuse("a face begins with the number of its corners, not " + quoted_word(word));
+        lines.refuse("a face begins with the number of its corners, not " + quoted(word));
     }
     if (*corners > most_corners) {
         lines.refuse("a face of " + std::to_string(*corners) + " corners: expected at most " +
@@ -50,7 +51,7 @@ std::string_view take_corner(std::string_view& line, int corners, int i, const M
 
 [[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
     lines.refuse("expected a number in the range of float, or an existing vertex, not " +
-                 quoted_word(word));
+                 quoted(word));
 }
 
 void read_vertex(std::string_view line, const MeshLines& lines, const std::vector<int>& columns,

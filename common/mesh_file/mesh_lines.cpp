@@ -1,5 +1,7 @@
 #include "common/mesh_file/mesh_lines.hpp"
 
+#include "common/system/escaping.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -95,17 +97,8 @@ void require_three_numbers(std::string_view& line, const char* what, const MeshL
         const std::string_view word = take_word(line);
         if (float_number(word)) continue;
         lines.refuse(std::string(what) + " must be three numbers up to 3.4e38, not " +
-                     quoted_word(word));
+                     quoted(word));
     }
-}
-
-std::string quoted_word(std::string_view word) {
-    constexpr std::size_t most = 40;
-    std::string text(word.substr(0, most));
-    for (char& c : text) {
-        if (c < ' ' || c > '~') c = '?';
-    }
-    return '"' + text + (word.size() > most ? "...\"" : "\"");
 }
 
 }  // namespace rt

@@ -59,8 +59,4 @@ private:
 /// represent; `what` names their owner in the message.
 void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines);
 
-/// The word in quotes for a message: cut if it is long, with '?' for each character that is not
-/// printable.
-[[nodiscard]] std::string quoted_word(std::string_view word);
-
 }  // namespace rt

@@ -2,6 +2,7 @@
 #include "common/mesh_file/mesh_file.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
 #include "common/mesh_file/open_mesh.hpp"
+#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,11 +26,11 @@ struct Numbered {
         const auto number = whole_number(word);
         if (!number || *number == 0 || *number > std::numeric_limits<int>::max()) {
             lines.refuse(std::string("a corner's ") + what +
-                         " must be a whole number, not zero, not " + quoted_word(word));
+                         " must be a whole number, not zero, not " + quoted(word));
         }
         if (*number < -count) {
             lines.refuse(std::string("a corner's ") + what + " must be one of the " +
-                         std::to_string(count) + " before it, not " + quoted_word(word));
+                         std::to_string(count) + " before it, not " + quoted(word));
         }
         if (*number > largest) {
             largest = *number;
@@ -59,8 +60,7 @@ std::int64_t check_corner(std::string_view word, Numbered& vertices, Numbered& n
     const std::string_view normal =
         second == std::string_view::npos ? std::string_view() : rest.substr(second + 1);
     if (!texture.empty() && !whole_number(texture)) {
-        lines.refuse("a corner is vertex/texture/normal, each a whole number, not " +
-                     quoted_word(word));
+        lines.refuse("a corner is vertex/texture/normal, each a whole number, not " + quoted(word));
     }
     if (!normal.empty()) normals.check(normal, lines);
     return vertex;

@@ -1,6 +1,7 @@
 #include "common/mesh_file/checked_mesh.hpp"
 #include "common/mesh_file/element_lists.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
+#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -31,9 +32,9 @@ bool check_keyword(std::string_view word, std::string_view after, const MeshLine
     take_prefix(word, "C");
     const bool has_normals = take_prefix(word, "N");
     if (word == "4OFF" || word == "nOFF" || word == "4nOFF") {
-        lines.refuse(quoted_word(whole) + " is not read: expected vertices of three dimensions");
+        lines.refuse(quoted(whole) + " is not read: expected vertices of three dimensions");
     }
-    if (word != "OFF") lines.refuse("expected OFF, not " + quoted_word(whole));
+    if (word != "OFF") lines.refuse("expected OFF, not " + quoted(whole));
     if (take_word(after) == "BINARY") lines.refuse("binary OFF is not read: expected text");
     return has_normals;
 }
@@ -42,7 +43,7 @@ std::uint64_t take_count(std::string_view& line, const char* what, const MeshLin
     const std::string_view word = take_word(line);
     const auto count = whole_number(word);
     if (count && *count >= 0) return static_cast<std::uint64_t>(*count);
-    lines.refuse(std::string("expected the number of ") + what + ", not " + quoted_word(word));
+    lines.refuse(std::string("expected the number of ") + what + ", not " + quoted(word));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "common/mesh_file/mesh_lines.hpp"
 #include "common/mesh_file/open_mesh.hpp"
 #include "common/mesh_file/ply_header.hpp"
+#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,7 @@ void check_header(const PlyHeader& header, const std::string& file) {
         throw InputError({file},
                          "expected the format ascii, binary_little_endian or binary_big_endian, "
                          "not " +
-                             quoted_word(header.format));
+                             quoted(header.format));
     }
     const auto& elements = header.elements;
     if (elements.size() < 2 || elements[0].name != "vertex" || elements[1].name != "face") {

@@ -1,5 +1,7 @@
 #include "common/mesh_file/ply_header.hpp"
 
+#include "common/system/escaping.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -29,7 +31,7 @@ PlyType take_type(std::string_view& line, const MeshLines& lines) {
     const auto type = std::find_if(types.begin(), types.end(),
                                    [=](const PlyType& known) { return known.name == word; });
     if (type == types.end()) {
-        lines.refuse("expected the type of a property, such as float, not " + quoted_word(word));
+        lines.refuse("expected the type of a property, such as float, not " + quoted(word));
     }
     return *type;
 }
@@ -52,7 +54,7 @@ PlyElement take_element(std::string_view line, const MeshLines& lines) {
     const std::string_view word = take_word(line);
     const auto count = whole_number(word);
     if (!count || *count < 0) {
-        lines.refuse("expected the number of elements, not " + quoted_word(word));
+        lines.refuse("expected the number of elements, not " + quoted(word));
     }
     element.count = static_cast<std::uint64_t>(*count);
     return element;
@@ -63,7 +65,7 @@ PlyElement take_element(std::string_view line, const MeshLines& lines) {
 PlyHeader take_ply_header(MeshLines& lines) {
     std::string_view rest = lines.next().value_or("");
     if (const auto word = take_word(rest); word != "ply" && word != "PLY") {
-        lines.refuse("expected ply, not " + quoted_word(word));
+        lines.refuse("expected ply, not " + quoted(word));
     }
     PlyHeader header;
     while (const auto line = lines.next()) {
@@ -73,14 +75,14 @@ PlyHeader take_ply_header(MeshLines& lines) {
         if (keyword == "format") {
             header.format = take_word(rest);
             const std::string_view version = take_word(rest);
-            if (version != "1.0") lines.refuse("expected version 1.0, not " + quoted_word(version));
+            if (version != "1.0") lines.refuse("expected version 1.0, not " + quoted(version));
         } else if (keyword == "element") {
             header.elements.push_back(take_element(rest, lines));
         } else if (keyword == "property" && !header.elements.empty()) {
             header.elements.back().properties.push_back(take_property(rest, lines));
         } else if (keyword != "comment" && keyword != "obj_info") {
             lines.refuse("expected format, element, property or end_header, not " +
-                         quoted_word(keyword));
+                         quoted(keyword));
         }
     }
     lines.refuse("the file ends before its end_header");

@@ -1,6 +1,7 @@
 #include "common/mesh_file/checked_mesh.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
 #include "common/mesh_file/open_mesh.hpp"
+#include "common/system/escaping.hpp"
 
 #include <utility>
 
@@ -53,7 +54,7 @@ CheckedMesh checked_text(std::string content, const std::string& file) {
             lines.refuse(
                 std::string("expected ") +
                 (corners_to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
-                ", not " + quoted_word(*line));
+                ", not " + quoted(*line));
         }
         if (keyword == "outer") {
             checked.content += "outer\n";

@@ -1,7 +1,7 @@
 #include "common/program/options.hpp"
 
-#include "common/scene_file/lexer.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,7 @@
 #include "common/scene_file/element_line.hpp"
 
+#include "common/system/escaping.hpp"
+
 #include <algorithm>
 #include <utility>
 

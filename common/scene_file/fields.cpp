@@ -1,6 +1,7 @@
 #include "common/scene_file/fields.hpp"
 
 #include "common/math/vector.hpp"
+#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <cmath>

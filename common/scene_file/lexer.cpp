@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::size_t longest_quote = 40;
 
 /// The offset of the line's comment; the line's size if it has none.
 std::size_t comment_start(std::string_view line) {
@@ -63,20 +62,6 @@ std::optional<Line> Lines::next() {
 Token joined(Token first, Token last) {
     const char* end = last.text.data() + last.text.size();
     return {{first.text.data(), static_cast<std::size_t>(end - first.text.data())}, first.column};
-}
-
-std::string quoted(std::string_view text) {
-    constexpr std::string_view hex = "0123456789ABCDEF";
-    std::string result = "\"";
-    for (const char c : text.substr(0, longest_quote)) {
-        if (' ' <= c && c <= '~') {
-            result += c;
-            continue;
-        }
-        const auto byte = static_cast<unsigned char>(c);
-        result.append("\\x").append({hex[byte / 16], hex[byte % 16]});
-    }
-    return result + (text.size() > longest_quote ? "...\"" : "\"");
 }
 
 }  // namespace rt

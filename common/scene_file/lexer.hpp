@@ -41,8 +41,4 @@ private:
 /// One token from the start of `first` to the end of `last`, in the same line.
 [[nodiscard]] Token joined(Token first, Token last);
 
-/// The text in double quotes for a message. Long text is cut, and every byte that is not printable
-/// ASCII is written as \xNN, so that a file cannot send control sequences to the terminal.
-[[nodiscard]] std::string quoted(std::string_view text);
-
 }  // namespace rt

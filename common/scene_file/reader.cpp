@@ -2,6 +2,7 @@
 
 #include "common/geometry/bounds.hpp"
 #include "common/scene_file/elements.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/input_file.hpp"
 
 #include <algorithm>

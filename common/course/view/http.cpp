@@ -1,5 +1,7 @@
 #include "common/course/view/http.hpp"
 
+#include "common/system/escaping.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -45,18 +47,6 @@ Number parse(const Request& request, const std::string& name, Number min, Number
         throw Refusal{400, name + " must be a number from " + std::to_string(min) + " to " +
                                std::to_string(max)};
     return value;
-}
-
-/// For a header, which cannot contain line ends or non-ASCII letters.
-std::string percent_encoded(std::string_view text) {
-    std::string encoded;
-    for (const char c : text) {
-        std::array<char, 4> code{};
-        const auto byte = static_cast<unsigned char>(c);
-        std::snprintf(code.data(), code.size(), "%%%02X", unsigned(byte));
-        encoded += std::isalnum(byte) ? std::string(1, c) : std::string(code.data());
-    }
-    return encoded;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "common/course/grade/results/likeness.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/stages/reasons.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 
 #include <algorithm>
@@ -36,8 +37,8 @@ std::string mark_cell(const Mark& mark, int most) {
 std::string student_cell(const StudentMarks& submission) {
     const bool linked = submission.called == submission.student && !submission.marks.empty();
     return "<th class=\"student\">" +
-           (linked ? "<a href=\"students/" + address(submission.student) + "/feedback.html\">" +
-                         escaped(submission.student) + "</a>"
+           (linked ? "<a href=\"students/" + percent_encoded(submission.student) +
+                         "/feedback.html\">" + escaped(submission.student) + "</a>"
                    : escaped(submission.called)) +
            "</th>";
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace rt::grade {
 
@@ -146,21 +145,6 @@ std::string escaped(std::string_view text) {
             default:
                 out += each;
         }
-    return out;
-}
-
-std::string address(std::string_view name) {
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    std::string out;
-    for (const char each : name) {
-        const auto byte = static_cast<unsigned char>(each);
-        const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 || each == '_' || each == '-' ||
-                                           each == '.' || each == '~');
-        if (plain)
-            out += each;
-        else
-            out += {'%', digits[byte / 16], digits[byte % 16]};
-    }
     return out;
 }
 

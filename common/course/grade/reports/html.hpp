@@ -14,9 +14,6 @@ namespace rt::grade {
 /// The same, for HTML and XML, between tags and in quotes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// The relative URL of a file or folder beside the page, for any name.
-[[nodiscard]] std::string address(std::string_view name);
-
 /// The bytes of a file as a URL: "data:image/png;base64,…".
 [[nodiscard]] std::string data_address(std::string_view kind, std::string_view bytes);
 

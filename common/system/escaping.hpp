@@ -1,0 +1,17 @@
+// Text of unknown content, made safe for a message and for a URL.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rt {
+
+/// The text in double quotes for a message. Long text is cut, and every byte that is not printable
+/// ASCII is written as \xNN, so that a file cannot send control sequences to the terminal.
+[[nodiscard]] std::string quoted(std::string_view text);
+
+/// The text as a part of a URL or of a header (RFC 3986 §2.1): each byte is written as %NN, except
+/// for letters and digits of ASCII, and - . _ ~.
+[[nodiscard]] std::string percent_encoded(std::string_view text);
+
+}  // namespace rt

@@ -1,0 +1,21 @@
+// Text of unknown content in messages and URLs.
+#include "common/system/escaping.hpp"
+
+#include "tests/kit/catch.hpp"
+
+using namespace rt;
+
+TEST_CASE("a quoted text is short, and printable ASCII") {
+    CHECK(quoted("") == "\"\"");
+    CHECK(quoted("a b~") == "\"a b~\"");
+    CHECK(quoted("\x1B[31m\n\x7F") == "\"\\x1B[31m\\x0A\\x7F\"");
+    CHECK(quoted("é") == "\"\\xC3\\xA9\"");
+    CHECK(quoted(std::string(40, 'a')) == '"' + std::string(40, 'a') + '"');
+    CHECK(quoted(std::string(41, 'a')) == '"' + std::string(40, 'a') + "...\"");
+}
+
+TEST_CASE("percent-encoding keeps RFC 3986's unreserved characters alone") {
+    CHECK(percent_encoded("a_b-1.png~") == "a_b-1.png~");
+    CHECK(percent_encoded("../é\n") == "..%2F%C3%A9%0A");
+    CHECK(percent_encoded("100 %") == "100%20%25");
+}
