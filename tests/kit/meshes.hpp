@@ -3,7 +3,9 @@
 
 #include "common/geometry/mesh.hpp"
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace rt {
 
