@@ -26,8 +26,6 @@ bool nearly(Vec3 value, Vec3 expected) {
            nearly(value.z, expected.z);
 }
 
-const std::string camera = "C 0,0,0 0,0,-1 60\n";
-
 }  // namespace
 
 TEST_CASE("the new dialect: A C L sp pl cy") {
@@ -337,124 +335,6 @@ TEST_CASE("a side above 8192 pixels is clipped, with a warning") {
     const Scene scene = strict("R " + std::string(300, '9') + " 8193\n" + camera);
     CHECK(scene.resolution.width == 8192);
     CHECK(scene.resolution.height == 8192);
-}
-
-TEST_CASE("lenient reading warns once a kind and goes on") {
-    const auto read = lenient(
-        "C 0,0,0 0,0,-1 60 sr:7680\n"
-        "cube 0,0,0 1 1,2,3\n"
-        "sp 0,0,-5 1 1,2,3 checker 10\n"
-        "sp 0,0,-6 1 1,2,3 more\n"
-        "cube 1,0,0 1 1,2,3\n"
-        "sp 0,0,-7 1 1,2,3 mirror-like:1\n"
-        "SP 0,0,-8 1 1,2,3\n");
-    CHECK(read.scene.spheres.size() == 3);
-    const std::string keywords =
-        "must be one of R A C c L l sp pl tr sq cy co box mesh; the line is ignored";
-    CHECK(read.warnings ==
-          std::vector<std::string>{
-              "scene.rt:1:19: warning: \"sr:7680\" is not an option of a camera: "
-              "expected \"C position direction fov\"; it is ignored",
-              "scene.rt:2:1: warning: \"cube\" " + keywords,
-              "scene.rt:3:19: warning: \"checker\" is the first of 2 words too many for a sphere: "
-              "expected \"sp position diameter color\"; it is ignored",
-              "scene.rt:6:19: warning: \"mirror-like:1\" is not an option of a sphere: "
-              "expected \"sp position diameter color\"; it is ignored",
-              "scene.rt:7:1: warning: \"SP\" " + keywords});
-}
-
-TEST_CASE("lenient reading accepts common variants") {
-    const auto sphere = [](const std::string& line) {
-        const Lenient read = lenient(camera + line);
-        INFO(line);
-        REQUIRE(read.scene.spheres.size() == 1);
-        CHECK(read.warnings.size() == 1);
-        CHECK(read.scene.spheres[0].shape.center == Vec3(1, 2, 3));
-        CHECK(read.scene.spheres[0].shape.radius == 2);
-        return read.scene.spheres[0].material.color;
-    };
-    const Color color(1, Real(0.2), 0);
-    CHECK(sphere("sp 1, 2, 3 4 255,51,0\n") == color);
-    CHECK(sphere("sp 1,2,3 4 255 ,\t51 , 0\n") == color);
-    CHECK(sphere("sp 1,2,3, 4, 255,51,0,\n") == color);
-    CHECK(sphere("sp 1,2,3 4 0.5 8 rough 255,51,0\n") == color);
-    CHECK(sphere("sp 1,2,3 4 255.0,51.0,0.\n") == color);
-    CHECK(sphere("sp 1,2,3 4e0 255,51,0\n") == color);
-}
-
-TEST_CASE("lenient reading distinguishes a color from a diameter that ends with a comma") {
-    const Scene scene = lenient(camera +
-                                "cy 3,0,1 0,1,0 0.6, 0.2, 200,200,200\n"
-                                "cy 3,0,1 0,1,0 255, 51, 0 4 2\n")
-                            .scene;
-    REQUIRE(scene.cylinders.size() == 2);
-    CHECK(scene.cylinders[0].shape.radius == Real(0.6) / 2);
-    CHECK(scene.cylinders[0].shape.height == Real(0.2));
-    CHECK(scene.cylinders[1].shape.radius == 2);
-    CHECK(scene.cylinders[1].material.color == Color(1, Real(0.2), 0));
-}
-
-TEST_CASE("lenient reading takes a word in place of a color for white") {
-    const auto color = [](const std::string& line) {
-        const Lenient read = lenient(camera + line);
-        INFO(line);
-        CHECK(read.warnings.size() >= 1);
-        REQUIRE(read.scene.spheres.size() == 1);
-        CHECK(read.scene.spheres[0].shape.radius == 2);
-        return read.scene.spheres[0].material;
-    };
-    for (const std::string words : {"wood", "./wood.png", "m  images/wood.png", "0 m \"wood\"",
-                                    "checker 1 2 3", "wood spec:0.5"})
-        CHECK(color("sp 1,2,3 4 " + words).color == Color(1));
-    CHECK(color("sp 1,2,3 4 wood spec:0.5 more").specular == Real(0.5));
-    CHECK(lenient(camera + "sp 1,2,3 4 wood").warnings ==
-          std::vector<std::string>{
-              "scene.rt:2:12: warning: \"wood\" is in place of a sphere's color; it is white"});
-    CHECK(color("sp 1,2,3 4 wood 255,51,0").color == Color(1, Real(0.2), 0));
-    // A wrong or missing color is still an error.
-    for (const std::string words : {"", "255", "1 2 3", "255,51", "255,51 wood", "spec:0.5"})
-        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + words) != "accepted");
-}
-
-TEST_CASE("lenient reading takes 60 degrees for a field of view that is missing") {
-    const Lenient read = lenient("C 0,0,0 0,0,-1\n");
-    CHECK(read.scene.cameras.at(0).fov == pi / 3);
-    CHECK(read.warnings ==
-          std::vector<std::string>{
-              "scene.rt:1:15: warning: a camera's field of view is missing: expected "
-              "\"C position direction fov\"; it is 60"});
-}
-
-TEST_CASE("lenient reading ignores an R of which all words are key:value") {
-    const Lenient read = lenient(camera + "R samples:16 depth:4\n");
-    CHECK(read.scene.resolution.width == 640);
-    CHECK(read.scene.resolution.height == 480);
-    CHECK(read.warnings.size() == 2);
-    CHECK(lenient_refusal(camera + "R samples:16 4") != "accepted");
-    CHECK(lenient_refusal(camera + "R") != "accepted");
-    CHECK(lenient_refusal(camera + "R 16:4") != "accepted");
-}
-
-TEST_CASE("lenient reading takes light without a color for white") {
-    const Lenient read = lenient(camera + "A 0.5\nL 0,1,0 0.5\n");
-    CHECK(read.scene.ambient->color == Color(1));
-    CHECK(read.scene.lights.at(0).color == Color(1));
-    CHECK(read.warnings ==
-          std::vector<std::string>{"scene.rt:2:6: warning: the ambient light's color is missing: "
-                                   "expected \"A ratio color\"; it is white"});
-}
-
-TEST_CASE("of several R or A the last counts in lenient reading; cameras all stay") {
-    const Lenient read = lenient("R 1 2\nA 1 0,0,0\nR 3 4\nA 0.5 0,0,0\n" + camera + camera);
-    CHECK(read.scene.resolution.width == 3);
-    CHECK(read.scene.ambient->ratio == Real(0.5));
-    CHECK(read.scene.cameras.size() == 2);
-    CHECK(read.warnings ==
-          std::vector<std::string>{
-              "scene.rt:3:1: warning: a second \"R\": expected one; the last one counts",
-              "scene.rt:4:1: warning: a second \"A\": expected one; the last one counts",
-              "scene.rt:6:1: warning: a second \"C\": expected one; "
-              "pictures use the first, or that of --camera N"});
 }
 
 TEST_CASE("a scene's square has the basis of stage 2 around its normal (MRT §6)") {

@@ -12,6 +12,8 @@
 namespace rt {
 inline namespace RT_PRECISION {
 
+inline const std::string camera = "C 0,0,0 0,0,-1 60\n";
+
 struct Lenient {
     Scene scene;
     std::vector<std::string> warnings;

@@ -1,7 +1,5 @@
 // The choices of --tolerance and --time, for model scenes with known errors and costs.
-#include "common/tuning/auto_settings.hpp"
-#include "common/tuning/choose_depth.hpp"
-#include "common/tuning/penumbrae.hpp"
+#include "tests/common/tuning/model_scenes.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -11,148 +9,6 @@
 
 using namespace rt;
 
-namespace {
-
-/// A model scene: the errors and costs of all request follow from a few numbers.
-struct MadeUp {
-    SceneTraits traits;
-    Resolution size{.width = 640, .height = 480};
-    double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
-    bool thin_shadow =
-        false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
-    double ray_cost = 1e-7;
-    double shadow_ray_cost = 1e-7;
-    double list_cost = 1;       ///< in units of ray_cost
-    double hierarchy_cost = 1;  ///< as well
-    double other = 0;           ///< the share of the pixels that this precision gets wrong
-    double clock_noise = 1;     ///< seconds are too many, or too few, by up to this factor
-    std::size_t asked = 0;      ///< pixels
-    double spent = 0;           ///< seconds
-    std::size_t pays_from = 0;
-
-    [[nodiscard]] double pixels() const { return double(size.width) * double(size.height); }
-};
-
-constexpr double one_ray_error = 80;  ///< 8-bit steps, of a pixel in a penumbra
-
-/// A model of stage 11: n rays leave n^(−3/4) of the error of one, and the error is about two
-/// thirds of the threshold, since sampling stops at powers of two.
-double rays_for(double error) {
-    return std::pow(one_ray_error / error, 4.0 / 3);
-}
-
-double error_of(const RenderSettings& settings) {
-    return settings.shadow_error > 0
-               ? std::min(2 * settings.shadow_error / 3, one_ray_error * std::pow(8, -0.75))
-               : one_ray_error * std::pow(settings.shadow_samples, -0.75);
-}
-
-/// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
-double light_rays(const RenderSettings& settings, bool in_penumbra) {
-    return in_penumbra ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
-}
-
-/// Seconds of a pixel.
-double cost_of(const MadeUp& model, const RenderSettings& settings, bool in_penumbra) {
-    const bool listed = model.traits.most_alike < model.pays_from;
-    return model.ray_cost * (listed ? model.list_cost : model.hierarchy_cost) +
-           model.shadow_ray_cost * light_rays(settings, in_penumbra);
-}
-
-/// The cost of the whole picture.
-double cost_of(const MadeUp& model, const RenderSettings& settings) {
-    return model.pixels() * (model.penumbra * cost_of(model, settings, true) +
-                             (1 - model.penumbra) * cost_of(model, settings, false));
-}
-
-class Known : public Trials {
-public:
-    explicit Known(MadeUp& model) : model_(model) {
-        model_.pays_from = model.traits.hierarchy_from;
-    }
-
-    [[nodiscard]] Resolution resolution() const override { return model_.size; }
-    [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
-    void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
-
-    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
-                                   const SampleRequest& request) const override {
-        if (*request.stop) return {};
-        PixelSample shot;
-        for (const Pixel pixel : request.pixels) {
-            const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
-            const double shade = shade_of(pixel, settings, request.round, in_penumbra);
-            shot.shades.push_back({shade, shade, shade});
-            shot.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
-            shot.rays += 1 + light_rays(settings, in_penumbra);
-            shot.seconds += cost_of(model_, settings, in_penumbra);
-        }
-        const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
-        model_.asked += request.pixels.size();
-        model_.spent += shot.seconds;
-        shot.rays /= count;
-        shot.seconds *= wrong_clock() / count;
-        return shot;
-    }
-
-private:
-    [[nodiscard]] double shade_of(Pixel pixel, const RenderSettings& settings, int round,
-                                  bool in_penumbra) const {
-        const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
-        std::mt19937 random(place * 7919 + unsigned(round) * 104'729 + 1);
-        std::uniform_real_distribution<double> share;
-        // The same pixels at any round.
-        if (std::fmod(0.618033988749895 * place, 1) < model_.other) return 200;
-        if (!in_penumbra) return 100;
-        double shade = 100 + error_of(settings) * std::normal_distribution<double>()(random);
-        const bool in_thin_shadow = model_.thin_shadow && pixel.row < 32 && pixel.column < 32;
-        const bool believed = 0 < settings.shadow_agree && settings.shadow_agree < 64;
-        if (in_thin_shadow && believed && share(random) < 0.5) shade += 30;
-        return shade;
-    }
-
-    [[nodiscard]] double wrong_clock() const {
-        return std::pow(model_.clock_noise, std::uniform_real_distribution<double>(-1, 1)(clock_));
-    }
-
-    MadeUp& model_;
-    mutable std::mt19937 clock_{std::random_device()()};
-};
-
-constexpr std::atomic<bool> going_on = false;
-
-AutoSettings chosen(MadeUp& model, const Aim& aim, const OpenFloat& open_float = {}) {
-    Known known(model);
-    auto choice = choose(known, open_float, aim, Clock::now(), going_on);
-    REQUIRE(choice);
-    for (const std::string& reason : choice->reasons) UNSCOPED_INFO(reason);
-    return std::move(*choice);
-}
-
-/// The share of the pixels in a penumbra that are off by more than the tolerance.
-double beyond(double error, double allowed) {
-    return std::erfc(allowed / error / std::sqrt(2));
-}
-
-/// The guarantee of --tolerance.
-bool keeps(const MadeUp& model, double error, double allowed) {
-    const double share = beyond(error, allowed);
-    return share <= 0.1 && model.penumbra * share <= 0.01;
-}
-
-MadeUp plain() {
-    return {.traits = {.extent = 10, .feature = 1, .hierarchy_from = 32, .unit_roundoff = 1e-16}};
-}
-
-MadeUp soft(double penumbra) {
-    MadeUp model = plain();
-    model.traits.sized_lights = true;
-    model.penumbra = penumbra;
-    return model;
-}
-
-}  // namespace
-
 TEST_CASE(
     "a tolerance is kept by 99 of 100 pixels, and 9 of 10 in penumbrae, at about the least "
     "cost") {
@@ -160,7 +16,7 @@ TEST_CASE(
         std::vector<double> costs;  // of picture and trials, in units of the cheapest setting
         for (const double penumbra : {0.03, 0.1, 0.3, 1.0})
             for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
-                MadeUp model = soft(penumbra);
+                ModelScene model = soft(penumbra);
                 model.size = size;
                 const RenderSettings settings =
                     chosen(model, {.tolerance = allowed}).expected.settings;
@@ -182,7 +38,7 @@ TEST_CASE(
 TEST_CASE("a rare penumbra keeps the tolerance too") {
     for (const double penumbra : {0.004, 0.009})
         for (const double allowed : {0.5, 1.0, 2.0, 8.0}) {
-            MadeUp model = soft(penumbra);
+            ModelScene model = soft(penumbra);
             const RenderSettings settings = chosen(model, {.tolerance = allowed}).expected.settings;
             INFO(penumbra << " of the pixels in a penumbra, tolerance " << allowed);
             CHECK(beyond(error_of(settings), allowed) <= 0.1);
@@ -192,7 +48,7 @@ TEST_CASE("a rare penumbra keeps the tolerance too") {
 TEST_CASE("trials shrink with the picture and its penumbrae") {
     // In units of one ray for every pixel, somewhat more than was measured.
     for (const auto& [allowed, most] : {std::pair(1.0, 3.6), std::pair(4.0, 0.68)}) {
-        MadeUp model = soft(0.003);  // one column, of which trials could draw every pixel
+        ModelScene model = soft(0.003);  // one column, of which trials could draw every pixel
         model.size = {.width = 320, .height = 60};
         (void)chosen(model, {.tolerance = allowed});
         INFO("tolerance " << allowed);
@@ -201,7 +57,7 @@ TEST_CASE("trials shrink with the picture and its penumbrae") {
 }
 
 TEST_CASE("every tile keeps the tolerance") {
-    MadeUp model = soft(0.2);
+    ModelScene model = soft(0.2);
     model.thin_shadow = true;  // 1 in 60 of the penumbra
     CHECK(chosen(model, {.tolerance = 1}).expected.settings.shadow_agree >= 64);
 }
@@ -214,7 +70,7 @@ TEST_CASE("mirrors are followed until no more than a part of the tolerance is mi
             CHECK(255 * std::pow(mirror, depth + 1) <= allowed / 8);
             if (depth > 0) CHECK(255 * std::pow(mirror, depth) > allowed / 8);
         }
-    MadeUp model = plain();
+    ModelScene model = plain();
     model.traits.strongest_mirror = 0.5;
     CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == 10);  // 255 / 2^11 < 1 / 8
     CHECK(chosen(model, {.settings = {.depth = 5}, .tolerance = 1, .given = {.depth = true}})
@@ -222,7 +78,7 @@ TEST_CASE("mirrors are followed until no more than a part of the tolerance is mi
 }
 
 TEST_CASE("features that a scene does not use are not tried") {
-    MadeUp model = plain();
+    ModelScene model = plain();
     const AutoSettings choice = chosen(model, {.settings = {.depth = 8}, .tolerance = 1});
     CHECK(choice.expected.settings.depth == 8);
     CHECK(choice.expected.settings.shadow_samples == RenderSettings().shadow_samples);
@@ -234,7 +90,7 @@ TEST_CASE("features that a scene does not use are not tried") {
 TEST_CASE("a hierarchy is built where it is cheaper") {
     for (const std::size_t count : {2, 16, 31, 32, 64})
         for (const double list : {0.5, 0.99, 1.01, 2.0}) {
-            MadeUp model = plain();
+            ModelScene model = plain();
             model.traits.most_alike = count;
             model.list_cost = list;
             const AutoSettings choice = chosen(model, {.tolerance = 1});
@@ -245,7 +101,7 @@ TEST_CASE("a hierarchy is built where it is cheaper") {
             CHECK((count >= model.pays_from) == expected);
             CHECK((count >= choice.hierarchy_from.value_or(32)) == expected);
         }
-    MadeUp model = plain();
+    ModelScene model = plain();
     model.traits.most_alike = 1000;
     model.list_cost = 0.5;
     (void)chosen(model, {.tolerance = 1});
@@ -260,13 +116,13 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
     for (const double feature : {1.0, 1e-3})
         for (const double penumbra : {0.004, 0.5})
             for (const double other : {0.0, 1e-4, 3e-3, 0.06}) {
-                MadeUp model = soft(penumbra);
+                ModelScene model = soft(penumbra);
                 model.traits.feature = feature;
-                MadeUp in_float = model;
+                ModelScene in_float = model;
                 in_float.other = other;
                 in_float.clock_noise = model.clock_noise = 5;
                 bool opened = false;
-                Known known(in_float);
+                ModelTrials known(in_float);
                 const OpenFloat open_float = [&]() -> Trials& {
                     opened = true;
                     return known;
@@ -280,13 +136,13 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
                 CHECK(opened == tried);
                 CHECK(choice.in_float == (tried && other <= 1e-4));
             }
-    MadeUp model = plain();
+    ModelScene model = plain();
     CHECK_FALSE(chosen(model, {.tolerance = 1}).in_float);  // a program that cannot open it
 }
 
 TEST_CASE("float is not tried where it may lose a gap") {
-    MadeUp model = soft(0.5);
-    Known known(model);
+    ModelScene model = soft(0.5);
+    ModelTrials known(model);
     // 4 · 8 u · 10 is 2e-5.
     for (const double gap : {0.0, 1e-8, 1.8e-5, 2e-5, 1.0}) {
         model.traits.gap = gap;
@@ -297,7 +153,7 @@ TEST_CASE("float is not tried where it may lose a gap") {
 }
 
 TEST_CASE("a tolerance chooses the same, however wrong the clock is") {
-    MadeUp model = soft(0.1);
+    ModelScene model = soft(0.1);
     const RenderSettings settings = chosen(model, {.tolerance = 1}).expected.settings;
     model.clock_noise = 10;
     for (int i = 0; i < 3; ++i) {
@@ -310,13 +166,13 @@ TEST_CASE("a tolerance chooses the same, however wrong the clock is") {
 
 TEST_CASE("a time is filled by shadow samples, and depth makes room for it") {
     for (const double seconds : {0.5, 1.0, 5.0}) {
-        MadeUp model = soft(0.5);
+        ModelScene model = soft(0.5);
         const AutoSettings choice = chosen(model, {.time = seconds});
         CHECK(choice.expected.seconds == Approx(seconds).epsilon(0.03));
         CHECK(cost_of(model, choice.expected.settings) == Approx(seconds).epsilon(0.1));
         CHECK(choice.pace != nullptr);
     }
-    MadeUp model = plain();
+    ModelScene model = plain();
     model.traits.strongest_mirror = 0.5;
     const AutoSettings choice = chosen(model, {.time = 1e-3});  // less than it takes at any depth
     CHECK(choice.expected.settings.depth == 0);
@@ -324,7 +180,7 @@ TEST_CASE("a time is filled by shadow samples, and depth makes room for it") {
 
 TEST_CASE("no time is negative, and no error less than was sampled, however wrong the clock is") {
     for (int i = 0; i < 200; ++i) {
-        MadeUp model = soft(0.01);
+        ModelScene model = soft(0.01);
         model.clock_noise = 5;
         const AutoSettings choice = chosen(model, {.time = 1e-3 * (1 + i % 10)});
         CHECK(choice.expected.seconds > 0);
@@ -358,7 +214,7 @@ TEST_CASE("no time is negative, and no error less than was sampled, however wron
 }
 
 TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance") {
-    MadeUp model = soft(0.5);
+    ModelScene model = soft(0.5);
     const Trial enough = chosen(model, {.tolerance = 2}).expected;
     CHECK(chosen(model, {.tolerance = 2, .time = 10 * enough.seconds})
               .expected.settings.shadow_error == enough.settings.shadow_error);
@@ -367,9 +223,9 @@ TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance")
 }
 
 TEST_CASE("trials can be stopped") {
-    MadeUp model = soft(0.5);
+    ModelScene model = soft(0.5);
     const std::atomic<bool> stopped = true;
-    Known known(model);
+    ModelTrials known(model);
     CHECK_FALSE(choose(known, {}, {.tolerance = 1}, Clock::now(), stopped));
 }
 

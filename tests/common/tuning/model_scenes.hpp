@@ -1,0 +1,155 @@
+// Model scenes with known errors and costs, in place of trials on a real one.
+#pragma once
+
+#include "common/tuning/auto_settings.hpp"
+#include "common/tuning/choose_depth.hpp"
+#include "common/tuning/penumbrae.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace rt {
+
+/// A model scene: the errors and costs of all requests follow from a few numbers.
+struct ModelScene {
+    SceneTraits traits;
+    Resolution size{.width = 640, .height = 480};
+    double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
+    bool thin_shadow =
+        false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
+    double ray_cost = 1e-7;
+    double shadow_ray_cost = 1e-7;
+    double list_cost = 1;       ///< in units of ray_cost
+    double hierarchy_cost = 1;  ///< as well
+    double other = 0;           ///< the share of the pixels that this precision gets wrong
+    double clock_noise = 1;     ///< seconds are too many, or too few, by up to this factor
+    std::size_t asked = 0;      ///< pixels
+    double spent = 0;           ///< seconds
+    std::size_t pays_from = 0;
+
+    [[nodiscard]] double pixels() const { return double(size.width) * double(size.height); }
+};
+
+inline constexpr double one_ray_error = 80;  ///< 8-bit steps, of a pixel in a penumbra
+
+/// A model of stage 11: n rays leave n^(−3/4) of the error of one, and the error is about two
+/// thirds of the threshold, since sampling stops at powers of two.
+inline double rays_for(double error) {
+    return std::pow(one_ray_error / error, 4.0 / 3);
+}
+
+inline double error_of(const RenderSettings& settings) {
+    return settings.shadow_error > 0
+               ? std::min(2 * settings.shadow_error / 3, one_ray_error * std::pow(8, -0.75))
+               : one_ray_error * std::pow(settings.shadow_samples, -0.75);
+}
+
+/// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
+inline double light_rays(const RenderSettings& settings, bool in_penumbra) {
+    return in_penumbra ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
+}
+
+/// Seconds of a pixel.
+inline double cost_of(const ModelScene& model, const RenderSettings& settings, bool in_penumbra) {
+    const bool listed = model.traits.most_alike < model.pays_from;
+    return model.ray_cost * (listed ? model.list_cost : model.hierarchy_cost) +
+           model.shadow_ray_cost * light_rays(settings, in_penumbra);
+}
+
+/// The cost of the whole picture.
+inline double cost_of(const ModelScene& model, const RenderSettings& settings) {
+    return model.pixels() * (model.penumbra * cost_of(model, settings, true) +
+                             (1 - model.penumbra) * cost_of(model, settings, false));
+}
+
+/// Trials on a model scene, with a clock that is wrong by the model's noise.
+class ModelTrials : public Trials {
+public:
+    explicit ModelTrials(ModelScene& model) : model_(model) {
+        model_.pays_from = model.traits.hierarchy_from;
+    }
+
+    [[nodiscard]] Resolution resolution() const override { return model_.size; }
+    [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
+    void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
+
+    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
+                                   const SampleRequest& request) const override {
+        if (*request.stop) return {};
+        PixelSample shot;
+        for (const Pixel pixel : request.pixels) {
+            const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
+            const double shade = shade_of(pixel, settings, request.round, in_penumbra);
+            shot.shades.push_back({shade, shade, shade});
+            shot.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
+            shot.rays += 1 + light_rays(settings, in_penumbra);
+            shot.seconds += cost_of(model_, settings, in_penumbra);
+        }
+        const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
+        model_.asked += request.pixels.size();
+        model_.spent += shot.seconds;
+        shot.rays /= count;
+        shot.seconds *= wrong_clock() / count;
+        return shot;
+    }
+
+private:
+    [[nodiscard]] double shade_of(Pixel pixel, const RenderSettings& settings, int round,
+                                  bool in_penumbra) const {
+        const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
+        std::mt19937 random(place * 7919 + unsigned(round) * 104'729 + 1);
+        std::uniform_real_distribution<double> share;
+        // The same pixels at any round.
+        if (std::fmod(0.618033988749895 * place, 1) < model_.other) return 200;
+        if (!in_penumbra) return 100;
+        double shade = 100 + error_of(settings) * std::normal_distribution<double>()(random);
+        const bool in_thin_shadow = model_.thin_shadow && pixel.row < 32 && pixel.column < 32;
+        const bool believed = 0 < settings.shadow_agree && settings.shadow_agree < 64;
+        if (in_thin_shadow && believed && share(random) < 0.5) shade += 30;
+        return shade;
+    }
+
+    [[nodiscard]] double wrong_clock() const {
+        return std::pow(model_.clock_noise, std::uniform_real_distribution<double>(-1, 1)(clock_));
+    }
+
+    ModelScene& model_;
+    mutable std::mt19937 clock_{std::random_device()()};
+};
+
+inline constexpr std::atomic<bool> going_on = false;
+
+inline AutoSettings chosen(ModelScene& model, const Aim& aim, const OpenFloat& open_float = {}) {
+    ModelTrials known(model);
+    auto choice = choose(known, open_float, aim, Clock::now(), going_on);
+    REQUIRE(choice);
+    for (const std::string& reason : choice->reasons) UNSCOPED_INFO(reason);
+    return std::move(*choice);
+}
+
+/// The share of the pixels in a penumbra that are off by more than the tolerance.
+inline double beyond(double error, double allowed) {
+    return std::erfc(allowed / error / std::sqrt(2));
+}
+
+/// The guarantee of --tolerance.
+inline bool keeps(const ModelScene& model, double error, double allowed) {
+    const double share = beyond(error, allowed);
+    return share <= 0.1 && model.penumbra * share <= 0.01;
+}
+
+inline ModelScene plain() {
+    return {.traits = {.extent = 10, .feature = 1, .hierarchy_from = 32, .unit_roundoff = 1e-16}};
+}
+
+inline ModelScene soft(double penumbra) {
+    ModelScene model = plain();
+    model.traits.sized_lights = true;
+    model.penumbra = penumbra;
+    return model;
+}
+
+}  // namespace rt

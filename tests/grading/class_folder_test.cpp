@@ -1,0 +1,133 @@
+// The students of a class, from folders and archives as learning platforms make them.
+#include "common/system/input_error.hpp"
+
+#include "tests/grading/intake_ground.hpp"
+
+using namespace rt;
+using namespace rt::grade;
+namespace fs = std::filesystem;
+
+TEST_CASE("students are called as their folders are, in plain letters") {
+    const Ground ground;
+    ground.write("zoë/sphere.cpp", "");
+    ground.write("a\n\"b\"<c>/sphere.cpp", "");
+    ground.write("-rf/sphere.cpp", "");
+    ground.write("...;x/sphere.cpp", "");
+    ground.write("ann/sphere.cpp", "");
+    ground.write("ann.zip", "");
+    ground.write("list.txt", "is no submission");
+    CHECK(ground.students() ==
+          std::vector<std::string>{"_-rf", "_..._x", "a__b__c_", "ann", "ann_2", "zoë"});
+}
+
+TEST_CASE("results among the submissions are no student's") {
+    const Ground ground;
+    ground.write("ann/sphere.cpp", "");
+    ground.write("seed.txt/sphere.cpp", "");
+    ground.write("results/students/ann/submitted/sphere.cpp", "");
+    CHECK(ground.find({ground.place("")}).submissions.size() == 3);
+    CHECK(ground.find({ground.place("")}, ground.place("results/")).submissions.size() == 2);
+    ground.write("results/seed.txt", "7");
+    ground.write("results/grades.csv", "");
+    CHECK(ground.students() == std::vector<std::string>{"ann", "seed.txt"});
+}
+
+TEST_CASE("one submission is not a class, and neither is an empty folder") {
+    const Ground ground;
+    ground.write("ann/sphere.cpp", "");
+    CHECK(ground.find({ground.place("ann")}).submissions.size() == 1);
+    ground.write("bob/step03_sphere/sphere.cpp", "");
+    CHECK(ground.find({ground.place("ann"), ground.place("bob")}).submissions.size() == 2);
+    fs::create_directory(ground.place("nobody"));
+    CHECK_THROWS_AS(ground.find({ground.place("nobody")}), InputError);
+    CHECK_THROWS_AS(ground.find({ground.place("missing")}), InputError);
+}
+
+TEST_CASE("Moodle's folders have a student's zip inside") {
+    const Ground ground;
+    ground.write("work/my code/sphere.cpp", "three");
+    ground.zip("work", "Zoë Doe_123_assignsubmission_file_/work.zip");
+    ground.write("Zoë Doe_123_assignsubmission_onlinetext_/onlinetext.html", "hello");
+    ground.write("Zoë Doe_124_assignsubmission_file_/Sphere.cpp", "her namesake's");
+    ground.write("Max Moe_125_assignsubmission_file_plane.cpp", "flat");
+    ground.write("Rar Roe_126_assignsubmission_file_/work.rar", "Rar!");
+    ground.write("Grades.csv", "");
+    std::map<std::string, SubmittedFiles> all = ground.take_class();
+    CHECK(all.size() == 4);
+    CHECK(all["Zoë_Doe_123"].files == Files{{3, "three"}});
+    CHECK(all["Zoë_Doe_124"].files == Files{{3, "her namesake's"}});
+    CHECK(all["Max_Moe_125"].files == Files{{4, "flat"}});
+    CHECK(all["Rar_Roe_126"].words_on_all.find("The archive work.rar cannot be opened") == 0);
+    const ClassFolder found = ground.find({ground.place("")});
+    REQUIRE(found.left_over.size() == 1);
+    CHECK(found.left_over[0].find("Grades.csv: ") == 0);
+}
+
+TEST_CASE("Canvas's files have the student's name before their own") {
+    const Ground ground;
+    ground.write("doezoe_123_4567_sphere.cpp", "three");
+    ground.write("doezoe_123_4568_plane-1.cpp", "four");
+    ground.write("work/sphere.cpp", "late three");
+    ground.zip("work", "moemax_LATE_124_4569_work.zip");
+    ground.write("doezoe_125_4570_sphere.cpp", "her namesake's");
+    std::map<std::string, SubmittedFiles> all = ground.take_class();
+    CHECK(all.size() == 3);
+    CHECK(all["doezoe_123"].files == Files{{3, "three"}, {4, "four"}});
+    CHECK(all["moemax_124"].files == Files{{3, "late three"}});
+    CHECK(all["doezoe_125"].files == Files{{3, "her namesake's"}});
+    const ClassFolder found = ground.find({ground.place("")});
+    REQUIRE(found.left_over.size() == 1);
+    CHECK(found.left_over[0].find("moemax_124: Canvas marks it LATE") == 0);
+}
+
+TEST_CASE("a class in one archive is a class, and a student's own archive is not") {
+    const Ground ground;
+    ground.write("work/inner/sphere.cpp", "a");
+    ground.zip("work", "all/class/ann.zip");
+    ground.write("all/class/ben/sphere.cpp", "b");
+    ground.write("all/class/carl.rar", "not read");
+    ground.write("all/class/dora/readme", "nothing");
+    ground.write("all/class/list.txt", "nobody's");
+    ground.zip("all", "submissions.zip");
+    for (const fs::path& place : {ground.place("submissions.zip"), ground.place("")}) {
+        const ClassFolder found = ground.find({place});
+        std::vector<std::string> names;
+        for (const Submission& each : found.submissions) names.push_back(each.student);
+        CHECK(names == std::vector<std::string>{"ann", "ben", "carl", "dora"});
+        REQUIRE(found.left_over.size() == 1);
+        CHECK(found.left_over[0].find("list.txt: ") == 0);
+    }
+    // Beside others it belongs to one student, whatever names it contains.
+    ground.write("work/doezoe_123_4567_sphere.cpp", "a trap");
+    ground.write("work/doezoe_124_4567_sphere.cpp", "a trap");
+    ground.zip("work", "eve.zip");
+    CHECK(ground.students() == std::vector<std::string>{"eve", "submissions"});
+}
+
+TEST_CASE("names that are one on other systems are made two") {
+    const Ground ground;
+    ground.write("Ann/sphere.cpp", "");
+    ground.write("ann/sphere.cpp", "");
+    ground.write("ann./sphere.cpp", "");
+    ground.write("../x", "");
+    CHECK(ground.students() == std::vector<std::string>{"Ann", "ann_2", "ann_3"});
+    CHECK(ground.find({ground.place("")}).left_over ==
+          std::vector<std::string>{"ann: is graded as ann_2, since there is another ann",
+                                   "ann.: is graded as ann_3, since there is another ann"});
+    CHECK(plain_name("..") == "_");
+    CHECK(plain_name("../../x") == "_.._.._x");
+    CHECK(plain_name("a\nb") == "a_b");
+    CHECK(plain_name(std::string(79, 'a') + "ë") == std::string(79, 'a'));
+}
+
+TEST_CASE("one submission is one, whatever folders it has; a class with a stray file is neither") {
+    const Ground ground;
+    for (int i = 0; i < 10; ++i)
+        ground.write("copy" + std::to_string(i) + "/sphere.cpp", std::to_string(i));
+    const ClassFolder one = one_submission({ground.place("")});
+    REQUIRE(one.submissions.size() == 1);
+    CHECK(one.submissions[0].student == "class");
+    ground.write("sphere.cpp", "stray");
+    CHECK_THROWS_AS(ground.find({ground.place("")}), InputError);
+    CHECK_THROWS_AS(one_submission({ground.place("nowhere")}), InputError);
+}
