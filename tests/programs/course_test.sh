@@ -23,6 +23,21 @@ course() {
 says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
 says_not() { ! grep -qF -- "$1" out || fail "it does not say \"$1\""; }
 
+# Answers without a build.
+course 2 check 3
+says "nothing is started yet: ./course start 3"
+[ ! -e build ] || fail "nothing is built to say that nothing is started"
+touch build
+course 2
+says "build cannot be written: copy the project to a folder of yours"
+rm build
+
+# On a terminal, the first build says what it does and how far it is.
+if script --version 2> /dev/null | grep -q util-linux; then
+    script -qec ./course /dev/null < /dev/null > out
+    grep -q -e '-- Detecting CXX' out || fail "configuring is shown"
+    grep -q '\[[1-9][0-9]*/[1-9][0-9]*\] ./course: Building CXX object' out || fail "building is shown"
+fi
 course 0
 [ "$(grep -c '[0-9]  step[01][0-9]_' out)" = 13 ] || fail "thirteen lines"
 says "Next: ./course start 1"

@@ -72,6 +72,11 @@ says "Nothing differs"
 course 0 test 3
 says "every test passed"
 course 0 hint 3
+course 0
+says "./course update NEW"
+for command in solution audit measure grade handout; do
+    ! grep -q "^./course $command" "$folder/out" || fail "$command, which it lacks, is not listed"
+done
 course 2 solution 3
 says "not part of this hand-out"
 course 2 handout ../another

@@ -85,7 +85,7 @@ Comparison compare_both(const ComparisonRequest& contest) {
 }
 
 /// A word as the shell takes it.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
     constexpr const char* plain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
@@ -103,7 +103,7 @@ std::string explain_command(const ComparisonRequest& contest) {
         command += " --reference " + references;
     else if (contest.all_mine)
         command += " --mine";
-    for (const std::string& word : contest.words) command += " " + quoted(word);
+    for (const std::string& word : contest.words) command += " " + shell_word(word);
     return command;
 }
 
