@@ -16,10 +16,13 @@ trap 'rm -f "$log"' EXIT
 ctest --test-dir "$build" -R "^mistake_$stage" -j "$(nproc)" > "$log" 2>&1
 
 # "1/38 Test #7: mistake_step04_plane_one_side_float ....   Passed    0.01 sec"
-for file in "$root"/tests/mistakes/"$stage"*/*.cpp; do
-    folder=${file%/*}
+# Those of a stage's trace are in its folder main/; their suite is stepNN_…_trace.
+for file in "$root"/tests/mistakes/"$stage"*/*.cpp "$root"/tests/mistakes/"$stage"*/main/*.cpp; do
+    [ -e "$file" ] || continue
+    suite=${file#"$root"/tests/mistakes/}
+    suite=$(echo "${suite%/*}" | sed 's|/main$|_trace|')
     mistake=$(basename "$file" .cpp)
-    echo "${folder##*/}	$mistake	$(sed -n 's|^// caught by: ||p' "$file" | head -n 1)"
+    echo "$suite	$mistake	$(sed -n 's|^// caught by: ||p' "$file" | head -n 1)"
 done | awk -F '\t' -v log_file="$log" '
     function mark(name) {
         if (!(name in passed)) return "?"

@@ -16,6 +16,8 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 # stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
 #                             that this stage and earlier ones share with later ones: the other
 #                             files beside a main.cpp, except story.cpp
+# stepNN_name_chosen_picture_f64  the same with student/main.cpp, if there is one, by the same option
+# stepNN_name_picture_without_main_f64  the same without either
 # stepNN_name_unity_f64       the picture and the references, compiled as a unity build
 function(raysteps_stage)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
@@ -23,6 +25,9 @@ function(raysteps_stage)
 
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
     file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
+    set(student_main ${student})
+    list(FILTER student_main INCLUDE REGEX "/main\\.cpp$")
+    list(FILTER student EXCLUDE REGEX "/main\\.cpp$")
     if(reference)
         raysteps_compile_twice(${name}_reference ${reference})
         raysteps_archive(${name}_reference steps/${name}/reference ${reference})
@@ -33,10 +38,18 @@ function(raysteps_stage)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
     set(chosen reference)
-    if(student)
-        raysteps_compile_twice(${name}_student ${student})
-        if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
+    set(chosen_main main)
+    foreach(part IN ITEMS student student_main)
+        if(${part})
+            raysteps_compile_twice(${name}_${part} ${${part}})
+        endif()
+    endforeach()
+    if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
+        if(student)
             set(chosen student)
+        endif()
+        if(student_main)
+            set(chosen_main student_main)
         endif()
     endif()
 
@@ -77,6 +90,9 @@ function(raysteps_stage)
     endif()
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
     raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
+    raysteps_picture(${name}_chosen_picture
+        raysteps_render ${name}_${chosen_main} ${handed_on} ${meshes})
+    raysteps_picture(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
 
     # The program built from the selected files and, for `./course compare`, from the references
     # only, and from this stage's selected file with the references of the others.
@@ -96,16 +112,16 @@ function(raysteps_stage)
     target_link_libraries(${name}_program PRIVATE raysteps_options)
     target_compile_definitions(${name}_program PRIVATE
         RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
-    raysteps_link_program(${name} ${name} ${stages})
-    raysteps_link_program(${name}_reference_program ${name} ${references})
-    raysteps_link_program(${name}_checked ${name} ${name} ${others})
+    raysteps_link_program(${name} ${name} ${name}_chosen_picture ${stages})
+    raysteps_link_program(${name}_reference_program ${name} ${name}_picture ${references})
+    raysteps_link_program(${name}_checked ${name} ${name}_chosen_picture ${name} ${others})
     set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
-# raysteps_link_program(<program> <stage> <stage or _reference>...)
+# raysteps_link_program(<program> <stage> <picture> <stage or _reference>...)
 function(raysteps_link_program program stage)
     add_executable(${program} $<TARGET_OBJECTS:${stage}_program>)
-    set(parts ${stage}_picture ${ARGN})
+    set(parts ${ARGN})
     if(TARGET ${stage}_unity_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_unity)
     endif()

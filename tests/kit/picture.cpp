@@ -16,16 +16,16 @@ namespace {
 constexpr int rounding = 1;  // a color near n + ½ may be rounded up or down
 constexpr std::uint8_t not_judged = 255;
 
-std::string text(Rgb color) {
-    return std::to_string(color[0]) + ", " + std::to_string(color[1]) + ", " +
-           std::to_string(color[2]);
-}
-
 std::string text(Pixel pixel) {
     return std::to_string(pixel.row) + "," + std::to_string(pixel.column);
 }
 
 }  // namespace
+
+std::string text(Rgb color) {
+    return std::to_string(color[0]) + ", " + std::to_string(color[1]) + ", " +
+           std::to_string(color[2]);
+}
 
 bool fits(Rgb got, Rgb reference, Rgb spread) {
     for (std::size_t i = 0; i < got.size(); ++i)

@@ -6,10 +6,15 @@
 #include "common/image/image.hpp"
 #include "common/render/render_settings.hpp"
 
+#include <string>
+
 namespace rt {
 
 /// A file of the project, named from its top: "scenes/cornell_box.rt".
 [[nodiscard]] std::string project_file(const std::string& name);
+
+/// "255, 0, 128"
+[[nodiscard]] std::string text(Rgb color);
 
 /// The settings of a rendering, and its fraction of pixels.
 struct Drawing {

@@ -10,6 +10,7 @@ project=$1
 cd "$folder" || exit 1
 stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp
+trace=$stage/student/main.cpp
 
 # course STATUS WORDS…: runs it; its output is in the file out.
 course() {
@@ -46,17 +47,38 @@ course 2 check 3
 says "./course start 3"
 course 0 start 3
 cmp -s $stage/starter/sphere.cpp $mine || fail "the starter is there"
+cmp -s $stage/starter/main.cpp $trace || fail "the starter's trace is there"
 course 2 start sphere
 says "./course reset 3"
 course 1 check
 says "intersect is not written yet"
+says "trace is not written yet"
 says "✗ "
 says "./course hint 3"
 course 0
 says "▸  3  step03_sphere"
 
-# Right, and then changed.
+# The functions are right; trace is not written yet, then wrong, then right. The next stage goes on
+# from it, under its own first comment. A student who writes the functions only removes the file.
 cp $stage/reference/sphere.cpp $mine
+course 1 check 3
+says "✗ a sphere that is alone is seen in its color"
+says_not "✗ the normal points away"
+cp tests/mistakes/step03_sphere/main/last_hit.cpp $trace
+course 1 check 3
+says "✗ the closest of several spheres is seen"
+says "sp 0,0,-20 2 0,0,255"
+says_not "✗ a sphere that is alone"
+cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
+course 0 check 3
+says "the same picture as the reference's"
+course 0 start 4
+next=steps/step04_plane/student/main.cpp
+[ "$(head -n 1 $next)" = "$(head -n 1 steps/step04_plane/starter/main.cpp)" ] || fail "its comment"
+grep -q min_element $next || fail "the student's trace goes on"
+rm -r steps/step04_plane/student $trace
+
+# Right, and then changed.
 course 0 check 3
 says "the same picture as the reference's"
 says "Next: ./course start 4"

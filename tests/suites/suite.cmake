@@ -53,7 +53,10 @@ function(raysteps_stage_suite stage)
     if(TARGET course)
         raysteps_contract(${stage} ${stages})
     endif()
-    raysteps_starter(${stage} ${stages} ${stage}_picture)
+    file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
+    list(FILTER starter EXCLUDE REGEX "/main\\.cpp$")
+    raysteps_starter(${stage} "${starter}" ${stages} ${stage}_picture)
+    raysteps_trace_suite(${stage} ${stages} ${stage}_reference)
     if(NOT RAYSTEPS_MISTAKES)
         return()
     endif()
@@ -70,20 +73,44 @@ function(raysteps_stage_suite stage)
     endif()
 endfunction()
 
-# raysteps_starter(<stage> <other stages>...)
+# raysteps_trace_suite(<stage> <reference>...)
 #
-# <stage>_starter_test_float and _double: the stage's suite, linked to its starter, for `./course
+# <stage>_trace_test_float and _double, from stage 3 on: the chosen main.cpp, with the references of
+# all stages.
+function(raysteps_trace_suite stage)
+    set(suite suites/${stage}_trace_test.cpp)
+    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${suite})
+        return()
+    endif()
+    raysteps_suite(${stage}_trace LABEL ${stage} SOURCES ${suite}
+        STAGES ${stage}_chosen_picture ${ARGN})
+    set(others ${stage}_picture_without_main ${ARGN})
+    raysteps_starter(${stage}_trace
+        ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/main.cpp ${others})
+    if(NOT RAYSTEPS_MISTAKES)
+        return()
+    endif()
+    foreach(kind IN ITEMS mistake alternative)
+        file(GLOB answers CONFIGURE_DEPENDS ${kind}s/${stage}/main/*.cpp)
+        foreach(answer IN LISTS answers)
+            cmake_language(CALL raysteps_${kind} ${stage}_trace ${answer} ${others})
+        endforeach()
+    endforeach()
+endfunction()
+
+# raysteps_starter(<suite> <sources> <other stages>...)
+#
+# <suite>_starter_test_float and _double: the suite, linked to the stage's starter, for `./course
 # audit`.
-function(raysteps_starter stage)
-    file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
-    raysteps_compile_twice(${stage}_starter ${starter})
+function(raysteps_starter suite sources)
+    raysteps_compile_twice(${suite}_starter ${sources})
     foreach(precision IN ITEMS f32 f64)
         set(word_f32 float)
         set(word_f64 double)
         set(word ${word_${precision}})
-        raysteps_link_suite(${stage}_starter_test_${word} ${stage}_test_${word}_objects
-            ${precision} ${stage}_starter ${ARGN})
-        set_target_properties(${stage}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
+        raysteps_link_suite(${suite}_starter_test_${word} ${suite}_test_${word}_objects
+            ${precision} ${suite}_starter ${ARGN})
+        set_target_properties(${suite}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
     endforeach()
 endfunction()
 
@@ -137,6 +164,6 @@ function(raysteps_mistake stage file)
         add_test(NAME ${name} COMMAND ${name} "${case}")
         # By failing an assertion: a missing case, or a crash, does not count.
         set_tests_properties(${name} PROPERTIES
-            LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: +1 \\| 1 failed")
+            LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: +1 \\| +1 failed")
     endforeach()
 endfunction()

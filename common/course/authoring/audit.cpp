@@ -64,6 +64,11 @@ std::set<std::string> figures_of(const std::string& page) {
     return names;
 }
 
+/// Whether the stage has a trace to write.
+bool has_trace(int stage) {
+    return is_file(step_path(stage, "starter/main.cpp"));
+}
+
 void look_at_page(int stage, Findings& findings) {
     const std::string name(stage_name(stage));
     const std::string file = "docs/" + name + ".md";
@@ -92,7 +97,9 @@ void look_at_hints(int stage, Findings& findings) {
 
 void look_at_mistakes(int stage, Findings& findings) {
     const std::string name(stage_name(stage));
-    const auto mistakes = files_in(project_folder / "tests/mistakes" / name, ".cpp");
+    const fs::path folder = project_folder / "tests/mistakes" / name;
+    std::vector<fs::path> mistakes = files_in(folder, ".cpp");
+    for (const fs::path& file : files_in(folder / "main", ".cpp")) mistakes.push_back(file);
     for (const fs::path& file : mistakes) {
         const std::string text = read_text(file);
         for (const char* line : {"// origin: ", "// caught by: ", "// sentence: "})
@@ -143,6 +150,20 @@ void look_at_suite(int stage, Findings& findings) {
     }
 }
 
+/// The given main.cpp passes all cases of `trace`; the starter's fails at least one.
+void look_at_trace(int stage, Findings& findings) {
+    const std::string suite = std::string(stage_name(stage)) + "_trace";
+    for (const char* precision : {"_float", "_double"}) {
+        const SuiteResult given = run_suite(suite + "_test" + precision);
+        const std::size_t cases = given.cases.size();
+        findings.require(cases > 0 && given.ended.empty() && passed_cases(given).size() == cases,
+                         "main.cpp does not pass" + std::string(precision));
+        const SuiteResult starter = run_suite(suite + "_starter_test" + precision);
+        findings.require(starter.ended.empty(), "the starter's trace " + starter.ended);
+        findings.require(passed_cases(starter).size() < cases, "the starter's trace is right");
+    }
+}
+
 }  // namespace
 
 int audit() {
@@ -155,6 +176,10 @@ int audit() {
         for (const char* suffix :
              {"_test_float", "_test_double", "_starter_test_float", "_starter_test_double"})
             targets.push_back(stage_target(stage, suffix));
+        if (!has_trace(stage)) continue;
+        for (const char* suffix : {"_trace_test_float", "_trace_test_double",
+                                   "_trace_starter_test_float", "_trace_starter_test_double"})
+            targets.push_back(stage_target(stage, suffix));
     }
     build(targets);
     bool whole = true;
@@ -164,6 +189,7 @@ int audit() {
         for (const std::string& file : {"scenes/" + name + ".rt", "docs/pictures/" + name + ".png"})
             findings.require(is_file(file), file + " does not exist");
         look_at_suite(stage, findings);
+        if (has_trace(stage)) look_at_trace(stage, findings);
         look_at_page(stage, findings);
         look_at_hints(stage, findings);
         look_at_mistakes(stage, findings);

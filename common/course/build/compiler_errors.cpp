@@ -21,7 +21,7 @@ const std::regex duplicate(
     R"((?:multiple definition of|duplicate symbol:) (?:\S+\.o: \S+\.o: )?[`']?([^`';]*))");
 /// A student's object, where CMake puts it.
 const std::regex students_object(
-    R"((steps/step\w+)/CMakeFiles/\w+_student_f\d+\.dir/(student/[^:]+)\.o\b)");
+    R"((steps/step\w+)/CMakeFiles/\w+_student_(?:main_)?f\d+\.dir/(student/[^:]+)\.o\b)");
 
 /// The path of a student's file, relative to the project's folder; empty for any other file.
 std::string own(const std::string& file) {

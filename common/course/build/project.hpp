@@ -27,4 +27,8 @@ extern const bool has_oracle;
     return std::string(stage_name(stage)) + suffix;
 }
 
+/// The student's `trace` in steps/stepNN_name/student/, from stage 3 on: in the stage's program it
+/// replaces the main.cpp in the folder above. The other files have the functions of the contract.
+constexpr const char* trace_file = "main.cpp";
+
 }  // namespace rt

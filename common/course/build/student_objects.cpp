@@ -20,8 +20,9 @@ std::vector<fs::path> student_files(int stage) {
 
 /// The object of a student's file, where CMake puts it.
 fs::path object_of(int stage, const fs::path& file, const std::string& precision) {
+    const std::string part = file.filename() == trace_file ? "_student_main_" : "_student_";
     return build_folder /
-           step_path(stage, "CMakeFiles/" + stage_target(stage, "_student_" + precision + ".dir")) /
+           step_path(stage, "CMakeFiles/" + stage_target(stage, part + precision + ".dir")) /
            "student" / (file.filename().string() + ".o");
 }
 
@@ -52,7 +53,8 @@ std::vector<std::string> symbols(const fs::path& file, const fs::path& object) {
 }  // namespace
 
 bool is_student_object(const std::string& path) {
-    return path.find("_student_f") != std::string::npos &&
+    return (path.find("_student_f") != std::string::npos ||
+            path.find("_student_main_f") != std::string::npos) &&
            path.find(".dir/student/") != std::string::npos;
 }
 
@@ -76,12 +78,15 @@ std::vector<SharedSymbol> shared_symbols(int stage) {
         const std::vector<std::string> mine = symbols(file, object_of(stage, file, "f64"));
         for (int other = 1; other <= int(stage_names.size()); ++other) {
             if (other == stage) continue;
-            for (const fs::path& other_file : student_files(other))
+            for (const fs::path& other_file : student_files(other)) {
+                // No program has the trace of two stages.
+                if (file.filename() == trace_file && other_file.filename() == trace_file) continue;
                 for (const std::string& name :
                      symbols(other_file, object_of(other, other_file, "f64")))
                     if (std::binary_search(mine.begin(), mine.end(), name))
                         shared.push_back({name, file.lexically_relative(project_folder),
                                           other_file.lexically_relative(project_folder)});
+            }
         }
     }
     return shared;

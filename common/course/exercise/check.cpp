@@ -77,6 +77,17 @@ Judgement judge(const std::string& name) {
     return judgement;
 }
 
+/// Adds the cases of `trace`. They are judged with the references' functions, so that no mistake in
+/// a function is one of trace.
+void judge_trace(const std::string& name, Judgement& judgement) {
+    if (!judgement.ended()) return;
+    const Judgement of_trace = judge(name + "_trace");
+    judgement.in_double.add(of_trace.in_double);
+    judgement.in_float.add(of_trace.in_float);
+    judgement.outcomes.insert(judgement.outcomes.end(), of_trace.outcomes.begin(),
+                              of_trace.outcomes.end());
+}
+
 std::string now() {
     const std::time_t time = std::time(nullptr);
     char text[] = "2026-11-21 14:03";
@@ -166,7 +177,9 @@ void show_cases(const std::vector<Outcome>& all) {
 void show_refused_includes(const Workbook& workbook) {
     const int stage = workbook.stage();
     for (const std::filesystem::path& file : workbook.files())
-        for (const Include& each : refused_includes(project_folder, stage, file))
+        for (const Include& each : file.filename() == trace_file
+                                       ? std::vector<Include>()
+                                       : refused_includes(project_folder, stage, file))
             std::printf(
                 "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
                 "headers\n",
@@ -179,7 +192,7 @@ void show_ungraded_files(const Workbook& workbook) {
     const int stage = workbook.stage();
     const std::string graded = stage_header(stage).stem().string() + ".cpp";
     for (const std::filesystem::path& file : workbook.files())
-        if (file.filename() != graded)
+        if (file.filename() != graded && file.filename() != trace_file)
             std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
                         step_path(stage, "student/" + file.filename().string()).c_str(),
                         graded.c_str());
@@ -232,13 +245,19 @@ int check(int stage) {
     if (workbook.files().empty())
         throw InputError({}, name + " is not started: ./course start " + std::to_string(stage));
     choose_reference("");
-    const Build built = try_build({name + "_test_double", name + "_test_float", name + "_checked"});
+    std::vector<std::string> targets = {name + "_test_double", name + "_test_float",
+                                        name + "_checked"};
+    if (workbook.has_trace())
+        targets.insert(targets.end(), {name + "_trace_test_double", name + "_trace_test_float"});
+    const Build built = try_build(targets);
     if (!built.succeeded) {
         std::fputs(first_error(built.output).c_str(), stdout);
         return 1;
     }
     const std::string files = workbook.fingerprint();
-    const Judgement judgement = judge(name);
+    Judgement judgement = judge(name);
+    const bool functions_are_right = judgement.right();
+    if (workbook.has_trace()) judge_trace(name, judgement);
     remember(judgement, files, workbook);
 
     show_output(judgement.in_double);
@@ -249,7 +268,7 @@ int check(int stage) {
     show_ungraded_files(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
-    if (!judgement.right() && judgement.written())
+    if (!functions_are_right && judgement.written())
         show_diagnosis(stage, report_of(name + "_test_double"));
     show_references_used(stage);
     show_count(judgement, stage);

@@ -54,11 +54,12 @@ void show_progress() {
 }
 
 void start(int stage) {
-    Workbook(stage).start();
-    std::printf(
-        "yours to write: %s\nread:           docs/%s.md\nthen:           ./course check %d\n",
-        Workbook(stage).files().front().lexically_relative(project_folder).c_str(),
-        stage_name(stage).data(), stage);
+    Workbook workbook(stage);
+    workbook.start();
+    for (const std::filesystem::path& file : workbook.files())
+        std::printf("yours to write: %s\n", file.lexically_relative(project_folder).c_str());
+    std::printf("read:           docs/%s.md\nthen:           ./course check %d\n",
+                stage_name(stage).data(), stage);
 }
 
 void reset(int stage) {

@@ -23,6 +23,12 @@ std::string meaning_of(const std::string& crash) {
 
 }  // namespace
 
+void SuiteResult::add(const SuiteResult& later) {
+    cases.insert(cases.end(), later.cases.begin(), later.cases.end());
+    ended = later.ended;
+    output += later.output;
+}
+
 std::filesystem::path report_of(const std::string& program) {
     return build_folder / (program + ".report");
 }

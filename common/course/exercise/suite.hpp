@@ -11,6 +11,9 @@ struct SuiteResult {
     std::vector<CaseResult> cases;
     std::string ended;   ///< the reason for an early end, a crash or a timeout; else empty
     std::string output;  ///< the output of the student's own code
+
+    /// Adds the result of a suite that was run after this one.
+    void add(const SuiteResult& later);
 };
 
 /// The report that `run_suite` leaves.

@@ -50,6 +50,23 @@ std::string text(const Record& record) {
     return out.str();
 }
 
+/// Where the comment at the start of a source file ends.
+std::size_t end_of_first_comment(const std::string& source) {
+    std::size_t end = 0;
+    while (source.compare(end, 2, "//") == 0)
+        end = std::min(source.find('\n', end), source.size() - 1) + 1;
+    return end;
+}
+
+/// The starter's trace_file, or the student's own of the stage before under its first comment.
+std::string trace_to_go_on_from(const fs::path& starter, int stage) {
+    const std::string fresh = read_text(starter);
+    const fs::path before = project_folder / step_path(stage - 1, "student") / trace_file;
+    if (!fs::exists(before)) return fresh;
+    const std::string own = read_text(before);
+    return fresh.substr(0, end_of_first_comment(fresh)) + own.substr(end_of_first_comment(own));
+}
+
 }  // namespace
 
 Workbook::Workbook(int stage)
@@ -59,6 +76,10 @@ Workbook::Workbook(int stage)
 
 std::vector<fs::path> Workbook::files() const {
     return files_in(folder_, ".cpp");
+}
+
+bool Workbook::has_trace() const {
+    return fs::exists(folder_ / trace_file);
 }
 
 State Workbook::state() const {
@@ -128,7 +149,9 @@ fs::path Workbook::fresh_start(const fs::path& workshop) const {
     fs::path fresh = workshop / folder_.filename();
     fs::create_directory(fresh);
     for (const fs::path& file : files_in(project_folder / step_path(stage_, "starter"), ".cpp"))
-        write_text(fresh / file.filename(), read_text(file));
+        write_text(fresh / file.filename(), file.filename() == trace_file
+                                                ? trace_to_go_on_from(file, stage_)
+                                                : read_text(file));
     return fresh;
 }
 

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] int stage() const { return stage_; }
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     [[nodiscard]] State state() const;
+    /// Whether trace_file is among the files.
+    [[nodiscard]] bool has_trace() const;
     /// The last check: "17 of 21 cases pass", "changed since it passed"; empty if not started.
     [[nodiscard]] std::string verdict() const;
     /// The same with the number of hints.
@@ -39,7 +41,8 @@ public:
     /// Stores the progress.
     void remember(const Record& record);
 
-    /// Copies the starter. Throws InputError if files exist already.
+    /// Copies the starter. A trace_file goes on from the student's own of the stage before, if
+    /// there is one, under the starter's first comment. Throws InputError if files exist already.
     void start();
     /// Moves the student's files to a new folder beside it, which it returns ("steps/…/student_1"),
     /// and copies the starter.

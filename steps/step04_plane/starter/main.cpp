@@ -1,0 +1,24 @@
+// Your trace of stage 4. This stage adds planes: the closest hit among spheres and planes.
+//
+// ClosestHit, of common/render/closest_hit.hpp, is your loop of stage 3 for a list of any kind of
+// shape, with bounding boxes around the shapes of a long list: test a list after the other, then
+// call hit(). Include the header of each kind that you test.
+#include "common/math/vector.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    closest.test(scene.spheres);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+    return hit->material->color *
+           torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);
+}
+
+}  // namespace rt

@@ -1,0 +1,51 @@
+// Your trace of stage 11 (CR §3.3). This stage adds lights with a radius: the share of the light
+// that reaches the surface is that of context.settings.shadow_samples shadow rays.
+//
+// Sample number i of a light aims at
+//     sample_light(light, surface.point, spread_sample(i, seed))
+// with a seed for each pixel, light and bounce: sample_seed(context.pixel, 1 + its index in
+// scene.lights, context.bounces), of "common/render/sampling.hpp". A light whose radius is 0 is a
+// point, as before. "steps/step11_soft_shadows/soft_shadows.hpp" has ShadowRays and visibility.
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step09_phong/phong.hpp"
+#include "steps/step10_shadows/shadows.hpp"
+
+namespace rt {
+
+namespace {
+
+bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
+    AnyHit any_hit(way.ray, way.interval, context);
+    visit_shapes(any_hit, scene);
+    return any_hit.found();
+}
+
+}  // namespace
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+
+    const ShadingPoint surface = shading_point(*hit, ray);
+    PhongTerms terms;
+    if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
+    for (const Light& light : scene.lights) {
+        if (context.log != nullptr) explain(*context.log, surface, light);
+        const Color diffuse = diffuse_term(surface, light);
+        const Color specular = specular_term(surface, light);
+        if (diffuse + specular == Color(0)) continue;  // nothing that an occluder could remove
+        if (blocked(scene, shadow_ray(surface, light.position), context)) continue;
+        terms.diffuse += diffuse;
+        terms.specular += specular;
+    }
+    return visible_sum(terms, context);
+}
+
+}  // namespace rt

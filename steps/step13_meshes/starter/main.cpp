@@ -1,0 +1,32 @@
+// Your trace of stage 13 (CR §4.2). This stage adds boxes and meshes, scene.boxes and scene.meshes,
+// of "steps/step13_meshes/meshes.hpp" and "steps/step13_meshes/mesh_instance.hpp": they are seen,
+// they cast shadows, and mirrors show them.
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step11_soft_shadows/lighting.hpp"
+#include "steps/step12_mirror/mirror.hpp"
+#include "steps/step12_mirror/reflection.hpp"
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    const ShadingPoint surface = shading_point(*hit, ray);
+    const Real mirror = surface.material.mirror;
+    const PhongTerms terms =
+        mirror < 1 ? lighting(scene, surface, obstacles, context) : PhongTerms{};
+    if (mirror == 0) return visible_sum(terms, context);
+
+    const Color own = mirror < 1 ? visible_sum(terms, context) : Color(0);
+    return mixed(own, reflection(scene, ray, surface, context), mirror);
+}
+
+}  // namespace rt

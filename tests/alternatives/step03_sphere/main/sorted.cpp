@@ -1,0 +1,26 @@
+// right: all hits in a list, which is sorted
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ++context.rays;
+    std::vector<std::pair<Real, const Primitive<Sphere>*>> hits;
+    for (const Primitive<Sphere>& each : scene.spheres)
+        if (const auto t = intersect(ray, each.shape, Interval{})) hits.emplace_back(*t, &each);
+    if (hits.empty()) return Color(0);
+    const auto& [t, closest] = *std::min_element(hits.begin(), hits.end());
+    const Vec3 point = at(ray, t);
+    const Vec3 outward = normal(closest->shape, point);
+    if (context.settings.shading == Shading::normal) return color_from_normal(outward);
+    return closest->material.color * torch(point, face_forward(outward, ray.direction), ray.origin);
+}
+
+}  // namespace rt

@@ -1,0 +1,48 @@
+// right: the terms are added for each sample that reaches the light
+#include "common/render/sampling.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step09_phong/phong.hpp"
+#include "steps/step10_shadows/shadows.hpp"
+#include "steps/step11_soft_shadows/soft_shadows.hpp"
+
+namespace rt {
+
+namespace {
+
+bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
+    AnyHit any_hit(way.ray, way.interval, context);
+    visit_shapes(any_hit, scene);
+    return any_hit.found();
+}
+
+}  // namespace
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+
+    const ShadingPoint surface = shading_point(*hit, ray);
+    PhongTerms terms;
+    if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
+    std::uint32_t number = 0;
+    for (const Light& light : scene.lights) {
+        const int samples = light.radius > 0 ? context.settings.shadow_samples : 1;
+        const std::uint32_t seed = sample_seed(context.pixel, ++number, 0);
+        for (int i = 0; i < samples; ++i) {
+            const Vec3 aim =
+                sample_light(light, surface.point, spread_sample(std::uint32_t(i), seed));
+            if (blocked(scene, shadow_ray(surface, aim), context)) continue;
+            terms.diffuse += diffuse_term(surface, light) / Real(samples);
+            terms.specular += specular_term(surface, light) / Real(samples);
+        }
+    }
+    return visible_sum(terms, context);
+}
+
+}  // namespace rt

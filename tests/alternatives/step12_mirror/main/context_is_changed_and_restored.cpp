@@ -1,0 +1,46 @@
+// right: no copy of the context: what changes is restored
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step11_soft_shadows/lighting.hpp"
+#include "steps/step12_mirror/mirror.hpp"
+
+namespace rt {
+
+namespace {
+
+Color reflected_color(const Scene& scene, const Ray& ray, const ShadingPoint& surface,
+                      Context& context) {
+    const double before = context.weight;
+    const double weight = before * double(surface.material.mirror);
+    if (!worth_reflecting(context.bounces, context.settings.depth, Real(weight))) return Color(0);
+    context.weight = weight;
+    ++context.bounces;
+    const Color color = trace(scene, mirrored(ray, surface), context);
+    --context.bounces;
+    context.weight = before;
+    return color;
+}
+
+}  // namespace
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    const ShadingPoint surface = shading_point(*hit, ray);
+    const Real mirror = surface.material.mirror;
+    const PhongTerms terms =
+        mirror < 1 ? lighting(scene, surface, obstacles, context) : PhongTerms{};
+    if (mirror == 0) return visible_sum(terms, context);
+
+    const Color own = mirror < 1 ? visible_sum(terms, context) : Color(0);
+    return mixed(own, reflected_color(scene, ray, surface, context), mirror);
+}
+
+}  // namespace rt

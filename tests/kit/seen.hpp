@@ -1,0 +1,23 @@
+// The color that a stage's `trace` gives to one pixel of a small scene.
+#pragma once
+
+#include "tests/kit/verdict.hpp"
+
+#include "common/image/image.hpp"
+#include "common/render/render_settings.hpp"
+
+#include <string>
+
+namespace rt {
+
+/// The color, of 255, of a picture of one pixel. The scene is in the form of docs/scenes.md. Its
+/// camera is at the origin and looks along 0,0,-1, unless it has one of its own; the ray of the
+/// pixel has that direction.
+[[nodiscard]] Rgb seen(const std::string& scene, const RenderSettings& settings = {});
+
+/// The pixel has the expected color, to 1 of 255 or the given difference. The sentence contains the
+/// whole scene, which a student can save and render.
+[[nodiscard]] Verdict shows(const std::string& scene, Rgb expected,
+                            const RenderSettings& settings = {}, int difference = 1);
+
+}  // namespace rt

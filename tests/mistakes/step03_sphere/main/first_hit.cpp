@@ -1,0 +1,29 @@
+// origin: seen in student repositories
+// caught by: the closest of several spheres is seen, in any order of the file (M1, "plusieurs objets")
+// sentence: You return at the first sphere that is hit. A later one of the list may be closer.
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ++context.rays;
+    const Primitive<Sphere>* closest = nullptr;
+    Interval interval;
+    for (const Primitive<Sphere>& each : scene.spheres) {
+        const std::optional<Real> t = intersect(ray, each.shape, interval);
+        if (!t) continue;
+        closest = &each;
+        interval.max = *t;
+        break;
+    }
+    if (closest == nullptr) return Color(0);
+    const Vec3 point = at(ray, interval.max);
+    const Vec3 outward = normal(closest->shape, point);
+    if (context.settings.shading == Shading::normal) return color_from_normal(outward);
+    return closest->material.color * torch(point, face_forward(outward, ray.direction), ray.origin);
+}
+
+}  // namespace rt

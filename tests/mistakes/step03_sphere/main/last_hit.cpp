@@ -1,0 +1,28 @@
+// origin: M1's exercise: no comparison of t
+// caught by: the closest of several spheres is seen, in any order of the file (M1, "plusieurs objets")
+// sentence: You keep the last sphere that is hit. Keep the one with the smallest t: let each hit shorten the interval.
+#include "common/math/vector.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ++context.rays;
+    const Primitive<Sphere>* closest = nullptr;
+    Interval interval;
+    for (const Primitive<Sphere>& each : scene.spheres) {
+        const std::optional<Real> t = intersect(ray, each.shape, Interval{});
+        if (!t) continue;
+        closest = &each;
+        interval.max = *t;
+    }
+    if (closest == nullptr) return Color(0);
+    const Vec3 point = at(ray, interval.max);
+    const Vec3 outward = normal(closest->shape, point);
+    if (context.settings.shading == Shading::normal) return color_from_normal(outward);
+    return closest->material.color * torch(point, face_forward(outward, ray.direction), ray.origin);
+}
+
+}  // namespace rt

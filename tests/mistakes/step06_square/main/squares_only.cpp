@@ -1,0 +1,25 @@
+// origin: invented: the new list replaces the others
+// caught by: every kind of shape so far is seen (M1, "plusieurs objets")
+// sentence: You test scene.squares only: the shapes of earlier stages are not seen.
+#include "common/math/vector.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step04_plane/plane.hpp"
+#include "steps/step05_triangle/triangle.hpp"
+#include "steps/step06_square/square.hpp"
+
+namespace rt {
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    closest.test(scene.squares);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+    return hit->material->color *
+           torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);
+}
+
+}  // namespace rt

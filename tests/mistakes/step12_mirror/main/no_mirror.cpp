@@ -1,0 +1,46 @@
+// origin: invented: stage 11 is kept
+// caught by: a perfect mirror shows what it faces, and nothing of its own (CR §5.1)
+// sentence: You leave the reflection out: a mirror shows its own color only.
+#include "common/render/stage.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+#include "steps/step08_cone/all_shapes.hpp"
+#include "steps/step11_soft_shadows/lighting.hpp"
+#include "steps/step12_mirror/mirror.hpp"
+
+namespace rt {
+
+namespace {
+
+[[maybe_unused]] Color reflected_color(const Scene& scene, const Ray& ray,
+                                       const ShadingPoint& surface, Context& context) {
+    Context there = context;
+    there.weight *= double(surface.material.mirror);
+    if (!worth_reflecting(there.bounces, there.settings.depth, Real(there.weight))) return Color(0);
+    ++there.bounces;
+    const Color color(0);
+    context.rays = there.rays;
+    return color;
+}
+
+}  // namespace
+
+Color trace(const Scene& scene, const Ray& ray, Context& context) {
+    ClosestHit closest(ray, context);
+    visit_shapes(closest, scene);
+    const std::optional<Hit> hit = closest.hit();
+    if (!hit) return Color(0);
+    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
+
+    const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };
+    const ShadingPoint surface = shading_point(*hit, ray);
+    const Real mirror = surface.material.mirror;
+    const PhongTerms terms =
+        mirror < 1 ? lighting(scene, surface, obstacles, context) : PhongTerms{};
+    if (mirror == 0) return visible_sum(terms, context);
+
+    const Color own = mirror < 1 ? visible_sum(terms, context) : Color(0);
+    return (1 - mirror) * own;
+}
+
+}  // namespace rt

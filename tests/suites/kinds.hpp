@@ -1,0 +1,73 @@
+// One shape of every kind, for scenes of one pixel (tests/kit/seen.hpp).
+#pragma once
+
+#include "tests/kit/seen.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// A kind of shape in a scene, introduced by the stage of that number.
+struct Kind {
+    int stage;
+    /// The line of a shape in front of an eye at the origin that looks along 0,0,-1: the ray of the
+    /// pixel meets it at 0,0,-depth.
+    std::string (*line)(int depth, const std::string& color);
+    double torch = 1;  ///< cosine between its normal there and the direction to the eye
+};
+
+inline std::string at_depth(int depth) {
+    return " 0,0," + std::to_string(-depth);
+}
+
+inline const std::vector<Kind> all_kinds = {
+    {3, [](int d, const std::string& c) { return "sp" + at_depth(d + 1) + " 2 " + c + "\n"; }},
+    {4, [](int d, const std::string& c) { return "pl" + at_depth(d) + " 0,0,1 " + c + "\n"; }},
+    {5,
+     [](int d, const std::string& c) {
+         const std::string z = std::to_string(-d);
+         return "tr -1,-1," + z + " 1,-1," + z + " 0,2," + z + " " + c + "\n";
+     }},
+    {6, [](int d, const std::string& c) { return "sq" + at_depth(d) + " 0,0,1 2 " + c + "\n"; }},
+    {7,
+     [](int d, const std::string& c) { return "cy" + at_depth(d + 1) + " 1,0,0 2 2 " + c + "\n"; }},
+    {8,  // of radius 1 at the height of the eye, as wide as it is high
+     [](int d, const std::string& c) {
+         return "co 0,1," + std::to_string(-d - 1) + " 0,-1,0 4 2 " + c + "\n";
+     },
+     0.70710678},
+    {13, [](int d,
+            const std::string& c) { return "box" + at_depth(d + 1) + " 0,0,1 2,2,2 " + c + "\n"; }},
+    {13,
+     [](int d, const std::string& c) {
+         return "mesh ../tests/suites/step13_meshes/wall.off" + at_depth(d) + " 10 " + c + "\n";
+     }},
+};
+
+/// The kinds of this stage and of earlier ones.
+inline std::span<const Kind> kinds_until(int stage) {
+    std::size_t count = 0;
+    while (count < all_kinds.size() && all_kinds[count].stage <= stage) ++count;
+    return {all_kinds.data(), count};
+}
+
+/// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
+/// `head` has the lights; `torch` says that a torch lights the scene.
+inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
+    for (const Kind& front : kinds_until(stage)) {
+        const auto light = std::uint8_t(255 * (torch ? front.torch : 1) + 0.5);
+        for (const Kind& back : kinds_until(stage)) {
+            const std::string near = front.line(4, "255,0,0");
+            const std::string far = back.line(9, "0,0,255");
+            for (const std::string& lines : {near + far, far + near}) {
+                Verdict seen = shows(head + lines, {light, 0, 0});
+                if (!seen) return seen;
+            }
+        }
+    }
+    return {};
+}
+
+}  // namespace rt

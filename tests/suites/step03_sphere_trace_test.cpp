@@ -1,0 +1,85 @@
+// Stage 3, `trace`: the closest of several spheres, against M1 ("plusieurs objets") and CR §2.1.
+#include "tests/kit/picture.hpp"
+#include "tests/kit/seen.hpp"
+
+#include <algorithm>
+#include <array>
+
+using namespace rt;
+
+namespace {
+
+constexpr Rgb black = {0, 0, 0};
+constexpr Rgb red = {255, 0, 0};
+constexpr Rgb green = {0, 255, 0};
+
+/// The scene with these lines shows the color, in each of their orders.
+Verdict show_in_any_order(std::array<std::string, 3> lines, Rgb expected) {
+    std::sort(lines.begin(), lines.end());
+    do {
+        Verdict in_this_order = shows(lines[0] + lines[1] + lines[2], expected);
+        if (!in_this_order) return in_this_order;
+    } while (std::next_permutation(lines.begin(), lines.end()));
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("without a hit the pixel is black (CR §2.1)") {
+    CHECK(shows("", black));
+    CHECK(shows("sp 3,0,-5 2 255,0,0\n", black));
+    CHECK(shows("sp 3,0,-5 2 255,0,0\nsp 0,-4,-9 3 0,255,0\n", black));
+}
+
+TEST_CASE("a sphere that is alone is seen in its color (M1)") {
+    CHECK(shows("sp 0,0,-5 2 255,0,0\n", red));
+    CHECK(shows("sp 0,0,-50 2 40,80,160\n", {40, 80, 160}));
+}
+
+TEST_CASE("a sphere is seen beside others that the ray misses (CR §2.1)") {
+    CHECK(show_in_any_order(
+        {"sp 0,0,-5 2 255,0,0\n", "sp 3,0,-5 2 0,255,0\n", "sp 0,3,-4 2 0,0,255\n"}, red));
+}
+
+TEST_CASE(
+    "the closest of several spheres is seen, in any order of the file (M1, \"plusieurs objets\")") {
+    CHECK(show_in_any_order(
+        {"sp 0,0,-5 2 255,0,0\n", "sp 0,0,-10 2 0,255,0\n", "sp 0,0,-20 2 0,0,255\n"}, red));
+    // Nearer by its surface, not by its center.
+    CHECK(show_in_any_order(
+        {"sp 0,0,-10 16 255,0,0\n", "sp 0,0,-6 2 0,255,0\n", "sp 0,0,-30 4 0,0,255\n"}, red));
+}
+
+TEST_CASE("a sphere behind the eye is not seen, nor does it hide another (PHY)") {
+    CHECK(shows("sp 0,0,5 2 255,0,0\n", black));
+    CHECK(show_in_any_order(
+        {"sp 0,0,5 2 255,0,0\n", "sp 0,0,2 1 0,0,255\n", "sp 0,0,-9 2 0,255,0\n"}, green));
+}
+
+TEST_CASE("inside a sphere, the eye sees what is nearer than its far side (CR §2.1)") {
+    CHECK(shows("sp 0,0,0 20 0,255,0\n", green));
+    CHECK(show_in_any_order(
+        {"sp 0,0,0 20 0,255,0\n", "sp 0,0,-5 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));
+    CHECK(show_in_any_order(
+        {"sp 0,0,0 20 0,255,0\n", "sp 0,0,-15 2 255,0,0\n", "sp 0,0,0 60 0,0,255\n"}, green));
+}
+
+TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)") {
+    // The ray meets it at 0,0,-6, where its normal is 0,-0.6,0.8.
+    const std::string slanted = "sp 0,3,-10 10 255,255,255\n";
+    CHECK(shows(slanted, {204, 204, 204}));
+    CHECK(show_in_any_order({slanted, "sp 0,0,-20 2 255,0,0\n", "sp 0,0,-30 2 255,0,0\n"},
+                            {204, 204, 204}));
+    CHECK(show_in_any_order({slanted, "sp 0,0,-3 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));
+}
+
+TEST_CASE("with --shade normal, trace shows the normal of the closest sphere (M1)") {
+    const RenderSettings normals{.shading = Shading::normal};
+    CHECK(shows("sp 0,3,-10 10 255,255,255\n", {0, 153, 204}, normals));
+    CHECK(shows("sp 0,3,-10 10 255,0,0\nsp 0,0,-20 2 255,0,0\n", {0, 153, 204}, normals));
+    CHECK(shows("sp 3,0,-5 2 255,0,0\n", black, normals));
+}
+
+TEST_CASE("the picture of the stage, by this trace (HAI; CR §2.2)") {
+    CHECK(picture_matches("step03_sphere"));
+}

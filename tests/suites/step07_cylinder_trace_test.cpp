@@ -1,0 +1,21 @@
+// Stage 7, `trace`: cylinders beside the shapes of earlier stages, against M1 ("plusieurs objets")
+// and CR §2.1.
+#include "tests/kit/picture.hpp"
+#include "tests/suites/kinds.hpp"
+
+using namespace rt;
+
+TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")") {
+    for (const Kind& kind : kinds_until(7)) {
+        const auto light = std::uint8_t(255 * kind.torch + 0.5);
+        CHECK(shows(kind.line(5, "0,255,0"), {0, light, 0}));
+    }
+}
+
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+    CHECK(nearest_of_each_pair_is_seen(7, "", true));
+}
+
+TEST_CASE("the picture of the stage, by this trace (MRT §7)") {
+    CHECK(picture_matches("step07_cylinder"));
+}

@@ -1,0 +1,84 @@
+// Stage 9, `trace`: the lights of a scene, against CR §3.1.
+//
+// The ray meets the wall at 0,0,-4. A light at the origin lights that point with its whole
+// brightness, since it is straight before it.
+#include "tests/kit/picture.hpp"
+#include "tests/suites/kinds.hpp"
+
+using namespace rt;
+
+namespace {
+
+const std::string white_wall = "pl 0,0,-4 0,0,1 255,255,255\n";
+
+}  // namespace
+
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+    CHECK(nearest_of_each_pair_is_seen(9, "A 1 255,255,255\n", false));
+}
+
+TEST_CASE("without a light a surface is black, and so is what no shape covers (CR §3.1)") {
+    CHECK(shows(white_wall, {0, 0, 0}));
+    CHECK(shows("A 1 255,255,255\nL 0,0,0 1 255,255,255\n", {0, 0, 0}));
+}
+
+TEST_CASE("ambient light alone is the color times its ratio, and no torch (CR §3.1)") {
+    CHECK(shows("A 0.2 255,255,255\n" + white_wall, {51, 51, 51}));
+    CHECK(shows("A 0.2 255,255,255\npl 0,0,-4 0,0.6,0.8 255,255,255\n", {51, 51, 51}));
+    CHECK(shows("A 0.4 255,0,255\npl 0,0,-4 0,0,1 255,255,0\n", {102, 0, 0}));
+}
+
+TEST_CASE("the light of two lights adds up (CR §3.1)") {
+    const std::string red = "L 0,0,0 0.4 255,0,0\n";
+    const std::string green = "L 0,0,0 0.2 0,255,0\n";
+    CHECK(shows(red + white_wall, {102, 0, 0}));
+    CHECK(shows(red + green + white_wall, {102, 51, 0}));
+    CHECK(shows(green + red + white_wall, {102, 51, 0}));
+    CHECK(shows(red + red + white_wall, {204, 0, 0}));
+    std::string five;
+    for (int i = 0; i < 5; ++i) five += "L 0,0,0 0.1 255,255,255\n";
+    CHECK(shows(five + white_wall, {127, 127, 127}));
+}
+
+TEST_CASE("ambient light counts once, however many lights there are (CR §3.1)") {
+    const std::string ambient = "A 0.2 255,255,255\n";
+    const std::string light = "L 0,0,0 0.2 255,255,255\n";
+    CHECK(shows(ambient + light + white_wall, {102, 102, 102}));
+    CHECK(shows(ambient + light + light + white_wall, {153, 153, 153}));
+    CHECK(shows(ambient + light + light + light + white_wall, {204, 204, 204}));
+}
+
+TEST_CASE("a light behind the surface adds nothing, and takes nothing from others (CR §3.1)") {
+    const std::string front = "L 0,0,0 0.4 255,255,255\n";
+    const std::string behind = "L 0,0,-9 1 255,255,255\n";
+    CHECK(shows(behind + white_wall, {0, 0, 0}));
+    CHECK(shows(behind + front + white_wall, {102, 102, 102}));
+    CHECK(shows(front + behind + white_wall, {102, 102, 102}));
+}
+
+TEST_CASE("each light adds its own highlight (CR §3.1)") {
+    const std::string shining = "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:10\n";
+    CHECK(shows("L 0,0,0 0.4 255,255,255\n" + shining, {51, 51, 153}));
+    CHECK(shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 0,255,0\n" + shining, {51, 26, 0}));
+}
+
+TEST_CASE("the surface is lit on the side of the eye (CR §3.1)") {
+    const std::string light = "L 0,0,0 0.4 255,255,255\n";
+    CHECK(shows(light + "pl 0,0,-4 0,0,-1 255,255,255\n", {102, 102, 102}));
+    CHECK(shows(light + "sp 0,0,0 8 255,255,255\n", {102, 102, 102}));
+    CHECK(shows("L 0,0,-9 1 255,255,255\nsp 0,0,0 8 255,255,255\n", {0, 0, 0}));
+}
+
+TEST_CASE(
+    "the option --term selects a term, and --shade normal the normal (docs/step09_phong.md)") {
+    const std::string scene =
+        "A 0.2 255,255,255\nL 0,0,0 0.4 255,255,255\npl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:10\n";
+    CHECK(shows(scene, {0, 0, 51}, {.term = PhongTerm::ambient}));
+    CHECK(shows(scene, {0, 0, 102}, {.term = PhongTerm::diffuse}));
+    CHECK(shows(scene, {51, 51, 51}, {.term = PhongTerm::specular}));
+    CHECK(shows("pl 0,0,-4 0,0.6,0.8 255,0,0\n", {0, 153, 204}, {.shading = Shading::normal}));
+}
+
+TEST_CASE("the picture of the stage, by this trace (CR §3.1)") {
+    CHECK(picture_matches("step09_phong"));
+}

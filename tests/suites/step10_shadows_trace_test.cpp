@@ -1,0 +1,91 @@
+// Stage 10, `trace`: which light a shape takes away, against CR §3.2 and M1's exercise.
+//
+// The ray meets the white wall at 0,0,-4. The lights at 3,0,0 and -3,0,0 are each at a cosine of
+// 0.8 there: a brightness of 0.5 gives 0.4, which is 102 of 255. Halfway to them are 1.5,0,-2 and
+// -1.5,0,-2.
+#include "tests/kit/picture.hpp"
+#include "tests/suites/kinds.hpp"
+
+#include <array>
+
+using namespace rt;
+
+namespace {
+
+const std::string white_wall = "pl 0,0,-4 0,0,1 255,255,255\n";
+const std::string red_right = "L 3,0,0 0.5 255,0,0\n";
+const std::string green_left = "L -3,0,0 0.5 0,255,0\n";
+const std::string ball_on_the_right = "sp 1.5,0,-2 0.2 9,9,9\n";
+const std::string ball_on_the_left = "sp -1.5,0,-2 0.2 9,9,9\n";
+
+/// A shape of each kind halfway to the light on the right.
+const std::array<std::string, 6> in_the_way = {
+    ball_on_the_right,
+    "pl 1.5,0,0 1,0,0 9,9,9\n",
+    "tr 1.5,-1,-2.5 1.5,-1,-1.5 1.5,1,-2 9,9,9\n",
+    "sq 1.5,0,-2 0.6,0,0.8 0.3 9,9,9\n",
+    "cy 1.5,0,-2 0,1,0 0.2 2 9,9,9\n",
+    "co 1.5,1,-2 0,-1,0 0.4 2 9,9,9\n",
+};
+
+}  // namespace
+
+TEST_CASE("without anything in the way, all lights add up (CR §3.1)") {
+    CHECK(shows(red_right + white_wall, {102, 0, 0}));
+    CHECK(shows(red_right + green_left + white_wall, {102, 102, 0}));
+}
+
+TEST_CASE("a light with a shape in the way gives nothing (CR §3.2)") {
+    CHECK(shows(red_right + white_wall + ball_on_the_right, {0, 0, 0}));
+    CHECK(shows(green_left + ball_on_the_left + white_wall, {0, 0, 0}));
+}
+
+TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
+    for (const std::string& lights : {red_right + green_left, green_left + red_right}) {
+        CHECK(shows(lights + white_wall + ball_on_the_right, {0, 102, 0}));
+        CHECK(shows(lights + white_wall + ball_on_the_left, {102, 0, 0}));
+        CHECK(shows(lights + white_wall + ball_on_the_right + ball_on_the_left, {0, 0, 0}));
+    }
+}
+
+TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {
+    const std::string ambient = "A 0.2 255,255,255\n";
+    CHECK(shows(ambient + red_right + white_wall + ball_on_the_right, {51, 51, 51}));
+    CHECK(shows(ambient + red_right + green_left + white_wall + ball_on_the_right, {51, 153, 51}));
+}
+
+TEST_CASE("every kind of shape casts a shadow (CR §3.2)") {
+    for (const std::string& shape : in_the_way) {
+        CHECK(shows(red_right + green_left + white_wall + shape, {0, 102, 0}));
+        CHECK(shows(red_right + green_left + shape + white_wall, {0, 102, 0}));
+    }
+}
+
+TEST_CASE(
+    "a shape behind the light, behind the point or aside casts no shadow (CR §3.2, maxDist)") {
+    for (const std::string ball : {"sp 4.5,0,2 0.4 9,9,9\n", "sp -1.5,0,-6 0.4 9,9,9\n",
+                                   "sp 1.5,1,-2 0.4 9,9,9\n", "sp 3.3,0,0.4 0.4 9,9,9\n"})
+        CHECK(shows(red_right + white_wall + ball, {102, 0, 0}));
+}
+
+TEST_CASE("two shapes in one light's way take away no more than one (CR §3.2)") {
+    const std::string second = "sp 2.25,0,-1 0.2 9,9,9\n";
+    CHECK(shows(red_right + green_left + white_wall + ball_on_the_right + second, {0, 102, 0}));
+}
+
+TEST_CASE("there is no highlight in a shadow (CR §3.2)") {
+    // The eye is at 0.8 of the direction of reflection.
+    const std::string shining = "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:1\n";
+    const std::string light = "L 3,0,0 0.5 255,255,255\n";
+    CHECK(shows(light + shining, {51, 51, 153}));
+    CHECK(shows(light + shining + ball_on_the_right, {0, 0, 0}));
+}
+
+TEST_CASE("the surface that is seen casts no shadow on itself (CR §3.2)") {
+    CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,-5 2 255,255,255\n", {102, 102, 102}));
+    CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,0 8 255,255,255\n", {102, 102, 102}));
+}
+
+TEST_CASE("the picture of the stage, by this trace (CR §3.2)") {
+    CHECK(picture_matches("step10_shadows"));
+}

@@ -1,0 +1,80 @@
+// Stage 12, `trace`: what a mirror shows, against CR §5.1.
+//
+// The ray meets a mirror at 0,0,-4, which faces the eye. The wall behind the eye, at z = 6, is what
+// it shows.
+#include "tests/suites/kinds.hpp"
+
+using namespace rt;
+
+namespace {
+
+const std::string bright = "A 1 255,255,255\n";
+const std::string red_wall_behind = "pl 0,0,6 0,0,-1 255,0,0\n";
+
+std::string mirror(const std::string& share, const std::string& color = "255,255,255") {
+    return "pl 0,0,-4 0,0,1 " + color + " mirror:" + share + "\n";
+}
+
+}  // namespace
+
+TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)") {
+    CHECK(shows(bright + mirror("1") + red_wall_behind, {255, 0, 0}));
+    CHECK(shows(bright + mirror("1") + "sp 0,0,6 2 0,255,0\n", {0, 255, 0}));
+    CHECK(shows(bright + mirror("1"), {0, 0, 0}));
+}
+
+TEST_CASE("a mirror's share is that of what it shows, and the rest is its own color (CR §5.1)") {
+    CHECK(shows(bright + mirror("0.25") + red_wall_behind, {255, 191, 191}));
+    CHECK(shows(bright + mirror("0.8", "0,0,255") + red_wall_behind, {204, 0, 51}));
+    CHECK(shows(bright + mirror("0.25"), {191, 191, 191}));
+    CHECK(shows(bright + mirror("0") + red_wall_behind, {255, 255, 255}));
+}
+
+TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §5.1)") {
+    const std::string turned = "pl 0,0,-4 0,0.70710678,0.70710678 255,255,255 mirror:1\n";
+    CHECK(shows(bright + turned + "pl 0,5,0 0,-1,0 0,255,0\n" + red_wall_behind, {0, 255, 0}));
+}
+
+TEST_CASE("a mirror shows the closest of what it faces (CR §5.1)") {
+    CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,3 2 0,255,0\n", {0, 255, 0}));
+    CHECK(shows(bright + "sp 0,0,3 2 0,255,0\n" + red_wall_behind + mirror("1"), {0, 255, 0}));
+}
+
+TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5.1)") {
+    const std::string light = "L 0,3,2 0.5 255,255,255\n";  // at a cosine of 0.8 for the wall
+    const std::string white_wall = "pl 0,0,6 0,0,-1 255,255,255\n";
+    CHECK(shows(light + mirror("1") + white_wall, {102, 102, 102}));
+    CHECK(shows(light + mirror("1") + white_wall + "sp 0,1.5,4 0.2 9,9,9\n", {0, 0, 0}));
+    CHECK(shows(light + mirror("1") + red_wall_behind, {102, 0, 0}));
+}
+
+TEST_CASE("a mirror shows what another mirror shows (CR §5.1)") {
+    // Down at the first, back at the second: the ray ends at the green wall on the left.
+    const std::string first = "pl 0,0,-4 0,-0.70710678,0.70710678 255,255,255 mirror:1\n";
+    const std::string second = "pl 0,-5,0 -0.70710678,0.70710678,0 255,255,255 mirror:1\n";
+    CHECK(shows(bright + first + second + "pl -7,0,0 1,0,0 0,255,0\n", {0, 255, 0}));
+    CHECK(shows(bright + first + "pl 0,-5,0 -0.70710678,0.70710678,0 0,0,255 mirror:0.5\n" +
+                    "pl -7,0,0 1,0,0 0,255,0\n",
+                {0, 128, 128}));
+}
+
+TEST_CASE("two mirrors that face each other end, and give no more light than there is (CR §5.1)") {
+    const std::string second = "pl 0,0,6 0,0,-1 255,0,0 mirror:0.5\n";
+    // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
+    CHECK(shows(bright + mirror("0.5", "0,0,255") + second, {85, 0, 170}, {}, 2));
+    CHECK(shows(bright + mirror("1") + "pl 0,0,6 0,0,-1 255,255,255 mirror:1\n", {0, 0, 0}));
+    CHECK(shows(bright + mirror("0.75") + "pl 0,0,6 0,0,-1 255,255,255 mirror:0.75\n",
+                {255, 255, 255}, {.depth = 100}, 2));
+}
+
+TEST_CASE("the option --depth is the largest number of reflections (CR §5.1)") {
+    const std::string two =
+        bright + mirror("0.5", "0,0,255") + "pl 0,0,6 0,0,-1 255,0,0 mirror:0.5\n";
+    CHECK(shows(two, {0, 0, 128}, {.depth = 0}));
+    CHECK(shows(two, {64, 0, 128}, {.depth = 1}));
+    CHECK(shows(two, {64, 0, 159}, {.depth = 2}));
+}
+
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+    CHECK(nearest_of_each_pair_is_seen(12, bright, false));
+}

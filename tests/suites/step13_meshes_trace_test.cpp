@@ -1,0 +1,67 @@
+// Stage 13, `trace`: boxes and meshes beside the other shapes, against CR §4.2 and M1.
+#include "tests/suites/kinds.hpp"
+
+#include <array>
+
+using namespace rt;
+
+namespace {
+
+const std::string bright = "A 1 255,255,255\n";
+const std::string wall = "mesh ../tests/suites/step13_meshes/wall.off ";
+
+/// A box, and a mesh, halfway between 0,0,-4 and the light at 3,0,0.
+const std::array<std::string, 2> in_the_way = {
+    "box 1.5,0,-2 0,0,1 0.2,0.2,0.2 9,9,9\n",
+    wall + "1.5,0,-2 0.2 9,9,9 dir:0.6,0,0.8\n",
+};
+
+}  // namespace
+
+TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")") {
+    for (const Kind& kind : kinds_until(13)) {
+        CHECK(shows(bright + kind.line(5, "0,255,0"), {0, 255, 0}));
+    }
+}
+
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+    CHECK(nearest_of_each_pair_is_seen(13, bright, false));
+}
+
+TEST_CASE("a mesh of any scale is as far away as its place says (HAI, the frame of an object)") {
+    for (const std::string scale : {"0.01", "0.5", "2", "1000"}) {
+        const std::string mesh = wall + "0.002,0.003,-4 " + scale + " 255,0,0\n";
+        CHECK(shows(bright + mesh + "sp 0,0,-7 2 0,0,255\n", {255, 0, 0}));
+        CHECK(shows(bright + mesh + "sp 0,0,-3 0.5 0,0,255\n", {0, 0, 255}));
+        CHECK(shows(bright + "box 0,0,-3 0,0,1 0.5,0.5,0.5 0,255,0\n" + mesh, {0, 255, 0}));
+    }
+}
+
+TEST_CASE("boxes and meshes cast shadows (CR §3.2)") {
+    const std::string scene =
+        "L 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\npl 0,0,-4 0,0,1 255,255,255\n";
+    CHECK(shows(scene, {102, 102, 0}));
+    for (const std::string& shape : in_the_way) CHECK(shows(scene + shape, {0, 102, 0}));
+}
+
+TEST_CASE("boxes and meshes hide an area light (CR §3.3)") {
+    const std::string scene = "L 3,0,0 0.5 255,0,0 radius:0.05\npl 0,0,-4 0,0,1 255,255,255\n";
+    CHECK(shows(scene, {102, 0, 0}));
+    for (const std::string& shape : in_the_way) CHECK(shows(scene + shape, {0, 0, 0}));
+}
+
+TEST_CASE("boxes and meshes are seen in a mirror, and are mirrors (CR §5.1)") {
+    const std::string mirror = "pl 0,0,-4 0,0,1 255,255,255 mirror:1\n";
+    CHECK(shows(bright + mirror + "box 0,0,6 0,0,1 2,2,2 0,255,0\n", {0, 255, 0}));
+    CHECK(shows(bright + mirror + wall + "0,0,6 1 0,255,0\n", {0, 255, 0}));
+    const std::string behind = "pl 0,0,6 0,0,-1 255,0,0\n";
+    CHECK(shows(bright + "box 0,0,-5 0,0,1 2,2,2 0,0,255 mirror:1\n" + behind, {255, 0, 0}));
+    CHECK(shows(bright + wall + "0,0,-5 1 0,0,255 mirror:0.2\n" + behind, {51, 0, 204}));
+}
+
+TEST_CASE("boxes and meshes are lit like other shapes (CR §3.1)") {
+    const std::string light = "L 0,0,0 0.4 255,255,255\n";
+    CHECK(shows(light + "box 0,0,-5 0,0,1 2,2,2 255,255,255\n", {102, 102, 102}));
+    CHECK(shows(light + wall + "0,0,-5 1 255,255,255\n", {102, 102, 102}));
+    CHECK(shows("A 0.2 255,255,255\n" + light + wall + "0,0,-5 1 255,255,255\n", {153, 153, 153}));
+}
