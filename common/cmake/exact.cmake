@@ -13,6 +13,16 @@ function(raysteps_exact name)
     target_compile_definitions(${name}_f64 PRIVATE RT_EXACT)
 endfunction()
 
+# raysteps_exact_rest(<stage> <source of the reference>...)
+#
+# Adds the rest of the stage to the library <stage>_exact_f64 of its kernel: the reference, whose
+# `intersect` gets another name.
+function(raysteps_exact_rest name)
+    raysteps_exact(${name}_exact_rest ${ARGN})
+    target_compile_definitions(${name}_exact_rest_f64 PRIVATE intersect=reference_intersect)
+    target_sources(${name}_exact_f64 INTERFACE $<TARGET_OBJECTS:${name}_exact_rest_f64>)
+endfunction()
+
 # raysteps_common_f64 with packed meshes of certified triangles.
 set(RAYSTEPS_EXACT_MESH_BVH ${PROJECT_SOURCE_DIR}/steps/step13_meshes/exact/mesh_bvh.cpp)
 if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kernels

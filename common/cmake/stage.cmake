@@ -68,6 +68,9 @@ function(raysteps_stage)
     list(REMOVE_ITEM exact ${RAYSTEPS_EXACT_MESH_BVH})
     if(exact)
         raysteps_exact(${name}_exact ${exact})
+        if(number LESS 13)  # stage 13's includes the reference
+            raysteps_exact_rest(${name} ${reference})
+        endif()
     endif()
 
     set(meshes raysteps_without_meshes)

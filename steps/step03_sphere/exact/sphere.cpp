@@ -5,13 +5,10 @@
 
 #include "common/exact/certain.hpp"
 #include "common/exact/exact_root.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
-namespace rt {
-std::optional<Real> reference_intersect(const Ray&, const Sphere&, Interval);
-}
-#define intersect reference_intersect  // the rest of stage 3 is the reference's
-#include "steps/step03_sphere/reference/sphere.cpp"
-#undef intersect
+#include <cmath>
 
 namespace rt {
 

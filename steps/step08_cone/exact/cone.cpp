@@ -5,13 +5,11 @@
 
 #include "common/exact/certain.hpp"
 #include "common/exact/exact_root.hpp"
+#include "common/math/compensated.hpp"
+#include "common/math/vector.hpp"
 
-namespace rt {
-std::optional<Real> reference_intersect(const Ray&, const Cone&, Interval);
-}
-#define intersect reference_intersect  // the rest of stage 8 is the reference's
-#include "steps/step08_cone/reference/cone.cpp"
-#undef intersect
+#include <array>
+#include <cmath>
 
 namespace rt {
 
