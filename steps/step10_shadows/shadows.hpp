@@ -24,9 +24,9 @@ struct ShadowRay {
 namespace rt {
 
 /// The shadow ray from the surface to the light. Its origin is off the surface, by surface.error or
-/// a little more along surface.geometric_normal, so that it never hits the surface itself.
-/// Everything else between the point and the light is inside the interval; the light and everything
-/// behind it are outside.
+/// a little more along surface.geometric_normal, so that it never hits the surface itself, and it
+/// leads from there to the light. Everything else between the point and the light is inside the
+/// interval; the light, what it lies in, and everything behind it are outside.
 [[nodiscard]] ShadowRay shadow_ray(const ShadingPoint& surface, Vec3 light);
 
 }  // namespace rt

@@ -25,8 +25,9 @@ namespace rt {
 
 /// The point of the light's surface that a shadow ray from the given position aims at. Samples
 /// spread evenly over [0, 1)² give points spread evenly over the visible part of the light: over
-/// its solid angle. From inside the light, and for a light without a size, it is the light's
-/// center.
+/// its solid angle. It is a point of the light for the samples at its rim too, to which a ray may
+/// miss the sphere by a rounding. From inside the light, and for a light without a size, it is the
+/// light's center.
 [[nodiscard]] Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample);
 
 /// The fraction of the light that reaches the surface. `sent` must be positive.

@@ -37,7 +37,8 @@ namespace rt {
 [[nodiscard]] Ray to_object_space(const Ray& ray, const Transform& placement);
 
 /// The closest hit among the mesh's triangles strictly inside the interval, with its barycentric
-/// coordinates; nothing if there is none. Stage 5 intersects a single triangle.
+/// coordinates; nothing if there is none. Each triangle is hit where stage 5's intersect hits it,
+/// so that no ray is lost at an edge that two triangles share.
 [[nodiscard]] std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval);
 
 /// The interpolation of three unit normals with the given weights, scaled to unit length.

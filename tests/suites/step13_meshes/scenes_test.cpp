@@ -108,7 +108,7 @@ Ray draw_shot(Random& random, const Mesh& mesh) {
 
 Verdict none_lost(const Mesh& mesh, Asked asked) {
     const auto model = model_of(mesh, asked);
-    return for_all(
+    Verdict lost = for_all(
         [model](Random& random) {
             const Ray shot = draw_shot(random, model->mesh);
             const MeshInstance instance{.model = model, .placement = random_motion(random)};
@@ -116,6 +116,11 @@ Verdict none_lost(const Mesh& mesh, Asked asked) {
                                 transformed(at(shot, 1), instance.placement));
         },
         2000);
+    if (!lost)
+        lost.sentence +=
+            "\n  Call stage 5's intersect for each triangle: at an edge that two of them "
+            "share, it hits one of them at least.";
+    return lost;
 }
 
 // Scenes.
