@@ -166,11 +166,23 @@ void show_picture(int stage) {
                 summary(comparison).c_str());
 }
 
-void show_cases(const std::vector<Outcome>& all) {
-    for (const Outcome& outcome : all)
-        std::printf("%s\n", outcome.passed()
-                                ? styled("  ✓ " + outcome.in_double.name, Style::dim).c_str()
-                                : styled("  ✗ " + outcome.in_double.name, Style::bad).c_str());
+/// The cases that the starter passes: they say nothing about a file in which something is missing.
+std::set<std::string> passed_by_starter(int stage) {
+    const std::filesystem::path file = project_folder / step_path(stage, "starter/passes.txt");
+    if (!std::filesystem::exists(file)) return {};
+    const std::vector<std::string> lines = lines_of(read_text(file));
+    return {lines.begin(), lines.end()};
+}
+
+void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given) {
+    for (const Outcome& outcome : all) {
+        const std::string& name = outcome.in_double.name;
+        const bool is_given = outcome.passed() && given.count(name) == 1;
+        std::printf("%s\n", !outcome.passed() ? styled("  ✗ " + name, Style::bad).c_str()
+                            : is_given        ? styled("  · " + name, Style::dim).c_str()
+                                              : styled("  ✓ " + name, Style::dim).c_str());
+    }
+    if (!given.empty()) std::printf("%s\n", styled("  · passes unwritten too", Style::dim).c_str());
 }
 
 /// Warns of includes that work here, and are refused when the file is graded.
@@ -256,20 +268,20 @@ int check(int stage) {
     }
     const std::string files = workbook.fingerprint();
     Judgement judgement = judge(name);
-    const bool functions_are_right = judgement.right();
+    const bool functions_are_wrong = !judgement.right() && judgement.written();
     if (workbook.has_trace()) judge_trace(name, judgement);
     remember(judgement, files, workbook);
 
     show_output(judgement.in_double);
-    show_cases(judgement.outcomes);
+    show_cases(judgement.outcomes,
+               judgement.written() ? std::set<std::string>() : passed_by_starter(stage));
     show_warning(stage);
     show_shared_symbols(stage);
     show_refused_includes(workbook);
     show_ungraded_files(workbook);
     explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
-    if (!functions_are_right && judgement.written())
-        show_diagnosis(stage, report_of(name + "_test_double"));
+    if (functions_are_wrong) show_diagnosis(stage, report_of(name + "_test_double"));
     show_references_used(stage);
     show_count(judgement, stage);
     return judgement.right() ? 0 : 1;
