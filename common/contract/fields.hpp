@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/geometry/mesh.hpp"
+#include "common/geometry/shape.hpp"
 #include "common/geometry/transform.hpp"
 #include "common/image/image.hpp"
 #include "common/render/context.hpp"
@@ -19,31 +20,9 @@
 
 namespace rt::contract {
 
-template <class Owner, class Part>
-struct Field {
-    const char* name;
-    Part Owner::*member;
-};
-
-template <class... Fields>
-struct Record {
-    const char* name;
-    std::tuple<Fields...> fields;
-};
-
-template <class Owner, class Part>
-constexpr Field<Owner, Part> field(const char* name, Part Owner::*member) {
-    return {name, member};
-}
-
-template <class... Fields>
-constexpr Record<Fields...> record_of(const char* name, Fields... fields) {
-    return {name, {fields...}};
-}
-
-/// The fields of T, in their order.
+/// The fields of T, in their order: of a shape, those of its kind.
 template <class T>
-inline constexpr auto record = nullptr;
+inline constexpr auto record = shape_record<T>;
 
 template <>
 inline constexpr auto record<Pixel> = record_of("Pixel", field("row", &Pixel::row),
@@ -61,36 +40,6 @@ inline constexpr auto record<Interval> = record_of("Interval", field("min", &Int
 template <>
 inline constexpr auto record<Basis> = record_of("Basis", field("x", &Basis::x),
                                                 field("y", &Basis::y), field("z", &Basis::z));
-template <>
-inline constexpr auto record<Sphere> = record_of("Sphere", field("center", &Sphere::center),
-                                                 field("radius", &Sphere::radius));
-template <>
-inline constexpr auto record<Plane> = record_of("Plane", field("point", &Plane::point),
-                                                field("normal", &Plane::normal));
-template <>
-inline constexpr auto record<Triangle> = record_of("Triangle", field("a", &Triangle::a),
-                                                   field("b", &Triangle::b),
-                                                   field("c", &Triangle::c));
-template <>
-inline constexpr auto record<Square> = record_of("Square", field("center", &Square::center),
-                                                 field("basis", &Square::basis),
-                                                 field("side", &Square::side),
-                                                 field("one_sided", &Square::one_sided));
-template <>
-inline constexpr auto record<Cylinder> = record_of("Cylinder", field("center", &Cylinder::center),
-                                                   field("axis", &Cylinder::axis),
-                                                   field("radius", &Cylinder::radius),
-                                                   field("height", &Cylinder::height));
-template <>
-inline constexpr auto record<Cone> = record_of("Cone", field("apex", &Cone::apex),
-                                               field("axis", &Cone::axis),
-                                               field("radius", &Cone::radius),
-                                               field("height", &Cone::height));
-template <>
-inline constexpr auto record<OrientedBox> = record_of("OrientedBox",
-                                                      field("center", &OrientedBox::center),
-                                                      field("basis", &OrientedBox::basis),
-                                                      field("half_size", &OrientedBox::half_size));
 template <>
 inline constexpr auto record<BoundingBox> = record_of("BoundingBox",
                                                       field("min", &BoundingBox::min),

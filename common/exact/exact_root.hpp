@@ -1,9 +1,10 @@
 // The exact intersection of a ray with a shape. It decides which of several hits is the closest
-// where their rounded t are too close to compare.
+// where their rounded t are too close to compare. The file of each kind of shape in common/geometry
+// declares its `exact_root`: the first root strictly inside the interval, which must contain one.
+// The kind's stage defines it (steps/*/exact).
 #pragma once
 
 #include "common/exact/first_root.hpp"
-#include "common/geometry/shapes.hpp"
 
 namespace rt {
 
@@ -12,12 +13,13 @@ template <class CrossingIn>
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Along<CrossingIn>& shape,
                                                   Interval interval) {
     const InUnits asked(ray, shape.length_unit, interval);
-    auto root = first_root(shape.crossing_in(Dyadic(), asked.ray), asked.interval).root;
+    const auto root = first_root(shape.crossing_in(Dyadic(), asked.ray), asked.interval).root;
     if (!root) return std::nullopt;
+    ExactRoot exact{*root};
     const Dyadic time_unit = asked.time_unit;
-    root->rational = time_unit * root->rational;
-    root->radicand = time_unit * time_unit * root->radicand;
-    return root;
+    exact.rational = time_unit * exact.rational;
+    exact.radicand = time_unit * time_unit * exact.radicand;
+    return exact;
 }
 
 /// The sign of a − b; nothing if one of them is not a number.
@@ -37,20 +39,5 @@ template <class CrossingIn>
     const Dyadic qr = q * r;
     return *whole * sign_of_sum(p * p - qqd - rre, -(qr + qr), a.radicand * b.radicand).value();
 }
-
-// The exact root for each kind of shape; its stage defines it (steps/*/exact).
-
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Sphere& sphere,
-                                                  Interval interval);
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Plane& plane,
-                                                  Interval interval);
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Triangle& triangle,
-                                                  Interval interval);
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Square& square,
-                                                  Interval interval);
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Cylinder& cylinder,
-                                                  Interval interval);
-[[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Cone& cone,
-                                                  Interval interval);
 
 }  // namespace rt

@@ -60,7 +60,7 @@ struct Root {
 };
 
 /// An exactly known root.
-using ExactRoot = Root<Dyadic>;
+struct ExactRoot : Root<Dyadic> {};
 
 /// The intersections of a ray with a surface, in increasing order.
 template <class T>

@@ -35,16 +35,10 @@ private:
     int misses_ = 0;
 };
 
-// Each function logs the quantities by which a document decides whether the ray hits a shape. The
+// Each `explain` logs the quantities by which a document decides whether the ray hits a shape. The
 // shape's stage defines it (in its story.cpp) from the documents' formulas, independent of the
-// stage's `intersect`. Each returns the reason for a miss; an empty string for a hit.
-std::string explain(PixelLog& log, const Ray& ray, const Sphere& sphere);
-std::string explain(PixelLog& log, const Ray& ray, const Plane& plane);
-std::string explain(PixelLog& log, const Ray& ray, const Triangle& triangle);
-std::string explain(PixelLog& log, const Ray& ray, const Square& square);
-std::string explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder);
-std::string explain(PixelLog& log, const Ray& ray, const Cone& cone);
-std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box);
+// stage's `intersect`. Each returns the reason for a miss; an empty string for a hit. The file of
+// each kind of shape in common/geometry declares its own.
 std::string explain(PixelLog& log, const Ray& ray, const MeshInstance& instance);
 
 /// A description, "a mesh of 12 triangles, …": no C++ code that constructs the mesh.

@@ -58,43 +58,6 @@ std::string code(const Basis& basis) {
            field("z", code(basis.z)) + "}";
 }
 
-std::string code(const Sphere& sphere) {
-    return "Sphere{" + field("center", code(sphere.center)) + ", " +
-           field("radius", code(sphere.radius)) + "}";
-}
-
-std::string code(const Plane& plane) {
-    return "Plane{" + field("point", code(plane.point)) + ", " +
-           field("normal", code(plane.normal)) + "}";
-}
-
-std::string code(const Triangle& triangle) {
-    return "Triangle{" + field("a", code(triangle.a)) + ", " + field("b", code(triangle.b)) + ", " +
-           field("c", code(triangle.c)) + "}";
-}
-
-std::string code(const Square& square) {
-    return "Square{" + field("center", code(square.center)) + ", " +
-           field("basis", code(square.basis)) + ", " + field("side", code(square.side)) +
-           (square.one_sided ? ", .one_sided = true}" : "}");
-}
-
-std::string code(const Cylinder& cylinder) {
-    return "Cylinder{" + field("center", code(cylinder.center)) + ", " +
-           field("axis", code(cylinder.axis)) + ", " + field("radius", code(cylinder.radius)) +
-           ", " + field("height", code(cylinder.height)) + "}";
-}
-
-std::string code(const Cone& cone) {
-    return "Cone{" + field("apex", code(cone.apex)) + ", " + field("axis", code(cone.axis)) + ", " +
-           field("radius", code(cone.radius)) + ", " + field("height", code(cone.height)) + "}";
-}
-
-std::string code(const OrientedBox& box) {
-    return "OrientedBox{" + field("center", code(box.center)) + ", " +
-           field("basis", code(box.basis)) + ", " + field("half_size", code(box.half_size)) + "}";
-}
-
 std::string code(const BoundingBox& box) {
     return "BoundingBox{" + field("min", code(box.min)) + ", " + field("max", code(box.max)) + "}";
 }

@@ -3,11 +3,13 @@
 
 #include "common/geometry/bounding_box.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/shape.hpp"
 #include "common/geometry/transform.hpp"
 #include "common/image/pixel.hpp"
 
 #include <string>
+#include <tuple>
+#include <type_traits>
 
 namespace rt {
 
@@ -22,14 +24,25 @@ namespace rt {
 [[nodiscard]] std::string code(const Ray& ray);
 [[nodiscard]] std::string code(Interval interval);
 [[nodiscard]] std::string code(const Basis& basis);
-[[nodiscard]] std::string code(const Sphere& sphere);
-[[nodiscard]] std::string code(const Plane& plane);
-[[nodiscard]] std::string code(const Triangle& triangle);
-[[nodiscard]] std::string code(const Square& square);
-[[nodiscard]] std::string code(const Cylinder& cylinder);
-[[nodiscard]] std::string code(const Cone& cone);
-[[nodiscard]] std::string code(const OrientedBox& box);
 [[nodiscard]] std::string code(const BoundingBox& box);
 [[nodiscard]] std::string code(const Transform& transform);
+
+/// Any kind of shape. A flag that is not set is left out.
+template <KindOfShape Shape>
+[[nodiscard]] std::string code(const Shape& shape) {
+    std::string fields;
+    const auto append = [&fields](const char* name, const auto& value) {
+        std::string text;
+        if constexpr (std::is_same_v<decltype(value), const bool&>)
+            text = value ? "true" : "";
+        else
+            text = code(value);
+        if (!text.empty())
+            fields += std::string(fields.empty() ? "." : ", .") + name + " = " + text;
+    };
+    std::apply([&](const auto&... field) { (append(field.name, shape.*field.member), ...); },
+               shape_record<Shape>.fields);
+    return std::string(shape_record<Shape>.name) + "{" + fields + "}";
+}
 
 }  // namespace rt

@@ -1,7 +1,13 @@
 // The content of a .rt file.
 #pragma once
 
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/cone.hpp"
+#include "common/geometry/cylinder.hpp"
+#include "common/geometry/oriented_box.hpp"
+#include "common/geometry/plane.hpp"
+#include "common/geometry/sphere.hpp"
+#include "common/geometry/square.hpp"
+#include "common/geometry/triangle.hpp"
 #include "common/image/pixel.hpp"
 #include "common/scene/axes.hpp"
 #include "common/scene/mesh_instance.hpp"
@@ -12,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 namespace rt {
@@ -78,8 +85,10 @@ struct Scene {
 };
 
 /// A kind of shape: its list, the stage that brings it, and its names.
-template <class Shape>
+template <KindOfShape Shape>
 struct ShapeKind {
+    static_assert(BoundedKindOfShape<Shape> || std::is_same_v<Shape, Plane>);
+
     PrimitiveList<Shape> Scene::*primitives;
     int stage;
     const char* one;

@@ -42,8 +42,8 @@ void take_in(InputRounding& scene, const auto& primitives) {
     for (const auto& primitive : primitives) {
         const auto& shape = primitive.shape;  // clang++ 14 tests no structured binding by requires
         scene.largest = std::max(scene.largest, double(largest_coordinate(shape)));
-        if constexpr (requires { size(shape); })
-            if (const double feature = size(shape); feature > 0)
+        if constexpr (requires { smallest_width(shape); })
+            if (const double feature = smallest_width(shape); feature > 0)
                 scene.smallest = scene.smallest == 0 ? feature : std::min(scene.smallest, feature);
     }
 }
@@ -70,8 +70,9 @@ std::vector<Surface> bounded_surfaces(const Scene& scene) {
             if constexpr (requires { bounds(shape); })
                 surfaces.push_back(
                     {.box = bounds(shape),
-                     .point = [&shape](Vec2 place) { return point_of(shape, place); },
-                     .distance = [&shape](Vec3 point) { return distance(point, shape); }});
+                     .point = [&shape](Vec2 place) { return surface_point(shape, place); },
+                     .distance =
+                         [&shape](Vec3 point) { return distance_to_surface(point, shape); }});
         }
     };
     for_each_kind(scene, take);
@@ -91,7 +92,9 @@ Real smallest_gap(const Scene& scene, Real widest) {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         const Surface& a = surfaces[i];
         for (const auto& plane : scene.planes) {
-            const auto to_plane = [&](Vec3 point) { return distance(point, plane.shape); };
+            const auto to_plane = [&](Vec3 point) {
+                return distance_to_surface(point, plane.shape);
+            };
             const Real middle = to_plane(a.box.min / Real(2) + a.box.max / Real(2));
             if (!(middle - length(a.box.max - a.box.min) < widest)) continue;
             consider(gap(a, to_plane));

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/sphere.hpp"
 
 #include <optional>
 

@@ -6,8 +6,8 @@
 //   n              plane.normal
 #pragma once
 
+#include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
 
 #include <optional>
 

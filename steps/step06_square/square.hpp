@@ -8,7 +8,7 @@
 #pragma once
 
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/square.hpp"
 
 #include <optional>
 

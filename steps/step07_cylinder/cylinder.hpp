@@ -6,8 +6,8 @@
 //   z_p            ⟨p − o, Z⟩
 #pragma once
 
+#include "common/geometry/cylinder.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
 
 #include <optional>
 

@@ -10,6 +10,7 @@
 
 #include "common/geometry/bounding_box.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/geometry/oriented_box.hpp"
 #include "common/geometry/ray.hpp"
 #include "common/geometry/transform.hpp"
 

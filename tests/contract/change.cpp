@@ -100,12 +100,6 @@ Interval divided(Interval interval, Real length) {
     return {.min = interval.min / length, .max = interval.max / length};
 }
 
-Basis rotated(const Basis& basis, const Transform& transform) {
-    return {.x = rt::rotated(basis.x, transform),
-            .y = rt::rotated(basis.y, transform),
-            .z = rt::rotated(basis.z, transform)};
-}
-
 BoundingBox transformed(const BoundingBox& box, const Transform& transform) {
     const Vec3 a = rt::transformed(box.min, transform);
     const Vec3 b = rt::transformed(box.max, transform);
@@ -119,7 +113,7 @@ Mesh transformed(Mesh mesh, const Transform& transform) {
 }
 
 Transform transformed(const Transform& placement, const Transform& transform) {
-    return {.rotation = rotated(placement.rotation, transform),
+    return {.rotation = rt::rotated(placement.rotation, transform),
             .scale = transform.scale * placement.scale,
             .translation = rt::transformed(placement.translation, transform)};
 }

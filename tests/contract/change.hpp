@@ -51,7 +51,6 @@ void draw_change(const std::string& name, bool exact);
 [[nodiscard]] Ray transformed(const Ray& ray, const Transform& transform, Real length = 1);
 [[nodiscard]] Ray moved_back(const Ray& ray, const Transform& transform, Real length = 1);
 [[nodiscard]] Interval divided(Interval interval, Real length);
-[[nodiscard]] Basis rotated(const Basis& basis, const Transform& transform);
 [[nodiscard]] BoundingBox transformed(const BoundingBox& box, const Transform& transform);
 [[nodiscard]] Mesh transformed(Mesh mesh, const Transform& transform);
 /// The placement, and the motion after it.

@@ -6,7 +6,7 @@
 
 #include "tests/kit/verdict.hpp"
 
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/sphere.hpp"
 
 namespace rt {
 

@@ -1,7 +1,13 @@
 // Places on shapes of every kind.
 #pragma once
 
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/cone.hpp"
+#include "common/geometry/cylinder.hpp"
+#include "common/geometry/oriented_box.hpp"
+#include "common/geometry/plane.hpp"
+#include "common/geometry/sphere.hpp"
+#include "common/geometry/square.hpp"
+#include "common/geometry/triangle.hpp"
 #include "common/math/vector.hpp"
 
 #include "tests/kit/random.hpp"

@@ -1,8 +1,13 @@
 // The inputs of a stage, converted exactly from floats.
 #pragma once
 
+#include "common/geometry/cone.hpp"
+#include "common/geometry/cylinder.hpp"
+#include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/sphere.hpp"
+#include "common/geometry/square.hpp"
+#include "common/geometry/triangle.hpp"
 #include "tests/oracle/camera.hpp"
 #include "tests/oracle/shapes.hpp"
 

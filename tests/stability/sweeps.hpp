@@ -1,8 +1,13 @@
 // Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades.
 #pragma once
 
+#include "common/geometry/cone.hpp"
+#include "common/geometry/cylinder.hpp"
+#include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/sphere.hpp"
+#include "common/geometry/square.hpp"
+#include "common/geometry/triangle.hpp"
 #include "tests/kit/random.hpp"
 
 #include <string>

@@ -3,6 +3,7 @@
 
 #include "common/bvh/bvh.hpp"
 #include "common/geometry/bounds.hpp"
+#include "common/geometry/triangle.hpp"
 
 #include "tests/kit/meshes.hpp"
 #include "tests/kit/shape_checks.hpp"

@@ -1,6 +1,7 @@
 // Values and errors as text.
 
 #include "common/explain/text.hpp"
+#include "common/scene/scene.hpp"
 #include "common/system/input_error.hpp"
 
 #include "tests/kit/for_all.hpp"

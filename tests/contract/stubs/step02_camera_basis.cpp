@@ -52,10 +52,9 @@ Ray to_world(const Ray& ray, const Basis& basis, Vec3 position) {
     const Transform& transform = change->any;
     const Ray grown{.origin = transform.scale * ray.origin,
                     .direction = change->length * transform.scale * ray.direction};
-    return contract::moved_back(
-        contract::ask<2, "to_world">(grown, contract::rotated(basis, transform),
-                                     transformed(position, transform)),
-        transform, change->length);
+    return contract::moved_back(contract::ask<2, "to_world">(grown, rt::rotated(basis, transform),
+                                                             transformed(position, transform)),
+                                transform, change->length);
 }
 
 Mat4 view_matrix(const Basis& basis, Vec3 position) {
@@ -63,7 +62,7 @@ Mat4 view_matrix(const Basis& basis, Vec3 position) {
     if (change == nullptr) return contract::ask<2, "view_matrix">(basis, position);
     Transform transform = change->any;
     transform.scale = 1;  // a view has the world's
-    return contract::ask<2, "view_matrix">(contract::rotated(basis, transform),
+    return contract::ask<2, "view_matrix">(rt::rotated(basis, transform),
                                            transformed(position, transform)) *
            contract::matrix_of(transform);
 }

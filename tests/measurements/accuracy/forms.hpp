@@ -1,8 +1,13 @@
 // All forms of intersecting each shape in this repository, with one signature.
 #pragma once
 
+#include "common/geometry/cone.hpp"
+#include "common/geometry/cylinder.hpp"
+#include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/sphere.hpp"
+#include "common/geometry/square.hpp"
+#include "common/geometry/triangle.hpp"
 #include "tests/measurements/accuracy/precision.hpp"
 
 #include <optional>

@@ -1,5 +1,6 @@
 // Meshes against CR §4.2, and interpolated normals against CR §6.
 #include "steps/step13_meshes/meshes.hpp"
+#include "common/geometry/triangle.hpp"
 
 #include "tests/kit/shape_checks.hpp"
 #include "tests/suites/step13_meshes/meshes.hpp"

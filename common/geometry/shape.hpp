@@ -1,0 +1,73 @@
+// What the program needs of each kind of shape. The kind has a file of its own, such as sphere.hpp,
+// with its struct and these functions; README.md lists the other places that a new kind needs.
+#pragma once
+
+#include "common/geometry/bounding_box.hpp"
+#include "common/geometry/bounding_sphere.hpp"
+#include "common/geometry/projection.hpp"
+#include "common/geometry/ray.hpp"
+#include "common/geometry/transform.hpp"
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace rt {
+
+// Types of other rooms, for the functions that a kind's file declares and its stage defines.
+class PixelLog;  // common/explain
+inline namespace RT_PRECISION {
+struct ExactRoot;  // common/exact
+}
+
+/// A field of a struct: its name, and the pointer to the member.
+template <class Owner, class Part>
+struct Field {
+    const char* name;
+    Part Owner::*member;
+};
+
+/// The name and the fields of a struct.
+template <class... Fields>
+struct Record {
+    const char* name;
+    std::tuple<Fields...> fields;
+};
+
+template <class Owner, class Part>
+constexpr Field<Owner, Part> field(const char* name, Part Owner::*member) {
+    return {name, member};
+}
+
+template <class... Fields>
+constexpr Record<Fields...> record_of(const char* name, Fields... fields) {
+    return {name, {fields...}};
+}
+
+/// The fields of a kind of shape, in their order; nothing for other types.
+template <class Shape>
+inline constexpr auto shape_record = nullptr;
+
+/// What every kind of shape has.
+template <class T>
+concept KindOfShape = requires(const T& shape, const Transform& transform, Vec3 point) {
+    shape_record<T>.fields;  // for its text and its bytes
+    { transformed(shape, transform) } -> std::same_as<T>;
+    { snapped_to(shape, point) } -> std::same_as<PointWithError>;  // projection.hpp
+    // For checks of a scene before it is rendered, from here on.
+    { distance_to_surface(point, shape) } -> std::same_as<Real>;
+};
+
+/// What every kind of shape except the plane has in addition.
+template <class T>
+concept BoundedKindOfShape = KindOfShape<T> && requires(const T& shape, Vec2 place) {
+    { bounds(shape) } -> std::same_as<BoundingBox>;  // padded, as the bounding sphere
+    { bounding_sphere(shape) } -> std::same_as<BoundingSphere>;
+    { shape == shape } -> std::same_as<bool>;  // for copies in a hierarchy
+    // For checks of a scene before it is rendered, from here on.
+    { smallest_width(shape) } -> std::same_as<Real>;
+    { surface_point(shape, place) } -> std::same_as<Vec3>;
+};
+
+}  // namespace rt
