@@ -13,7 +13,8 @@ namespace rt {
 
 /// The right-handed orthonormal basis whose z points along `z` (any non-zero length) and whose x is
 /// horizontal: x is along (0, 1, 0) × z, or (1, 0, 0) if z is exactly vertical. The error of each
-/// component is at most 10 u, however close z is to the vertical.
+/// component is at most 10 u, however close z is to the vertical, and however long or short: `unit`
+/// in vector.hpp keeps this, GLM's normalize does not, because it squares the length.
 [[nodiscard]] Basis orthonormal_basis(Vec3 z);
 
 /// The basis of a camera that faces `direction` (any non-zero length): its z points backward.

@@ -15,14 +15,15 @@ namespace rt {
 
 /// The smallest t strictly inside the interval at which the ray hits the sphere, from outside or
 /// from inside. Returns nothing if there is none, or if a coordinate is NaN. A tangent ray hits the
-/// sphere.
+/// sphere. The sphere, the direction and t may be of any size: there is no epsilon.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Sphere& sphere,
                                             Interval interval);
 
 /// The outward unit normal at a point of the sphere.
 [[nodiscard]] Vec3 normal(const Sphere& sphere, Vec3 point);
 
-/// M1's color of an orientation: |x|, |y|, |z| of the unit normal as red, green, blue.
+/// M1's color of an orientation: |x|, |y|, |z| of the unit normal as red, green, blue. The
+/// parameter may have any length.
 [[nodiscard]] Color color_from_normal(Vec3 normal);
 
 /// M1's torch at the eye: the cosine of the angle θ between the normal and the direction from the

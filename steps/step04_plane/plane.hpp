@@ -15,7 +15,7 @@ namespace rt {
 
 /// The t strictly inside the interval at which the ray hits the plane, from either side. Returns
 /// nothing if there is none, if the ray runs in the plane or parallel to it, or if a coordinate is
-/// NaN.
+/// NaN. The direction, its angle to the plane and t may be of any size: there is no epsilon.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval);
 
 /// The plane's normal scaled to unit length, the same at every point.

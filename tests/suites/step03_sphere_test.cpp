@@ -5,6 +5,7 @@
 
 #include "tests/kit/picture.hpp"
 #include "tests/kit/shape_checks.hpp"
+#include "tests/kit/units.hpp"
 
 using namespace rt;
 
@@ -17,6 +18,16 @@ Sample<Sphere> draw(Random& random) {
     const Sphere sphere{.center = random.point(3), .radius = random.between(Real(0.5), 2)};
     const Vec3 normal = random.direction();
     return {.shape = sphere, .point = sphere.center + sphere.radius * normal, .normal = normal};
+}
+
+/// Through a point outside, at right angles to the line to the center: no other point is closer.
+Past<Sphere> draw_past(Random& random) {
+    const Sphere sphere = draw(random).shape;
+    const Basis basis = random.basis();
+    const Real distance = sphere.radius * random.between(Real(1.01), 2);
+    const Vec3 passed = sphere.center + distance * basis.x;
+    const Real back = random.between(-4, 4);
+    return {.ray = {.origin = passed - back * basis.y, .direction = basis.y}, .shape = sphere};
 }
 
 /// In eighths, the radius a power of two: with rays along the axes nothing is rounded.
@@ -51,8 +62,6 @@ TEST_CASE("situation B, as it is given and as it is worked, is a miss (PHY)") {
     const Ray ray{.origin = {3, 2, 0}, .direction = {0, -3, 5}};
     CHECK(misses(ray, Sphere{.center = {1, 0, -3}, .radius = 3}));
     CHECK(misses(ray, Sphere{.center = {1, -3, 0}, .radius = 3}));
-    // With a radius that reaches it: A = 34, B = −30, C = 29 − 36 = −7, and t its positive root.
-    CHECK(hits(ray, Sphere{.center = {1, -3, 0}, .radius = 6}, (30 + std::sqrt(Real(1852))) / 68));
 }
 
 TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exact]") {
@@ -71,6 +80,9 @@ TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exa
 TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root)") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, unit_sphere, 1));
     CHECK(hits(Ray{.origin = {0, 0, Real(0.5)}, .direction = {0, 0, -1}}, unit_sphere, Real(1.5)));
+    // PHY's situation B with a radius that reaches the origin: A = 34, B = −30, C = 29 − 36 = −7.
+    CHECK(hits(Ray{.origin = {3, 2, 0}, .direction = {0, -3, 5}},
+               Sphere{.center = {1, -3, 0}, .radius = 6}, (30 + std::sqrt(Real(1852))) / 68));
     CHECK(for_all([](Random& random) {
         const Sample<Sphere> sample = draw(random);
         const Real depth = random.between(Real(0.1), Real(0.9));
@@ -96,12 +108,6 @@ TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)
     }));
 }
 
-TEST_CASE("near hits count as much as far ones (CR §2.1)") {
-    CHECK(
-        hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
-    CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
-}
-
 TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") {
     CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 4, .max = infinity}));
     CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 5, .max = 7}));
@@ -110,21 +116,32 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
+TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
+    CHECK(
+        hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
+    CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
+    CHECK(hits_in(tiny_t, draw));
+}
+
+TEST_CASE("small spheres and short directions count: no epsilon on Δ or ‖d‖² (contract)") {
+    CHECK(hits_in(tiny_shape, draw));
+    CHECK(hits_in(short_direction, draw));
+    CHECK(misses_in(tiny_shape, draw_past));
+    CHECK(misses_in(short_direction, draw_past));
+}
+
 TEST_CASE("rays aimed at a point of the sphere meet it there (MRT §3)") {
     CHECK(aimed_rays_hit(draw));
 }
 
 TEST_CASE("rays aimed past the sphere miss it (MRT §3)") {
-    CHECK(for_all([](Random& random) {
-        const Sample<Sphere> sample = draw(random);
-        // Through a point outside, at right angles to the line to the center: no other point is
-        // closer.
-        const Basis basis = random.basis();
-        const Real distance = sample.shape.radius * random.between(Real(1.01), 2);
-        const Vec3 passed = sample.shape.center + distance * basis.x;
-        const Real back = random.between(-4, 4);
-        return misses({.origin = passed - back * basis.y, .direction = basis.y}, sample.shape);
-    }));
+    CHECK(misses_in({}, draw_past));
+}
+
+TEST_CASE("the normal points away from the center, with unit length (M1)") {
+    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
+    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
+    CHECK(normals_point_outward(draw));
 }
 
 TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
@@ -133,12 +150,6 @@ TEST_CASE("a hit is the same hit after everything has moved, turned and grown (H
 
 TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
-}
-
-TEST_CASE("the normal points away from the center, with unit length (M1)") {
-    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
-    CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
-    CHECK(normals_point_outward(draw));
 }
 
 TEST_CASE("the closest of several spheres is seen, in any order (M1, CR §2.1)") {
@@ -169,12 +180,16 @@ TEST_CASE("a normal's color is the size of its coordinates (M1)") {
 TEST_CASE("the torch lights by the cosine between normal and eye (M1)") {
     const Vec3 point(1, 1, 1);
     const Vec3 eye(1, 1, 4);
-    CHECK(close(torch(point, {0, 0, 1}, eye), 1));
-    CHECK(close(torch(point, {0, 3, 4}, eye), Real(0.8)));
-    CHECK(close(torch(point, {1, 0, 0}, eye), 0));
-    CHECK(close(torch(point, {0, 0, -1}, eye), 0));
-    CHECK(close(torch(point, {0, 0, 1}, Vec3(4, 1, 5)), Real(0.8)));
-    CHECK(torch(point, {0, 0, 1}, point) == 0);  // no direction, hence no angle
+    const auto lights = [](Vec3 p, Vec3 n, Vec3 viewer, Real expected) {
+        return gives("torch(" + code(p) + ", " + code(n) + ", " + code(viewer) + ")",
+                     torch(p, n, viewer), expected);
+    };
+    CHECK(lights(point, {0, 0, 1}, eye, 1));
+    CHECK(lights(point, {0, 3, 4}, eye, Real(0.8)));
+    CHECK(lights(point, {1, 0, 0}, eye, 0));
+    CHECK(lights(point, {0, 0, -1}, eye, 0));
+    CHECK(lights(point, {0, 0, 1}, Vec3(4, 1, 5), Real(0.8)));
+    CHECK(lights(point, {0, 0, 1}, point, 0));  // no direction, hence no angle
 }
 
 TEST_CASE("the picture of the stage (HAI; CR §2.2)") {

@@ -3,6 +3,7 @@
 
 #include "tests/kit/picture.hpp"
 #include "tests/kit/shape_checks.hpp"
+#include "tests/kit/units.hpp"
 
 using namespace rt;
 
@@ -40,6 +41,21 @@ Sample<Triangle> draw(Random& random) {
     return {.shape = triangle,
             .point = weighted(triangle, inner_weights(random)),
             .normal = n / std::sqrt(dot(n, n))};
+}
+
+/// A ray at a point of the plane whose weight of a random corner is this.
+Aimed<Triangle> aimed_with_weight(Real weight, Random& random) {
+    Sample<Triangle> sample = draw(random);
+    const Real part = random.between(Real(0.2), Real(0.8)) * (1 - weight);
+    Vec3 w(weight, part, 1 - weight - part);
+    std::swap(w.x, w[random.below(3)]);
+    sample.point = weighted(sample.shape, w);
+    return aimed_from_outside(sample, random);
+}
+
+Past<Triangle> draw_past(Random& random) {
+    const auto aimed = aimed_with_weight(-random.between(Real(0.1), 1), random);
+    return {.ray = aimed.ray, .shape = aimed.shape};
 }
 
 /// A ray at right angles meets the point with these weights, where nothing is rounded: corners in
@@ -165,15 +181,18 @@ TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") 
     }));
 }
 
-TEST_CASE("a grazing ray meets the triangle (MRT §5)", "[exact]") {
-    const Real slope = std::ldexp(Real(1), -12);
-    CHECK(hits(Ray{.origin = {1, -4, 5 * slope}, .direction = {0, 1, -slope}}, right_angled, 5));
-    CHECK(for_all([slope](Random& random) {
-        const Vec3 point(Real(1 + random.below(15)) / 8, Real(1 + random.below(15)) / 8, 0);
-        const Real t = random.eighths(1, 9);
-        const Vec3 direction(0, 1, -slope);
-        return hits({.origin = point - t * direction, .direction = direction}, right_angled, t);
-    }));
+TEST_CASE("a grazing ray meets the triangle: there is no epsilon (MRT §5)", "[exact]") {
+    for (const int power : {-12, -40, -60}) {
+        const Real slope = std::ldexp(Real(1), power);
+        CHECK(
+            hits(Ray{.origin = {1, -4, 5 * slope}, .direction = {0, 1, -slope}}, right_angled, 5));
+        CHECK(for_all([slope](Random& random) {
+            const Vec3 point(Real(1 + random.below(15)) / 8, Real(1 + random.below(15)) / 8, 0);
+            const Real t = random.eighths(1, 9);
+            const Vec3 direction(0, 1, -slope);
+            return hits({.origin = point - t * direction, .direction = direction}, right_angled, t);
+        }));
+    }
 }
 
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {
@@ -188,21 +207,44 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
+TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[exact]") {
+    const Real near = std::ldexp(Real(1), -20);
+    CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, right_angled, near));
+    CHECK(hits_in(tiny_t, draw));
+}
+
+TEST_CASE("small triangles and short directions count: no epsilon on the determinant (contract)") {
+    CHECK(hits_in(tiny_shape, draw));
+    CHECK(hits_in(short_direction, draw));
+    CHECK(misses_in(tiny_shape, draw_past));
+    CHECK(misses_in(short_direction, draw_past));
+}
+
 TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
     CHECK(aimed_rays_hit(draw));
 }
 
 TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
+    CHECK(misses_in({}, draw_past));
+}
+
+TEST_CASE("the triangle ends at its edges, and not 0.1 % further (MRT §5)") {
     CHECK(for_all([](Random& random) {
-        Sample<Triangle> sample = draw(random);
-        // One weight negative: outside the edge opposite to that corner.
-        Vec3 w = inner_weights(random);
-        const int beyond = random.below(3);
-        w[beyond] = -random.between(Real(0.1), 1);
-        sample.point = weighted(sample.shape, w / (w.x + w.y + w.z));
-        const auto aimed = aimed_from_outside(sample, random);
-        return w.x + w.y + w.z < Real(0.1) ? Verdict{} : misses(aimed.ray, aimed.shape);
+        const Real weight = random.between(Real(0.0001), Real(0.0009));
+        if (random.coin()) {
+            const auto inside = aimed_with_weight(weight, random);
+            return hits(inside.ray, inside.shape, inside.t);
+        }
+        const auto outside = aimed_with_weight(-weight, random);
+        return misses(outside.ray, outside.shape);
     }));
+}
+
+TEST_CASE("the normal points to the side from which a, b, c are counterclockwise (MRT §5)") {
+    CHECK(normal_is(right_angled, {1, 1, 0}, {0, 0, 1}));
+    CHECK(
+        normal_is(Triangle{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}}, {1, 1, 0}, {0, 0, -1}));
+    CHECK(normals_point_outward(draw));
 }
 
 TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
@@ -237,13 +279,6 @@ TEST_CASE("beyond an edge the opposite corner's weight is negative (M1)") {
         gives("the weights of (-4, 0, 0)", barycentric(right_angled, {-4, 0, 0}), Vec3(2, -1, 0)));
     CHECK(gives("the weights of (0, -2, 0)", barycentric(right_angled, {0, -2, 0}),
                 Vec3(Real(1.5), 0, Real(-0.5))));
-}
-
-TEST_CASE("the normal points to the side from which a, b, c are counterclockwise (MRT §5)") {
-    CHECK(normal_is(right_angled, {1, 1, 0}, {0, 0, 1}));
-    CHECK(
-        normal_is(Triangle{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}}, {1, 1, 0}, {0, 0, -1}));
-    CHECK(normals_point_outward(draw));
 }
 
 TEST_CASE("the picture of the stage (MRT §5)") {

@@ -3,8 +3,10 @@
 #include "steps/step02_camera_basis/camera_basis.hpp"
 #include "steps/step06_square/square.hpp"
 
+#include "tests/kit/nearly_vertical.hpp"
 #include "tests/kit/picture.hpp"
 #include "tests/kit/shape_checks.hpp"
+#include "tests/kit/units.hpp"
 
 #include "common/scene_file/reader.hpp"
 
@@ -31,6 +33,30 @@ Sample<Square> draw(Random& random) {
     return {.shape = square,
             .point = square.center + x * square.basis.x + y * square.basis.y,
             .normal = square.basis.z};
+}
+
+/// A ray at a point whose larger coordinate is this many halves of a side.
+Aimed<Square> aimed_at_frame(const Square& square, Real halves, Random& random) {
+    Vec2 p(random.between(Real(-0.9), Real(0.9)), random.between(Real(-0.9), Real(0.9)));
+    p[random.below(2)] = random.coin() ? -halves : halves;
+    p *= square.side / 2;
+    const Vec3 point = square.center + p.x * square.basis.x + p.y * square.basis.y;
+    return aimed_from_outside<Square>({square, point, square.basis.z}, random);
+}
+
+Past<Square> draw_past(Random& random) {
+    const Square square = draw_square(random);
+    const auto aimed = aimed_at_frame(square, random.between(Real(1.1), 2), random);
+    return {.ray = aimed.ray, .shape = square};
+}
+
+/// A ray at a point near the frame hits, or passes, a square with this frame.
+Verdict ends_at_frame(const Square& square, Real margin, Random& random) {
+    if (random.coin()) {
+        const auto inside = aimed_at_frame(square, 1 - margin, random);
+        return hits(inside.ray, square, inside.t);
+    }
+    return misses(aimed_at_frame(square, 1 + margin, random).ray, square);
 }
 
 }  // namespace
@@ -97,6 +123,11 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
     CHECK(misses(from_below, front_only));
 }
 
+TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+    CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, flat));
+    CHECK(nothing_behind_is_hit(draw));
+}
+
 TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HAI, CR §2.4)") {
     const Scene scene =
         load_scene(project_file("scenes/cornell_box.rt"), orthonormal_basis, {.strict = true});
@@ -117,11 +148,6 @@ TEST_CASE("the Cornell box is visible from its front, and opaque from inside (HA
                   "From inside the front wall is seen, 1 ahead: came " + got_text(out)));
 }
 
-TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
-    CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, flat));
-    CHECK(nothing_behind_is_hit(draw));
-}
-
 TEST_CASE("a ray in the square's plane misses (MRT §6)", "[exact]") {
     CHECK(misses(Ray{.origin = {-5, 0, 0}, .direction = {1, 0, 0}}, flat));
     CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {1, 0, 0}}, flat));
@@ -129,14 +155,20 @@ TEST_CASE("a ray in the square's plane misses (MRT §6)", "[exact]") {
 }
 
 TEST_CASE("a grazing ray meets the square: there is no epsilon (MRT §6)", "[exact]") {
-    const Real slope = std::ldexp(Real(1), -20);
-    CHECK(hits(Ray{.origin = {0, -4, 5 * slope}, .direction = {0, 1, -slope}}, flat, 5));
-    CHECK(for_all([slope](Random& random) {
-        const Vec3 point(random.eighths(-1, 1), random.eighths(-1, 1), 0);
-        const Real t = random.eighths(1, 9);
-        const Vec3 direction(0, 1, -slope);
-        return hits({.origin = point - t * direction, .direction = direction}, flat, t);
-    }));
+    Square front_only = flat;
+    front_only.one_sided = true;
+    for (const int power : {-20, -40, -60}) {
+        const Real slope = std::ldexp(Real(1), power);
+        const Ray ray{.origin = {0, -4, 5 * slope}, .direction = {0, 1, -slope}};
+        CHECK(hits(ray, flat, 5));
+        CHECK(hits(ray, front_only, 5));
+        CHECK(for_all([slope](Random& random) {
+            const Vec3 point(random.eighths(-1, 1), random.eighths(-1, 1), 0);
+            const Real t = random.eighths(1, 9);
+            const Vec3 direction(0, 1, -slope);
+            return hits({.origin = point - t * direction, .direction = direction}, flat, t);
+        }));
+    }
 }
 
 TEST_CASE("t counts in the length of the direction (PHY, any v)") {
@@ -150,28 +182,37 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
+TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[exact]") {
+    const Real near = std::ldexp(Real(1), -20);
+    CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, flat, near));
+    CHECK(hits_in(tiny_t, draw));
+}
+
+TEST_CASE("small squares and short directions count: no epsilon on ⟨d, Z⟩ (contract)") {
+    CHECK(hits_in(tiny_shape, draw));
+    CHECK(hits_in(short_direction, draw));
+    CHECK(misses_in(tiny_shape, draw_past));
+    CHECK(misses_in(short_direction, draw_past));
+}
+
 TEST_CASE("rays aimed at a point of the square meet it there (MRT §6)") {
     CHECK(aimed_rays_hit(draw));
 }
 
 TEST_CASE("rays aimed at its plane beside the square miss (MRT §6)") {
+    CHECK(misses_in({}, draw_past));
+}
+
+TEST_CASE("the square ends at its edges, and not 0.1 % further (MRT §6)") {
     CHECK(for_all([](Random& random) {
         const Square square = draw_square(random);
-        Vec2 p(random.between(-1, 1), random.between(-1, 1));
-        p[random.below(2)] = (random.coin() ? -1 : 1) * random.between(Real(1.1), 2);
-        p *= square.side / 2;
-        const Vec3 point = square.center + p.x * square.basis.x + p.y * square.basis.y;
-        const auto aimed = aimed_from_outside<Square>({square, point, square.basis.z}, random);
-        return misses(aimed.ray, square);
+        return ends_at_frame(square, random.between(Real(0.0001), Real(0.0009)), random);
     }));
 }
 
-TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
-    CHECK(motion_changes_nothing(draw));
-}
-
-TEST_CASE("a ray or shape with NaN is a miss (contract)") {
-    CHECK(nan_misses(draw));
+TEST_CASE("the normal is the square's Z (MRT §6)") {
+    CHECK(normal_is(flat, {1, 1, 0}, {0, 0, 1}));
+    CHECK(normals_point_outward(draw));
 }
 
 TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum 10, HAI)") {
@@ -190,9 +231,29 @@ TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum
     }));
 }
 
-TEST_CASE("the normal is the square's Z (MRT §6)") {
-    CHECK(normal_is(flat, {1, 1, 0}, {0, 0, 1}));
-    CHECK(normals_point_outward(draw));
+TEST_CASE("x and y are the basis', however near its Z is to the vertical (contract)") {
+    CHECK(for_all([](Random& random) {
+        Square square = draw_square(random);
+        square.basis = nearly_vertical_basis(random);
+        return ends_at_frame(square, random.between(Real(0.0002), Real(0.2)), random);
+    }));
+    CHECK(for_all([](Random& random) {
+        Square square = draw_square(random);
+        square.basis = nearly_vertical_basis(random);
+        const Vec2 uv(random.between(0, 1), random.between(0, 1));
+        const Vec2 p = square.side * (uv - Real(0.5));
+        const Vec3 point = square.center + p.x * square.basis.x + p.y * square.basis.y;
+        return gives("square_uv(" + code(square) + ", " + code(point) + ")",
+                     square_uv(square, point), uv);
+    }));
+}
+
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+    CHECK(motion_changes_nothing(draw));
+}
+
+TEST_CASE("a ray or shape with NaN is a miss (contract)") {
+    CHECK(nan_misses(draw));
 }
 
 TEST_CASE("the picture of the stage (MRT §6, HAI)") {

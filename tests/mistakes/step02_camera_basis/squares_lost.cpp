@@ -1,6 +1,6 @@
 // origin: invented: v / √⟨v, v⟩ of a very short or very long v
 // caught by: the direction has any length but zero (MRT §2)
-// sentence: You square the direction's components: a very short one's squares are 0, a very long one's ∞. Divide by the largest component first.
+// sentence: You square the direction's components: a very short one's squares are 0, a very long one's ∞. Take unit(v), or divide by the largest component first.
 #define orthonormal_basis(...) correct_basis_around(__VA_ARGS__)
 #define camera_basis(...) correct_camera_basis(__VA_ARGS__)
 #include "steps/step02_camera_basis/reference/camera_basis.cpp"

@@ -1,5 +1,5 @@
 // origin: seen in student repositories
-// caught by: a hit is the same hit after everything has moved, turned and grown (HAI)
+// caught by: small spheres and short directions count: no epsilon on Δ or ‖d‖² (contract)
 // sentence: You compare Δ with a constant. Δ grows with the fourth power of the scene: a small sphere is lost.
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"

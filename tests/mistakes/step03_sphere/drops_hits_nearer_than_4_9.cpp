@@ -1,5 +1,5 @@
 // origin: CR §2.1 listing, erratum 13
-// caught by: near hits count as much as far ones (CR §2.1)
+// caught by: near hits count as much as far ones: no epsilon on t (CR §2.1)
 // sentence: You drop what is nearer than some distance. Only t ≤ 0 is dropped (PHY).
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #include "steps/step03_sphere/reference/sphere.cpp"
