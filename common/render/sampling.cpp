@@ -1,5 +1,7 @@
 #include "common/render/sampling.hpp"
 
+#include "common/system/hash.hpp"
+
 namespace rt {
 
 namespace {
@@ -10,16 +12,6 @@ std::uint32_t reversed(std::uint32_t bits) {
     bits = ((bits & 0x0f0f0f0fU) << 4) | ((bits & 0xf0f0f0f0U) >> 4);
     bits = ((bits & 0x33333333U) << 2) | ((bits & 0xccccccccU) >> 2);
     return ((bits & 0x55555555U) << 1) | ((bits & 0xaaaaaaaaU) >> 1);
-}
-
-/// A hash in which every bit of the result depends on every bit of the value (Appleby's finalizer
-/// of MurmurHash3).
-std::uint32_t mixed(std::uint32_t value) {
-    value ^= value >> 16;
-    value *= 0x85ebca6bU;
-    value ^= value >> 13;
-    value *= 0xc2b2ae35U;
-    return value ^ (value >> 16);
 }
 
 /// Flips each bit or not, depending on the seed and the bits below it (Burley 2020, after Laine and
@@ -54,15 +46,15 @@ Real to_unit_interval(std::uint32_t bits) {
 Vec2 RT_PRECISION::spread_sample(std::uint32_t index, std::uint32_t seed) {
     const std::uint32_t first =
         reversed(flipped(index, seed));  // the first dimension is the bit-reversed index
-    const std::uint32_t second = reversed(flipped(sobol_second(index), mixed(seed)));
+    const std::uint32_t second = reversed(flipped(sobol_second(index), mixed_bits(seed)));
     return {to_unit_interval(first), to_unit_interval(second)};
 }
 
 std::uint32_t RT_PRECISION::sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce) {
-    std::uint32_t seed = mixed(std::uint32_t(pixel.row) + 1);
-    seed = mixed(seed ^ (std::uint32_t(pixel.column) + 1));
-    seed = mixed(seed ^ (light + 1));
-    return mixed(seed ^ (bounce + 1));
+    std::uint32_t seed = mixed_bits(std::uint32_t(pixel.row) + 1);
+    seed = mixed_bits(seed ^ (std::uint32_t(pixel.column) + 1));
+    seed = mixed_bits(seed ^ (light + 1));
+    return mixed_bits(seed ^ (bounce + 1));
 }
 
 }  // namespace rt

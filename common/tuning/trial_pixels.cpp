@@ -1,5 +1,7 @@
 #include "common/tuning/trial_pixels.hpp"
 
+#include "common/system/hash.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -9,16 +11,6 @@ namespace {
 
 /// The number of pixels above which cells are larger.
 constexpr std::size_t large_picture = 160'000;
-
-/// A hash in which every bit of the result depends on every bit of the value (Appleby's finalizer
-/// of MurmurHash3).
-std::uint32_t mixed(std::uint32_t value) {
-    value ^= value >> 16;
-    value *= 0x85ebca6bU;
-    value ^= value >> 13;
-    value *= 0xc2b2ae35U;
-    return value ^ (value >> 16);
-}
 
 int cells(int pixels, int side) {
     return (pixels + side - 1) / side;
@@ -45,7 +37,7 @@ std::vector<Pixel> SpreadPixels::pixels(int draw) const {
             const auto cell = std::uint32_t(row * columns_ + column);
             // An odd step visits all residues modulo a power of two before it repeats one.
             const std::uint32_t place =
-                (mixed(cell) + std::uint32_t(draw) * 11) % std::uint32_t(height * width);
+                (mixed_bits(cell) + std::uint32_t(draw) * 11) % std::uint32_t(height * width);
             all.push_back({.row = row * side_ + int(place) / width,
                            .column = column * side_ + int(place) % width});
         }
