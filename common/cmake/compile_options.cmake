@@ -24,7 +24,7 @@ find_package(Threads REQUIRED)
 
 add_library(raysteps_options INTERFACE)
 target_include_directories(raysteps_options INTERFACE ${PROJECT_SOURCE_DIR})
-target_link_libraries(raysteps_options INTERFACE glm::glm)
+target_link_libraries(raysteps_options INTERFACE glm::glm Threads::Threads)
 # Default-constructed glm vectors are zero; GLM's own default leaves them uninitialized.
 target_compile_definitions(raysteps_options INTERFACE GLM_FORCE_CTOR_INIT)
 
@@ -61,9 +61,6 @@ target_compile_options(raysteps_options INTERFACE
     $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
     # Caused by macros of GLM or Catch2, or by an aggregate left short on purpose:
     -Wno-missing-field-initializers)
-if(RAYSTEPS_WERROR)
-    target_compile_options(raysteps_options INTERFACE -Werror)
-endif()
 if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
@@ -79,6 +76,11 @@ find_program(RAYSTEPS_MOLD mold)
 if(RAYSTEPS_MOLD AND NOT RAYSTEPS_SANITIZE)
     target_link_options(raysteps_options INTERFACE -fuse-ld=mold)
 endif()
+
+# Targets that exist in both precisions end in f32 and f64, and programs that people start in
+# ${word_f32} and ${word_f64}.
+set(word_f32 float)
+set(word_f64 double)
 
 # raysteps_compile_twice(<name> <source>...)
 #
@@ -99,5 +101,30 @@ endfunction()
 function(raysteps_start_from_common name)
     foreach(precision IN ITEMS f32 f64)
         target_precompile_headers(${name}_${precision} REUSE_FROM raysteps_common_${precision})
+    endforeach()
+endfunction()
+
+# raysteps_link(<target> <precision> <name>...)
+#
+# Links a target to <name>_f32 or <name>_f64 of each name.
+function(raysteps_link target precision)
+    list(TRANSFORM ARGN APPEND _${precision})
+    target_link_libraries(${target} PRIVATE ${ARGN})
+endfunction()
+
+# raysteps_collect(<collection> <name>...)
+#
+# Defines <collection>_f32 and _f64: who links it, links all of these, and their objects.
+function(raysteps_collect collection)
+    foreach(precision IN ITEMS f32 f64)
+        add_library(${collection}_${precision} INTERFACE)
+        foreach(name IN LISTS ARGN)
+            set(part ${name}_${precision})
+            target_link_libraries(${collection}_${precision} INTERFACE ${part})
+            get_target_property(type ${part} TYPE)
+            if(type STREQUAL "OBJECT_LIBRARY")  # whose objects only a direct link contains
+                target_sources(${collection}_${precision} INTERFACE $<TARGET_OBJECTS:${part}>)
+            endif()
+        endforeach()
     endforeach()
 endfunction()

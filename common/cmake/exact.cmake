@@ -15,12 +15,12 @@ endfunction()
 
 # raysteps_exact_rest(<stage> <source of the reference>...)
 #
-# Adds the rest of the stage to the library <stage>_exact_f64 of its kernel: the reference, whose
+# Adds the rest of the stage to the library <stage>_certified_f64 of its kernel: the reference, whose
 # `intersect` gets another name.
 function(raysteps_exact_rest name)
     raysteps_exact(${name}_exact_rest ${ARGN})
     target_compile_definitions(${name}_exact_rest_f64 PRIVATE intersect=reference_intersect)
-    target_sources(${name}_exact_f64 INTERFACE $<TARGET_OBJECTS:${name}_exact_rest_f64>)
+    target_sources(${name}_certified_f64 INTERFACE $<TARGET_OBJECTS:${name}_exact_rest_f64>)
 endfunction()
 
 # raysteps_common_f64 with packed meshes of certified triangles.
@@ -29,24 +29,11 @@ if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kern
     raysteps_exact(raysteps_exact_mesh_bvh
         ${PROJECT_SOURCE_DIR}/common/bvh/mesh_bvh.cpp ${RAYSTEPS_EXACT_MESH_BVH})
     add_library(raysteps_exact_common_f64 INTERFACE)
+    target_link_libraries(raysteps_exact_common_f64 INTERFACE raysteps_base)
     target_sources(raysteps_exact_common_f64 INTERFACE
         $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/mesh_bvh\\.cpp>
         $<TARGET_OBJECTS:raysteps_exact_mesh_bvh_f64>)
 endif()
-
-# raysteps_exact_stages(<variable> <stage>...)
-#
-# Sets the variable to the stages' references, or their certified kernels where they exist.
-function(raysteps_exact_stages variable)
-    set(chosen ${ARGN})
-    list(TRANSFORM chosen APPEND _reference)
-    foreach(stage IN LISTS ARGN)
-        if(TARGET ${stage}_exact_f64)
-            list(TRANSFORM chosen REPLACE "^${stage}_reference$" ${stage}_exact)
-        endif()
-    endforeach()
-    set(${variable} ${chosen} PARENT_SCOPE)
-endfunction()
 
 # raysteps_exact_program(<stage> <number> <stage of the program>...)
 #
@@ -75,9 +62,6 @@ function(raysteps_exact_program name number)
     add_executable(${name}_exact EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/program/main.cpp)
     target_compile_definitions(${name}_exact PRIVATE
         RT_EXACT RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
-    raysteps_exact_stages(parts ${ARGN})
-    foreach(part IN LISTS parts ITEMS ${common} ${name}_exact_picture)
-        target_link_libraries(${name}_exact PRIVATE ${part}_f64)
-    endforeach()
-    target_link_libraries(${name}_exact PRIVATE raysteps_base raysteps_options Threads::Threads)
+    list(TRANSFORM ARGN APPEND _certified)
+    raysteps_link(${name}_exact f64 ${ARGN} ${common} ${name}_exact_picture)
 endfunction()

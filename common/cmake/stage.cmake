@@ -9,13 +9,14 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             the selected one of these two, by option
+# stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
 # stepNN_name                 the executable; _reference_program and _checked are the same program built
 #                             from the references, and from this stage's selected file with the
 #                             references of the other stages
 # stepNN_name_exact           the same program built from certified kernels: common/cmake/exact.cmake
 # stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
 #                             that this stage and earlier ones share with later ones: the other
-#                             files beside a main.cpp, except story.cpp
+#                             files beside a main.cpp, except story.cpp; and meshes or their refusal
 # stepNN_name_chosen_picture_f64  the same with student/main.cpp, if there is one, by the same option
 # stepNN_name_picture_without_main_f64  the same without either
 # stepNN_name_unity_f64       the picture and the references, compiled as a unity build
@@ -28,13 +29,13 @@ function(raysteps_stage)
     set(student_main ${student})
     list(FILTER student_main INCLUDE REGEX "/main\\.cpp$")
     list(FILTER student EXCLUDE REGEX "/main\\.cpp$")
+    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
+    list(REMOVE_ITEM exact ${RAYSTEPS_EXACT_MESH_BVH})
     if(reference)
         raysteps_compile_twice(${name}_reference ${reference})
         raysteps_archive(${name}_reference steps/${name}/reference ${reference})
     else()
-        foreach(precision IN ITEMS f32 f64)
-            add_library(${name}_reference_${precision} INTERFACE)
-        endforeach()
+        raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
     set(chosen reference)
@@ -52,26 +53,16 @@ function(raysteps_stage)
             set(chosen_main student_main)
         endif()
     endif()
-
-    foreach(precision IN ITEMS f32 f64)
-        add_library(${name}_${precision} INTERFACE)
-        get_target_property(type ${name}_${chosen}_${precision} TYPE)
-        if(type STREQUAL "OBJECT_LIBRARY")
-            target_sources(${name}_${precision} INTERFACE
-                $<TARGET_OBJECTS:${name}_${chosen}_${precision}>)
-        else()  # an archive
-            target_link_libraries(${name}_${precision} INTERFACE ${name}_${chosen}_${precision})
-        endif()
-    endforeach()
-    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
-    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
-    list(REMOVE_ITEM exact ${RAYSTEPS_EXACT_MESH_BVH})
+    raysteps_collect(${name} ${name}_${chosen})
     if(exact)
-        raysteps_exact(${name}_exact ${exact})
+        raysteps_exact(${name}_certified ${exact})
         if(number LESS 13)  # stage 13's includes the reference
             raysteps_exact_rest(${name} ${reference})
         endif()
+    else()
+        add_library(${name}_certified_f64 ALIAS ${name}_reference_f64)
     endif()
+    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
 
     set(meshes raysteps_without_meshes)
     if(number GREATER_EQUAL 13)
@@ -92,17 +83,16 @@ function(raysteps_stage)
         set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED_LIBRARIES ${name}_shared)
     endif()
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
-    raysteps_picture(${name}_picture raysteps_render ${name}_main ${handed_on} ${meshes})
-    raysteps_picture(${name}_chosen_picture
-        raysteps_render ${name}_${chosen_main} ${handed_on} ${meshes})
-    raysteps_picture(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
+    raysteps_collect(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
+    raysteps_collect(${name}_picture ${name}_main ${name}_picture_without_main)
+    raysteps_collect(${name}_chosen_picture ${name}_${chosen_main} ${name}_picture_without_main)
 
     # The program built from the selected files and, for `./course compare`, from the references
     # only, and from this stage's selected file with the references of the others.
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     list(APPEND stages step02_camera_basis)  # the scene reader calls it, before stage 2 too
     list(REMOVE_DUPLICATES stages)
-    if((TARGET step08_cone_exact_f64 OR number LESS 8) AND reference)  # a hand-out has no kernels
+    if(TARGET raysteps_exact_common_f64)
         raysteps_exact_program(${name} ${number} ${stages})
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
@@ -128,12 +118,8 @@ function(raysteps_link_program program stage)
     if(TARGET ${stage}_unity_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_unity)
     endif()
-    foreach(precision IN ITEMS f32 f64)
-        foreach(part IN LISTS parts ITEMS raysteps_common)
-            target_link_libraries(${program} PRIVATE ${part}_${precision})
-        endforeach()
-    endforeach()
-    target_link_libraries(${program} PRIVATE raysteps_base Threads::Threads)
+    raysteps_link(${program} f32 ${parts} raysteps_common)
+    raysteps_link(${program} f64 ${parts} raysteps_common)
 endfunction()
 
 # raysteps_unity(<stage> <meshes> <part>...)
@@ -153,21 +139,5 @@ function(raysteps_unity stage meshes)
     raysteps_start_from_common(${stage}_unity_objects)
     set_target_properties(${stage}_unity_objects_f32 ${stage}_unity_objects_f64 PROPERTIES
         UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    raysteps_picture(${stage}_unity ${stage}_unity_objects ${meshes})
-endfunction()
-
-# raysteps_picture(<name> <part>...)
-#
-# Defines <name>_f32 and _f64: the objects of the parts, for linking, and with meshes the reader of
-# their files.
-function(raysteps_picture name)
-    foreach(precision IN ITEMS f32 f64)
-        add_library(${name}_${precision} INTERFACE)
-        foreach(part IN LISTS ARGN)
-            target_sources(${name}_${precision} INTERFACE $<TARGET_OBJECTS:${part}_${precision}>)
-        endforeach()
-        if("raysteps_meshes" IN_LIST ARGN)
-            target_link_libraries(${name}_${precision} INTERFACE raysteps_mesh_file)
-        endif()
-    endforeach()
+    raysteps_collect(${stage}_unity ${stage}_unity_objects ${meshes})
 endfunction()

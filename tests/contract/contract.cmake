@@ -1,72 +1,66 @@
 # A stage's contract, called in another process: the workers, and the suites linked to stubs that
 # call them. Targets without a precision in the name are in double.
 
-# raysteps_worker(<program> <folder> <precision> <stage>...)
+# raysteps_worker(<program> <folder> <precision> <name>...)
 #
-# A worker linked to the objects of these stages.
+# A worker linked to <name>_f32 or _f64 of each name.
 function(raysteps_worker program folder precision)
     add_executable(${program})
-    target_link_libraries(${program} PRIVATE
-        raysteps_worker_${precision} raysteps_common_${precision} raysteps_base Threads::Threads)
-    foreach(stage IN LISTS ARGN)
-        target_link_libraries(${program} PRIVATE ${stage}_${precision})
-    endforeach()
+    raysteps_link(${program} ${precision} raysteps_worker ${ARGN})
     set_target_properties(${program} PROPERTIES
         RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
 endfunction()
 
-# raysteps_contract(<stage> <other stages>...)
+# raysteps_contract(<stage>)
 #
 # <stage>_worker_float, _double      the chosen one
 # <stage>_reference_worker           the reference
 # <stage>_asked_test_float, _double  the suite with a worker
 function(raysteps_contract stage)
-    raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_picture ${ARGN})
+    raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_context)
     foreach(precision IN ITEMS f32 f64)
-        set(word_f32 float)
-        set(word_f64 double)
         set(word ${word_${precision}})
-        raysteps_worker(${stage}_worker_${word} "" ${precision} ${stage} ${stage}_picture ${ARGN})
-
-        add_library(${stage}_stubs_${precision} OBJECT contract/stubs/${stage}.cpp)
-        target_link_libraries(${stage}_stubs_${precision} PRIVATE raysteps_kit_${precision}_options)
-        target_precompile_headers(${stage}_stubs_${precision} REUSE_FROM raysteps_kit_${precision})
+        raysteps_worker(${stage}_worker_${word} "" ${precision} ${stage} ${stage}_context)
+        raysteps_suite_objects(${stage}_stubs_${precision} ${precision}
+            contract/stubs/${stage}.cpp)
         set(program ${stage}_asked_test_${word})
         add_executable(${program} $<TARGET_OBJECTS:${stage}_test_${word}_objects>)
-        target_link_libraries(${program} PRIVATE
-            ${stage}_stubs_${precision} raysteps_asking_${precision} raysteps_kit_${precision}
-            raysteps_kit_main raysteps_common_${precision} raysteps_base Threads::Threads)
-        foreach(other IN ITEMS ${stage}_picture ${ARGN})
-            target_link_libraries(${program} PRIVATE ${other}_${precision})
-        endforeach()
-        if(precision STREQUAL "f32")  # tested in one precision only
-            set_target_properties(${program} ${stage}_worker_${word} ${stage}_stubs_${precision}
-                PROPERTIES EXCLUDE_FROM_ALL ON)
-            continue()
-        endif()
-        add_test(NAME ${stage}_asked COMMAND ${program})
-        set_tests_properties(${stage}_asked PROPERTIES LABELS contract
-            ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_worker_${word}>)
+        raysteps_link(${program} ${precision}
+            ${stage}_stubs raysteps_asking raysteps_kit ${stage}_context)
+        target_link_libraries(${program} PRIVATE raysteps_kit_main)
     endforeach()
+    # tested in double only
+    add_test(NAME ${stage}_asked COMMAND ${stage}_asked_test_double)
+    set_tests_properties(${stage}_asked PROPERTIES LABELS contract
+        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_worker_double>)
+    set_target_properties(${stage}_asked_test_float ${stage}_worker_float ${stage}_stubs_f32
+        PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
-# raysteps_recognition(<stage> <mistakes> <alternatives> <other stages>...)
+# raysteps_recognition(<stage>)
 #
 # A worker of each known mistake and each other right answer; the test that the stage's probes.txt
 # recognizes the former and not the latter, and knows the suite's cases; and the target
 # <stage>_probes, which writes it.
-function(raysteps_recognition stage mistakes alternatives)
+function(raysteps_recognition stage)
+    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${stage}/*.cpp)
+    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
     set(folder ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
+    set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
     set(words)
+    set(runs)
     foreach(file IN LISTS alternatives)
         get_filename_component(name ${file} NAME_WE)
-        raysteps_worker(${stage}_${name}_worker alternatives f64 ${stage}_${name} ${ARGN})
+        raysteps_worker(${stage}_${name}_worker alternatives f64 ${stage}_${name} ${stage}_context)
         list(APPEND words $<TARGET_FILE:${stage}_${name}_worker>)
     endforeach()
     foreach(file IN LISTS mistakes)
         get_filename_component(name ${file} NAME_WE)
-        raysteps_worker(${stage}_${name}_worker mistakes f64 ${stage}_${name} ${ARGN})
+        raysteps_worker(${stage}_${name}_worker mistakes f64 ${stage}_${name} ${stage}_context)
         list(APPEND words ${name}=$<TARGET_FILE:${stage}_${name}_worker>)
+        list(APPEND runs COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_REPORT=${reports}/${name}.report
+            sh -c "\"$0\" --out /dev/null || true"
+            $<TARGET_FILE:mistake_${stage}_${name}_double>)
     endforeach()
     set(reference $<TARGET_FILE:${stage}_reference_worker>)
 
@@ -77,14 +71,6 @@ function(raysteps_recognition stage mistakes alternatives)
     set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
 
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${stage})
-    set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
-    set(runs)
-    foreach(file IN LISTS mistakes)
-        get_filename_component(name ${file} NAME_WE)
-        list(APPEND runs COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_REPORT=${reports}/${name}.report
-            sh -c "\"$0\" --out /dev/null || true"
-            $<TARGET_FILE:mistake_${stage}_${name}_double>)
-    endforeach()
     add_custom_target(${stage}_probes
         COMMAND ${CMAKE_COMMAND} -E make_directory ${reports}
         COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_RECORD=${reports}/record

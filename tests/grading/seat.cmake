@@ -23,8 +23,7 @@ function(raysteps_seat stage)
     endforeach()
     raysteps_one_object(${folder}/${stage}.o "${objects}")
     raysteps_one_object(${folder}/references/${stage}.o $<TARGET_OBJECTS:${stage}_reference_f64>)
-    raysteps_may_include(${stage})
-    raysteps_graded_seat(${stage} "${objects}" "${may_include}")
+    raysteps_graded_seat(${stage} "${objects}")
     add_custom_target(${stage}_seat DEPENDS
         ${folder}/${stage}.o ${folder}/references/${stage}.o ${folder}/graded/${stage}.o)
 
@@ -52,31 +51,18 @@ function(raysteps_seat stage)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
 endfunction()
 
-# raysteps_may_include(<stage>)
-#
-# Sets may_include to the headers that a graded file of the stage may include beside its own.
-function(raysteps_may_include stage)
-    set(list ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
-    file(STRINGS ${list} lines REGEX "^(all|${stage}) ")
-    list(TRANSFORM lines REPLACE "^[^ ]+ +" "")
-    set(may_include "${lines}" PARENT_SCOPE)
-endfunction()
-
-# raysteps_graded_seat(<stage> <objects> <headers>)
+# raysteps_graded_seat(<stage> <objects>)
 #
 # seats/graded/<stage>.o and .txt, from the seat's objects and all other stages' references. The
 # object with a header's functions, if there is one, has its name: todo.cpp.o for common/stages/todo.hpp.
-function(raysteps_graded_seat stage objects headers)
-    set(callable)
-    foreach(header IN LISTS headers)
-        get_filename_component(name ${header} NAME_WE)
-        list(APPEND callable ${name}.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
-    endforeach()
+function(raysteps_graded_seat stage objects)
+    set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
+    file(STRINGS ${may_include} callable REGEX "^(all|${stage}) ")
+    list(TRANSFORM callable REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}")
     set(parts "${objects}")
     set(absent)
     set(others)
-    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     foreach(other IN LISTS stages)
         set(reference $<TARGET_OBJECTS:${other}_reference_f64>)
         if(other STREQUAL stage)

@@ -1,31 +1,61 @@
-# raysteps_suite(<name> <source>...)
+# raysteps_suite_objects(<name> <precision> <source>...)
+#
+# An object library of test cases, which starts from the precompiled header of the kit.
+function(raysteps_suite_objects name precision)
+    add_library(${name} OBJECT ${ARGN})
+    target_link_libraries(${name} PRIVATE raysteps_kit_${precision}_options)
+    target_precompile_headers(${name} REUSE_FROM raysteps_kit_${precision})
+endfunction()
+
+# raysteps_link_suite(<program> <objects> <precision> <name>...)
+#
+# The program of these test cases, linked to <name>_f32 or _f64 of each name.
+function(raysteps_link_suite program objects precision)
+    add_executable(${program} $<TARGET_OBJECTS:${objects}>)
+    raysteps_link(${program} ${precision} raysteps_kit raysteps_drawn ${ARGN})
+    target_link_libraries(${program} PRIVATE raysteps_kit_main)
+endfunction()
+
+# raysteps_suite(<name> [LABEL <label>] [PICTURE <stage> | STAGES <name>...] SOURCES <source>...)
 #
 # The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
-# each, linked to the stages in STAGES (chosen or _reference) and to their dependencies.
+# each, linked to STAGES: by default all references and the picture of a stage, step12_mirror.
 function(raysteps_suite name)
-    cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL" "STAGES;SOURCES")
+    cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL;PICTURE" "STAGES;SOURCES")
+    if(NOT suite_LABEL)
+        set(suite_LABEL common)
+    endif()
+    if(NOT suite_PICTURE)
+        set(suite_PICTURE step12_mirror)
+    endif()
+    if(NOT suite_STAGES)
+        set(suite_STAGES raysteps_common raysteps_references ${suite_PICTURE}_picture)
+    endif()
     foreach(precision IN ITEMS f32 f64)
-        set(word_f32 float)
-        set(word_f64 double)
-        set(program ${name}_test_${word_${precision}})
-        add_library(${program}_objects OBJECT ${suite_SOURCES})
-        target_link_libraries(${program}_objects PRIVATE raysteps_kit_${precision}_options)
-        target_precompile_headers(${program}_objects REUSE_FROM raysteps_kit_${precision})
-        raysteps_link_suite(${program} ${program}_objects ${precision} ${suite_STAGES})
-        add_test(NAME ${name}_${word_${precision}} COMMAND ${program})
-        set_tests_properties(${name}_${word_${precision}} PROPERTIES LABELS "${suite_LABEL}")
+        set(word ${word_${precision}})
+        raysteps_suite_objects(${name}_test_${word}_objects ${precision} ${suite_SOURCES})
+        raysteps_link_suite(${name}_test_${word} ${name}_test_${word}_objects ${precision}
+            ${suite_STAGES})
+        add_test(NAME ${name}_${word} COMMAND ${name}_test_${word})
+        set_tests_properties(${name}_${word} PROPERTIES LABELS ${suite_LABEL})
     endforeach()
 endfunction()
 
-# raysteps_link_suite(<program> <objects> <precision> <stage>...)
-function(raysteps_link_suite program objects precision)
-    add_executable(${program} $<TARGET_OBJECTS:${objects}>)
-    target_link_libraries(${program} PRIVATE
-        raysteps_common_${precision} raysteps_kit_${precision} raysteps_drawn_${precision}
-        raysteps_kit_main raysteps_base Threads::Threads)
-    foreach(stage IN LISTS ARGN)
-        target_link_libraries(${program} PRIVATE ${stage}_${precision})
-    endforeach()
+# raysteps_test(<name> [LABEL <label>] SOURCES <source>... LIBRARIES <library>...
+#               [DEFINITIONS <definition>...] [NEEDS <target>...])
+#
+# The test <name>, a program of test cases that call no stage. NEEDS are built before it.
+function(raysteps_test name)
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
+    add_executable(${name}_test ${test_SOURCES})
+    target_link_libraries(${name}_test PRIVATE
+        ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options)
+    target_compile_definitions(${name}_test PRIVATE ${test_DEFINITIONS})
+    if(test_NEEDS)
+        add_dependencies(${name}_test ${test_NEEDS})
+    endif()
+    add_test(NAME ${name} COMMAND ${name}_test)
+    set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}")
 endfunction()
 
 # The suites of several files, tests/suites/<stage>/<part>_test.cpp: their cases run, and are
@@ -37,11 +67,13 @@ set(step13_meshes_parts boxes frames meshes scenes)
 # raysteps_stage_suite(<stage>)
 #
 # The suite of a stage, and the student's own tests: the chosen file, with the references of all
-# others.
+# others. <stage>_context_f32 and _f64 are everything that such a program needs beside that file.
 function(raysteps_stage_suite stage)
-    get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
-    list(TRANSFORM stages APPEND _reference)
-    list(REMOVE_ITEM stages ${stage}_reference)
+    set(others ${stages})
+    list(REMOVE_ITEM others ${stage})
+    list(TRANSFORM others APPEND _reference)
+    raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
+
     set(suite ${stage})
     if(DEFINED ${stage}_parts)
         list(TRANSFORM ${stage}_parts PREPEND ${stage}/ OUTPUT_VARIABLE suite)
@@ -49,31 +81,23 @@ function(raysteps_stage_suite stage)
     list(TRANSFORM suite REPLACE "(.+)" "suites/\\1_test.cpp")
     file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
     raysteps_suite(${stage} LABEL ${stage} SOURCES ${suite} ${own_tests}
-        STAGES ${stage} ${stage}_picture ${stages})
-    if(TARGET course)
-        raysteps_contract(${stage} ${stages})
-    endif()
+        STAGES ${stage} ${stage}_context)
     file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
     list(FILTER starter EXCLUDE REGEX "/main\\.cpp$")
-    raysteps_starter(${stage} "${starter}" ${stages} ${stage}_picture)
-    raysteps_trace_suite(${stage} ${stages} ${stage}_reference)
-    if(NOT RAYSTEPS_MISTAKES)
-        return()
-    endif()
-    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${stage}/*.cpp)
-    foreach(mistake IN LISTS mistakes)
-        raysteps_mistake(${stage} ${mistake} ${stages} ${stage}_picture)
-    endforeach()
-    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
-    foreach(alternative IN LISTS alternatives)
-        raysteps_alternative(${stage} ${alternative} ${stages} ${stage}_picture)
-    endforeach()
+    raysteps_starter(${stage} ${starter})
+    raysteps_trace_suite(${stage})
     if(TARGET course)
-        raysteps_recognition(${stage} "${mistakes}" "${alternatives}" ${stages} ${stage}_picture)
+        raysteps_contract(${stage})
+    endif()
+    if(RAYSTEPS_MISTAKES)
+        raysteps_answers(${stage} ${stage})
+        if(TARGET course)
+            raysteps_recognition(${stage})
+        endif()
     endif()
 endfunction()
 
-# raysteps_trace_suite(<stage> <reference>...)
+# raysteps_trace_suite(<stage>)
 #
 # <stage>_trace_test_float and _double, from stage 3 on: the chosen main.cpp, with the references of
 # all stages.
@@ -82,64 +106,70 @@ function(raysteps_trace_suite stage)
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${suite})
         return()
     endif()
+    raysteps_collect(${stage}_trace_context
+        raysteps_common raysteps_references ${stage}_picture_without_main)
     raysteps_suite(${stage}_trace LABEL ${stage} SOURCES ${suite}
-        STAGES ${stage}_chosen_picture ${ARGN})
-    set(others ${stage}_picture_without_main ${ARGN})
-    raysteps_starter(${stage}_trace
-        ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/main.cpp ${others})
-    if(NOT RAYSTEPS_MISTAKES)
-        return()
+        STAGES raysteps_common raysteps_references ${stage}_chosen_picture)
+    raysteps_starter(${stage}_trace ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/main.cpp)
+    if(RAYSTEPS_MISTAKES)
+        raysteps_answers(${stage}_trace ${stage}/main)
     endif()
-    foreach(kind IN ITEMS mistake alternative)
-        file(GLOB answers CONFIGURE_DEPENDS ${kind}s/${stage}/main/*.cpp)
-        foreach(answer IN LISTS answers)
-            cmake_language(CALL raysteps_${kind} ${stage}_trace ${answer} ${others})
-        endforeach()
-    endforeach()
 endfunction()
 
-# raysteps_starter(<suite> <sources> <other stages>...)
+# raysteps_starter(<suite> <source>...)
 #
 # <suite>_starter_test_float and _double: the suite, linked to the stage's starter, for `./course
 # audit`.
-function(raysteps_starter suite sources)
-    raysteps_compile_twice(${suite}_starter ${sources})
+function(raysteps_starter suite)
+    raysteps_compile_twice(${suite}_starter ${ARGN})
     foreach(precision IN ITEMS f32 f64)
-        set(word_f32 float)
-        set(word_f64 double)
         set(word ${word_${precision}})
         raysteps_link_suite(${suite}_starter_test_${word} ${suite}_test_${word}_objects
-            ${precision} ${suite}_starter ${ARGN})
+            ${precision} ${suite}_starter ${suite}_context)
         set_target_properties(${suite}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
     endforeach()
 endfunction()
 
-# raysteps_alternative(<stage> <file> <other stages>...)
+# raysteps_answers(<suite> <folder>)
 #
-# The stage's suite, linked to another right answer: all of it must pass.
-function(raysteps_alternative stage file)
-    get_filename_component(alternative ${file} NAME_WE)
-    raysteps_compile_twice(${stage}_${alternative} ${file})
-    raysteps_start_from_common(${stage}_${alternative})
-    foreach(precision IN ITEMS f32 f64)
-        target_compile_options(${stage}_${alternative}_${precision} PRIVATE -w)  # from its renaming
-        set(word_f32 float)
-        set(word_f64 double)
-        set(word ${word_${precision}})
-        set(name alternative_${stage}_${alternative}_${word})
-        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
-            ${stage}_${alternative} ${ARGN})
-        set_target_properties(${name} PROPERTIES
-            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/alternatives)
-        add_test(NAME ${name} COMMAND ${name})
-        set_tests_properties(${name} PROPERTIES LABELS "alternatives")
+# The suite, linked to each known mistake and each other right answer in the folder.
+function(raysteps_answers suite folder)
+    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${folder}/*.cpp)
+    foreach(file IN LISTS mistakes)
+        raysteps_mistake(${suite} ${file})
+    endforeach()
+    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${folder}/*.cpp)
+    foreach(file IN LISTS alternatives)  # all of the suite must pass
+        raysteps_answer(${suite} alternative ${file})
     endforeach()
 endfunction()
 
-# raysteps_mistake(<stage> <file> <other stages>...)
+# raysteps_answer(<suite> <kind> <file> [<argument of the suite>...])
 #
-# The stage's suite, linked to a known mistake: the case that the file names must fail.
-function(raysteps_mistake stage file)
+# The tests <kind>_<suite>_<name of the file>_float and _double: the suite, linked to an answer that
+# is not the reference.
+function(raysteps_answer suite kind file)
+    get_filename_component(name ${file} NAME_WE)
+    raysteps_compile_twice(${suite}_${name} ${file})
+    raysteps_start_from_common(${suite}_${name})
+    foreach(precision IN ITEMS f32 f64)
+        # It is wrong on purpose, or renames functions of the reference.
+        target_compile_options(${suite}_${name}_${precision} PRIVATE -w)
+        set(word ${word_${precision}})
+        set(program ${kind}_${suite}_${name}_${word})
+        raysteps_link_suite(${program} ${suite}_test_${word}_objects ${precision}
+            ${suite}_${name} ${suite}_context)
+        set_target_properties(${program} PROPERTIES
+            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${kind}s)
+        add_test(NAME ${program} COMMAND ${program} ${ARGN})
+        set_tests_properties(${program} PROPERTIES LABELS ${kind}s)
+    endforeach()
+endfunction()
+
+# raysteps_mistake(<suite> <file>)
+#
+# The suite, linked to a known mistake: the case that the file names must fail.
+function(raysteps_mistake suite file)
     get_filename_component(mistake ${file} NAME_WE)
     file(STRINGS ${file} case REGEX "^// caught by: " LIMIT_COUNT 1 ENCODING UTF-8)
     string(REGEX REPLACE "^// caught by: " "" case "${case}")
@@ -148,22 +178,8 @@ function(raysteps_mistake stage file)
     endif()
     # escaped for Catch2, and no ";" for CMake
     string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")
-    raysteps_compile_twice(${stage}_${mistake} ${file})
-    raysteps_start_from_common(${stage}_${mistake})
-    target_compile_options(${stage}_${mistake}_f32 PRIVATE -w)  # it is wrong on purpose
-    target_compile_options(${stage}_${mistake}_f64 PRIVATE -w)
-    foreach(precision IN ITEMS f32 f64)
-        set(word_f32 float)
-        set(word_f64 double)
-        set(word ${word_${precision}})
-        set(name mistake_${stage}_${mistake}_${word})
-        raysteps_link_suite(${name} ${stage}_test_${word}_objects ${precision}
-            ${stage}_${mistake} ${ARGN})
-        set_target_properties(${name} PROPERTIES
-            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/mistakes)
-        add_test(NAME ${name} COMMAND ${name} "${case}")
-        # By failing an assertion: a missing case, or a crash, does not count.
-        set_tests_properties(${name} PROPERTIES
-            LABELS "mistakes" PASS_REGULAR_EXPRESSION "test cases: +1 \\| +1 failed")
-    endforeach()
+    raysteps_answer(${suite} mistake ${file} "${case}")
+    # By failing an assertion: a missing case, or a crash, does not count.
+    set_tests_properties(mistake_${suite}_${mistake}_float mistake_${suite}_${mistake}_double
+        PROPERTIES PASS_REGULAR_EXPRESSION "test cases: +1 \\| +1 failed")
 endfunction()
