@@ -14,11 +14,11 @@
 #include "common/scene/primitives.hpp"
 #include "common/system/input_error.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <vector>
 
 namespace rt {
@@ -86,9 +86,8 @@ struct Scene {
 
 /// A kind of shape: its list, the stage that brings it, and its names.
 template <KindOfShape Shape>
+requires BoundedKindOfShape<Shape> || std::same_as<Shape, Plane>
 struct ShapeKind {
-    static_assert(BoundedKindOfShape<Shape> || std::is_same_v<Shape, Plane>);
-
     PrimitiveList<Shape> Scene::*primitives;
     int stage;
     const char* one;
