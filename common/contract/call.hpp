@@ -53,7 +53,8 @@ struct Answer {
 /// A worker process, restarted after a crash up to a limit.
 class Asked {
 public:
-    explicit Asked(std::string program) : program_(std::move(program)) {}
+    explicit Asked(std::string program, int crashes = 8)
+        : program_(std::move(program)), left_(crashes) {}
 
     [[nodiscard]] Answer operator()(const Call& call);
     [[nodiscard]] std::vector<Answer> operator()(const std::vector<Call>& calls);
@@ -62,7 +63,7 @@ private:
     std::string program_;
     std::unique_ptr<Worker> worker_;
     double used_ = 0;   ///< by the workers that ended
-    int left_ = 8;      ///< number of crashes still allowed
+    int left_;          ///< number of crashes still allowed
     std::string gone_;  ///< the reason why no more queries are sent
 };
 

@@ -51,7 +51,8 @@ int diagnose(const std::vector<std::string>& words) {
     if (words.size() < 4)
         throw std::runtime_error("diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg]");
     const Probes probes = read_probes(content_of(words[0]));
-    Asked student(words[1]);
+    constexpr int crashes = 200;  // the search for the smallest call that crashes needs some
+    Asked student(words[1], crashes);
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
     const std::vector<Answer> answers = student(calls);

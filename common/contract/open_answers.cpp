@@ -26,16 +26,16 @@ T typed(const Value& value) {
     return get<T>(reader);
 }
 
-/// Where the ray starts: the height above the surface and the distance aside, in errors of the
+/// Where a ray starts: the height above the surface and the distance aside, in errors of the
 /// point. A right start is less than ten errors above.
-std::vector<Measure> start_of(const ShadingPoint& surface, const ShadowRay& way) {
+std::vector<Measure> start_of(const ShadingPoint& surface, Vec3 start) {
     constexpr double floor = 0.3;
-    const Vec3 offset = at(way.ray, way.interval.min) - surface.point;
+    const Vec3 offset = start - surface.point;
     const double height = dot(offset, surface.geometric_normal) / surface.error;
     const double length_squared = dot(offset, offset) / (surface.error * surface.error);
     const double aside = std::sqrt(std::max(length_squared - height * height, 0.0));
     const bool right = height > 1 - floor && height < 10 && aside < floor;
-    return {{right ? 1 : height, floor}, {aside, floor}};
+    return {{right ? 1 : height, floor}, {right ? 0 : aside, floor}};
 }
 
 /// How far the interval reaches behind the light, relative to the light's distance. A right end is
@@ -53,8 +53,17 @@ Measure end_of(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
 }
 
 std::vector<Measure> measures(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
-    std::vector<Measure> all = start_of(surface, way);
+    std::vector<Measure> all = start_of(surface, at(way.ray, way.interval.min));
     all.push_back(end_of(surface, light, way));
+    return all;
+}
+
+/// The direction, in lengths of the ray's.
+std::vector<Measure> measures(const Ray& ray, const ShadingPoint& surface, const Ray& reflected) {
+    constexpr double floor = 0.02;
+    std::vector<Measure> all = start_of(surface, reflected.origin);
+    for (glm::length_t i = 0; i < 3; ++i)
+        all.push_back({reflected.direction[i] / length(ray.direction), floor});
     return all;
 }
 
@@ -74,6 +83,9 @@ std::vector<Measure> measures(const Call& call, const Value& answer) {
     if (call.callee->name == "shadow_ray")
         return measures(typed<ShadingPoint>(arguments[0]), typed<Vec3>(arguments[1]),
                         typed<ShadowRay>(answer));
+    if (call.callee->name == "mirrored")
+        return measures(typed<Ray>(arguments[0]), typed<ShadingPoint>(arguments[1]),
+                        typed<Ray>(answer));
     if (call.callee->name == "sample_light")
         return measures(typed<Light>(arguments[0]), typed<Vec3>(arguments[1]), typed<Vec3>(answer));
     return {};

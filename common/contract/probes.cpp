@@ -114,69 +114,82 @@ bool errs_in_open(const Probes& probes, std::size_t mistake) {
     });
 }
 
-/// True if the answers are the mistake's. Of an open function, most are of the mistake's kind:
-/// where a formula cancels, others of the same kind are not.
-bool answers_like(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
+using Functions = std::set<const Callee*>;
+
+/// True if the answers of the function are the mistake's. Of an open function, most are of the
+/// mistake's kind: where a formula cancels, others of the same kind are not.
+bool answers_like(const Probes& probes, std::size_t mistake, const Callee& callee,
+                  const std::vector<Answer>& answers) {
     constexpr double most = 0.7;
-    double open = 0;
+    const bool open = is_open(probes, callee);
+    double count = 0;
     double alike = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
         const Probe& probe = probes.probes[i];
-        if (!errs_in(probes, mistake, *probe.call.callee)) continue;
+        if (probe.call.callee != &callee) continue;
         const Answer& expected = probe.mistaken[mistake];
-        if (is_open(probes, *probe.call.callee)) {
-            ++open;
-            if (same_kind(probe.call, answers[i], expected)) ++alike;
-        } else if (!same(answers[i], expected, mistake_tolerance)) {
-            return false;
-        }
+        ++count;
+        if (open ? same_kind(probe.call, answers[i], expected)
+                 : same(answers[i], expected, mistake_tolerance))
+            ++alike;
     }
-    return alike >= most * open;
+    return alike >= (open ? most : 1) * count;
 }
 
-/// True if an answer of a function in which the mistake differs from the reference is wrong.
-bool is_wrong(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
+/// The functions with a wrong answer.
+Functions wrong_functions(const Probes& probes, const std::vector<Answer>& answers) {
+    Functions wrong;
     for (std::size_t i = 0; i < answers.size(); ++i)
-        if (errs_in(probes, mistake, *probes.probes[i].call.callee) &&
-            differs(probes, probes.probes[i], answers[i]))
-            return true;
-    return false;
+        if (differs(probes, probes.probes[i], answers[i]))
+            wrong.insert(probes.probes[i].call.callee);
+    return wrong;
 }
 
-/// True if a case may fail because of a wrong function in which the mistake is right.
-bool may_fail(const Probes& probes, std::size_t mistake, const SuiteCase& each,
-              const std::vector<Answer>& answers) {
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        const Callee* const callee = probes.probes[i].call.callee;
-        if (std::ranges::find(each.calls, callee) != each.calls.end() &&
-            !errs_in(probes, mistake, *callee) && differs(probes, probes.probes[i], answers[i]))
-            return true;
-    }
-    return false;
+bool calls_any(const SuiteCase& each, const Functions& functions) {
+    return std::ranges::any_of(each.calls,
+                               [&](const Callee* callee) { return functions.contains(callee); });
 }
 
-/// True if the failing cases are those that the mistake fails. Cases that were not run, or not
-/// known, do not count.
-bool fails_like(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
-                const CaseResults& results) {
+/// True if the failing cases are those that the mistake fails. Others may fail because of `also`,
+/// and fewer if the mistake is not made in `spared`. Cases that were not run, or not known, do not
+/// count.
+bool fails_like(const Probes& probes, std::size_t mistake, const Functions& also,
+                const Functions& spared, const CaseResults& results) {
     const std::vector<bool>& fails = probes.mistakes[mistake].fails;
     for (std::size_t i = 0; i < fails.size(); ++i) {
         const auto found = results.find(probes.cases[i].name);
         if (found == results.end() || found->second == !fails[i]) continue;
         const bool failed = !found->second;
-        if (!failed || !may_fail(probes, mistake, probes.cases[i], answers)) return false;
+        if (!calls_any(probes.cases[i], failed ? also : spared)) return false;
     }
     return true;
 }
 
+/// The mistake may be made in one of the functions where it can be made, and not in the others.
 bool is_recognised(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
                    const CaseResults& results) {
-    if (!answers_like(probes, mistake, answers)) return false;
-    if (!results.empty() && !fails_like(probes, mistake, answers, results)) return false;
-    if (is_wrong(probes, mistake, answers)) return true;
+    const Functions wrong = wrong_functions(probes, answers);
+    Functions made;
+    Functions spared;
+    Functions also = wrong;
+    for (const Callee& callee : callees()) {
+        if (callee.stage != probes.stage || !errs_in(probes, mistake, callee)) continue;
+        also.erase(&callee);
+        if (answers_like(probes, mistake, callee, answers))
+            made.insert(&callee);
+        else if (!wrong.contains(&callee))
+            spared.insert(&callee);
+        else
+            return false;
+    }
+    if (!results.empty() && !fails_like(probes, mistake, also, spared, results)) return false;
+    if (std::ranges::any_of(made, [&](const Callee* callee) { return wrong.contains(callee); }))
+        return true;
+    // Of an open function, the answers may be of a right kind.
     const std::vector<bool>& fails = probes.mistakes[mistake].fails;
-    return !results.empty() && errs_in_open(probes, mistake) &&
-           std::ranges::find(fails, true) != fails.end();
+    return !results.empty() && std::ranges::find(fails, true) != fails.end() &&
+           std::ranges::any_of(made,
+                               [&](const Callee* callee) { return is_open(probes, *callee); });
 }
 
 }  // namespace

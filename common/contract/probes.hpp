@@ -57,10 +57,11 @@ struct Probes {
 [[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
 
 /// The mistakes that the answers to all probes, in their order, and the results of the suite show.
-/// The answers equal the mistake's for every probe of the functions in which it differs from the
-/// reference. The failing cases are the mistake's, and others only if these call a function that is
-/// wrong too. A mistake in an open function must be the only one with these failing cases. Without
-/// results, the answers alone decide, and no mistake of an open function is recognized.
+/// The answers equal the mistake's for every probe of a function in which it differs from the
+/// reference; other such functions are right. The failing cases are the mistake's: others only if
+/// they call another wrong function, and fewer only if they call one that is right. A mistake in an
+/// open function must be the only one with these failing cases. Without results, the answers alone
+/// decide, and no mistake of an open function is recognized.
 [[nodiscard]] std::vector<Mistake> recognised(const Probes& probes,
                                               const std::vector<Answer>& answers,
                                               const CaseResults& results);

@@ -124,6 +124,7 @@ std::vector<std::string> take_out_open(Table& table, const std::vector<std::stri
                 out.insert(otherwise.begin(), otherwise.end());
         }
     }
+    std::erase_if(out, [&](std::size_t i) { return open.contains(table.calls[i].callee); });
     for (auto i = out.rbegin(); i != out.rend(); ++i) {
         table.calls.erase(table.calls.begin() + std::ptrdiff_t(*i));
         table.right.erase(table.right.begin() + std::ptrdiff_t(*i));

@@ -260,6 +260,31 @@ TEST_CASE("a mistake is recognized only if the cases that fail are those that it
     CHECK(known.is_named({{"a tangent", false}, {"another", false}}));
 }
 
+TEST_CASE("a mistake that can be made in two functions is recognized in one") {
+    const Probes probes = read_probes(
+        "stage 9\nmistake falls_off: Light does not fall off.\n"
+        "case diffuse_term: diffuse\ncase specular_term: specular\n"
+        "fails xx falls_off\n"
+        "call reflected({0, 0, 1}, {0, 0, 1})\nright {0, 0, 1}\n"
+        "call diffuse_term(ShadingPoint{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0, "
+        "Material{{1, 1, 1}, 1, 2, 0}}, Light{{0, 0, 2}, 1, {1, 1, 1}, 0})\n"
+        "right {1, 1, 1}\nwrong {Real(0.25), Real(0.25), Real(0.25)} | falls_off\n"
+        "call specular_term(ShadingPoint{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0, "
+        "Material{{1, 1, 1}, 1, 2, 0}}, Light{{0, 0, 2}, 1, {1, 1, 1}, 0})\n"
+        "right {1, 1, 1}\nwrong {Real(0.25), Real(0.25), Real(0.25)} | falls_off\n");
+    const Answer right = probes.probes[1].right;
+    const Answer wrong = probes.probes[1].mistaken[0];
+    const Answer reflected = probes.probes[0].right;
+    const auto named = [&](const Answer& diffuse, const Answer& specular,
+                           const CaseResults& results) {
+        return recognised(probes, {reflected, diffuse, specular}, results).size();
+    };
+    CHECK(named(wrong, wrong, {{"diffuse", false}, {"specular", false}}) == 1);
+    CHECK(named(wrong, right, {{"diffuse", false}, {"specular", true}}) == 1);
+    CHECK(named(wrong, right, {{"diffuse", true}, {"specular", false}}) == 0);
+    CHECK(named(right, right, {{"diffuse", true}, {"specular", true}}) == 0);
+}
+
 TEST_CASE("a mistake is recognized beside another one, in another function") {
     Tangent known;
     known.answers[1].value->parts[2].number = -1;
