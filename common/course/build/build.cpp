@@ -8,6 +8,10 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -86,11 +90,30 @@ private:
     std::string rest_;
 };
 
+/// Waits for another build, such as of `watch` beside `run`: ninja's logs are made for one at a
+/// time.
+class BuildLock {
+public:
+    BuildLock()
+        : file_(open((build_folder / "building").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+        const StatusLine status("waiting for another build …");
+        flock(file_, LOCK_EX);
+    }
+    ~BuildLock() { close(file_); }
+    BuildLock(const BuildLock&) = delete;
+    BuildLock& operator=(const BuildLock&) = delete;
+
+private:
+    int file_;
+};
+
 }  // namespace
 
 Build try_build(const std::vector<std::string>& targets) {
     Command command = {"env", "NINJA_STATUS=[%f %t %e] ", "ninja", "-C", build_folder.string()};
     command.insert(command.end(), targets.begin(), targets.end());
+    const BuildLock lock;
     Listener listener;
     std::string line;  // the last one, whose end is not printed yet
     const int status = run_heard(command, Streams::both, [&](std::string_view piece) {
@@ -111,6 +134,7 @@ void choose_reference(const std::string& stages) {
     const std::string setting = "RAYSTEPS_REFERENCE:STRING=" + stages;
     for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
         if (line == setting) return;
+    const BuildLock lock;
     const StatusLine status("configuring …");
     const ProcessResult ending =
         run_captured({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));

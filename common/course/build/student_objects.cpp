@@ -79,8 +79,10 @@ std::vector<SharedSymbol> shared_symbols(int stage) {
         for (int other = 1; other <= int(stage_names.size()); ++other) {
             if (other == stage) continue;
             for (const fs::path& other_file : student_files(other)) {
-                // No program has the trace of two stages.
-                if (file.filename() == trace_file && other_file.filename() == trace_file) continue;
+                // A program has one trace, of its last stage.
+                const bool is_trace = file.filename() == trace_file;
+                const bool is_other_trace = other_file.filename() == trace_file;
+                if ((is_trace && other > stage) || (is_other_trace && other < stage)) continue;
                 for (const std::string& name :
                      symbols(other_file, object_of(other, other_file, "f64")))
                     if (std::binary_search(mine.begin(), mine.end(), name))

@@ -84,6 +84,13 @@ Comparison compare_both(const ComparisonRequest& contest) {
     return compare(both.mine, both.reference);
 }
 
+Both<std::string> explain_both(const ComparisonRequest& contest, const std::string& pixel) {
+    const StatusLine status("explaining the pixel …");
+    return ask_both(contest, [&](const std::string& program, auto limit) {
+        return answer(program, contest, {"--pixel", pixel}, limit);
+    });
+}
+
 /// A word as the shell takes it.
 std::string shell_word(const std::string& word) {
     constexpr const char* plain =
@@ -145,9 +152,7 @@ int explain_pixel(const ComparisonRequest& contest, std::string pixel) {
         pixel = std::to_string(comparison.center->row) + "," +
                 std::to_string(comparison.center->column);
     }
-    const auto both = ask_both(contest, [&](const std::string& program, auto limit) {
-        return answer(program, contest, {"--pixel", pixel}, limit);
-    });
+    const auto both = explain_both(contest, pixel);
     std::fputs(text(compare_logs(both.mine, both.reference)).c_str(), stdout);
     show_parts(contest);
     return 0;
