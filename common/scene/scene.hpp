@@ -10,6 +10,7 @@
 #include "common/geometry/triangle.hpp"
 #include "common/image/pixel.hpp"
 #include "common/scene/axes.hpp"
+#include "common/scene/light.hpp"
 #include "common/scene/mesh_instance.hpp"
 #include "common/scene/primitives.hpp"
 #include "common/system/input_error.hpp"
@@ -38,20 +39,6 @@ struct Camera {
     Vec3 direction{0, 0, -1};  ///< unit length
     Real fov = pi / 3;         ///< radians, 0 to π
     FovAxis fov_axis = FovAxis::vertical;
-};
-
-/// Ambient light.
-struct Ambient {
-    Real ratio = 0;  ///< 0 to 1
-    Color color{1};
-};
-
-/// A point light or, with a radius, a spherical area light.
-struct Light {
-    Vec3 position;
-    Real brightness = 1;  ///< 0 to 1
-    Color color{1};
-    Real radius = 0;  ///< radius of the luminous sphere; 0 for a point light
 };
 
 /// A mesh that a scene names. It is loaded later, once the stage is known to support meshes.

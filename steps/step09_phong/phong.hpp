@@ -14,8 +14,8 @@
 // A comparison that requires a positive number is false for NaN.
 #pragma once
 
-#include "common/render/surface.hpp"
-#include "common/scene/scene.hpp"
+#include "common/scene/light.hpp"
+#include "common/scene/shading_point.hpp"
 
 namespace rt {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "common/geometry/ray.hpp"
-#include "common/render/surface.hpp"
+#include "common/scene/shading_point.hpp"
 
 namespace rt {
 inline namespace RT_PRECISION {

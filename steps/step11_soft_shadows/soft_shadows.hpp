@@ -7,7 +7,7 @@
 //   counter / SAMPLES  1 − visibility(…): CR counts the blocked rays
 #pragma once
 
-#include "common/scene/scene.hpp"
+#include "common/scene/light.hpp"
 
 namespace rt {
 inline namespace RT_PRECISION {
