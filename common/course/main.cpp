@@ -14,6 +14,8 @@
 #include "common/course/handout/handout.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/course/handout/update.hpp"
+#include "common/course/own/check_own.hpp"
+#include "common/course/own/lay_out.hpp"
 #include "common/course/view/view.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
@@ -37,6 +39,8 @@ struct Words {
     std::string reference;
     std::string place;
     std::optional<int> level;
+    bool check = false;
+    int seconds = 60;
 };
 
 /// "triangle" and "step05_triangle", for each stage.
@@ -120,6 +124,16 @@ int explain(const Words& words, rt::Command rest) {
         rest.erase(pixel);
     }
     return rt::explain_pixel(comparison(words, rest), which);
+}
+
+int own(const Words& words) {
+    if (!words.check) return rt::lay_out_own(rt::project_folder, words.place);
+    const std::string reference = rt::stage_target(rt::own_check_stage, "_reference_program");
+    rt::build({reference});
+    return rt::check_own({.folder = words.place,
+                          .reference = rt::build_folder / reference,
+                          .project = rt::project_folder,
+                          .limit = std::chrono::seconds(words.seconds)});
 }
 
 int test(rt::Command words) {
@@ -223,6 +237,16 @@ void Commands::add_student_commands() {
         rt::reset(stage());
         return 0;
     });
+    CLI::App* own_command =
+        add("own DIR", "begin a ray tracer of your own with your stages; --check compares it",
+            [this](Rest) { return own(words_); });
+    own_command->add_option("place", words_.place, "a new folder, or with --check an older one")
+        ->required();
+    own_command->add_flag("--check", words_.check,
+                          "compare the pictures of DIR/build/tracer with the reference's");
+    own_command->add_option("--seconds", words_.seconds, "the time limit of --check for a scene")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 3600));
     // The arguments, also options, are ctest's.
     add("test [N] [options of ctest]", "run the stage's suite, or all tests", test)
         ->prefix_command();

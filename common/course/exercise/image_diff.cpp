@@ -9,8 +9,7 @@ namespace rt {
 
 namespace {
 
-constexpr int rounding = 1;  // a color near n + ½ may be rounded up or down
-constexpr int gap = 4;       // white, between pictures
+constexpr int gap = 4;  // white, between pictures
 
 int difference(Rgb a, Rgb b) {
     int most = 0;
@@ -19,9 +18,9 @@ int difference(Rgb a, Rgb b) {
 }
 
 /// Dark where the pictures agree, so that differences stand out and their places are visible.
-Rgb shown_difference(Rgb mine, Rgb reference) {
+Rgb shown_difference(Rgb mine, Rgb reference, int tolerated) {
     const int most = difference(mine, reference);
-    if (most <= rounding) {
+    if (most <= tolerated) {
         const auto gray =
             static_cast<std::uint8_t>((reference[0] + reference[1] + reference[2]) / 12);
         return {gray, gray, gray};
@@ -88,7 +87,7 @@ std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
 
 }  // namespace
 
-Comparison compare(const Image& mine, const Image& reference) {
+Comparison compare(const Image& mine, const Image& reference, int tolerated) {
     const Resolution size = reference.resolution;
     if (mine.resolution.width != size.width || mine.resolution.height != size.height)
         throw InputError({}, "the two pictures differ in size");
@@ -97,10 +96,10 @@ Comparison compare(const Image& mine, const Image& reference) {
     std::vector<bool> differs(mine.pixels.size());
     for (std::size_t i = 0; i < mine.pixels.size(); ++i) {
         const int most = difference(mine.pixels[i], reference.pixels[i]);
-        differs[i] = most > rounding;
+        differs[i] = most > tolerated;
         comparison.different += differs[i] ? 1 : 0;
         comparison.most = std::max(comparison.most, most);
-        shown.pixels[i] = shown_difference(mine.pixels[i], reference.pixels[i]);
+        shown.pixels[i] = shown_difference(mine.pixels[i], reference.pixels[i], tolerated);
     }
     comparison.center = center_of_largest(std::move(differs), size);
     comparison.side_by_side = Image({3 * size.width + 2 * gap, size.height});

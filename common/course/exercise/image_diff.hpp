@@ -16,8 +16,13 @@ struct Comparison {
     std::optional<Pixel> center;  ///< of the largest cluster of different pixels
 };
 
-/// Compares two pictures. Throws InputError if their sizes differ.
-[[nodiscard]] Comparison compare(const Image& mine, const Image& reference);
+/// A color near n + ½ may be rounded up or down.
+inline constexpr int one_rounding = 1;
+
+/// Compares two pictures. Pixels differ if a color differs by more than `tolerated` levels of 255.
+/// Throws InputError if the sizes differ.
+[[nodiscard]] Comparison compare(const Image& mine, const Image& reference,
+                                 int tolerated = one_rounding);
 
 /// "1,234 of 307,200 pixels differ, by 255 at most; …", or a sentence that none differs.
 [[nodiscard]] std::string summary(const Comparison& comparison);

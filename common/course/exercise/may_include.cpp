@@ -32,6 +32,21 @@ std::string included_by(const std::string& line) {
     return end == std::string::npos ? "" : line.substr(start + 1, end - start - 1);
 }
 
+/// The lines of steps/may_include.txt that are for the stage.
+std::vector<fs::path> listed(const fs::path& project, int stage) {
+    std::vector<fs::path> headers;
+    for (const std::string& line : lines_of(read_text(project / "steps/may_include.txt"))) {
+        std::istringstream words(line);
+        std::string whose;
+        std::string header;
+        words >> whose >> header;
+        if (whose == "all" || whose == stage_name(stage)) headers.emplace_back(header);
+    }
+    return headers;
+}
+
+}  // namespace
+
 std::vector<Include> includes_of(const fs::path& file) {
     std::vector<Include> all;
     int number = 0;
@@ -48,21 +63,6 @@ std::vector<Include> includes_of(const fs::path& file) {
     }
     return all;
 }
-
-/// The lines of steps/may_include.txt that are for the stage.
-std::vector<fs::path> listed(const fs::path& project, int stage) {
-    std::vector<fs::path> headers;
-    for (const std::string& line : lines_of(read_text(project / "steps/may_include.txt"))) {
-        std::istringstream words(line);
-        std::string whose;
-        std::string header;
-        words >> whose >> header;
-        if (whose == "all" || whose == stage_name(stage)) headers.emplace_back(header);
-    }
-    return headers;
-}
-
-}  // namespace
 
 fs::path stage_header(int stage) {
     const std::string name(stage_name(stage));

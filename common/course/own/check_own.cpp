@@ -1,0 +1,122 @@
+#include "common/course/own/check_own.hpp"
+
+#include "common/course/exercise/image_diff.hpp"
+#include "common/course/own/ppm.hpp"
+#include "common/image/png.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/paint.hpp"
+#include "common/system/process.hpp"
+
+#include <cstdio>
+#include <fstream>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Of spheres, planes, ambient light and lights alone: no other element and no option.
+constexpr const char* scenes[] = {"step03_sphere", "step04_plane", "your_own"};
+
+constexpr int tolerated = 4;  ///< levels of 255: other formulas round in another way
+/// One pixel of so many may differ by more: at an outline, rounding decides what is hit.
+constexpr int pixels_for_one = 1000;
+
+constexpr const char* most_output = "131072";  ///< of 512 bytes: a picture has less than 1 MiB
+
+/// Throws InputError with the reason if a program leaves no picture.
+void run(const Command& program, const fs::path& picture, std::chrono::seconds limit) {
+    Command command = {"sh", "-c", std::string("ulimit -f ") + most_output + "; exec \"$@\"", "sh"};
+    command.insert(command.end(), program.begin(), program.end());
+    const ProcessResult ending = run_captured(command, limit);
+    if (ending.out_of_time)
+        throw InputError({}, "the program did not end within " + std::to_string(limit.count()) +
+                                 " s; --seconds sets another limit");
+    if (!ending.crash.empty()) throw InputError({}, "the program crashed: " + ending.crash);
+    const std::vector<std::string> printed = lines_of(ending.output);
+    if (ending.status != 0)
+        throw InputError({}, "the program ended with status " + std::to_string(ending.status) +
+                                 (printed.empty() ? "" : ": " + printed.front()));
+    if (!fs::is_regular_file(picture))
+        throw InputError({},
+                         "the program ended without a picture: it must write to the file that "
+                         "its second argument names");
+}
+
+bool is_png(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return in.get() == 0x89 && in.get() == 'P';
+}
+
+Image read_picture(const fs::path& file, Resolution expected) {
+    if (!is_png(file)) return read_ppm(file.string(), expected);
+    Image image = read_png(file.string());
+    if (image.resolution.width != expected.width || image.resolution.height != expected.height)
+        throw InputError({file.filename().string()}, "has the size of another scene");
+    return image;
+}
+
+/// The comparison in one line, and whether the pictures agree.
+struct Judgement {
+    bool agrees = false;
+    std::string sentence;
+};
+
+Judgement judge(const OwnCheck& check, const std::string& scene, const Image& reference) {
+    const std::string input = (check.project / "scenes" / (scene + ".rt")).string();
+    const TemporaryFolder folder;
+    const fs::path picture = folder.path() / "picture.ppm";
+    Image mine;
+    try {
+        run({fs::absolute(check.folder / "build/tracer").string(), input, picture.string()},
+            picture, check.limit);
+        mine = read_picture(picture, reference.resolution);
+    } catch (const InputError& error) {
+        return {.agrees = false, .sentence = error.what()};
+    }
+    const Comparison comparison = compare(mine, reference, tolerated);
+    const std::string shown = "renders/own_" + scene + ".png";
+    write_png((check.project / shown).string(), comparison.side_by_side, {});
+    const std::string pixels = std::to_string(reference.pixels.size());
+    return {.agrees = comparison.different <= int(reference.pixels.size()) / pixels_for_one,
+            .sentence = std::to_string(comparison.different) + " of " + pixels +
+                        " pixels differ by more than " + std::to_string(tolerated) +
+                        " levels; the largest difference is " + std::to_string(comparison.most) +
+                        ": " + shown};
+}
+
+Image reference_picture(const OwnCheck& check, const std::string& scene) {
+    const TemporaryFolder folder;
+    const fs::path picture = folder.path() / "picture.png";
+    const ProcessResult ending = run_captured(
+        {check.reference.string(), (check.project / "scenes" / (scene + ".rt")).string(), "--quiet",
+         "-o", picture.string()},
+        std::chrono::minutes(5));
+    if (ending.status != 0) throw ProgramError(ending.output);
+    return read_png(picture.string());
+}
+
+}  // namespace
+
+int check_own(const OwnCheck& check) {
+    if (!fs::is_regular_file(check.folder / "build/tracer")) {
+        const std::string name = check.folder.string();
+        throw InputError({name + "/build/tracer"},
+                         "no such program: build it with cmake -S " + name + " -B " + name +
+                             "/build && cmake --build " + name + "/build");
+    }
+    bool all_agree = true;
+    for (const std::string scene : scenes) {
+        const Judgement judgement = judge(check, scene, reference_picture(check, scene));
+        const std::string line =
+            (judgement.agrees ? "✓ " : "✗ ") + scene + ": " + judgement.sentence;
+        std::puts(styled(line, judgement.agrees ? Style::good : Style::bad).c_str());
+        all_agree = all_agree && judgement.agrees;
+    }
+    if (all_agree) std::puts("Your ray tracer draws what the reference draws.");
+    return all_agree ? 0 : 1;
+}
+
+}  // namespace rt

@@ -1,0 +1,26 @@
+// `./course own --check`: the pictures of the student's own ray tracer beside the reference's.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+
+namespace rt {
+
+/// The stage whose program draws the scenes of a check: all shapes, lights, shadows.
+inline constexpr int own_check_stage = 10;
+
+/// The programs and the folders of a check.
+struct OwnCheck {
+    std::filesystem::path folder;     ///< the student's: its program is build/tracer
+    std::filesystem::path reference;  ///< the reference program of own_check_stage
+    std::filesystem::path project;    ///< with the scenes; pictures are written to its renders/
+    std::chrono::seconds limit{60};   ///< of the student's program, for one scene
+};
+
+/// Runs the student's program, `build/tracer SCENE PICTURE`, on three scenes, compares each
+/// picture, PPM or PNG, with the reference's, and prints one line for each scene: how many pixels
+/// differ, or why there is no picture. Returns 0 if all pictures agree, else 1. Throws InputError
+/// if there is no such program.
+[[nodiscard]] int check_own(const OwnCheck& check);
+
+}  // namespace rt

@@ -1,0 +1,186 @@
+#include "common/course/own/lay_out.hpp"
+
+#include "common/course/exercise/may_include.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* main_cpp =
+    R"(// A ray tracer of your own. docs/your_own.md of Raysteps leads from here to a picture:
+//
+//   1. a picture file
+//   2. a loop over its pixels, with camera_ray and camera_basis
+//   3. the nearest of a list of shapes
+//   4. a scene from a file
+//   5. light and shadow
+//   6. a comparison with the pictures of Raysteps: ./course own --check and this folder
+
+int main() {}
+)";
+
+constexpr const char* cmake_lists = R"(cmake_minimum_required(VERSION 3.22)
+project(tracer CXX)
+set(CMAKE_CXX_STANDARD 20)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)  # optimized: ten times as fast
+endif()
+find_package(glm REQUIRED)
+file(GLOB stages CONFIGURE_DEPENDS steps/*/student/*.cpp common/*/*.cpp)
+add_executable(tracer main.cpp ${stages})
+target_include_directories(tracer PRIVATE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(tracer PRIVATE GLM_FORCE_CTOR_INIT)  # GLM's vectors start as zeros
+target_link_libraries(tracer PRIVATE glm::glm)
+)";
+
+constexpr const char* readme = R"(# A ray tracer of my own
+
+    cmake -S . -B build
+    cmake --build build
+    build/tracer scene.rt picture.ppm
+
+The guide is )";
+
+/// The student's files of a stage, as paths in the project, except `trace`, which needs the
+/// renderer; none if the stage is not started.
+std::vector<fs::path> files_of(const fs::path& project, int stage) {
+    const fs::path folder = fs::path("steps") / stage_name(stage) / "student";
+    std::vector<fs::path> files;
+    for (const fs::path& file : files_in(project / folder, ".cpp"))
+        if (file.filename() != "main.cpp") files.push_back(folder / file.filename());
+    return files;
+}
+
+/// The file of the project that an #include in the given file names, as a path in the project;
+/// nothing for a header of a library.
+std::optional<fs::path> included_file(const fs::path& project, const fs::path& file,
+                                      const Include& include) {
+    for (const fs::path& candidate :
+         {file.parent_path() / include.header, fs::path(include.header)}) {
+        const fs::path path = candidate.lexically_normal();
+        const bool is_outside = path.is_absolute() || *path.begin() == "..";
+        if (!is_outside && fs::is_regular_file(project / path)) return path;
+    }
+    return std::nullopt;
+}
+
+/// The contents of the new folder, without those that are the same for everybody.
+class Layout {
+public:
+    explicit Layout(fs::path project) : project_(std::move(project)) {
+        for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+            (files_of(project_, stage).empty() ? left_out_ : stages_).push_back(stage);
+        for (const int stage : stages_)
+            for (const fs::path& file : files_of(project_, stage)) {
+                add(file);
+                warn_of_includes(stage, file);
+            }
+        add("common/math/vector.hpp");
+        // An unfinished function calls it, to report that it is not written yet.
+        if (files_.count("common/stages/todo.hpp") > 0) add("common/stages/todo.cpp");
+    }
+
+    [[nodiscard]] const std::set<fs::path>& files() const { return files_; }
+    [[nodiscard]] const std::vector<int>& stages() const { return stages_; }
+    [[nodiscard]] const std::vector<int>& left_out() const { return left_out_; }
+
+private:
+    /// Adds the file and everything of the project that it includes.
+    void add(const fs::path& first) {
+        std::vector<fs::path> wanted = {first};
+        while (!wanted.empty()) {
+            const fs::path file = wanted.back();
+            wanted.pop_back();
+            if (!files_.insert(file).second) continue;
+            for (const Include& include : includes_of(project_ / file))
+                if (const auto path = included_file(project_, file, include))
+                    wanted.push_back(*path);
+        }
+    }
+
+    void warn_of_includes(int stage, const fs::path& file) const {
+        const std::set<fs::path> allowed = allowed_headers(project_, stage);
+        for (const Include& include : includes_of(project_ / file)) {
+            const auto path = included_file(project_, file, include);
+            if (!path || path->parent_path() == file.parent_path()) continue;
+            const std::string place = to_string({.file = file.string(), .line = include.line});
+            if (allowed.count(*path) == 0)
+                std::fprintf(stderr,
+                             "%swarning: %s is not a header of this stage: it is copied, with all "
+                             "that it includes, but without the code behind it\n",
+                             place.c_str(), path->c_str());
+            for (const int other : left_out_)
+                if (*path == stage_header(other))
+                    std::fprintf(stderr,
+                                 "%swarning: %s is not started: if its functions are called here, "
+                                 "the linker will not find them\n",
+                                 place.c_str(), name_of(other).c_str());
+        }
+    }
+
+    fs::path project_;
+    std::set<fs::path> files_;
+    std::vector<int> stages_;
+    std::vector<int> left_out_;
+};
+
+void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
+    const fs::file_type type = fs::symlink_status(target).type();
+    const bool is_free = type == fs::file_type::not_found ||
+                         (type == fs::file_type::directory && fs::is_empty(target));
+    if (!is_free)
+        throw InputError({destination.string()},
+                         "exists already: expected a new name, or an empty folder");
+}
+
+void write(const Layout& layout, const fs::path& project, const fs::path& folder) {
+    for (const fs::path& file : layout.files()) copy_whole(project / file, folder / file);
+    write_text(folder / "main.cpp", main_cpp);
+    write_text(folder / "CMakeLists.txt", cmake_lists);
+    write_text(folder / "README.md", readme + (project / "docs/your_own.md").string() + "\n");
+}
+
+}  // namespace
+
+int lay_out_own(const fs::path& project, const fs::path& destination) {
+    if (destination.empty()) throw InputError({}, "own: expected a name, not \"\"");
+    const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
+    refuse_what_is_there(destination, target);
+    const Layout layout(project);
+    if (layout.stages().empty())
+        throw InputError({},
+                         "no stage is started, so there is nothing to build on: ./course start 1");
+
+    // Beside it until it is whole.
+    fs::create_directories(target.parent_path());
+    const TemporaryFolder workshop(target.parent_path());
+    const fs::path folder = workshop.path() / "own";
+    write(layout, project, folder);
+    refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
+    fs::rename(folder, target);
+
+    const std::string name = destination.string();
+    std::printf("%s: your files of %zu stages, and the headers that they include\n", name.c_str(),
+                layout.stages().size());
+    std::string left_out;
+    for (const int stage : layout.left_out())
+        left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
+    if (!left_out.empty()) std::printf("left out, as not started: %s\n", left_out.c_str());
+    std::printf(
+        "build: cmake -S %s -B %s/build && cmake --build %s/build\nread:  docs/your_own.md\n",
+        name.c_str(), name.c_str(), name.c_str());
+    return 0;
+}
+
+}  // namespace rt
