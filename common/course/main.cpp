@@ -128,9 +128,10 @@ int explain(const Words& words, rt::Command rest) {
 
 int own(const Words& words) {
     if (!words.check) return rt::lay_out_own(rt::project_folder, words.place);
+    const std::filesystem::path program = rt::own_program(words.place);
     const std::string reference = rt::stage_target(rt::own_check_stage, "_reference_program");
     rt::build({reference});
-    return rt::check_own({.folder = words.place,
+    return rt::check_own({.program = program,
                           .reference = rt::build_folder / reference,
                           .project = rt::project_folder,
                           .limit = std::chrono::seconds(words.seconds)});

@@ -91,6 +91,14 @@ echo >> $mine
 course 0
 says "changed since it passed"
 
+# A ray tracer of the student's own; own_test.sh tests the rest.
+course 0 own tracer
+says "left out, as not started: step01_ray_generation"
+course 2 own tracer
+says "tracer: error: exists already"
+course 2 own --check tracer
+says "tracer/build/tracer: error: no such program"
+
 # A forbidden include in a graded file: it passes here, with a warning. An allowed one: the headers
 # of its own header. A comment includes nothing. A second source file: linked here, with a warning.
 echo "// of mine" > $stage/student/helpers.hpp

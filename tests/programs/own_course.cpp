@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
     try {
         if (argc == 3) return rt::lay_out_own(argv[1], argv[2]);
         if (argc == 5)
-            return rt::check_own({.folder = argv[2],
+            return rt::check_own({.program = rt::own_program(argv[2]),
                                   .reference = argv[3],
                                   .project = argv[1],
                                   .limit = std::chrono::seconds(std::atoi(argv[4]))});

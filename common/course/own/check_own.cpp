@@ -70,8 +70,7 @@ Judgement judge(const OwnCheck& check, const std::string& scene, const Image& re
     const fs::path picture = folder.path() / "picture.ppm";
     Image mine;
     try {
-        run({fs::absolute(check.folder / "build/tracer").string(), input, picture.string()},
-            picture, check.limit);
+        run({check.program.string(), input, picture.string()}, picture, check.limit);
         mine = read_picture(picture, reference.resolution);
     } catch (const InputError& error) {
         return {.agrees = false, .sentence = error.what()};
@@ -100,13 +99,16 @@ Image reference_picture(const OwnCheck& check, const std::string& scene) {
 
 }  // namespace
 
+fs::path own_program(const fs::path& folder) {
+    const fs::path program = folder / "build/tracer";
+    if (fs::is_regular_file(program)) return fs::absolute(program);
+    const std::string name = folder.string();
+    throw InputError({program.string()}, "no such program: build it with cmake -S " + name +
+                                             " -B " + name + "/build && cmake --build " + name +
+                                             "/build");
+}
+
 int check_own(const OwnCheck& check) {
-    if (!fs::is_regular_file(check.folder / "build/tracer")) {
-        const std::string name = check.folder.string();
-        throw InputError({name + "/build/tracer"},
-                         "no such program: build it with cmake -S " + name + " -B " + name +
-                             "/build && cmake --build " + name + "/build");
-    }
     bool all_agree = true;
     for (const std::string scene : scenes) {
         const Judgement judgement = judge(check, scene, reference_picture(check, scene));

@@ -9,18 +9,20 @@ namespace rt {
 /// The stage whose program draws the scenes of a check: all shapes, lights, shadows.
 inline constexpr int own_check_stage = 10;
 
+/// The student's program, build/tracer in the folder. Throws InputError if it is not there.
+[[nodiscard]] std::filesystem::path own_program(const std::filesystem::path& folder);
+
 /// The programs and the folders of a check.
 struct OwnCheck {
-    std::filesystem::path folder;     ///< the student's: its program is build/tracer
+    std::filesystem::path program;    ///< the student's
     std::filesystem::path reference;  ///< the reference program of own_check_stage
     std::filesystem::path project;    ///< with the scenes; pictures are written to its renders/
     std::chrono::seconds limit{60};   ///< of the student's program, for one scene
 };
 
-/// Runs the student's program, `build/tracer SCENE PICTURE`, on three scenes, compares each
-/// picture, PPM or PNG, with the reference's, and prints one line for each scene: how many pixels
-/// differ, or why there is no picture. Returns 0 if all pictures agree, else 1. Throws InputError
-/// if there is no such program.
+/// Runs the student's program, `tracer SCENE PICTURE`, on three scenes, compares each picture, PPM
+/// or PNG, with the reference's, and prints one line for each scene: how many pixels differ, or why
+/// there is no picture. Returns 0 if all pictures agree, else 1.
 [[nodiscard]] int check_own(const OwnCheck& check);
 
 }  // namespace rt
