@@ -241,7 +241,7 @@ void Commands::add_student_commands() {
     CLI::App* own_command =
         add("own DIR", "begin a ray tracer of your own with your stages; --check compares it",
             [this](Rest) { return own(words_); });
-    own_command->add_option("place", words_.place, "a new folder, or with --check an older one")
+    own_command->add_option("DIR", words_.place, "a new folder, or with --check an older one")
         ->required();
     own_command->add_flag("--check", words_.check,
                           "compare the pictures of DIR/build/tracer with the reference's");
