@@ -19,18 +19,15 @@ std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interva
     const Real c = hh * dot(o, o) - rr * oz * oz;
     const Real delta = b * b - 4 * a * c;
     if (!(delta >= 0)) return std::nullopt;
-    Real first = -c / b;
-    Real second = -c / b;
-    if (a != 0) {
-        first = (-b - std::sqrt(delta)) / (2 * a);
-        second = (-b + std::sqrt(delta)) / (2 * a);
-        if (first > second) std::swap(first, second);
-    }
-    for (const Real t : {first, second}) {
+    const auto counts = [&](Real t) {
         const Real height = oz + t * dz;
-        if (height >= 0 && height <= cone.height && interval.contains(t)) return t;
-    }
-    return std::nullopt;
+        return 0 <= height && height <= cone.height && interval.contains(t);
+    };
+    if (a == 0) return counts(-c / b) ? std::optional(-c / b) : std::nullopt;
+    const Real root = std::sqrt(delta);
+    const auto [near, far] = std::minmax({(-b - root) / (2 * a), (-b + root) / (2 * a)});
+    if (counts(near)) return near;
+    return counts(far) ? std::optional(far) : std::nullopt;
 }
 
 }  // namespace rt

@@ -63,17 +63,16 @@ void weigh(std::vector<Text>& texts) {
 
 std::vector<Text> texts_of(const fs::path& results, const fs::path& project,
                            const std::vector<Mark>& marks, int stage) {
-    const fs::path folder = project / "steps" / stage_name(stage) / "starter";
-    const std::vector<fs::path> starters = files_in(folder, ".cpp");
-    if (starters.empty()) return {};
-    const std::vector<std::uint64_t> starter = passages(normalised(read_text(starters.front())));
+    const std::string name(stage_name(stage));
+    const std::string graded = name.substr(7) + ".cpp";
+    const fs::path starter_file = project / "steps" / name / "starter" / graded;
+    if (!fs::exists(starter_file)) return {};
+    const std::vector<std::uint64_t> starter = passages(normalised(read_text(starter_file)));
     std::vector<Text> texts;
     for (const Mark& mark : marks)
         if (mark.stage == stage && mark.verdict != Verdict::missing)
-            texts.push_back(read(
-                mark,
-                student_folder(results, mark.student) / "submitted" / starters.front().filename(),
-                starter));
+            texts.push_back(
+                read(mark, student_folder(results, mark.student) / "submitted" / graded, starter));
     weigh(texts);
     return texts;
 }
