@@ -8,7 +8,7 @@ using namespace rt::grade;
 namespace fs = std::filesystem;
 
 TEST_CASE("students are called as their folders are, in plain letters") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("zoë/sphere.cpp", "");
     ground.write("a\n\"b\"<c>/sphere.cpp", "");
     ground.write("-rf/sphere.cpp", "");
@@ -21,7 +21,7 @@ TEST_CASE("students are called as their folders are, in plain letters") {
 }
 
 TEST_CASE("results among the submissions are no student's") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("ann/sphere.cpp", "");
     ground.write("seed.txt/sphere.cpp", "");
     ground.write("results/students/ann/submitted/sphere.cpp", "");
@@ -33,7 +33,7 @@ TEST_CASE("results among the submissions are no student's") {
 }
 
 TEST_CASE("one submission is not a class, and neither is an empty folder") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("ann/sphere.cpp", "");
     CHECK(ground.find({ground.place("ann")}).submissions.size() == 1);
     ground.write("bob/step03_sphere/sphere.cpp", "");
@@ -44,7 +44,7 @@ TEST_CASE("one submission is not a class, and neither is an empty folder") {
 }
 
 TEST_CASE("Moodle's folders have a student's zip inside") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/my code/sphere.cpp", "three");
     ground.zip("work", "Zoë Doe_123_assignsubmission_file_/work.zip");
     ground.write("Zoë Doe_123_assignsubmission_onlinetext_/onlinetext.html", "hello");
@@ -64,7 +64,7 @@ TEST_CASE("Moodle's folders have a student's zip inside") {
 }
 
 TEST_CASE("Canvas's files have the student's name before their own") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("doezoe_123_4567_sphere.cpp", "three");
     ground.write("doezoe_123_4568_plane-1.cpp", "four");
     ground.write("work/sphere.cpp", "late three");
@@ -81,7 +81,7 @@ TEST_CASE("Canvas's files have the student's name before their own") {
 }
 
 TEST_CASE("a class in one archive is a class, and a student's own archive is not") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/inner/sphere.cpp", "a");
     ground.zip("work", "all/class/ann.zip");
     ground.write("all/class/ben/sphere.cpp", "b");
@@ -105,7 +105,7 @@ TEST_CASE("a class in one archive is a class, and a student's own archive is not
 }
 
 TEST_CASE("names that are one on other systems are made two") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("Ann/sphere.cpp", "");
     ground.write("ann/sphere.cpp", "");
     ground.write("ann./sphere.cpp", "");
@@ -121,7 +121,7 @@ TEST_CASE("names that are one on other systems are made two") {
 }
 
 TEST_CASE("one submission is one, whatever folders it has; a class with a stray file is neither") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     for (int i = 0; i < 10; ++i)
         ground.write("copy" + std::to_string(i) + "/sphere.cpp", std::to_string(i));
     const ClassFolder one = one_submission({ground.place("")});

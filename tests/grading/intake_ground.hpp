@@ -16,12 +16,13 @@ using Files = std::map<int, std::string>;
 /// A class to be, and a workshop, in a folder of their own.
 class Ground {
 public:
-    Ground() {
+    /// `sealed` is the launcher; the program `unpack` is beside it.
+    explicit Ground(const std::filesystem::path& sealed) {
         std::filesystem::permissions(folder_, std::filesystem::perms(0755));
         for (const char* each : {"class", "workshop"})
             std::filesystem::create_directory(folder_ / each);
         std::filesystem::permissions(folder_ / "workshop", std::filesystem::perms(0755));
-        workshop_ = {.folder = folder_ / "workshop", .sealed = RAYSTEPS_SEALED};
+        workshop_ = {.folder = folder_ / "workshop", .sealed = sealed};
         std::filesystem::copy_file(workshop_.sealed.parent_path() / "unpack",
                                    folder_ / "workshop/unpack");
     }

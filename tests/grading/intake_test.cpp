@@ -11,7 +11,7 @@ using namespace rt::grade;
 namespace fs = std::filesystem;
 
 TEST_CASE("a file is found by its name, wherever it is") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("flat/sphere.cpp", "three");
     ground.write("flat/notes.cpp", "no stage's");
     CHECK(ground.take("flat").files == Files{{3, "three"}});
@@ -36,7 +36,7 @@ TEST_CASE("a file is found by its name, wherever it is") {
 }
 
 TEST_CASE("links, devices and books are not collected") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("secret/passwords", "secret");
     ground.write("links/readme", "");
     fs::create_symlink(ground.place("secret/passwords"), ground.place("links/sphere.cpp"));
@@ -54,7 +54,7 @@ TEST_CASE("links, devices and books are not collected") {
 }
 
 TEST_CASE("archives of every usual kind are opened") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     const std::vector<std::pair<std::string, std::string>> kinds{
         {"zip", "--format=zip"}, {"7z", "--format=7zip"}, {"tar", "--format=gnutar"}};
     for (const auto& [ending, format] : kinds) {
@@ -74,7 +74,7 @@ TEST_CASE("archives of every usual kind are opened") {
 }
 
 TEST_CASE("an archive leads nowhere else") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("victim/sphere.cpp", "untouched");
     ground.write("work/x/sphere.cpp", "wicked");
     ground.pack("up.tar", "work", {"-P", "--transform", "s|x|../../class/victim|", "x/sphere.cpp"});
@@ -97,7 +97,7 @@ TEST_CASE("an archive leads nowhere else") {
 }
 
 TEST_CASE("a file that is not an archive, and a bomb, are reported") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("a.zip", "this is no archive");
     CHECK(ground.take("a.zip").words_on_all.find("The archive a.zip cannot be opened") == 0);
     // 200 MB of zeros in 200 KB: more than a file may have.
@@ -111,7 +111,7 @@ TEST_CASE("a file that is not an archive, and a bomb, are reported") {
 }
 
 TEST_CASE("names given by people and browsers are accepted, and reported") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     const std::vector<std::pair<std::string, int>> near{
         {"Sphere.cpp", 3},        {"sphere.cc", 3},         {"sphere (1).cpp", 3},
         {"sphere-1.cpp", 3},      {"SPHERE.CPP", 3},        {"step03_sphere.cpp", 3},
@@ -136,7 +136,7 @@ TEST_CASE("names given by people and browsers are accepted, and reported") {
 }
 
 TEST_CASE("near names that are not used are reported; so are all sources if none is used") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     for (const char* name : {"shpere.cpp", "sphere.txt", "sphere.cpp.txt", "spheres.cpp"}) {
         ground.write(std::string("ann/") + name, "");
         const SubmittedFiles taken = ground.take("ann");
@@ -151,7 +151,7 @@ TEST_CASE("near names that are not used are reported; so are all sources if none
 }
 
 TEST_CASE("an archive whose list of names is long is read to its end") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     for (int i = 0; i < 3000; ++i)
         ground.write("work/a/" + std::string(40, 'x') + std::to_string(i), "");
     ground.write("work/b/sphere.cpp", "three");
@@ -160,7 +160,7 @@ TEST_CASE("an archive whose list of names is long is read to its end") {
 }
 
 TEST_CASE("names in archives are names, and no patterns") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/*/sphere.cpp", "star");
     for (int i = 0; i < 400; ++i)
         ground.write("work/x" + std::to_string(i) + "\n/sphere.cpp/notes.txt", "x");
@@ -172,7 +172,7 @@ TEST_CASE("names in archives are names, and no patterns") {
 }
 
 TEST_CASE("a link among an archive's names spoils nothing, and is never followed") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/code/sphere.cpp", "three");
     fs::create_symlink("/etc/passwd", ground.place("work/sphere.cpp"));
     fs::create_symlink("/etc/passwd", ground.place("work/plane.cpp"));
@@ -183,7 +183,7 @@ TEST_CASE("a link among an archive's names spoils nothing, and is never followed
 }
 
 TEST_CASE("the total size of an archive's files is limited") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     const std::string large(250 * 1024, ' ');
     ground.write("work/0/plane.cpp", "four");
     for (int i = 0; i < 150; ++i)
@@ -203,7 +203,7 @@ TEST_CASE("the total size of an archive's files is limited") {
 }
 
 TEST_CASE("a Mac's archive has twice the names, and one student's files") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/work/sphere.cpp", "three");
     ground.write("work/work/.DS_Store", "x");
     ground.write("work/work/._sphere.cpp", "x");
@@ -217,7 +217,7 @@ TEST_CASE("a Mac's archive has twice the names, and one student's files") {
 }
 
 TEST_CASE("many archives are opened at a time") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/sphere.cpp", "three");
     ground.pack("a.tar.gz", "work", {"--gzip", "."});
     std::atomic<int> right = 0;
@@ -228,7 +228,7 @@ TEST_CASE("many archives are opened at a time") {
 }
 
 TEST_CASE("archives in archives end, and one that goes on for ever is the last") {
-    const Ground ground;
+    const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/0/sphere.cpp", "three");
     for (int i = 0; i < 5; ++i) {
         ground.write("inner/x", "");
