@@ -5,6 +5,20 @@
 // told: which is not the stage's
 #include "steps/step04_plane/plane.hpp"
 
+// As in common/geometry/square.hpp, which may not be included.
+namespace rt {
+inline namespace RT_PRECISION {
+
+struct Square {
+    Vec3 center;
+    Basis basis;
+    Real side = 1;
+    bool one_sided = false;
+};
+
+}  // namespace RT_PRECISION
+}  // namespace rt
+
 namespace rt {
 
 [[gnu::noipa]] inline std::optional<Real> intersect(const Ray&, const Square&, Interval) {

@@ -5,6 +5,19 @@
 // told: Your file calls rt::intersect(
 #include "steps/step06_square/square.hpp"
 
+// As in common/geometry/triangle.hpp, which may not be included.
+namespace rt {
+inline namespace RT_PRECISION {
+
+struct Triangle {
+    Vec3 a;
+    Vec3 b;
+    Vec3 c;
+};
+
+}  // namespace RT_PRECISION
+}  // namespace rt
+
 namespace rt {
 
 std::optional<Real> intersect(const Ray&, const Triangle&, Interval);

@@ -5,6 +5,20 @@
 // told: version of a symbol
 #include "steps/step04_plane/plane.hpp"
 
+// As in common/geometry/square.hpp, which may not be included.
+namespace rt {
+inline namespace RT_PRECISION {
+
+struct Square {
+    Vec3 center;
+    Basis basis;
+    Real side = 1;
+    bool one_sided = false;
+};
+
+}  // namespace RT_PRECISION
+}  // namespace rt
+
 asm(".symver other_square, _ZN2rt9intersectERKNS_3f643RayERKNS0_6SquareENS0_8IntervalE@OTHER");
 
 namespace rt {
