@@ -286,9 +286,9 @@ TEST_CASE("binary files, and text of two bytes a character") {
 }
 
 TEST_CASE("a line that is too long to be an element") {
-    const std::string camera = "C 0,0,0 0,0,-1 60\n";
-    CHECK(strict_refusal(camera + std::string(10'000, ' ') + "\n") == "accepted");
-    CHECK(lenient_refusal(camera + std::string(10'001, ' ')) ==
+    const std::string first_line = "C 0,0,0 0,0,-1 60\n";
+    CHECK(strict_refusal(first_line + std::string(10'000, ' ') + "\n") == "accepted");
+    CHECK(lenient_refusal(first_line + std::string(10'001, ' ')) ==
           "scene.rt:2:10001: error: a line of more than 10000 bytes: expected an element");
 }
 
