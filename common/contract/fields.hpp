@@ -77,6 +77,9 @@ inline constexpr auto record<Light> = record_of("Light", field("position", &Ligh
                                                 field("color", &Light::color),
                                                 field("radius", &Light::radius));
 template <>
+inline constexpr auto record<Sky> = record_of("Sky", field("bottom", &Sky::bottom),
+                                              field("top", &Sky::top));
+template <>
 inline constexpr auto record<ShadowRay> = record_of("ShadowRay", field("ray", &ShadowRay::ray),
                                                     field("interval", &ShadowRay::interval));
 template <>

@@ -50,6 +50,7 @@ inline void put_scene(Writer& to, const Scene& scene) {
     put(to, scene.cameras);
     put(to, scene.ambient);
     put(to, scene.lights);
+    put(to, scene.sky);
     for_each_kind(scene, [&](const auto& primitives) { put(to, primitives); });
     put(to, scene.meshes);
 }
@@ -60,6 +61,7 @@ inline Scene get_scene(Reader& from) {
     scene.cameras = get<std::vector<Camera>>(from);
     scene.ambient = get<std::optional<Ambient>>(from);
     scene.lights = get<std::vector<Light>>(from);
+    scene.sky = get<std::optional<Sky>>(from);
     for_each_kind(scene, [&](auto& primitives) { get_items(from, primitives); });
     get_items(from, scene.meshes);
     build_acceleration(scene);

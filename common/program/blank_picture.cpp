@@ -22,15 +22,16 @@ constexpr std::size_t most_cameras_tried = 16;
 
 /// The number of rays of a small picture that hit a shape.
 int hits(const Scene& scene, const Camera& camera, RenderSettings settings) {
-    settings.shading = Shading::normal;  // in this shading only missed pixels are black
+    settings.shading = Shading::normal;  // in this shading only missed pixels are black, or the sky
     const PixelRays pixel_ray = pixel_rays(camera, trial_size);
     Context context{.settings = settings};
     int count = 0;
     for (int row = 0; row < trial_size.height; ++row)
         for (int column = 0; column < trial_size.width; ++column) {
             context.pixel = {.row = row, .column = column};
-            const Color color = trace(scene, pixel_ray(context.pixel), context);
-            if (to_rgb(color) != Rgb{0, 0, 0}) ++count;
+            const Ray ray = pixel_ray(context.pixel);
+            const Rgb color = to_rgb(trace(scene, ray, context));
+            if (color != Rgb{0, 0, 0} && color != to_rgb(background(scene, ray))) ++count;
         }
     return count;
 }

@@ -40,6 +40,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
         };
         std::apply([&](const auto&... kind) { (of_kind(kind), ...); }, shape_kinds);
     };
+    require(scene.sky ? 1 : 0, shapes_stage, "sky", "");
     require_shapes(0, light_stage);
     if (stage >= light_stage) {
         const auto shines = [](const Material& material) { return material.specular > 0; };

@@ -5,6 +5,7 @@
 
 #include "common/geometry/ray.hpp"
 #include "common/math/basis.hpp"
+#include "common/math/vector.hpp"
 #include "common/render/context.hpp"
 #include "common/scene/scene.hpp"
 
@@ -26,6 +27,13 @@ struct PixelRays {
 }  // namespace rt
 
 namespace rt {
+
+/// The color of a ray that hits nothing: that of the scene's sky in its direction, or black.
+[[nodiscard]] inline Color background(const Scene& scene, const Ray& ray) {
+    if (!scene.sky) return Color(0);
+    const Real share = (unit(ray.direction).y + Real(1)) / Real(2);
+    return (Real(1) - share) * scene.sky->bottom + share * scene.sky->top;
+}
 
 /// The constants of the rays of one picture.
 [[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);

@@ -13,6 +13,7 @@
 #include "common/scene/light.hpp"
 #include "common/scene/mesh_instance.hpp"
 #include "common/scene/primitives.hpp"
+#include "common/scene/sky.hpp"
 #include "common/system/input_error.hpp"
 
 #include <concepts>
@@ -57,6 +58,7 @@ struct Scene {
     std::vector<Camera> cameras;  ///< at least one; a picture uses the first
     std::optional<Ambient> ambient;
     std::vector<Light> lights;
+    std::optional<Sky> sky;  ///< black without one
 
     PrimitiveList<Sphere> spheres;
     PrimitiveList<Plane> planes;

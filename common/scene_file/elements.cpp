@@ -47,6 +47,11 @@ void read_light(Fields& fields, const ElementReading&, Scene& scene) {
                             .radius = fields.length_option("radius", 0)});
 }
 
+void read_sky(Fields& fields, const ElementReading&, Scene& scene) {
+    const Color bottom = fields.color("bottom color");
+    scene.sky = Sky{.bottom = bottom, .top = fields.color("top color")};
+}
+
 bool is_finite(Vec3 v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -156,6 +161,7 @@ constexpr auto table = std::to_array<Element>({
     {{"c", "a camera", "c position direction fov"}, read_camera},
     {{"L", "a light", "L position brightness color"}, read_light},
     {{"l", "a light", "l position brightness color"}, read_light},
+    {{"sky", "the sky", "sky color color"}, read_sky, last_counts},
     {{"sp", "a sphere", "sp position diameter color"}, read_sphere},
     {{"pl", "a plane", "pl position normal color"}, read_plane},
     {{"tr", "a triangle", "tr corner corner corner color"}, read_triangle},

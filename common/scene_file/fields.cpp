@@ -89,11 +89,11 @@ Real Fields::angle(std::string_view field) {
     return std::min(up_to(180, take_word(field), field) * pi / 180, largest);
 }
 
-Color Fields::color() {
-    skip_to_triple("color");
-    if (word_for_color()) return Color(1);
-    const Triple read = triple("color");
-    const std::string name = component_of(what("color"));
+Color Fields::color(std::string_view field) {
+    skip_to_triple(field);
+    if (word_for_color(field)) return Color(1);
+    const Triple read = triple(field);
+    const std::string name = component_of(what(field));
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
         if (!within(read.numbers[i], 255)) refuse(read.parts[i], name + " must be from 0 to 255");
         if (read.numbers[i].whole) continue;
@@ -105,13 +105,13 @@ Color Fields::color() {
 
 /// Consumes words up to the first that is not a number, if lenient reading finds such a word and no
 /// triple.
-bool Fields::word_for_color() {
+bool Fields::word_for_color(std::string_view field) {
     if (strict() || !words_without_triple()) return false;
     for (std::optional<Decimal> number = Decimal(); number;) {
-        const Token word = take_word("color");
+        const Token word = take_word(field);
         number = parse_decimal(word.text);
         doubt(word, "word for color " + what(""),
-              quoted(word.text) + " is in place of " + what("color"), "it is white");
+              quoted(word.text) + " is in place of " + what(field), "it is white");
     }
     return true;
 }

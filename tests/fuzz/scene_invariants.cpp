@@ -165,6 +165,13 @@ Numbers checked_numbers(const Scene& scene) {
         require(light.radius >= 0, "a light's radius is not negative");
         numbers.push_back(light.radius);
     }
+    numbers.push_back(Real(scene.sky.has_value()));
+    if (scene.sky) {
+        const auto& [bottom, top] = *scene.sky;
+        require(within_one(bottom) && within_one(top), "a sky's colors are from 0 to 1");
+        add(numbers, bottom);
+        add(numbers, top);
+    }
     add(numbers, scene.spheres);
     add(numbers, scene.planes);
     add(numbers, scene.triangles);

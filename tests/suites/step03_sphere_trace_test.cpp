@@ -31,6 +31,16 @@ TEST_CASE("without a hit the pixel is black (CR §2.1)") {
     CHECK(shows("sp 3,0,-5 2 255,0,0\nsp 0,-4,-9 3 0,255,0\n", black));
 }
 
+TEST_CASE("without a hit the pixel is the color of the scene's sky in the ray's direction") {
+    const std::string sky = "sky 0,0,255 255,0,0\n";
+    CHECK(shows(sky, {128, 0, 128}));                             // level: half of each
+    CHECK(shows(sky + "C 0,0,0 0,1,0 60\n", {255, 0, 0}));        // straight up
+    CHECK(shows(sky + "C 0,0,0 0,-1,0 60\n", {0, 0, 255}));       // straight down
+    CHECK(shows(sky + "C 0,0,0 0,0.6,-0.8 60\n", {204, 0, 51}));  // its height is 0.6: 80 % of it
+    CHECK(shows(sky + "sp 3,0,-5 2 0,255,0\n", {128, 0, 128}));   // beside a sphere
+    CHECK(shows(sky + "sp 0,0,-5 2 0,255,0\n", {0, 255, 0}));     // behind a sphere
+}
+
 TEST_CASE("a sphere that is alone is seen in its color (M1)") {
     CHECK(shows("sp 0,0,-5 2 255,0,0\n", red));
     CHECK(shows("sp 0,0,-50 2 40,80,160\n", {40, 80, 160}));

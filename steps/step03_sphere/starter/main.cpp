@@ -16,7 +16,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
         // Is each.shape hit, and closer than every sphere before it?
         RT_TODO(each, ray);
     }
-    if (closest == nullptr) return Color(0);
+    if (closest == nullptr) return background(scene, ray);
     // Its point, its normal, turned to the eye by face_forward, and what --shade normal shows; else
     // closest->material.color times the torch.
     return Color(0);

@@ -103,6 +103,16 @@ TEST_CASE("light is required from stage 9 on, which brings it, and a mirror alwa
     CHECK(by_light[5].what == "1 mirror");
 }
 
+TEST_CASE("a sky is required from stage 3 on, which shows it") {
+    Scene scene;
+    scene.sky = Sky{};
+    for (const int stage : {1, 3, 13}) {
+        const std::vector<Requirement> needs = requirements(scene, stage);
+        REQUIRE(needs.size() == 1);
+        CHECK((needs[0].what == "1 sky" && needs[0].stage == 3));
+    }
+}
+
 TEST_CASE("the vertical field of view is the one that is given, or follows from the horizontal") {
     const Camera vertical{.fov = 1};
     CHECK(vertical_fov(vertical, {.width = 640, .height = 480}) == 1);

@@ -95,6 +95,11 @@ TEST_CASE("wrong in lenient and in strict reading") {
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:3",
          R"(30: error: a square's sides must be 2 or 1, not "3")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:", R"(30: error: a square's sides must be 2 or 1, not "")"},
+        {"sky 1,2,3", R"(10: error: the sky's top color is missing: expected "sky color color")"},
+        {"sky 1,2,256 1,2,3",
+         R"(9: error: each component of the sky's bottom color must be from 0 to 255, not "256")"},
+        {"sky 1,2,3 0.5",
+         R"(11: error: the sky's top color must be three numbers as in 1,2,3, not "0.5")"},
         {"R 0 480", R"(3: error: the resolution's width must be a positive whole number, not "0")"},
         {"R 640 -1",
          R"(7: error: the resolution's height must be a positive whole number, not "-1")"},
@@ -191,7 +196,7 @@ TEST_CASE("no camera") {
 TEST_CASE("strict reading refuses everything that lenient reading warns of") {
     const std::vector<Wrong> all = {
         {"cu 0,0,0 1 1,2,3",
-         R"(1: error: "cu" must be one of R A C c L l sp pl tr sq cy co box mesh)"},
+         R"(1: error: "cu" must be one of R A C c L l sky sp pl tr sq cy co box mesh)"},
         {"sp 0,0,0 1 1,2,3 x",
          R"(18: error: "x" is one word too many for a sphere: expected "sp position diameter color")"},
         {"sp 0,0,0 1 1,2,3 1 1",
@@ -225,6 +230,10 @@ TEST_CASE("strict reading refuses everything that lenient reading warns of") {
         {"A 1", R"(4: error: the ambient light's color is missing: expected "A ratio color")"},
         {"L 0,0,0 1",
          R"(10: error: a light's color is missing: expected "L position brightness color")"},
+        {"sky 1,2,3 4,5,6 7,8,9",
+         R"(17: error: "7,8,9" is one word too many for the sky: expected "sky color color")"},
+        {"sky 1,2,3 4,5,6.5",
+         R"(15: error: each component of the sky's top color must be a whole number, not "6.5")"},
         {"C 0,0,0 0,0,1 60", R"(1: error: a second "C": expected one)"},
         {" R 1 1", R"(2: error: a second "R": expected one)"},
         {"# rt: fov=wide",
@@ -260,10 +269,11 @@ TEST_CASE("a file of another program is recognized") {
 TEST_CASE("a message quotes neither control characters nor long words") {
     CHECK(strict_refusal("\x1B[31m" + std::string(100, 'a')) ==
           "scene.rt:1:1: error: \"\\x1B[31m" + std::string(35, 'a') +
-              "...\" must be one of R A C c L l sp pl tr sq cy co box mesh");
-    CHECK(strict_refusal("sph\xC3\xA8re") ==
-          "scene.rt:1:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sp pl tr sq cy co "
-          "box mesh");
+              "...\" must be one of R A C c L l sky sp pl tr sq cy co box mesh");
+    CHECK(
+        strict_refusal("sph\xC3\xA8re") ==
+        "scene.rt:1:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sky sp pl tr sq cy co "
+        "box mesh");
 }
 
 TEST_CASE("a file of anything ends its warnings after twenty") {

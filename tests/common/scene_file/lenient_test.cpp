@@ -20,7 +20,7 @@ TEST_CASE("lenient reading warns once a kind and goes on") {
         "SP 0,0,-8 1 1,2,3\n");
     CHECK(read.scene.spheres.size() == 3);
     const std::string keywords =
-        "must be one of R A C c L l sp pl tr sq cy co box mesh; the line is ignored";
+        "must be one of R A C c L l sky sp pl tr sq cy co box mesh; the line is ignored";
     CHECK(read.warnings ==
           std::vector<std::string>{
               "scene.rt:1:19: warning: \"sr:7680\" is not an option of a camera: "

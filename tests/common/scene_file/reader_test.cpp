@@ -105,6 +105,14 @@ TEST_CASE("a cone: apex, direction, diameter, height, color") {
     CHECK(scene.cones[0].material.color == Color(1, 1, 0));
 }
 
+TEST_CASE("the sky: its color straight down, its color straight up") {
+    const Scene scene = strict(camera + "sky 255,51,0 0,102,255\n");
+    REQUIRE(scene.sky);
+    CHECK(scene.sky->bottom == Color(1, Real(0.2), 0));
+    CHECK(scene.sky->top == Color(0, Real(0.4), 1));
+    CHECK_FALSE(strict(camera).sky);
+}
+
 TEST_CASE("a camera alone is a scene: no R, no A, no light") {
     const Scene scene = strict(camera);
     CHECK(scene.resolution.width == 640);

@@ -15,7 +15,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     std::vector<std::pair<Real, const Primitive<Sphere>*>> hits;
     for (const Primitive<Sphere>& each : scene.spheres)
         if (const auto t = intersect(ray, each.shape, Interval{})) hits.emplace_back(*t, &each);
-    if (hits.empty()) return Color(0);
+    if (hits.empty()) return background(scene, ray);
     const auto& [t, closest] = *std::min_element(hits.begin(), hits.end());
     const Vec3 point = at(ray, t);
     const Vec3 outward = normal(closest->shape, point);

@@ -25,7 +25,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
             outward = plane.normal;
             color = material.color;
         }
-    if (interval.max == infinity) return Color(0);
+    if (interval.max == infinity) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(outward);
     const Vec3 point = at(ray, interval.max);
     return color * torch(point, face_forward(outward, ray.direction), ray.origin);
