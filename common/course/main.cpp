@@ -1,6 +1,7 @@
 // The commands behind `./course`.
 #include "common/course/authoring/audit.hpp"
 #include "common/course/authoring/measure.hpp"
+#include "common/course/book/book.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
@@ -38,6 +39,8 @@ struct Words {
     bool mine = false;
     std::string reference;
     std::string place;
+    std::optional<std::string> out;
+    std::string source;
     std::optional<int> level;
     bool check = false;
     int seconds = 60;
@@ -248,6 +251,16 @@ void Commands::add_student_commands() {
     own_command->add_option("--seconds", words_.seconds, "the time limit of --check for a scene")
         ->capture_default_str()
         ->check(CLI::Range(1, 3600));
+    CLI::App* book_command =
+        add("book", "read the pages in a browser, with search, hints and contracts", [this](Rest) {
+            return rt::book(
+                {.project = rt::project_folder, .out = words_.out, .source = words_.source});
+        });
+    book_command->add_option("--out", words_.out, "write the site to this folder instead");
+    book_command
+        ->add_option("--source", words_.source,
+                     "where its links to files lead: https://github.com/NAME/raysteps/blob/main")
+        ->needs("--out");
     // The arguments, also options, are ctest's.
     add("test [N] [options of ctest]", "run the stage's suite, or all tests", test)
         ->prefix_command();

@@ -58,7 +58,8 @@ std::set<std::string> commands() {
 std::string complaint(std::vector<std::string> words) {
     static const std::set<std::string> known = commands();
     static const std::set<std::string> draw = {"run", "compare", "explain"};
-    static const std::set<std::string> no_stage = {"grade", "handout", "measure", "own", "update"};
+    static const std::set<std::string> no_stage = {"book",    "grade", "handout",
+                                                   "measure", "own",   "update"};
     if (words.empty()) return "";
     const std::string command = words[0];
     words.erase(words.begin());

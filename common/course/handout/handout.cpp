@@ -1,5 +1,6 @@
 #include "common/course/handout/handout.hpp"
 
+#include "common/course/book/site.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/handout/for_students.hpp"
@@ -108,6 +109,17 @@ std::string today() {
     return text;
 }
 
+/// The pages of the hand-out as a site, if that of the clone was built once.
+void add_book(const fs::path& folder) {
+    if (!fs::exists(project_folder / site_of_clone)) {
+        std::fputs("without the book: ./course book builds it\n", stderr);
+        return;
+    }
+    const fs::path site = folder / "book";  // mkdocs does not write it into docs/
+    write_site(folder, site, project_from_site);
+    fs::rename(site, folder / site_of_handout);
+}
+
 /// Returns how many files it consists of.
 std::size_t fill(const fs::path& folder) {
     build({"archives"});
@@ -116,6 +128,7 @@ std::size_t fill(const fs::path& folder) {
     for (const std::string& path : files_for_students())
         copy_whole(project_folder / path, folder / path);
     write_text(folder / "steps/fits.cpp", fits());
+    add_book(folder);
     Manifest manifest{.title = "Raysteps, handed out on " + today(), .fingerprints = {}};
     for (const std::string& path : all_files(folder))
         manifest.fingerprints[path] = {fingerprint(folder / path)};

@@ -88,18 +88,14 @@ std::string to_bytes(const Response& response) {
                         " \r\nContent-Type: " + response.type +
                         "\r\nContent-Length: " + std::to_string(response.body.size());
     if (!response.report.empty()) bytes += "\r\nX-Report: " + percent_encoded(response.report);
-    // Nothing is cached, nothing is loaded from other origins, and no other page may embed this
-    // one.
     bytes +=
         "\r\nConnection: close"
         "\r\nCache-Control: no-store"
         "\r\nX-Content-Type-Options: nosniff"
         "\r\nReferrer-Policy: no-referrer"
         "\r\nCross-Origin-Resource-Policy: same-origin"
-        "\r\nContent-Security-Policy: default-src 'none'; script-src 'self'; "
-        "style-src 'self'; connect-src 'self'; img-src data:; base-uri 'none'; "
-        "form-action 'none'; frame-ancestors 'none'"
-        "\r\n\r\n";
+        "\r\nContent-Security-Policy: " +
+        response.policy + "\r\n\r\n";
     return bytes + response.body;
 }
 

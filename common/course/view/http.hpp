@@ -14,11 +14,18 @@ struct Request {
     std::string host;
 };
 
+/// Nothing is loaded from other origins, nothing runs that is written in the page itself, and no
+/// other page may embed this one.
+inline constexpr const char* strict_policy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; "
+    "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
 struct Response {
     int status = 200;
     std::string body = "";
     std::string type = "text/plain; charset=utf-8";
-    std::string report = "";  ///< the output of a picture's program
+    std::string report = "";             ///< the output of a picture's program
+    std::string policy = strict_policy;  ///< Content-Security-Policy
 };
 
 /// An error response. Thrown by a handler, and sent instead of its response.

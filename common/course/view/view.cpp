@@ -1,7 +1,7 @@
 #include "common/course/view/view.hpp"
 
 #include "common/course/exercise/log_diff.hpp"
-#include "common/course/view/server.hpp"
+#include "common/course/view/host.hpp"
 #include "common/course/view/stage_runner.hpp"
 #include "common/course/view/turns.hpp"
 #include "common/course/view/watcher.hpp"
@@ -10,14 +10,8 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
-#include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <random>
 
 namespace rt {
 
@@ -29,18 +23,6 @@ constexpr int most_shrunk = 16;
 constexpr std::size_t longest_report = 4096;
 
 constexpr const char* json_type = "application/json";
-
-/// A secret that only readers of the terminal know, as part of the address.
-std::string make_token() {
-    std::random_device random;
-    std::string token;
-    for (int i = 0; i < 4; ++i) {
-        std::array<char, 9> digits{};
-        std::snprintf(digits.data(), digits.size(), "%08x", random());
-        token += digits.data();
-    }
-    return token;
-}
 
 /// An option with several values, by number; the first one is the program's default.
 void add_choice(Command& options, const Request& request, const std::string& name,
@@ -100,10 +82,7 @@ public:
     explicit Viewer(const ViewSettings& settings) : settings_(settings) {}
 
     Response answer(const Request& request) {
-        const std::string start = "/" + token_ + "/";
-        if (request.path.rfind(start, 0) != 0)
-            throw Refusal{403, "the address is not the one on the terminal"};
-        const std::string route = request.path.substr(start.size());
+        const std::string& route = request.path;
         if (route.empty()) return part("page.html", "text/html; charset=utf-8");
         if (route == "page.css") return part(route, "text/css; charset=utf-8");
         if (route == "page.js") return part(route, "text/javascript; charset=utf-8");
@@ -113,8 +92,6 @@ public:
         if (route == "story") return log(request);
         throw Refusal{404, "there is no such page"};
     }
-
-    [[nodiscard]] const std::string& token() const { return token_; }
 
     void stop() {
         for (RenderQueue& turns : pictures_) turns.cancel_all();
@@ -198,52 +175,19 @@ private:
     }
 
     const ViewSettings& settings_;
-    const std::string token_ = make_token();
     std::array<RenderQueue, 2> pictures_;  // mine never waits for the reference's
     RenderQueue stories_;
     StageRunner runner_{settings_};
     Watcher watcher_{settings_};
 };
 
-// Ctrl-C is sent through a pipe: a signal handler may do little else than write to one.
-int end_wanted = -1;
-
-void on_signal(int /*signal*/) {
-    const int error = errno;
-    [[maybe_unused]] const ssize_t one = write(end_wanted, "", 1);
-    errno = error;
-}
-
-/// From now on, a request to end can be read from the returned descriptor.
-int hear_signals() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
-    end_wanted = ends[1];
-    struct sigaction action {};
-    action.sa_handler = on_signal;
-    action.sa_flags = SA_RESTART;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-    return ends[0];
-}
-
-void wait_for_signal(int heard) {
-    char none = 0;
-    while (read(heard, &none, 1) == -1 && errno == EINTR) continue;
-}
-
 }  // namespace
 
 int view(const ViewSettings& settings) {
-    const int heard = hear_signals();
+    Host host(settings.port);
     Viewer viewer(settings);
-    Server server(settings.port);
-    server.start([&](const Request& request) { return viewer.answer(request); });
-    std::printf("http://127.0.0.1:%d/%s/\nOnly this machine can open the page. Ctrl-C ends it.\n",
-                server.port(), viewer.token().c_str());
-    std::fflush(stdout);
-    wait_for_signal(heard);
-    viewer.stop();
-    server.stop();
+    host.serve(
+        "", [&](const Request& request) { return viewer.answer(request); }, [&] { viewer.stop(); });
     return 0;
 }
 

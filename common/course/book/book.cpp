@@ -1,0 +1,98 @@
+#include "common/course/book/book.hpp"
+
+#include "common/course/book/site.hpp"
+#include "common/course/handout/manifest.hpp"
+#include "common/course/view/host.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/terminal.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <vector>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Nothing is loaded from other hosts. The theme has scripts and styles in its pages.
+constexpr const char* policy =
+    "default-src 'self'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; "
+    "style-src 'self' 'unsafe-inline'; img-src 'self' data:; base-uri 'self'; frame-ancestors "
+    "'none'";
+
+std::string type_of(const fs::path& file) {
+    static const std::map<std::string, std::string> types = {
+        {".css", "text/css"},          {".html", "text/html; charset=utf-8"},
+        {".js", "text/javascript"},    {".json", "application/json"},
+        {".png", "image/png"},         {".svg", "image/svg+xml"},
+        {".wasm", "application/wasm"}, {".woff2", "font/woff2"},
+    };
+    const auto found = types.find(file.extension().string());
+    return found == types.end() ? "text/plain; charset=utf-8" : found->second;
+}
+
+/// The names in a folder, a link each.
+std::string listing(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename().string() + (entry.is_directory() ? "/" : ""));
+    std::sort(names.begin(), names.end());
+    std::string page = "<!DOCTYPE html>\n<title>Raysteps</title>\n<ul>\n";
+    for (const std::string& name : names)
+        if (name.find_first_of("<>&\"%?#") == std::string::npos)
+            page += "<li><a href=\"./" + name + "\">" + name + "</a>\n";
+    return page + "</ul>\n";
+}
+
+/// A file of the project or of its site.
+Response file_of(const fs::path& project, const std::string& path) {
+    const fs::path wanted = fs::path(path).lexically_normal();
+    const bool is_hidden = std::any_of(wanted.begin(), wanted.end(), [](const fs::path& part) {
+        return part.string().rfind('.', 0) == 0;
+    });
+    const bool is_built = path.rfind("build/", 0) == 0 && path.rfind(site_of_clone, 0) != 0;
+    const fs::path file = project / wanted;
+    if (wanted.is_absolute() || is_hidden || is_built || !fs::exists(file))
+        throw Refusal{404, "there is no such page, or this hand-out does not contain the file"};
+    if (!fs::is_directory(file))
+        return {.body = read_text(file), .type = type_of(file), .policy = policy};
+    if (path.empty() || path.back() != '/') throw Refusal{404, "a folder's address ends with /"};
+    return {.body = listing(file), .type = "text/html; charset=utf-8"};
+}
+
+void check_source(const std::string& source) {
+    const bool is_address = source.rfind("https://", 0) == 0 || source.rfind("http://", 0) == 0;
+    if (!is_address || source.find_first_of(" \t\n\"'<>\\") != std::string::npos)
+        throw InputError({},
+                         "book: --source: expected an address, such as "
+                         "https://github.com/NAME/raysteps/blob/main, not \"" +
+                             source + "\"");
+}
+
+}  // namespace
+
+int book(const BookSettings& settings) {
+    if (!settings.source.empty()) check_source(settings.source);
+    if (settings.out) {
+        write_site(settings.project, *settings.out,
+                   settings.source.empty() ? address_on_github(settings.project) : settings.source);
+        std::printf("%s: open index.html\n", settings.out->c_str());
+        return 0;
+    }
+    const bool is_clone = !is_handout(settings.project);
+    const std::string site = is_clone ? site_of_clone : site_of_handout;
+    if (is_clone) write_site(settings.project, settings.project / site, project_from_site);
+    if (!fs::exists(settings.project / site))
+        throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
+    Host host(0);
+    host.serve(
+        site + "/index.html",
+        [&](const Request& request) { return file_of(settings.project, request.path); }, [] {});
+    return 0;
+}
+
+}  // namespace rt

@@ -1,0 +1,205 @@
+"""What a page of the site has besides its text: the contract, the hints, the errata and the figures.
+
+RAYSTEPS_SOURCE is where links to files beside docs/ lead: "../.." is the project's folder, as seen
+from the site's, "https://github.com/NAME/raysteps/blob/main" a host. If it is empty, there are no
+such links. RAYSTEPS_ENGINE is the folder with the figures' WebAssembly, if that is built.
+"""
+
+import json
+import os
+import posixpath
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+from mkdocs.exceptions import PluginError
+
+here = Path(__file__).parent
+project = here.parents[2]
+live = project / "docs/figures/live"
+katex = Path("/usr/share/javascript/katex")
+source = os.environ.get("RAYSTEPS_SOURCE", "../..")
+
+after_the_stages = ["debugging.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md"]
+
+
+def text_of(path):
+    return (project / path).read_text(encoding="utf-8")
+
+
+def on_config(config):
+    docs = Path(config["docs_dir"])
+    stages = sorted(page.name for page in docs.glob("step*.md"))
+    others = sorted({page.name for page in docs.glob("*.md")} - {"README.md", *stages},
+                    key=lambda name: [*after_the_stages, name].index(name))
+    reference = sorted(f"reference/{page.name}" for page in docs.glob("reference/*.md"))
+    config["nav"] = [{"Overview": "README.md"}, {"Stages": stages}, {"More": others},
+                     {"Reference": reference}]
+    return config
+
+
+def on_files(files, config):
+    """Of docs/, pages and pictures only."""
+    for file in list(files):
+        in_docs = Path(file.abs_src_path).is_relative_to(config["docs_dir"])
+        if in_docs and Path(file.src_path).suffix not in {".md", ".svg", ".png"}:
+            files.remove(file)
+    return files
+
+
+# ---- what is added to the text
+
+
+def linked_to_sources(markdown, page, files):
+    """Links out of docs/ become links of the scheme source:, as they have another start at the end."""
+    folder = posixpath.join("docs", posixpath.dirname(page.file.src_path))
+    known = {file.src_path for file in files}
+
+    def link(match):
+        path = posixpath.normpath(posixpath.join(folder, match[1]))
+        return match[0] if path.removeprefix("docs/") in known else f"](source:{path})"
+
+    return re.sub(r"\]\((\.\./[^)#]*)\)", link, markdown)
+
+
+def contract(markdown):
+    """The header that a stage's page names, before what a graded file may include."""
+    header = re.search(r"implements `(steps/\S*\.hpp)`", markdown)[1]
+    shown = f"""<details class="contract" markdown><summary>The contract: <code>{header}</code></summary>
+
+```cpp
+{text_of(header)}```
+
+</details>
+
+"""
+    return markdown.replace("A graded file may include", shown + "A graded file may include", 1)
+
+
+def hints(name):
+    parts = re.split(r"^## \d\n", text_of(f"steps/{name}/hints.md"), flags=re.M)[1:]
+    return "## Hints\n\n" + "\n".join(
+        f"<details markdown><summary>Hint {number}</summary>\n\n{part.strip()}\n\n</details>\n"
+        for number, part in enumerate(parts, 1))
+
+
+def errata(stage):
+    """The rows of the errata's table that name the stage."""
+    head, dashes, *rows = re.findall(r"^\|.*\|$", text_of("docs/errata.md"), flags=re.M)
+    mine = [row for row in rows if str(stage) in re.split(r"[ ,|]+", row.rsplit(" | ", 1)[1])]
+    if not mine:
+        return ""
+    table = "\n".join([head, dashes, *mine]).replace("](#", "](errata.md#")
+    return f"### Errata of the documents\n\n{table}\n\n"
+
+
+def on_page_markdown(markdown, page, config, files):
+    stage = re.fullmatch(r"step(\d\d)_\w+", page.file.name)
+    if stage:
+        markdown = contract(markdown)
+        markdown = markdown.replace("## What goes wrong", hints(page.file.name) + "\n## What goes wrong", 1)
+        markdown = markdown.replace("## See it", errata(int(stage[1])) + "## See it", 1)
+    markdown = markdown.replace("<details><summary>For the curious",
+                                '<details class="curious"><summary>For the curious')
+    markdown = re.sub(r"<details( class=\"curious\")?>", r"<details\1 markdown>", markdown)
+    return linked_to_sources(markdown, page, files)
+
+
+# ---- what is changed in the page
+
+
+def on_page_content(html, page, config, files):
+    """A picture with a figure's name behind it is what is seen until the figure runs."""
+    def figure(match):
+        picture, name = match.groups()
+        if not (live / f"{name}.js").exists():
+            return picture
+        start = "../" * page.file.src_path.count("/")
+        return (f'<rt-{name}>{picture}</rt-{name}>\n'
+                f'<script type="module" src="{start}figures/{name}.js"></script>')
+
+    html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+) -->", figure, html)
+    headings = page.toc.items[0].children
+    for heading in [*headings, *(below for heading in headings for below in heading.children)]:
+        heading.title = re.sub(r"\\\((.*?)\\\)", r"\1", heading.title)  # formulas are not set there
+    parts = [f'<a href="{heading.url}">{heading.title}</a>' for heading in headings]
+    return html.replace("<h2", f'<p class="parts">In this page: {" · ".join(parts)}</p>\n<h2', 1)
+
+
+class Typesetter:
+    """KaTeX, in a process of node that gets a line of formulas and returns a line of HTML."""
+
+    script = """
+        const katex = require('%s/katex.js');
+        const text = t => t.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+        require('readline').createInterface({input: process.stdin}).on('line', line => {
+            try {
+                console.log(JSON.stringify(JSON.parse(line).map(([tex, displayMode]) =>
+                    katex.renderToString(text(tex), {displayMode}))));
+            } catch (error) { console.log(JSON.stringify(error.message)); }
+        });
+    """ % katex
+    formula = re.compile(r'<(span|div) class="arithmatex">\\([\[(])(.*?)\\[\])]</\1>([.,;:)]?)', re.S)
+
+    def __init__(self):
+        self.node = subprocess.Popen(["node", "-e", self.script], text=True, encoding="utf-8",
+                                     stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def typeset(self, html, page):
+        formulas = [[tex, kind == "["] for _, kind, tex, _ in self.formula.findall(html)]
+        self.node.stdin.write(json.dumps(formulas) + "\n")
+        self.node.stdin.flush()
+        done = json.loads(self.node.stdout.readline())
+        if isinstance(done, str):
+            raise PluginError(f"docs/{page.file.src_path}: error: {done}")
+
+        def whole(match):
+            tex, behind = match[3], match[4]
+            return f'<span class="whole">{done.pop(0)}{behind}</span>' if len(tex) < 25 else done.pop(0) + behind
+
+        return self.formula.sub(whole, html)
+
+    def end(self):
+        self.node.stdin.close()
+        self.node.wait()
+
+
+typesetter = None
+
+
+def on_pre_build(config):
+    global typesetter
+    typesetter = Typesetter()
+
+
+def on_post_page(output, page, config):
+    """Formulas are set here, after the index for searching is made, which has their text."""
+    def link(match):
+        path, label = match.groups()
+        if not source or not (project / path).exists():  # a hand-out has no solutions
+            return label
+        start = "../" * page.file.src_path.count("/") if source.startswith("..") else ""
+        is_folder = (project / path).is_dir()
+        base = source.replace("/blob/", "/tree/") if is_folder else source
+        return f'<a href="{start}{base}/{path}{"/" if is_folder else ""}">{label}</a>'
+
+    output = re.sub(r'<a href="source:([^"]*)">(.*?)</a>', link, output, flags=re.S)
+    return typesetter.typeset(output, page)
+
+
+def on_post_build(config):
+    typesetter.end()
+    site = Path(config["site_dir"])
+    for unused in ["404.html", "sitemap.xml*", "assets/javascripts/lunr/**/*.js", "assets/**/*.map"]:
+        for file in site.glob(unused):  # for a host whose name is known, other languages, debugging
+            file.unlink()
+    (site / "book").mkdir()
+    shutil.copy(here / "book.css", site / "book")
+    shutil.copytree(katex / "fonts", site / "book/katex/fonts",
+                    ignore=lambda folder, names: [n for n in names if not n.endswith(".woff2")])
+    shutil.copy(katex / "katex.min.css", site / "book/katex")
+    engine = Path(os.environ.get("RAYSTEPS_ENGINE", live))
+    for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
+        (site / "figures").mkdir(exist_ok=True)
+        shutil.copy(part, site / "figures")

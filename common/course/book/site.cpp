@@ -1,0 +1,98 @@
+#include "common/course/book/site.hpp"
+
+#include "common/course/build/project.hpp"
+#include "common/course/handout/manifest.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
+
+#include <iostream>
+#include <regex>
+#include <set>
+
+namespace rt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::chrono::minutes time_limit{5};
+constexpr const char* list_of_files = "book.txt";
+
+/// A line for each file of the site: its fingerprint and its path.
+std::string fingerprints(const fs::path& site) {
+    std::set<std::string> paths;
+    for (const auto& entry : fs::recursive_directory_iterator(site))
+        if (entry.is_symlink() || !entry.is_directory())
+            paths.insert(entry.path().lexically_relative(site).string());
+    paths.erase(list_of_files);
+    std::string lines = "Raysteps, its pages as a site\n";
+    for (const std::string& path : paths) lines += fingerprint(site / path) + " " + path + "\n";
+    return lines;
+}
+
+/// True if the folder contains what write_site has written, and nothing else.
+bool is_unchanged_site(const fs::path& folder) {
+    return fs::is_regular_file(folder / list_of_files) &&
+           read_text(folder / list_of_files) == fingerprints(folder);
+}
+
+void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
+    const fs::file_type type = fs::symlink_status(target).type();
+    const bool is_free =
+        type == fs::file_type::not_found ||
+        (type == fs::file_type::directory && (fs::is_empty(target) || is_unchanged_site(target)));
+    if (!is_free)
+        throw InputError({destination.string()},
+                         "exists already: expected a new name, an empty folder, or a book in "
+                         "which nothing was changed");
+}
+
+void run_mkdocs(const fs::path& project, const fs::path& site, const std::string& source) {
+    const fs::path pages = project / "common/course/book/mkdocs.yml";
+    const ProcessResult ending =
+        run_captured({"env", "PYTHONDONTWRITEBYTECODE=1", "RAYSTEPS_SOURCE=" + source,
+                      "RAYSTEPS_ENGINE=" + (build_folder / "figures").string(), "mkdocs", "build",
+                      "--quiet", "--config-file", pages.string(), "--site-dir", site.string()},
+                     time_limit);
+    const bool has_parts = ending.output.find("Unrecognised theme name") == std::string::npos &&
+                           ending.output.find("katex.js") == std::string::npos;
+    if (ending.status == 127 || !has_parts)
+        throw InputError({},
+                         "the book needs mkdocs-material (with mkdocs from version 1.4 on) and "
+                         "katex, or what your system calls them");
+    if (ending.status != 0) throw ProgramError(ending.output);
+    std::cerr << ending.output;  // warnings
+}
+
+}  // namespace
+
+void write_site(const fs::path& project, const fs::path& destination, const std::string& source) {
+    if (destination.empty()) throw InputError({}, "book: expected a name, not \"\"");
+    const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
+    refuse_what_is_there(destination, target);
+
+    // Beside it until it is whole.
+    fs::create_directories(target.parent_path());
+    const TemporaryFolder workshop(target.parent_path());
+    const fs::path site = workshop.path() / "new";
+    run_mkdocs(project, site, source);
+    write_text(site / list_of_files, fingerprints(site));
+    refuse_what_is_there(destination, target);  // it may have been changed meanwhile
+    if (fs::exists(target)) fs::rename(target, workshop.path() / "old");
+    fs::rename(site, target);
+}
+
+std::string address_on_github(const fs::path& project) {
+    const ProcessResult remote =
+        run_captured({"git", "-C", project.string(), "-c", "safe.directory=" + project.string(),
+                      "remote", "get-url", "origin"},
+                     time_limit);
+    static const std::regex name(
+        R"(^(?:https://|git@)github\.com[/:]([\w.-]+/[\w.-]+?)(\.git)?\s*$)");
+    std::smatch found;
+    if (remote.status != 0 || !std::regex_match(remote.output, found, name)) return "";
+    return "https://github.com/" + found[1].str() + "/blob/HEAD";
+}
+
+}  // namespace rt

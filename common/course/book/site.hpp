@@ -1,0 +1,26 @@
+// The pages of docs/ as a site, written by mkdocs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rt {
+
+// Where the site is in a project, and what its links to the project's files begin with.
+inline constexpr const char* site_of_clone = "build/book";
+inline constexpr const char* site_of_handout = "docs/book";
+inline constexpr const char* project_from_site = "../..";
+
+/// Writes the site of the project's pages into a folder, which appears whole or not at all. An
+/// older site of this function is replaced; throws InputError if anything else is there, or if
+/// mkdocs, its theme or KaTeX is not installed, and ProgramError if a page cannot be set.
+///
+/// `source` is the address below which links lead to the project's files, or empty: they become
+/// plain text.
+void write_site(const std::filesystem::path& project, const std::filesystem::path& destination,
+                const std::string& source);
+
+/// The address of the project's files on GitHub, if it is a clone from there; else empty.
+[[nodiscard]] std::string address_on_github(const std::filesystem::path& project);
+
+}  // namespace rt

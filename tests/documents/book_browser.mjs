@@ -1,0 +1,140 @@
+// The pages of the book in Chromium: node book_browser.mjs CHROMIUM ADDRESS_OF_A_PAGE PAGE…
+//
+// Each page is looked at in light and dark, and at a phone's width: text that has too little
+// contrast (WCAG 2, 4.5 : 1, or 3 : 1 if it is large), a page that is wider than its window, errors
+// on the console, and requests to other hosts are printed. With SHOTS=FOLDER, pictures are kept.
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+
+const [browser, address, ...pages] = process.argv.slice(2);
+const shots = process.env.SHOTS;
+const profile = mkdtempSync(tmpdir() + "/book");
+const chromium = spawn(browser, ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+  "--hide-scrollbars", "--user-data-dir=" + profile, "--remote-debugging-pipe"],
+  { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+
+// ---- DevTools, through its pipe
+
+const waiting = new Map();
+const listeners = [];
+let session, question = 0, received = "";
+chromium.stdio[4].setEncoding("utf8").on("data", (piece) => {
+  const messages = (received + piece).split("\0");
+  received = messages.pop();
+  for (const message of messages.map(JSON.parse)) {
+    if (waiting.has(message.id)) waiting.get(message.id)(message);
+    else for (const listener of listeners) listener(message);
+  }
+});
+
+function ask(method, params = {}) {
+  const id = ++question;
+  chromium.stdio[3].write(JSON.stringify({ id, method, params, sessionId: session }) + "\0");
+  return new Promise((done, fail) => waiting.set(id, (answer) => {
+    waiting.delete(id);
+    answer.error ? fail(new Error(method + ": " + answer.error.message)) : done(answer.result);
+  }));
+}
+
+async function value(expression) {
+  const { result, exceptionDetails } = await ask("Runtime.evaluate",
+    { expression, returnByValue: true, awaitPromise: true });
+  if (exceptionDetails) throw new Error(exceptionDetails.exception.description);
+  return result.value;
+}
+
+// ---- run in the page
+
+function low_contrast() {
+  const channels = (color) => color.match(/[\d.]+/g).map(Number);
+  const over = ([r, g, b, a = 1], [R, G, B]) => [r * a + R * (1 - a), g * a + G * (1 - a), b * a + B * (1 - a)];
+  function background(element) {
+    if (!element) return [255, 255, 255];
+    const color = channels(getComputedStyle(element).backgroundColor);
+    return color[3] === 0 ? background(element.parentElement)
+      : color.length < 4 ? color : over(color, background(element.parentElement));
+  }
+  const linear = (x) => (x /= 255) <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+  const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+  const found = new Map();
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+    const element = text.parentElement;
+    if (!text.data.trim() || !element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
+    const style = getComputedStyle(element);
+    const behind = background(element);
+    const [low, high] = [luminance(over(channels(style.color), behind)), luminance(behind)].sort((a, b) => a - b);
+    const size = parseFloat(style.fontSize);
+    const needed = size >= 24 || (size >= 18.66 && style.fontWeight >= 700) ? 3 : 4.5;
+    const ratio = (high + 0.05) / (low + 0.05);
+    if (ratio < needed) found.set(element.tagName + "." + element.className, ratio.toFixed(2) + ": " + text.data.trim().slice(0, 30));
+  }
+  return [...found].map(([name, what]) => name + " " + what);
+}
+
+function widest() {
+  const ends = (element) => element.getBoundingClientRect().right;
+  const all = [...document.querySelectorAll("article *")].filter((element) => !element.closest("pre, .katex, table"));
+  const found = all.reduce((a, b) => ends(b) > ends(a) ? b : a);
+  return found.tagName + " " + found.textContent.trim().slice(0, 40);
+}
+
+const switched = (scheme) => `document.body.setAttribute("data-md-color-scheme", "${scheme}")`;
+
+async function shot(name) {
+  if (!shots) return;
+  const { data } = await ask("Page.captureScreenshot", { captureBeyondViewport: true });
+  writeFileSync(`${shots}/${name}.png`, Buffer.from(data, "base64"));
+}
+
+const size = (width, height) =>
+  ask("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 500 });
+
+// ---- all pages
+
+let failed = 0;
+let page;
+const fail = (what) => { failed = 1; console.log(`${page}: ${what}`); };
+const origin = new URL(address).origin;
+listeners.push(({ method, params }) => {
+  if (method === "Network.requestWillBeSent" && !/^(data|blob):/.test(params.request.url) &&
+      new URL(params.request.url).origin !== origin) fail("requests " + params.request.url);
+  if (method === "Runtime.exceptionThrown") fail("error: " + params.exceptionDetails.text);
+  if (method === "Log.entryAdded" && params.entry.level === "error")
+    fail(`error: ${params.entry.text} ${params.entry.url ?? ""}`);
+});
+
+try {
+  const { targetId } = await ask("Target.createTarget", { url: "about:blank" });
+  ({ sessionId: session } = await ask("Target.attachToTarget", { targetId, flatten: true }));
+  for (const domain of ["Page", "Network", "Runtime", "Log"]) await ask(domain + ".enable");
+  for (page of pages) {
+    const name = page.replace(/\W/g, "_");
+    await size(1280, 1600);
+    const loaded = new Promise((done) => listeners.unshift(({ method }) => method === "Page.loadEventFired" && done()));
+    await ask("Page.navigate", { url: new URL(page, address).href });
+    await loaded;
+    listeners.shift();
+    await value(`document.querySelectorAll("details").forEach((folded) => folded.open = true);
+      document.head.append(Object.assign(document.createElement("style"), {textContent: "* { transition: none !important }"}));
+      document.fonts.ready.then(() => 0)`);
+    for (const scheme of ["default", "slate"]) {
+      await value(switched(scheme));
+      for (const low of await value(`(${low_contrast})()`)) fail(`${scheme}: ${low}`);
+      await shot(`${name}_${scheme}`);
+    }
+    await value(switched("default"));
+    await size(400, 1600);
+    const width = await value("document.documentElement.scrollWidth");
+    if (width > 400) fail(`is ${width} pixels wide in a window of 400: ` + await value(`(${widest})()`));
+    await shot(`${name}_400`);
+  }
+  page = "all pages";
+  if (await value("document.cookie") !== "") fail("a cookie is set");
+} finally {
+  chromium.kill();
+  await new Promise((done) => chromium.on("exit", done));
+  rmSync(profile, { recursive: true, force: true });
+}
+process.exit(failed);

@@ -1,0 +1,139 @@
+"""Tests of the built site, without a browser: book_pages.py SITE PROJECT
+
+Links and anchors, alternative texts, formulas, and what is taken from elsewhere while building: the
+contract, the hints and the errata of each stage. Prints what is wrong.
+"""
+
+import gzip
+import re
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlparse
+
+site, project = (Path(argument).resolve() for argument in sys.argv[1:3])
+errors = []
+
+
+class Page(HTMLParser):
+    """The links, anchors and texts of a page."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.path = path
+        self.ids, self.links, self.loaded, self.text = set(), [], [], ""
+        self.hidden = []  # the open elements whose text is code, or a formula's source
+        self.formulas = self.pictures = 0
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def fail(self, what):
+        errors.append(f"{self.path.relative_to(site)}: {what}")
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if "id" in attributes:
+            if attributes["id"] in self.ids and not attributes["id"].startswith("__"):
+                self.fail(f"two elements are called {attributes['id']}")
+            self.ids.add(attributes["id"])
+        if tag in {"code", "script", "style", "annotation", "pre"}:
+            self.hidden.append(tag)
+        if tag == "a" and attributes.get("href"):
+            self.links.append(attributes["href"])
+        if tag in {"img", "script"} and attributes.get("src"):
+            self.loaded.append(attributes["src"])
+        if tag == "link" and attributes.get("rel") in {"stylesheet", "icon", "modulepreload"}:
+            self.loaded.append(attributes["href"])
+        if tag == "img":
+            self.pictures += 1
+            if not (attributes.get("alt") or "").strip():
+                self.fail(f"{attributes['src']} has no alternative text")
+        if attributes.get("class") == "katex":
+            self.formulas += 1
+
+    handle_startendtag = handle_starttag
+
+    def handle_endtag(self, tag):
+        if tag in self.hidden:
+            self.hidden.remove(tag)
+
+    def handle_data(self, data):
+        if not self.hidden:
+            self.text += data
+
+
+pages = {path: Page(path) for path in sorted(site.rglob("*.html"))}
+
+
+def check_links(page):
+    for link in page.links + page.loaded:
+        address = urlparse(link)
+        if address.scheme:
+            if link in page.loaded or address.scheme not in {"http", "https"}:
+                page.fail(f"{link} is of another host")
+            continue
+        target = (page.path.parent / unquote(address.path)).resolve() if address.path else page.path
+        if not target.exists():
+            page.fail(f"{link} leads nowhere")
+        elif address.fragment and target in pages and unquote(address.fragment) not in pages[target].ids:
+            page.fail(f"{link}: there is no such anchor")
+
+
+def check_formulas(page):
+    for unset in re.findall(r".{0,20}(?:\$|\\[\[(a-z]|arithmatex).{0,20}", page.text):
+        page.fail(f"a formula is not set, or Markdown is left: {unset}")
+
+
+def check_stage(number, page):
+    """What the page does not contain in docs/."""
+    name = page.path.stem
+    header, = [path for path in project.glob(f"steps/{name}/*.hpp") if path.stem == name[7:]] or [None]
+    text = page.path.read_text(encoding="utf-8")
+    if header and not shown_code(text).count(header.read_text(encoding="utf-8").strip()):
+        page.fail(f"does not show {header.name}")
+    for level in (1, 2, 3):
+        if f"<summary>Hint {level}</summary>" not in text:
+            page.fail(f"does not show hint {level}")
+    for row in re.findall(r"^\| \[(\d+)\].*\| ([\d, ]+) \|$", (project / "docs/errata.md").read_text(), re.M):
+        is_named = f'<td><a href="errata.html#erratum-{row[0]}">{row[0]}</a></td>' in text
+        if is_named != (str(number) in row[1].split(", ")):
+            page.fail(f"erratum {row[0]} is {'' if is_named else 'not '}in its table")
+
+
+def shown_code(html):
+    from html import unescape
+    return unescape(re.sub(r"<[^>]*>", "", html))
+
+
+def check_sizes():
+    def size(paths):
+        return sum(path.stat().st_size for path in paths if path.is_file())
+
+    everything = size(site.rglob("*")) - size(site.glob("pictures/*"))
+    if everything > 8e6:
+        errors.append(f"the site without its pictures has {everything} bytes")
+    shared = [*site.glob("assets/**/*.js"), *site.glob("assets/**/*.css"), *site.glob("book/*.css"),
+              *site.glob("book/katex/*.css"), *site.glob("search/*.json")]
+    shared_size = sum(len(gzip.compress(path.read_bytes())) for path in shared)
+    for page in pages.values():
+        own = shared_size + len(gzip.compress(page.path.read_bytes()))
+        for source in page.loaded:
+            path = (page.path.parent / source).resolve()
+            if path.suffix == ".svg":
+                own += len(gzip.compress(path.read_bytes()))
+        if own > 600e3:
+            page.fail(f"its download has {own} bytes, without photographs")
+
+
+for page in pages.values():
+    check_links(page)
+    check_formulas(page)
+stages = sorted(path for path in pages if re.match(r"step\d\d_", path.name))
+for number, path in enumerate(stages, 1):
+    check_stage(number, pages[path])
+check_sizes()
+formulas = sum(page.formulas for page in pages.values())
+links = sum(len(page.links) for page in pages.values())
+if len(stages) != 13 or formulas < 800 or links < 1500:
+    errors.append(f"{len(stages)} stages, {formulas} formulas, {links} links: fewer than there are")
+print("\n".join(errors[:40]), end="\n" if errors else "")
+sys.exit(bool(errors))

@@ -1,0 +1,105 @@
+#!/bin/sh
+# The book, as `./course book` writes and serves it: book_test.sh BUILD_FOLDER PROJECT_FOLDER
+# Needs mkdocs-material, katex, python3, curl and chromium; status 77 if one is not installed.
+build=$1
+project=$2
+for need in katex python3 curl mkdocs; do
+    command -v $need > /dev/null || { echo "the book is not tested: $need is not installed"; exit 77; }
+done
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
+    { echo "the book is not tested: chromium is not installed"; exit 77; }
+. "$(dirname "$0")/../lib.sh"
+cd "$folder" || exit 1
+server=
+end() {
+    [ -z "$server" ] || kill "$server" 2> /dev/null
+    rm -rf "$folder"
+}
+trap end EXIT
+trap 'exit 1' HUP INT TERM
+
+# refused WHAT EXPECTED WORDS…: one error, exit status 2, and nothing written.
+refused() {
+    what=$1
+    expected=$2
+    shift 2
+    "$build/course" book "$@" > out 2> err
+    [ $? = 2 ] || fail "$what: the status is 2"
+    grep -qF -- "$expected" err || fail "$what: it says $expected"
+    [ "$(wc -l < err)" = 1 ] && [ ! -s out ] || fail "$what: one error, and nothing else"
+    [ ! -e new ] || fail "$what: nothing is written"
+    [ -z "$(find . -name 'raysteps*')" ] || fail "$what: nothing is left over"
+}
+
+mkdir other
+echo mine > other/notes.txt
+refused "a folder of the user's" "other: error: exists already" --out other
+[ "$(cat other/notes.txt)" = mine ] || fail "the user's file stays"
+ln -s other link
+refused "a link" "link: error: exists already" --out link
+refused "a file" "other/notes.txt: error: exists already" --out other/notes.txt
+refused "no name" "expected a name" --out ""
+refused "no folder" "--out" --out
+refused "a source that is no address" "expected an address" --out new --source main
+refused "a source with a quote" "expected an address" --out new --source 'https://x.org/"'
+refused "a source without a folder" "--out" --source https://example.org
+refused "a word" "book" new
+(
+    PATH=/nowhere
+    "$build/course" book --out new 2> err
+)
+grep -q 'error: ' err || fail "without mkdocs it says so"
+
+# A page whose formula cannot be set: the page is named, and nothing is written.
+mkdir -p wrong/common/course
+cp -r "$project/docs" wrong/docs
+cp -r "$project/common/course/book" wrong/common/course/book
+for path in steps README.md; do ln -s "$project/$path" wrong/$path; done
+printf '\n$\\nonsense{1}$\n' >> wrong/docs/scenes.md
+RAYSTEPS_SOURCE=../.. PYTHONDONTWRITEBYTECODE=1 mkdocs build -q \
+    -f wrong/common/course/book/mkdocs.yml -d "$folder/site" > out 2>&1 && fail "a wrong formula"
+grep -q 'docs/scenes.md: error: .*nonsense' out || fail "a wrong formula: the page is named"
+
+# Written, and written again over what nobody has changed.
+links="https://example.org/raysteps/blob/main"
+"$build/course" book --out new --source $links > out 2> err || fail "the book is written"
+[ ! -s err ] || fail "without a warning"
+grep -q "href=\"$links/steps/step03_sphere/sphere.hpp\"" new/glossary.html || fail "links to files"
+grep -q "href=\"https://example.org/raysteps/tree/main/tests/mistakes/\"" new/errata.html || fail "to folders"
+echo mine > new/mine.html
+cp -r new kept
+"$build/course" book --out new > out 2> err && fail "a book with a file of the user's is refused"
+diff -r kept new > out || fail "a book with a file of the user's stays"
+
+# Served to this machine, with links to the project's files.
+"$build/course" book > address 2> err &
+server=$!
+tries=0
+until grep -qs http address || [ $((tries += 1)) -gt 1200 ]; do sleep 0.05; done
+address=$(head -n 1 address)
+root=${address%build/book/index.html}
+is() {
+    got=$(curl -s -m 20 --path-as-is -o out -w '%{http_code}' "$2")
+    [ "$got" = "$3" ] || fail "$1: $3, not $got"
+}
+is "the first page" "$address" 200
+is "a file of the project" "${root}steps/step03_sphere/sphere.hpp" 200
+cmp -s out "$project/steps/step03_sphere/sphere.hpp" || fail "a file of the project, as it is"
+is "a folder of the project" "${root}tests/mistakes/" 200
+is "no secret" "${address%%/build*}x/build/book/index.html" 403
+is "a file outside" "${root}../../../../etc/passwd" 404
+is "a file outside, from a folder" "${root}docs/../../../../../etc/passwd" 404
+is "what is hidden" "${root}.git/config" 404
+is "what is built" "${root}build/build.ninja" 404
+is "a page that is not there" "${root}build/book/none.html" 404
+
+python3 "$project/tests/documents/book_pages.py" "$project/build/book" "$project" > out 2>&1 ||
+    fail "links, anchors, formulas, alternative texts, contracts, hints, errata"
+pages=$(cd "$project/build/book" && find . -name '*.html' | sort)
+node "$project/tests/documents/book_browser.mjs" "$browser" "$address" $pages > out 2>&1 ||
+    fail "in a browser: contrast, a phone's width, other hosts, errors"
+kill -INT "$server"
+wait "$server"
+[ $? = 0 ] || fail "Ctrl-C is a good end"
+server=
+exit $failed
