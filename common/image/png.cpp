@@ -79,12 +79,15 @@ public:
     Writer(const Writer&) = delete;
     Writer& operator=(const Writer&) = delete;
 
-    void write(std::FILE* file, const Image& image, const std::vector<PngText>& texts) {
+    void write(std::FILE* file, const Image& image, const std::vector<PngText>& texts,
+               Gamma gamma) {
         errno = 0;
         png_init_io(png_, file);
         png_set_IHDR(png_, info_, png_uint_32(image.resolution.width),
                      png_uint_32(image.resolution.height), 8, PNG_COLOR_TYPE_RGB,
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        if (gamma == Gamma::linear) png_set_gAMA_fixed(png_, info_, PNG_FP_1);
+        if (gamma == Gamma::srgb) png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
         set_texts(texts);
         png_write_info(png_, info_);
         for (int row = 0; row < image.resolution.height; ++row)
@@ -117,10 +120,11 @@ void check_writable(const std::string& file) {
     check_folder_of(file);
 }
 
-void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts) {
+void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts,
+               Gamma gamma) {
     check_place(file);
     WholeFile whole(file);
-    Writer(file).write(whole.stream(), image, texts);
+    Writer(file).write(whole.stream(), image, texts, gamma);
     check_place(file);  // the target may have changed meanwhile
     whole.take_its_place();
 }

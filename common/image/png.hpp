@@ -1,6 +1,7 @@
 // Reading and writing of PNG files, with libpng.
 #pragma once
 
+#include "common/image/gamma.hpp"
 #include "common/image/image.hpp"
 
 #include <string>
@@ -15,8 +16,10 @@ struct PngText {
 };
 
 /// Writes the picture completely or not at all: it is a WholeFile. Creates the folder if needed.
-/// Throws InputError if that fails, or if the existing file is neither a PNG nor empty.
-void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts);
+/// Throws InputError if that fails, or if the existing file is neither a PNG nor empty. `gamma` is
+/// that of the image's colors: a chunk gAMA says linear, and a chunk sRGB says srgb.
+void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts,
+               Gamma gamma = Gamma::unstated);
 
 /// Throws InputError if write_png could not write to the file. Creates no file.
 void check_writable(const std::string& file);

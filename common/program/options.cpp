@@ -117,6 +117,22 @@ void add_goals(CLI::App& app, Options& options) {
                [&options](double seconds) { options.time = seconds; });
 }
 
+/// Adds the options of the pixels.
+void add_pixel_options(CLI::App& app, RenderSettings& settings) {
+    app.add_option("--samples", settings.pixel_samples,
+                   "number of rays through each pixel, whose color is their mean; 1 if not given: "
+                   "the ray through its center")
+        ->check(CLI::Range(1, most_pixel_samples).description(""))
+        ->type_name("N");
+    app.add_option("--gamma", settings.gamma,
+                   "write colors encoded for screens, or proportional to light; proportional, and "
+                   "the file does not say so, if not given")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, Gamma>{{"srgb", Gamma::srgb},
+                                                                         {"linear", Gamma::linear}})
+                        .description(""))
+        ->type_name("srgb|linear");
+}
+
 /// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
@@ -133,8 +149,9 @@ void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
         add("--shadow-samples", settings.shadow_samples,
-            "largest number of rays to a light with a size; 16 if not given", "N",
-            CLI::Range(1, most_shadow_samples));
+            "largest number of rays to a light with a size; 16 if not given; with --samples N, "
+            "divided by √N",
+            "N", CLI::Range(1, most_shadow_samples));
         add_number(
             app, "--shadow-error", least_error, brightest,
             "trace shadow rays until the estimated error of a light's part is below this, of "
@@ -186,6 +203,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
            "the picture's size in pixels, in place of the scene's")
         ->type_name("WIDTHxHEIGHT");
     add_precision(app, program, options.precision);
+    add_pixel_options(app, options.settings);
     app.add_option("--threads", options.threads, "as many as there are cores if not given")
         ->check(CLI::Range(1, max_threads).description(""))
         ->type_name("N");

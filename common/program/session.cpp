@@ -7,6 +7,7 @@
 #include "common/program/load_meshes.hpp"
 #include "common/program/requirements.hpp"
 #include "common/program/used_options.hpp"
+#include "common/render/pixel_samples.hpp"
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/terminal.hpp"
@@ -137,11 +138,28 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
-    write_png(options.output, rendering->image, texts(program, options, scene.resolution));
+    write_png(options.output, rendering->image, texts(program, options, scene.resolution),
+              options.settings.gamma);
     if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
     if (!options.quiet) warn_if_blank(scene, program, options, rendering->image);
     if (!options.quiet) report(*rendering, options, pace, seconds.count());
     return true;
+}
+
+std::string bytes_text(Rgb rgb) {
+    return std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " + std::to_string(rgb[2]);
+}
+
+/// Logs the color that the picture has with --samples. The rest of the log is that of the ray
+/// through the pixel's center, which is none of the samples.
+void log_mean(PixelLog& log, const RenderSettings& settings, const Scene& scene, Pixel pixel) {
+    Context context{.settings = shared_settings(settings), .pixel = pixel};
+    const FinerRays rays(scene.cameras.front(), scene.resolution);
+    const Color mean = mean_color(scene, rays, pixel, context);
+    log.heading("The mean of " + std::to_string(settings.pixel_samples) +
+                " other rays through the pixel, which the picture has");
+    log.line("color", text(mean));
+    log.line("8-bit", bytes_text(to_rgb(mean, settings.gamma)));
 }
 
 void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
@@ -164,11 +182,10 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     const Color color = trace(scene, ray, context);
     if (log.misses_left_out() > 0)
         log.remark(std::to_string(log.misses_left_out()) + " more shapes were missed");
-    const Rgb rgb = to_rgb(color);
     log.heading("The pixel");
     log.line("color", text(color));
-    log.line("8-bit", std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " +
-                          std::to_string(rgb[2]));
+    log.line("8-bit", bytes_text(to_rgb(color, options.settings.gamma)));
+    if (options.settings.pixel_samples > 1) log_mean(log, options.settings, scene, pixel);
 }
 
 class SceneReader : public Renderer {

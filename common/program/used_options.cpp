@@ -29,6 +29,9 @@ std::string used_options(const Program& program, const Options& options) {
     if (settings.term == PhongTerm::ambient) used += " --term ambient";
     if (settings.term == PhongTerm::diffuse) used += " --term diffuse";
     if (settings.term == PhongTerm::specular) used += " --term specular";
+    if (settings.pixel_samples > 1) used += " --samples " + std::to_string(settings.pixel_samples);
+    if (settings.gamma == Gamma::linear) used += " --gamma linear";
+    if (settings.gamma == Gamma::srgb) used += " --gamma srgb";
     if (program.stage >= soft_shadow_stage)
         used += " --shadow-samples " + std::to_string(settings.shadow_samples);
     if (settings.shadow_error > 0) used += " --shadow-error " + shortest(settings.shadow_error);

@@ -1,5 +1,6 @@
 #include "common/render/render.hpp"
 
+#include "common/render/pixel_samples.hpp"
 #include "common/system/parallel_for.hpp"
 
 #include <numeric>
@@ -18,16 +19,35 @@ struct Row {
 
 /// Renders one row. It has its own copy of the pixel rays, which no other code can change: in a
 /// unity build (common/cmake/stage.cmake), quantities that are constant in a row are computed once.
-[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray, const RenderJob& job,
-                                int row, Image& image) {
-    Context context{.settings = job.next_look ? job.next_look() : job.settings};
+[[gnu::flatten]] Row render_row(const Scene& scene, const PixelRays pixel_ray,
+                                const RenderSettings& settings, int row, Image& image) {
+    Context context{.settings = settings};
     Row result;
     for (int column = 0; column < image.resolution.width; ++column) {
         const Pixel pixel{.row = row, .column = column};
         context.pixel = pixel;
         const Color color = trace(scene, pixel_ray(pixel), context);
         if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
-        image[pixel] = to_rgb(color);
+        image[pixel] = to_rgb(color, settings.gamma);
+    }
+    result.rays = context.rays;
+    result.sized_light_rays = context.sized_light_rays;
+    return result;
+}
+
+/// Renders one row with several rays for each pixel.
+Row render_fine_row(const Scene& scene, const RenderJob& job, const RenderSettings& settings,
+                    int row, Image& image) {
+    const FinerRays rays(scene.cameras.front(), scene.resolution);
+    Context context{.settings = shared_settings(settings)};
+    Row result;
+    for (int column = 0; column < image.resolution.width; ++column) {
+        if (job.stop != nullptr && *job.stop) break;
+        const Pixel pixel{.row = row, .column = column};
+        context.pixel = pixel;
+        const Color color = mean_color(scene, rays, pixel, context);
+        if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
+        image[pixel] = to_rgb(color, settings.gamma);
     }
     result.rays = context.rays;
     result.sized_light_rays = context.sized_light_rays;
@@ -68,7 +88,10 @@ std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const std::vector<int> order = order_of(scene.resolution.height, job.next_look != nullptr);
     parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
         const int row = order[i];
-        rows[std::size_t(row)] = render_row(scene, pixel_ray, job, row, image);
+        const RenderSettings settings = job.next_look ? job.next_look() : job.settings;
+        rows[std::size_t(row)] = settings.pixel_samples > 1
+                                     ? render_fine_row(scene, job, settings, row, image)
+                                     : render_row(scene, pixel_ray, settings, row, image);
         if (job.row_done) job.row_done();
     });
     if (job.stop != nullptr && *job.stop) return std::nullopt;

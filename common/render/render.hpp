@@ -49,6 +49,12 @@ struct Rendering {
     return {byte(color.r), byte(color.g), byte(color.b)};
 }
 
+/// As above, with the components encoded first.
+[[nodiscard]] inline Rgb to_rgb(const Color& color, Gamma gamma) {
+    if (gamma != Gamma::srgb) return to_rgb(color);
+    return to_rgb({encoded(color.r, gamma), encoded(color.g, gamma), encoded(color.b, gamma)});
+}
+
 /// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the
 /// same bits for any number of threads, because no pixel depends on another, unless job differ
 /// from row to row.

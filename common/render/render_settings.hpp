@@ -1,6 +1,8 @@
 // Render settings of the command line: the appearance of the picture, and its cost.
 #pragma once
 
+#include "common/image/gamma.hpp"
+
 namespace rt {
 
 /// The conversion of a hit to a color.
@@ -12,6 +14,7 @@ enum class Shading {
 /// The terms of Phong's model to show.
 enum class PhongTerm { all, ambient, diffuse, specular };
 
+constexpr int most_pixel_samples = 1 << 20;
 constexpr int most_shadow_samples = 1 << 20;
 constexpr int most_depth = 1000;
 
@@ -19,7 +22,11 @@ constexpr int most_depth = 1000;
 struct RenderSettings {
     Shading shading = Shading::color;
     PhongTerm term = PhongTerm::all;
-    int shadow_samples = 16;  ///< largest number of rays to an area light
+    Gamma gamma = Gamma::unstated;
+    int pixel_samples = 1;    ///< number of rays through each pixel; the largest with pixel_error
+    double pixel_error = 0;   ///< trace rays through a pixel until its estimated error is below
+                              ///< this, of 255; 0 for always pixel_samples
+    int shadow_samples = 16;  ///< largest number of rays to an area light, for each pixel
     double shadow_error =
         0;  ///< stop sampling when the color's estimated error is below this, of 255; 0 for never
     int shadow_agree = 0;  ///< or when the first rays, this many, agree: all reached the light, or

@@ -50,6 +50,10 @@ Vec2 RT_PRECISION::spread_sample(std::uint32_t index, std::uint32_t seed) {
     return {to_unit_interval(first), to_unit_interval(second)};
 }
 
+std::uint32_t RT_PRECISION::shuffled(std::uint32_t index, std::uint32_t seed) {
+    return reversed(flipped(reversed(index), seed));
+}
+
 std::uint32_t RT_PRECISION::sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce) {
     std::uint32_t seed = mixed_bits(std::uint32_t(pixel.row) + 1);
     seed = mixed_bits(seed ^ (std::uint32_t(pixel.column) + 1));

@@ -15,6 +15,11 @@ inline namespace RT_PRECISION {
 /// contains one, for every division of the square into such boxes by halving.
 [[nodiscard]] Vec2 spread_sample(std::uint32_t index, std::uint32_t seed);
 
+/// Returns a permutation of the indices, one for each seed. The first 2^k indices become a block
+/// whose points are as even as the first 2^k. With it, points of two sequences of the same index
+/// are paired at random (Burley 2020).
+[[nodiscard]] std::uint32_t shuffled(std::uint32_t index, std::uint32_t seed);
+
 /// Returns a seed that depends only on the pixel and the sampled quantity, so that the result of
 /// one thread does not depend on another.
 [[nodiscard]] std::uint32_t sample_seed(Pixel pixel, std::uint32_t light, std::uint32_t bounce);

@@ -1,6 +1,6 @@
 #include "common/tuning/scene_traits.hpp"
 
-#include "common/render/stage.hpp"
+#include "common/render/pixel_samples.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/parallel_for.hpp"
 #include "common/tuning/input_rounding.hpp"
@@ -43,10 +43,8 @@ Pixel seed_pixel(Pixel pixel, Resolution size, int round) {
     return {.row = pixel.row + round * size.height, .column = pixel.column};
 }
 
-DisplayColor shade(const Color& color) {
-    const auto shown = [](Real value) {
-        return std::isnan(value) ? double(value) : 255 * std::clamp(double(value), 0.0, 1.0);
-    };
+DisplayColor shade(const Color& color, Gamma gamma) {
+    const auto shown = [gamma](Real value) { return 255 * encoded(double(value), gamma); };
     return {shown(color.r), shown(color.g), shown(color.b)};
 }
 
@@ -77,19 +75,23 @@ PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
     constexpr std::size_t together = 16;  // pixels in one unit of a thread's work
     const Resolution size = scene.resolution;
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
+    const FinerRays finer_rays(scene.cameras.front(), size);
+    const bool several = settings.pixel_samples > 1;
     const std::size_t count = request.pixels.size();
     PixelSample shot{.shades = std::vector<DisplayColor>(count),
                      .light_rays = std::vector<int>(count)};
     std::atomic<std::int64_t> rays = 0;
     const std::clock_t start = std::clock();
     const auto draw = [&](std::size_t part) {
-        Context context{.settings = settings};
+        Context context{.settings = several ? shared_settings(settings) : settings};
         const std::size_t end = std::min((part + 1) * together, count);
         for (std::size_t i = part * together; i < end; ++i) {
             const Pixel pixel = request.pixels[i];
             context.pixel = seed_pixel(pixel, size, request.round);
             context.sized_light_rays = 0;
-            shot.shades[i] = shade(trace(scene, pixel_ray(pixel), context));
+            const Color color = several ? mean_color(scene, finer_rays, pixel, context)
+                                        : trace(scene, pixel_ray(pixel), context);
+            shot.shades[i] = shade(color, settings.gamma);
             shot.light_rays[i] = int(context.sized_light_rays);
         }
         rays += context.rays;

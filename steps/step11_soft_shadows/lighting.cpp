@@ -1,5 +1,7 @@
 #include "steps/step11_soft_shadows/lighting.hpp"
 
+#include "common/system/hash.hpp"
+
 #include <bit>
 
 namespace rt {
@@ -21,6 +23,14 @@ bool accurate(const ShadowRays& rays, const Color& color, const Context& context
     const Real largest = glm::max(color.r, glm::max(color.g, color.b));
     const Real steps = 255 * visibility_error(rays) * largest * Real(context.weight);
     return steps <= Real(settings.shadow_error);
+}
+
+LightPoints light_points(const Context& context, std::uint32_t light) {
+    const auto bounces = std::uint32_t(context.bounces);
+    if (context.sample < 0) return {.seed = sample_seed(context.pixel, light, bounces), .first = 0};
+    const std::uint32_t seed = sample_seed(context.whole_pixel, light, bounces);
+    const std::uint32_t part = shuffled(std::uint32_t(context.sample), mixed_bits(seed));
+    return {.seed = seed, .first = part * std::uint32_t(context.settings.shadow_samples)};
 }
 
 }  // namespace rt

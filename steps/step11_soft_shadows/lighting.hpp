@@ -20,6 +20,17 @@ namespace rt {
 /// visible fraction, is small enough, or whether enough rays agree.
 [[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
+/// The points of a light that shadow rays aim at: spread_sample(first + i, seed).
+struct LightPoints {
+    std::uint32_t seed;
+    std::uint32_t first;
+};
+
+/// The light's points for the rays of one shading point. The rays through a pixel share a sequence,
+/// of which each uses a part of its own, so that together their points are as even as those of one
+/// ray. `light` is the light's number, from 1.
+[[nodiscard]] LightPoints light_points(const Context& context, std::uint32_t light);
+
 // Each main.cpp defines the possible occluders: obstacles(query) tests an any-hit query, or another
 // one, against them. The functions with queries are templates, so that they are compiled into
 // `trace`, except for the part that only area lights need: a scene without area lights then costs
@@ -30,7 +41,7 @@ namespace rt {
 /// remain in registers.
 template <class Obstacles>
 [[nodiscard, gnu::noinline]] ShadowRays rays_to(const Light& light, ShadingPoint surface,
-                                                Color color, std::uint32_t seed,
+                                                Color color, LightPoints points,
                                                 const Obstacles& obstacles, Context context) {
     const Shaft shaft(shadow_ray(surface, light.position).ray.origin, light);
     PotentialOccluders occluders(shaft);
@@ -47,7 +58,8 @@ template <class Obstacles>
     while (rays.sent < context.settings.shadow_samples && !accurate(rays, seen, context)) {
         const std::size_t next = std::size_t(rays.sent) % ways.size();
         for (std::size_t i = 0; next == 0 && i < ways.size(); ++i) {
-            const Vec2 sample = spread_sample(std::uint32_t(std::size_t(rays.sent) + i), seed);
+            const Vec2 sample = spread_sample(
+                points.first + std::uint32_t(std::size_t(rays.sent) + i), points.seed);
             ways[i] = shadow_ray(surface, sample_light(light, surface.point, sample));
         }
         if (!occluders.block(ways[next].ray, ways[next].interval, context)) ++rays.reached;
@@ -83,10 +95,9 @@ template <class Obstacles>
         if (diffuse + specular == Color(0)) continue;  // nothing that an occluder could remove
         if (light.radius > 0) [[unlikely]] {
             const auto number = std::uint32_t(&light - scene.lights.data()) + 1;
-            const std::uint32_t seed =
-                sample_seed(context.pixel, number, std::uint32_t(context.bounces));
+            const LightPoints points = light_points(context, number);
             const ShadowRays rays =
-                rays_to(light, surface, diffuse + specular, seed, obstacles, context);
+                rays_to(light, surface, diffuse + specular, points, obstacles, context);
             const Real share = rays.sent == 0 ? 1 : visibility(rays);
             context.rays += rays.sent;
             context.sized_light_rays += rays.sent;
