@@ -1,0 +1,79 @@
+// The engine of the book's figures: every function of every contract behind one C function that
+// carries the bytes of common/contract. Compiled once in each precision.
+#include "docs/figures/engine/describe.hpp"
+#include "docs/figures/engine/questions.hpp"
+
+#include <array>
+#include <map>
+#include <string>
+
+namespace rt::book {
+
+namespace {
+
+using Answer = void (*)(contract::Reader& question, contract::Writer& answer);
+
+struct Engine {
+    std::map<int, Answer> answers;
+    std::string description = "[";
+    std::vector<char> room;
+    std::string result;
+};
+
+Engine made_engine() {
+    Engine engine;
+    std::array<int, contract::stage_count + 1> places{};
+    contract::for_each_function<0>([&]<class F>(int stage, F) {
+        const int place = places.at(std::size_t(stage))++;
+        engine.answers[stage << 8 | place] = F::answer;
+        engine.description +=
+            (engine.description == "[" ? "" : ",") + json_function<F>(stage, place);
+    });
+    engine.description += "]";
+    return engine;
+}
+
+Engine& engine() {
+    static Engine only = made_engine();
+    return only;
+}
+
+}  // namespace
+
+}  // namespace rt::book
+
+extern "C" {
+
+/// Room for a question of this size.
+char* engine_room(std::size_t size) {
+    auto& room = rt::book::engine().room;
+    if (size > room.size()) room.resize(size);
+    return room.data();
+}
+
+/// Answers the question in the room; the size of the answer, 0 if there is no such function.
+std::size_t engine_ask(std::size_t size) {
+    using namespace rt::contract;
+    auto& engine = rt::book::engine();
+    engine.result.clear();
+    Reader question(std::string_view(engine.room.data(), size));
+    const auto [stage, place] = get<Number>(question);
+    const auto found = engine.answers.find(stage << 8 | place);
+    if (found == engine.answers.end()) return 0;
+    Writer answer;
+    found->second(question, answer);
+    engine.result = answer.bytes();
+    return engine.result.size();
+}
+
+/// The list of functions becomes the result; its size.
+std::size_t engine_describe() {
+    auto& engine = rt::book::engine();
+    engine.result = engine.description;
+    return engine.result.size();
+}
+
+const char* engine_result() {
+    return rt::book::engine().result.data();
+}
+}

@@ -1,0 +1,20 @@
+// The engine without WebAssembly: questions on the standard input, answers on the output, each
+// after its size. An answer has the same bytes as in a page.
+#include <cstdint>
+#include <cstdio>
+
+extern "C" {
+char* engine_room(std::size_t size);
+std::size_t engine_ask(std::size_t size);
+const char* engine_result();
+}
+
+int main() {
+    std::uint32_t size = 0;
+    while (std::fread(&size, sizeof size, 1, stdin) == 1) {
+        if (std::fread(engine_room(size), 1, size, stdin) != size) return 1;
+        size = std::uint32_t(engine_ask(size));
+        std::fwrite(&size, sizeof size, 1, stdout);
+        std::fwrite(engine_result(), 1, size, stdout);
+    }
+}

@@ -1,0 +1,106 @@
+#include "docs/figures/engine/questions.hpp"
+
+#include "common/explain/pixel_log.hpp"
+#include "common/math/vector.hpp"
+#include "common/render/closest_hit.hpp"
+#include "common/render/sampling.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace rt::book {
+
+namespace {
+
+template <class Write>
+Text written(Write write) {
+    std::ostringstream out;
+    PixelLog log(out);
+    write(log);
+    const std::string text = out.str();
+    return {text.begin(), text.end()};
+}
+
+}  // namespace
+
+template <class Shape>
+Text explain_shape(const Ray& ray, const Shape& shape, Interval interval) {
+    return written([&](PixelLog& log) {
+        explain_candidate(log, ray, shape, interval, intersect(ray, shape, interval));
+    });
+}
+
+template Text explain_shape(const Ray& ray, const Sphere& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const Plane& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const Triangle& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const Square& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const Cylinder& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const Cone& shape, Interval interval);
+template Text explain_shape(const Ray& ray, const OrientedBox& shape, Interval interval);
+
+Text explain_screen(Pixel pixel, Resolution resolution, Real vertical_fov) {
+    return written(
+        [&](PixelLog& log) { rt::explain_screen(log, pixel, resolution, vertical_fov); });
+}
+
+Text explain_light(const ShadingPoint& surface, const Light& light) {
+    return written([&](PixelLog& log) { explain(log, surface, light); });
+}
+
+Mat4 image_to_world(Resolution resolution, Real vertical_fov, Real near, Real far) {
+    const Real width = Real(resolution.width);
+    const Real height = Real(resolution.height);
+    // −1 to 1 becomes 0 to W from the left, 0 to H from the top, 0 to 1 from the near plane.
+    const Mat4 image = glm::translate(Mat4(1), Vec3(width / 2, height / 2, Real(0.5))) *
+                       glm::scale(Mat4(1), Vec3(width / 2, -height / 2, Real(0.5)));
+    const Mat4 projection = glm::perspective(vertical_fov, width / height, near, far);
+    return glm::inverse(projection) * glm::inverse(image);
+}
+
+Basis printed_basis(Vec3 direction) {
+    const Vec3 z = unit(-direction);
+    const Vec3 x = cross(Vec3(0, 1, 0), z);
+    return {.x = x, .y = cross(z, x), .z = z};
+}
+
+std::optional<Real> intersect_with_epsilon(const Ray& ray, const Plane& plane, Interval interval,
+                                           Real epsilon) {
+    const Real approach = dot(ray.direction, plane.normal);
+    if (std::abs(approach) < epsilon) return std::nullopt;
+    const Real t = dot(plane.point - ray.origin, plane.normal) / approach;
+    if (!interval.contains(t)) return std::nullopt;
+    return t;
+}
+
+template <class Shape>
+std::optional<ShadingPoint> shade(const Ray& ray, const Shape& shape) {
+    const auto t = intersect(ray, shape, Interval{});
+    if (!t) return std::nullopt;
+    const PointWithError place = snapped_to(shape, at(ray, *t));
+    const Vec3 outward = normal(shape, place.point);
+    return shading_point(Hit(*t, place, outward, outward, Material{}), ray);
+}
+
+template std::optional<ShadingPoint> shade(const Ray& ray, const Sphere& shape);
+template std::optional<ShadingPoint> shade(const Ray& ray, const Plane& shape);
+template std::optional<ShadingPoint> shade(const Ray& ray, const Triangle& shape);
+
+ShadowRay printed_shadow_ray(const ShadingPoint& surface, Vec3 light, Real epsilon) {
+    const Vec3 way = light - surface.point;
+    const Real distance = std::sqrt(dot(way, way));
+    return {.ray = {.origin = surface.point, .direction = way / distance},
+            .interval = {.min = epsilon, .max = distance}};
+}
+
+Vec2 even_sample(std::uint32_t index, std::uint32_t seed) {
+    return spread_sample(index, seed);
+}
+
+Vec2 independent_sample(std::uint32_t index, std::uint32_t seed) {
+    // Each point is the first one of a sequence of its own.
+    return spread_sample(0, sample_seed({.row = int(index), .column = int(seed)}, 1, 0));
+}
+
+}  // namespace rt::book

@@ -1,0 +1,291 @@
+// What all live figures share: a sketch to draw on, handles to drag, sliders, and the rows of
+// numbers below. A figure computes nothing that a stage teaches: it calls the stages' functions.
+import { has_mine, open } from "./engine.js";
+
+// As docs/figures/source/svg.hpp, each with its twin on a dark page.
+const pair = (light, dark) => `light-dark(${light}, ${dark})`;
+export const color = {
+  white: pair("#fff", "#0d1117"), ink: pair("#24292f", "#e6edf3"), gray: pair("#68707a", "#9da7b3"), faint: pair("#d3d9e0", "#3b434d"),
+  tint: pair("#edf2f7", "#1b222b"), blue: pair("#1f6bad", "#4da3e6"), red: pair("#c23b22", "#f0694d"), green: pair("#35784a", "#5fb878"),
+  amber: pair("#a86500", "#d99a2b"), pale_blue: pair("#d5e5f3", "#1d3a54"), pale_red: pair("#f6dcd6", "#54271e"),
+  pale_green: pair("#d9ebdf", "#1f4229"), pale_amber: pair("#f8e3b8", "#54400f"),
+};
+
+const style = `
+  :host { display: block; margin: 1em 0; }
+  svg { width: 100%; max-width: 640px; display: block; touch-action: none; background: ${color.white}; font: 14px sans-serif; }
+  svg text { fill: ${color.ink}; }
+  .handle { cursor: grab; outline: none; }
+  .handle:focus { stroke: ${color.amber}; stroke-width: 5; }
+  form { font: 14px sans-serif; display: flex; flex-wrap: wrap; gap: .3em 1.2em; align-items: center; margin: .5em 0; color: ${color.ink}; }
+  label, fieldset { display: inline-flex; align-items: center; gap: .4em; }
+  fieldset { border: 0; padding: 0; margin: 0; }
+  input { accent-color: ${color.blue}; }
+  input[type=range] { width: 11em; }
+  output { min-width: 4.5em; font-family: monospace; }
+  table { font: 13px/1.5 monospace; border-collapse: collapse; color: ${color.ink}; display: block; max-width: 640px; overflow-x: auto; }
+  td { padding: 0 1em 0 0; vertical-align: top; }
+  td:first-child:not([colspan]) { white-space: nowrap; }
+  td[colspan="2"] { color: ${color.gray}; }
+  .differs { color: ${color.red}; font-weight: bold; }
+  @media print { form { display: none; } }`;
+
+export const add = (a, b) => a.map((x, i) => x + b[i]);
+export const minus = (a, b) => a.map((x, i) => x - b[i]);
+export const times = (s, v) => v.map((x) => s * x);
+export const at = (ray, t) => add(ray.origin, times(t, ray.direction));
+const most_of_mine = 40;  // each is a call of another process
+export const ahead = { min: 0, max: Infinity };
+const along = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+const plain = (x) => Number(x.toPrecision(4));
+
+function element(name, attributes, text = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key.replace("_", "-"), value);
+  made.textContent = text;
+  return made;
+}
+
+/// A page of vector graphics; points in space, projected along the view.
+class Sketch {
+  constructor(group, view) {
+    this.group = group;
+    this.view = { scale: 100, right: [1, 0, 0], up: [0, 1, 0], ...view };
+  }
+  screen(point) {
+    const { place, scale, right, up } = this.view;
+    return [place[0] + scale * along(point, right), place[1] - scale * along(point, up)];
+  }
+  world([x, y]) {
+    const { place, scale, right, up } = this.view;
+    return add(times(plain((x - place[0]) / scale), right), times(plain((place[1] - y) / scale), up));
+  }
+  shape(name, attributes, text) {
+    const made = element(name, attributes, text);
+    this.group.append(made);
+    return made;
+  }
+  pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}) {
+    return this.shape(name, { ...attributes, stroke, fill, stroke_width: width, stroke_dasharray: dashes });
+  }
+  line(from, to, pen = {}) {
+    const [[x1, y1], [x2, y2]] = [this.screen(from), this.screen(to)];
+    this.pixels("line", { x1, y1, x2, y2 }, { stroke: color.ink, ...pen });
+  }
+  arrow(from, to, pen = {}) {
+    const [a, b] = [this.screen(from), this.screen(to)];
+    const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    if (length < 1) return;
+    const [x, y] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
+    this.line(from, to, pen);
+    this.pixels("polygon", { points: [b, [b[0] - 9 * x + 4 * y, b[1] - 9 * y - 4 * x], [b[0] - 9 * x - 4 * y, b[1] - 9 * y + 4 * x]].join(" ") }, { fill: pen.stroke ?? color.ink });
+  }
+  polygon(points, pen = {}) {
+    this.pixels("polygon", { points: points.map((point) => this.screen(point)).join(" ") }, pen);
+  }
+  polyline(points, pen = {}) {
+    this.pixels("polyline", { points: points.map((point) => this.screen(point)).join(" ") }, { stroke: color.ink, ...pen });
+  }
+  circle(center, radius, pen = {}) {
+    const [cx, cy] = this.screen(center);
+    this.pixels("circle", { cx, cy, r: Math.max(0, radius * this.view.scale) }, { fill: color.tint, stroke: color.ink, ...pen });
+  }
+  /// "hit": the nearest; "refused": a root that is not it; "given" and "foot". By shape and color.
+  mark(point, what) {
+    const [cx, cy] = this.screen(point);
+    const pens = { hit: [5.5, { fill: color.red, stroke: color.white }], refused: [5, { fill: color.white, stroke: color.red }], given: [3.5, { fill: color.ink }], foot: [3, { fill: color.gray }] };
+    const [r, pen] = pens[what];
+    if (Math.abs(cx) < 1e4 && Math.abs(cy) < 1e4) this.pixels("circle", { cx, cy, r }, pen);
+  }
+  label(point, offset, text, fill = color.ink, anchor = "middle") {
+    const [x, y] = add(this.screen(point), offset);
+    this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}` }, text);
+  }
+  ray(ray, end = 9) {
+    const length = Math.hypot(...ray.direction) || 1;
+    this.line(at(ray, -end / length), ray.origin, { stroke: color.blue, width: 1.2, dashes: "4 4" });
+    this.line(ray.origin, at(ray, end / length), { stroke: color.blue });
+    this.arrow(ray.origin, at(ray, 1), { stroke: color.blue, width: 3 });
+  }
+}
+
+/// The base of all figures. A figure has `static title`, `view`, `setup()` and `draw(sketch)`.
+export class Figure extends HTMLElement {
+  static height = 340;
+  view = { place: [320, 170] };
+  mode = "reference";
+
+  async connectedCallback() {
+    this.engine = await open("double");  // without it, the drawn figure stays
+    const root = this.attachShadow({ mode: "open" });
+    root.innerHTML = `<style>${style}</style><form></form><table></table>`;
+    [this.form, this.table] = [root.querySelector("form"), root.querySelector("table")];
+    this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.constructor.title });
+    [this.back, this.front] = [element("g", {}), element("g", {})];
+    this.svg.append(this.back, this.front);
+    this.form.before(this.svg);
+    this.sketch = new Sketch(this.back, this.view);
+    this.setup();
+    this.precision = this.choice("precision", ["double", "float"]);
+    if (has_mine) this.whose = this.choice("answers", ["reference", "mine", "both"]);
+    this.form.addEventListener("submit", (event) => event.preventDefault());
+    if (has_mine) addEventListener("focus", () => this.redraw());  // after a file was saved
+    await this.redraw();
+  }
+
+  // ---- what can be moved
+
+  /// A point that is dragged, or moved with the arrow keys by so many pixels, and with Shift by one.
+  /// `keep` may hold it on a line.
+  handle(name, place, { fill = color.ink, keep = (point) => point, step: pixels = 6 } = {}) {
+    const knob = element("circle", { class: "handle", r: 8, fill, tabindex: 0, role: "slider", "aria-label": name });
+    const handle = { name, place, knob, get value() { return this.place; } };
+    const within = (x, most) => Math.min(Math.max(x, 10), most - 10);
+    const move = (x, y) => {
+      handle.place = keep(this.sketch.world([within(x, 640), within(y, this.constructor.height)])).map(plain);
+      this.redraw();
+    };
+    handle.show = () => {
+      const [cx, cy] = this.sketch.screen(handle.place);
+      for (const [key, value] of Object.entries({ cx, cy, "aria-valuenow": plain(cx), "aria-valuetext": `(${handle.place.map(plain).join(", ")})` })) knob.setAttribute(key, value);
+    };
+    knob.addEventListener("pointerdown", (event) => knob.setPointerCapture(event.pointerId));
+    knob.addEventListener("pointermove", (event) => {
+      if (!knob.hasPointerCapture(event.pointerId)) return;
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+      move(x, y);
+    });
+    knob.addEventListener("keydown", (event) => {
+      const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      move(...add(this.sketch.screen(handle.place), times(event.shiftKey && pixels === 6 ? 1 : pixels, step)));
+    });
+    this.front.append(knob);
+    (this.handles ??= []).push(handle);
+    return handle;
+  }
+
+  /// A number from min to max; with `power`, ten to the power of the slider.
+  slider(name, { min, max, step, value, power = false, unit = "" }) {
+    const input = Object.assign(document.createElement("input"), { type: "range", min, max, step });
+    input.value = value;
+    const read = () => (power ? Number((10 ** Number(input.value)).toPrecision(2)) : Number(input.value));
+    const output = document.createElement("output");
+    const show = () => { output.textContent = (power ? read().toExponential() : read()) + unit; input.setAttribute("aria-valuetext", output.textContent); };
+    input.addEventListener("input", () => (show(), this.redraw()));
+    show();
+    this.#labelled(name, input, output);
+    return { get value() { return read(); } };
+  }
+
+  check(name, checked = false) {
+    const input = Object.assign(document.createElement("input"), { type: "checkbox", checked });
+    input.addEventListener("input", () => this.redraw());
+    const label = document.createElement("label");
+    label.append(input, name);
+    this.form.append(label);
+    return { get value() { return input.checked; } };
+  }
+
+  choice(name, values) {
+    const set = document.createElement("fieldset");
+    set.setAttribute("aria-label", name);
+    for (const value of values) {
+      const input = Object.assign(document.createElement("input"), { type: "radio", name, value, checked: value === values[0] });
+      const label = document.createElement("label");
+      label.append(input, value);
+      set.append(label);
+    }
+    set.addEventListener("input", () => this.redraw());
+    this.form.append(set);
+    return { get value() { return set.querySelector(":checked").value; } };
+  }
+
+  #labelled(name, ...parts) {
+    const label = document.createElement("label");
+    label.append(name, ...parts);
+    this.form.append(label);
+  }
+
+  // ---- questions and their answers
+
+  /// A stage's function: the reference's answer, or the student's. Stage 0 are explanations.
+  async ask(stage, name, ...values) {
+    const [bytes, type] = this.engine.question(stage, name, values);
+    const reference = this.engine.reference(bytes);
+    this.asked.push({ precision: this.engine.precision, question: bytes, answer: reference, name: `${name} of stage ${stage}` });
+    if (stage === 0 || !this.whose || this.whose.value === "reference") return this.engine.read(reference, type);
+    if (++this.own === most_of_mine) this.differences.add(`your file answers the first ${most_of_mine} questions of this figure, the reference the others`);
+    if (this.own >= most_of_mine) return this.engine.read(reference, type);
+    try {
+      const mine = await this.engine.mine(bytes);
+      if (this.whose.value === "both" && mine.join() !== reference.join())
+        this.differences.add(`${name}: mine ${JSON.stringify(this.engine.read(mine, type))}, reference ${JSON.stringify(this.engine.read(reference, type))}`);
+      return this.engine.read(mine, type);
+    } catch (error) {
+      this.differences.add(`${name}: ${error.message}`);
+      this.own = Infinity;  // who loops would do so for each question
+      return this.engine.read(reference, type);
+    }
+  }
+
+  /// Every t at which the line meets the shape: `intersect`, called again after each answer.
+  async roots(stage, ray, shape, min = -Infinity) {
+    const found = [];
+    for (let t; found.length < 4 && (t = await this.ask(stage, "intersect", ray, shape, { min: found.at(-1) ?? min, max: Infinity })) !== null;) found.push(t);
+    return found;
+  }
+
+  /// Draws once for all changes that arrived in the meantime.
+  async redraw() {
+    this.wanted = true;
+    if (this.drawing) return;
+    this.drawing = true;
+    try {
+      while (this.wanted) {
+        this.wanted = false;
+        this.engine = await open(this.precision.value);
+        [this.asked, this.differences, this.own] = [[], new Set(), 0];
+        this.sketch.group = element("g", {});
+        const rows = await this.draw(this.sketch);
+        this.back.replaceChildren(this.sketch.group);
+        (this.handles ?? []).forEach((handle) => handle.show());
+        this.#tell([...rows, ...Array.from(this.differences, (text) => ["≠", text, "differs"])]);
+      }
+    } finally {
+      this.drawing = false;
+    }
+  }
+
+  /// A row is a name and a value, or a text of `--pixel`.
+  #tell(rows) {
+    const line = (cells, kind = "") => {
+      const tr = Object.assign(document.createElement("tr"), { className: kind });
+      tr.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: text, ...(cells.length === 1 && { colSpan: 2 }) })));
+      return tr;
+    };
+    this.table.replaceChildren(...rows.flatMap((row) => {
+      if (typeof row !== "string") return [line([row[0], typeof row[1] === "string" ? row[1] : said(row[1], this.engine.precision)], row[2])];
+      return row.trimEnd().split("\n").map((text) => {
+        const [, name, value] = /^ {4}(?!→)(.*) = (.*)$/.exec(text) ?? [];
+        return line(name === undefined ? [text.trim()] : [name, value]);
+      });
+    }));
+  }
+}
+
+/// A value of an answer: a number as its shortest digits. In float, those of a float.
+export function said(value, precision = "double") {
+  if (value === null) return "nothing";
+  if (Array.isArray(value)) return `(${value.map((part) => said(part, precision)).join(", ")})`;
+  if (typeof value === "object") return Object.entries(value).map(([name, part]) => `${name} ${said(part, precision)}`).join(", ");
+  if (typeof value !== "number" || precision === "double") return String(value);
+  for (let digits = 1; digits < 9; ++digits) {
+    const short = Number(value.toPrecision(digits));
+    if (Math.fround(short) === value) return String(short);
+  }
+  return String(value);
+}
+
+export const define = (name, figure) => customElements.define(`rt-${name}`, figure);

@@ -1,0 +1,47 @@
+// Stage 11: samples on a light, even and independent, and the share of it that is seen. Drag the ball.
+import { Figure, color, define } from "./drawing.js";
+
+const from = { point: [0, 0, 0], normal: [0, 1, 0], geometric_normal: [0, 1, 0], to_eye: [0, 1, 0], error: 0, material: { color: [1, 1, 1], specular: 0, shininess: 32, mirror: 0 } };
+
+define("soft_shadow_samples", class extends Figure {
+  static title = "A light with a size, seen from below behind a ball: drag the ball";
+  static height = 330;
+  view = { place: [115, 175], scale: 80 };  // the light seen from below: x to the right, z down
+
+  setup() {
+    this.ball = this.handle("ball", [0.5, 0.1, 0]);
+    this.count = this.slider("samples: 2 to the power of", { min: 0, max: 9, step: 1, value: 6 });
+    this.radius = this.slider("radius of the light", { min: 0.1, max: 1.3, step: 0.05, value: 1 });
+    this.seed = this.slider("seed", { min: 0, max: 99, step: 1, value: 7 });
+  }
+
+  async draw(sketch) {
+    const light = { position: [0, 4, 0], brightness: 1, color: [1, 1, 1], radius: this.radius.value };
+    const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
+    const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
+    for (const [kind, shift, square] of [["even", 0, 440], ["independent", 2.45, 540]]) {
+      sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
+      sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
+      sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });
+      let reached = 0;
+      for (let i = 0; i < count; ++i) {
+        const sample = await this.ask(0, `${kind}_sample`, i, this.seed.value);
+        const point = await this.ask(11, "sample_light", light, from.point, sample);
+        const way = await this.ask(10, "shadow_ray", from, point);
+        const blocked = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
+        if (!blocked) ++reached;
+        // A blocked sample is a cross, one that arrives is a dot.
+        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + 88 * sample[0], 218 - 88 * sample[1]]];
+        for (const [u, v] of places)
+          if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.red, width: 1 });
+          else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });
+      }
+      const rays = { sent: count, reached };
+      sketch.label([shift, 0, 0], [0, -130], kind);
+      sketch.shape("text", { x: square + 44, y: 122, text_anchor: "middle" }, kind);
+      rows.push([`${kind}: visibility`, await this.ask(11, "visibility", rays)], [`${kind}: visibility_error`, await this.ask(11, "visibility_error", rays)]);
+    }
+    sketch.shape("text", { x: 535, y: 250, text_anchor: "middle" }, "dots arrive, crosses do not");
+    return rows;
+  }
+});

@@ -1,0 +1,52 @@
+// Stage 5: two triangles with one edge, and the rays at it, one rounding apart. A square that
+// neither hits is a crack.
+import { Figure, ahead, color, define } from "./drawing.js";
+
+const reach = 8;
+
+define("triangle_shared_edge", class extends Figure {
+  static title = "Rays at an edge that two triangles share, one unit in the last place apart: drag the ends of the edge";
+  static height = 330;
+  view = { place: [160, 165], scale: 95 };
+
+  setup() {
+    this.a = this.handle("one end of the edge", [-0.31, 1.27, 0]);
+    this.b = this.handle("other end of the edge", [0.42, -1.23, 0]);
+    this.share = this.slider("place on the edge", { min: 0.02, max: 0.98, step: 0.01, value: 0.37 });
+  }
+
+  async draw(sketch) {
+    const [a, b] = [this.a.place, this.b.place], s = this.share.value, float = this.engine.precision === "float";
+    const round = float ? Math.fround : (x) => x;
+    const middle = a.map((x, i) => round(round(x) + s * (round(b[i]) - round(x))));
+    const ulp = (x) => 2 ** (Math.floor(Math.log2(Math.abs(x) || 1e-3)) - (float ? 23 : 52));
+    const triangles = [{ a, b: [-1.45, -0.2, 0], c: b }, { a: b, b: [1.43, 0.3, 0], c: a }];
+    sketch.polygon([a, triangles[0].b, b], { fill: color.pale_blue, stroke: color.gray });
+    sketch.polygon([b, triangles[1].b, a], { fill: color.pale_green, stroke: color.gray });
+    sketch.line(a, b, { width: 2 });
+    sketch.mark(middle, "hit");
+    let [lost, cracks] = [0, 0];
+    for (let row = -reach; row <= reach; ++row)
+      for (let column = -reach; column <= reach; ++column) {
+        // Slanted, so that the products are rounded.
+        const p = [middle[0] + column * ulp(middle[0]), middle[1] - row * ulp(middle[1])];
+        const ray = { origin: [p[0] + 0.3, p[1] - 0.7, 1.1], direction: [-0.3, 0.7, -1.1] };
+        const hits = [], textbook = [];
+        for (const triangle of triangles) {
+          hits.push((await this.ask(5, "intersect", ray, triangle, ahead)) !== null);
+          textbook.push(!/is not on/.test(await this.ask(0, "explain", ray, triangle, ahead)));
+        }
+        const fill = (pair) => (pair[0] && pair[1] ? color.amber : pair[0] ? color.pale_blue : pair[1] ? color.pale_green : color.red);
+        if (!hits[0] && !hits[1]) ++lost;
+        if (!textbook[0] && !textbook[1]) ++cracks;
+        [[335, hits], [490, textbook]].forEach(([x, pair]) =>
+          sketch.pixels("rect", { x: x + 8 * (column + reach), y: 70 + 8 * (row + reach), width: 8, height: 8 }, { fill: fill(pair), stroke: color.white, width: 0.5 }));
+      }
+    sketch.shape("text", { x: 403, y: 60, text_anchor: "middle" }, "intersect");
+    sketch.shape("text", { x: 558, y: 60, text_anchor: "middle" }, "three half-planes");
+    sketch.shape("text", { x: 480, y: 232, text_anchor: "middle" }, "blue, green: one triangle; amber: both");
+    sketch.shape("text", { x: 480, y: 252, text_anchor: "middle", style: `fill: ${color.red}` }, "red: neither, a crack");
+    const all = (2 * reach + 1) ** 2;
+    return [["cracks with intersect", `${lost} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${cracks} of ${all} rays`]];
+  }
+});

@@ -1,0 +1,52 @@
+// Stage 2: the camera's basis. Turn the view through the vertical: X as printed shrinks, and jumps.
+import { Figure, color, define, times } from "./drawing.js";
+
+const onto_circle = ([, y, z]) => times(1 / (Math.hypot(y, z) || 1), [0, y, z]);
+const size = (v) => Math.hypot(...v);
+
+define("unnormalised_x", class extends Figure {
+  static title = "The basis of a camera: drag its direction through the vertical";
+  static height = 320;
+  view = { place: [170, 165], scale: 115, right: [0.45, 0, -1], up: [-0.3, 1, 0] };
+
+  setup() {
+    this.direction = this.handle("direction", onto_circle([0, -1, -0.577]), { fill: color.blue, keep: onto_circle });
+    this.away = this.slider("to the side", { min: -0.5, max: 0.5, step: 0.05, value: 0 });
+  }
+
+  async draw(sketch) {
+    const [, y, z] = this.direction.place, direction = [this.away.value, y, z];
+    const basis = await this.ask(2, "camera_basis", direction);
+    const printed = await this.ask(0, "printed_basis", direction);
+    const circle = Array.from({ length: 73 }, (_, i) => [0, Math.sin((i * Math.PI) / 36), Math.cos((i * Math.PI) / 36)]);
+    sketch.polyline(circle, { stroke: color.faint });
+    const origin = [0, 0, 0];
+    sketch.arrow(origin, direction, { stroke: color.blue, width: 2.5 });
+    for (const axis of ["x", "y", "z"]) {
+      sketch.arrow(origin, basis[axis], { stroke: color.green, width: 2 });
+      sketch.label(basis[axis], [10, -6], axis.toUpperCase(), color.green);
+      if (axis !== "z") sketch.arrow(origin, printed[axis], { stroke: color.amber, width: 3, dashes: "6 3" });
+    }
+    sketch.label(direction, [-16, 16], "c", color.blue);
+    // The length of X over the pitch, as printed and normalised.
+    const place = (degrees, length) => [475 + degrees * 1.45, 240 - 150 * length];
+    const plot = { printed_basis: color.amber, camera_basis: color.green };
+    for (const [name, stroke] of Object.entries(plot)) {
+      const points = [];
+      for (let pitch = -90; pitch <= 90; pitch += 5) {
+        const angle = (pitch * Math.PI) / 180;
+        const { x } = await this.ask(name === "camera_basis" ? 2 : 0, name, [this.away.value, Math.sin(angle), -Math.cos(angle)]);
+        points.push(place(pitch, size(x)));
+      }
+      sketch.pixels("polyline", { points: points.join(" ") }, { stroke, width: 2, dashes: name === "camera_basis" ? "none" : "6 3" });
+    }
+    sketch.pixels("polyline", { points: `${place(-90, 1.1)} ${place(-90, 0)} ${place(90, 0)}` }, { stroke: color.gray, width: 1 });
+    const [cx, cy] = place((Math.atan2(y, Math.abs(z)) * 180) / Math.PI, size(printed.x));
+    sketch.pixels("circle", { cx, cy, r: 5 }, { fill: color.amber, stroke: color.white });
+    for (const pitch of [-90, -45, 0, 45, 90]) sketch.shape("text", { x: place(pitch, 0)[0], y: 258, text_anchor: "middle" }, `${pitch}°`);
+    sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
+    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalised (solid)");
+    sketch.shape("text", { x: 475, y: 225, text_anchor: "middle", style: `fill: ${color.amber}` }, "as printed (dashed)");
+    return [["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y]];
+  }
+});

@@ -1,0 +1,292 @@
+#!/usr/bin/python3
+"""The live figures in Chromium: live_test.py BUILD PROJECT [FIGURE...]
+
+Each figure is loaded, dragged with the mouse and the keyboard through its states in both precisions,
+and every answer that it drew must equal the native program's, byte for byte. No console error, and
+no request to another host. Status 77 where Chromium or the engine is missing.
+Chromium is driven by the DevTools protocol on a pipe; Python's own library suffices.
+"""
+import http.server
+import json
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+build, project = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+live = project / "docs/figures/live"
+shared = {"drawing", "engine", "mine"}
+figures = sys.argv[3:] or sorted(file.stem for file in live.glob("*.js") if file.stem not in shared)
+browser = next(filter(None, map(shutil.which, ["chromium", "chromium-browser", "google-chrome"])), None)
+engines = {precision: build / f"engine_{precision}" for precision in ["double", "float"]}
+for needed in [browser, build / "figures/engine_float.wasm", build / "call_once", *engines.values()]:
+    if needed is None or not pathlib.Path(needed).exists():
+        print(f"skipped: {needed or 'chromium'} is missing")
+        sys.exit(77)
+
+page = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{0}</title><link rel="icon" href="data:,">
+<style>:root {{ color-scheme: light dark }} body {{ width: 660px; margin: 8px }}</style>
+<rt-{0}><p>the drawn figure</p></rt-{0}><script type="module" src="/figures/live/{0}.js"></script>"""
+
+
+class Site(http.server.BaseHTTPRequestHandler):
+    """A page for each figure, its files, and the engine."""
+    protocol_version = "HTTP/1.1"
+    worker = None  # the student's, if there is one
+
+    def log_message(self, *_):
+        pass
+
+    def do_GET(self):
+        folder, name = os.path.split(self.path)
+        types = {".js": "text/javascript", ".wasm": "application/wasm"}
+        file = (build / "figures" if name.endswith(".wasm") else live) / name
+        status, kind, body = 404, "text/plain", b"not found"
+        if folder == "/page":
+            status, kind, body = 200, "text/html", page.format(name).encode()
+        elif folder == "/figures/live" and name == "mine.js" and self.worker:
+            status, kind, body = 200, types[".js"], b'export const mine = "../../own_answer";'
+        elif folder == "/figures/live" and file.is_file():
+            status, kind, body = 200, types[file.suffix], file.read_bytes()
+        elif name.startswith("own_answer?"):  # as common/course/book/own_answers.cpp
+            called = subprocess.run([build / "call_once", build / self.worker, name.split("question=")[1]],
+                                    stdout=subprocess.PIPE, text=True)
+            right = called.returncode == 0
+            status, body = (200, bytes.fromhex(called.stdout)) if right else (422, called.stdout.strip().encode())
+        self.send_response(status)
+        self.send_header("Content-Type", kind)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
+
+
+class Browser:
+    """Chromium, and its answers on a pipe."""
+
+    def __init__(self, folder):
+        to_read, self.to = os.pipe()
+        self.answers, from_write = os.pipe()
+
+        def as_three_and_four():
+            # Copies first: one of the descriptors may be 3 or 4 itself.
+            read, write = os.dup(to_read), os.dup(from_write)
+            os.dup2(read, 3)
+            os.dup2(write, 4)
+
+        self.process = subprocess.Popen(
+            [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+             "--disable-background-networking", "--disable-component-update", "--remote-debugging-pipe",
+             "--window-size=700,900", f"--user-data-dir={folder}", "about:blank"],
+            preexec_fn=as_three_and_four, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            env={**os.environ, "HOME": folder})
+        os.close(to_read)
+        os.close(from_write)
+        self.buffer, self.number, self.events, self.session = b"", 0, [], None
+        targets = self.call("Target.getTargets")["targetInfos"]
+        target = next(each["targetId"] for each in targets if each["type"] == "page")
+        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        for domain in ["Page", "Runtime", "Log", "Network"]:
+            self.call(f"{domain}.enable")
+
+    def call(self, method, **parameters):
+        self.number += 1
+        message = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            message["sessionId"] = self.session
+        os.write(self.to, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self.receive()
+            if answer.get("id") != self.number:
+                self.events.append(answer)
+            elif "error" in answer:
+                raise RuntimeError(f"{method}: {answer['error']}")
+            else:
+                return answer["result"]
+
+    def receive(self):
+        while b"\0" not in self.buffer:
+            piece = os.read(self.answers, 1 << 20)
+            if not piece:
+                raise RuntimeError("Chromium has ended")
+            self.buffer += piece
+        message, self.buffer = self.buffer.split(b"\0", 1)
+        return json.loads(message)
+
+    def run(self, script):
+        result = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(json.dumps(result["exceptionDetails"])[:600])
+        return result["result"].get("value")
+
+    def mouse(self, kind, x, y):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+
+    def key(self, name):
+        for kind in ["keyDown", "keyUp"]:
+            self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name,
+                      windowsVirtualKeyCode={"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40}[name])
+
+
+# In the page: what has been asked and shown in the last drawing, once it is done.
+state = """(async () => {
+  const figure = document.querySelector("rt-%s");
+  for (let i = 0; !figure.table || figure.drawing || !figure.asked; ++i) {
+    if (i === 6000) throw Error("the figure does not draw");
+    await new Promise((resolve) => setTimeout(resolve, 5));
+  }
+  const hex = (bytes) => Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  return { table: figure.table.innerText, shapes: figure.back.querySelectorAll("*").length,
+           asked: figure.asked.map(({ precision, question, answer, name }) => [precision, hex(question), hex(answer), name]) };
+})()"""
+
+
+def part(name, script):
+    return f'document.querySelector("rt-{name}").shadowRoot.querySelector{script}'
+
+
+def drag(chromium, name, by):
+    """Drags the figure's last handle by these pixels, in steps."""
+    chromium.run(f'document.querySelector("rt-{name}").scrollIntoView()')
+    box = chromium.run(f"(({{x, y, width, height}}) => [x + width / 2, y + height / 2])({part(name, 'All')}('.handle')"
+                       ".item(0).getBoundingClientRect())")
+    chromium.mouse("mousePressed", *box)
+    for share in (0.5, 1):
+        chromium.mouse("mouseMoved", box[0] + share * by[0], box[1] + share * by[1])
+    chromium.mouse("mouseReleased", box[0] + by[0], box[1] + by[1])
+
+
+def press(chromium, name, selector, key, times):
+    """Presses a key on each element, of which some are disabled or already at their end."""
+    chromium.run(f"{part(name, f'({json.dumps(selector)})')}.focus()")
+    for _ in range(times):
+        chromium.key(key)
+
+
+def states_of(chromium, name):
+    """The figure in five states or more: as loaded, and after each change."""
+    has_slider = chromium.run(f"{part(name, 'All')}('input[type=range]').length > 0")
+    changes = [lambda: None,
+               lambda: drag(chromium, name, (31, -23)),
+               lambda: press(chromium, name, ".handle", "ArrowDown", 7),
+               lambda: press(chromium, name, "input[type=range]" if has_slider else ".handle", "ArrowRight", 3),
+               lambda: press(chromium, name, "input[value=double]", "ArrowRight", 1),
+               lambda: drag(chromium, name, (-17, 29))]
+    for change in changes:
+        change()
+        yield chromium.run(state % name)
+
+
+def native(precision, questions):
+    """The native program's answers, as text in hexadecimal digits."""
+    given = b"".join(struct.pack("<I", len(question)) + question for question in map(bytes.fromhex, questions))
+    output = subprocess.run([engines[precision]], input=given, stdout=subprocess.PIPE, check=True).stdout
+    answers, place = [], 0
+    while place < len(output):
+        size = struct.unpack_from("<I", output, place)[0]
+        answers.append(output[place + 4:place + 4 + size].hex())
+        place += 4 + size
+    return answers
+
+
+def nearly_same(precision, answer, right):
+    """The C libraries' sine and cosine differ in the last bit; other functions of the stages call neither."""
+    kind, unit = ("f", 2**-23) if precision == "float" else ("d", 2**-52)
+    points = [struct.unpack(f"<3{kind}", bytes.fromhex(text)) for text in (answer, right)]
+    return all(abs(a - b) <= 4 * unit * max(map(abs, points[1])) for a, b in zip(*points))
+
+
+def check(chromium, origin, name):
+    """Errors of one figure, and the number of answers that were compared."""
+    errors, seen, count = [], [], {"double": 0, "float": 0}
+    chromium.events.clear()
+    chromium.call("Page.navigate", url=f"{origin}/page/{name}")
+    chromium.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
+    chromium.run(state % name)
+    for number, shown in enumerate(states_of(chromium, name)):
+        if not shown["asked"] or shown["shapes"] < 3:
+            errors.append(f"state {number} asks or draws nothing")
+        seen.append(json.dumps([shown["asked"], shown["table"]]))
+        for precision in count:
+            asked = [each for each in shown["asked"] if each[0] == precision]
+            count[precision] += len(asked)
+            expected = native(precision, [question for _, question, _, _ in asked]) if asked else []
+            for (_, _, answer, function), right in zip(asked, expected, strict=True):
+                if answer != right and not (function == "sample_light of stage 11" and nearly_same(precision, answer, right)):
+                    errors.append(f"state {number}, {precision}: {function} answers {answer}, native {right}")
+            # The last explanation is the one that stands in the table, line by line.
+            told = [right for each, right in zip(asked, expected) if each[3].startswith("explain")]
+            for line in bytes.fromhex(told[-1])[4:].decode(errors="replace").splitlines() if told and name != "triangle_shared_edge" else []:
+                value = line.split(" = ")[-1].strip()
+                if value not in shown["table"]:
+                    errors.append(f"state {number}, {precision}: the table lacks {line.strip()}")
+    errors += [f"state {i} is the same as the one before" for i in range(1, len(seen)) if seen[i] == seen[i - 1]]
+    errors += [f"nothing was asked in {precision}" for precision in count if count[precision] == 0]
+    for event in chromium.events:
+        parameters = event.get("params", {})
+        method = event.get("method")
+        url = parameters.get("request", {}).get("url", "")
+        if method == "Network.requestWillBeSent" and not url.startswith((origin, "data:")):
+            errors.append(f"a request to {url}")
+        if method == "Runtime.exceptionThrown" or (method == "Log.entryAdded" and parameters["entry"]["level"] == "error") \
+                or (method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "warning")):
+            errors.append(f"{method}: {json.dumps(parameters)[:400]}")
+    return errors, count
+
+
+def check_own_answers(chromium, origin):
+    """Errors of the figure of stage 3 with a student's file, right, wrong and worse."""
+    errors = []
+    for worker, expected in [("step03_sphere_reference_worker", None), ("wrong/flattened", "≠"),
+                             ("wrong/crashes", "your code crashed: "), ("wrong/throws", "your code threw an exception: "),
+                             ("wrong/never_answers", "your code gave no answer within ")]:
+        if not (build / worker).exists():
+            continue
+        Site.worker = worker
+        chromium.call("Page.navigate", url=f"{origin}/page/sphere_roots")
+        chromium.run("customElements.whenDefined('rt-sphere_roots').then(() => 0)")
+        chromium.run(state % "sphere_roots")
+        press(chromium, "sphere_roots", "input[value=reference]", "ArrowLeft", 1)  # from the first to the last: both
+        shown = chromium.run(state % "sphere_roots")["table"]
+        if (expected or "≠") not in shown if expected else "≠" in shown:
+            errors.append(f"{worker}: expected {expected or 'no difference'} in {shown}")
+    Site.worker = None
+    return errors
+
+
+def main():
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Site)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    origin = f"http://127.0.0.1:{server.server_port}"
+    failed = False
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        chromium = Browser(folder)
+        try:
+            for name in figures:
+                begin = time.monotonic()
+                errors, count = check(chromium, origin, name)
+                failed = failed or bool(errors)
+                print(f"{'FAILED' if errors else 'passed'}  {name}: {count['double']} answers in double, {count['float']} in float, "
+                      f"{time.monotonic() - begin:.1f} s", *errors[:8], sep="\n    " if errors else "")
+                shots = os.environ.get("SHOTS")
+                if shots:
+                    import base64
+                    for scheme in ["light", "dark"]:
+                        chromium.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+                        shot = chromium.call("Page.captureScreenshot", format="png")["data"]
+                        (pathlib.Path(shots) / f"{name}_{scheme}.png").write_bytes(base64.b64decode(shot))
+            errors = check_own_answers(chromium, origin)
+            failed = failed or bool(errors)
+            print("FAILED" if errors else "passed", " answers of a student's file", *errors, sep="\n    " if errors else "")
+        finally:
+            chromium.process.terminate()
+            chromium.process.wait()
+    server.shutdown()
+    sys.exit(failed)
+
+
+main()
