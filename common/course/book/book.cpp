@@ -1,5 +1,6 @@
 #include "common/course/book/book.hpp"
 
+#include "common/course/book/own_answers.hpp"
 #include "common/course/book/site.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/course/view/host.hpp"
@@ -91,7 +92,12 @@ int book(const BookSettings& settings) {
     Host host(0);
     host.serve(
         site + "/index.html",
-        [&](const Request& request) { return file_of(settings.project, request.path); }, [] {});
+        [&](const Request& request) {
+            if (request.path == "own_answer") return own_answer(request);
+            if (request.path == site + "/figures/mine.js") return own_answer_address();
+            return file_of(settings.project, request.path);
+        },
+        [] {});
     return 0;
 }
 

@@ -18,6 +18,7 @@ from mkdocs.exceptions import PluginError
 here = Path(__file__).parent
 project = here.parents[2]
 live = project / "docs/figures/live"
+engine = Path(os.environ.get("RAYSTEPS_ENGINE", live))
 katex = Path("/usr/share/javascript/katex")
 source = os.environ.get("RAYSTEPS_SOURCE", "../..")
 
@@ -113,7 +114,7 @@ def on_page_content(html, page, config, files):
     """A picture with a figure's name behind it is what is seen until the figure runs."""
     def figure(match):
         picture, name = match.groups()
-        if not (live / f"{name}.js").exists():
+        if not (live / f"{name}.js").exists() or not (engine / "engine_double.wasm").exists():
             return picture
         start = "../" * page.file.src_path.count("/")
         return (f'<rt-{name}>{picture}</rt-{name}>\n'
@@ -199,7 +200,6 @@ def on_post_build(config):
     shutil.copytree(katex / "fonts", site / "book/katex/fonts",
                     ignore=lambda folder, names: [n for n in names if not n.endswith(".woff2")])
     shutil.copy(katex / "katex.min.css", site / "book/katex")
-    engine = Path(os.environ.get("RAYSTEPS_ENGINE", live))
     for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
         (site / "figures").mkdir(exist_ok=True)
         shutil.copy(part, site / "figures")

@@ -1,5 +1,6 @@
 #include "common/course/book/site.hpp"
 
+#include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
@@ -48,6 +49,14 @@ void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
                          "which nothing was changed");
 }
 
+/// Builds what the live figures call. Without it the site has the drawn figures.
+void build_engine() {
+    const bool is_built = try_build({"book_engine"}).succeeded;
+    if (!is_built || !fs::exists(build_folder / "figures/engine_double.wasm"))
+        std::cerr << "The figures do not run: they need clang, lld, wasi-libc and what "
+                     "docs/reference/figures.md names.\n";
+}
+
 void run_mkdocs(const fs::path& project, const fs::path& site, const std::string& source) {
     const fs::path pages = project / "common/course/book/mkdocs.yml";
     const ProcessResult ending =
@@ -71,6 +80,7 @@ void write_site(const fs::path& project, const fs::path& destination, const std:
     if (destination.empty()) throw InputError({}, "book: expected a name, not \"\"");
     const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
     refuse_what_is_there(destination, target);
+    build_engine();
 
     // Beside it until it is whole.
     fs::create_directories(target.parent_path());
