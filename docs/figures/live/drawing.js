@@ -28,6 +28,7 @@ const style = `
   td:first-child:not([colspan]) { white-space: nowrap; }
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
+  @media (max-width: 500px) { svg { font-size: 19px; } .handle { stroke: transparent; stroke-width: 16; } }
   @media print { form { display: none; } }`;
 
 export const add = (a, b) => a.map((x, i) => x + b[i]);

@@ -12,7 +12,7 @@ define("shadow_offset", class extends Figure {
   setup() {
     this.light = this.handle("light", [-2, 3.6, 0], { fill: color.amber, keep: ([x, y]) => [x, Math.max(y, 2.2), 0] });
     this.epsilon = this.slider("epsilon", { min: -12, max: 0, step: 0.5, value: -3, power: true });
-    this.size = this.slider("size of the scene", { min: -6, max: 6, step: 0.5, value: 0, power: true });
+    this.size = this.slider("size of the scene", { min: -6, max: 6, step: 0.5, value: -3, power: true });
   }
 
   /// What is seen of a point: "lit" or "dark", by the ball; or "acne", blocked by its own shape.

@@ -10,8 +10,9 @@ define("triangle_shared_edge", class extends Figure {
   view = { place: [160, 165], scale: 95 };
 
   setup() {
-    this.a = this.handle("one end of the edge", [-0.31, 1.27, 0]);
-    this.b = this.handle("other end of the edge", [0.42, -1.23, 0]);
+    const at_depth = (depth) => ({ keep: ([x, y]) => [x, y, depth] });
+    this.a = this.handle("one end of the edge", [-0.31, 1.27, 0.7], at_depth(0.7));
+    this.b = this.handle("other end of the edge", [0.42, -1.23, -0.9], at_depth(-0.9));
     this.share = this.slider("place on the edge", { min: 0.02, max: 0.98, step: 0.01, value: 0.37 });
   }
 
@@ -20,7 +21,7 @@ define("triangle_shared_edge", class extends Figure {
     const round = float ? Math.fround : (x) => x;
     const middle = a.map((x, i) => round(round(x) + s * (round(b[i]) - round(x))));
     const ulp = (x) => 2 ** (Math.floor(Math.log2(Math.abs(x) || 1e-3)) - (float ? 23 : 52));
-    const triangles = [{ a, b: [-1.45, -0.2, 0], c: b }, { a: b, b: [1.43, 0.3, 0], c: a }];
+    const triangles = [{ a, b: [-1.45, -0.2, 0.2], c: b }, { a: b, b: [1.43, 0.3, -0.5], c: a }];
     sketch.polygon([a, triangles[0].b, b], { fill: color.pale_blue, stroke: color.gray });
     sketch.polygon([b, triangles[1].b, a], { fill: color.pale_green, stroke: color.gray });
     sketch.line(a, b, { width: 2 });
@@ -30,7 +31,7 @@ define("triangle_shared_edge", class extends Figure {
       for (let column = -reach; column <= reach; ++column) {
         // Slanted, so that the products are rounded.
         const p = [middle[0] + column * ulp(middle[0]), middle[1] - row * ulp(middle[1])];
-        const ray = { origin: [p[0] + 0.3, p[1] - 0.7, 1.1], direction: [-0.3, 0.7, -1.1] };
+        const ray = { origin: [p[0] + 0.3, p[1] - 0.7, middle[2] + 1.1], direction: [-0.3, 0.7, -1.1] };
         const hits = [], textbook = [];
         for (const triangle of triangles) {
           hits.push((await this.ask(5, "intersect", ray, triangle, ahead)) !== null);
