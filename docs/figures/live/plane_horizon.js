@@ -33,8 +33,10 @@ define("plane_horizon", class extends Figure {
       const column = scaled([1, 0.2 - (1.2 * (i + 0.5)) / strip, 0]);
       const hits = (await this.ask(4, "intersect", column, ground, ahead)) !== null;
       const kept = (await this.ask(0, "intersect_with_epsilon", column, ground, ahead, epsilon)) !== null;
-      [[530, hits], [575, kept]].forEach(([x, ground_is_seen]) =>
-        sketch.pixels("rect", { x, y: 40 + 2.5 * i, width: 36, height: 2.6 }, { fill: ground_is_seen ? color.green : hits ? color.red : color.pale_blue }));
+      [[530, hits], [575, kept]].forEach(([x, ground_is_seen]) => {
+        const is_lost = hits && !ground_is_seen;  // narrower too
+        sketch.pixels("rect", { x, y: 40 + 2.5 * i, width: is_lost ? 18 : 36, height: 2.6 }, { fill: ground_is_seen ? color.green : is_lost ? color.red : color.pale_blue });
+      });
     }
     sketch.shape("text", { x: 548, y: 30, text_anchor: "middle" }, "ours");
     sketch.shape("text", { x: 593, y: 30, text_anchor: "middle" }, "with ε");

@@ -40,13 +40,16 @@ define("triangle_shared_edge", class extends Figure {
         const fill = (pair) => (pair[0] && pair[1] ? color.amber : pair[0] ? color.pale_blue : pair[1] ? color.pale_green : color.red);
         if (!hits[0] && !hits[1]) ++lost;
         if (!textbook[0] && !textbook[1]) ++cracks;
-        [[335, hits], [490, textbook]].forEach(([x, pair]) =>
-          sketch.pixels("rect", { x: x + 8 * (column + reach), y: 70 + 8 * (row + reach), width: 8, height: 8 }, { fill: fill(pair), stroke: color.white, width: 0.5 }));
+        [[335, hits], [490, textbook]].forEach(([left, pair]) => {
+          const [x, y] = [left + 8 * (column + reach), 70 + 8 * (row + reach)];
+          sketch.pixels("rect", { x, y, width: 8, height: 8 }, { fill: fill(pair), stroke: color.white, width: 0.5 });
+          if (!pair[0] && !pair[1]) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
+        });
       }
     sketch.shape("text", { x: 403, y: 60, text_anchor: "middle" }, "intersect");
     sketch.shape("text", { x: 558, y: 60, text_anchor: "middle" }, "three half-planes");
     sketch.shape("text", { x: 480, y: 232, text_anchor: "middle" }, "blue, green: one triangle; amber: both");
-    sketch.shape("text", { x: 480, y: 252, text_anchor: "middle", style: `fill: ${color.red}` }, "red: neither, a crack");
+    sketch.shape("text", { x: 480, y: 252, text_anchor: "middle", style: `fill: ${color.red}` }, "red with a cross: neither, a crack");
     const all = (2 * reach + 1) ** 2;
     return [["cracks with intersect", `${lost} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${cracks} of ${all} rays`]];
   }
