@@ -1,11 +1,14 @@
 // The pages of the book in Chromium: node book_browser.mjs CHROMIUM ADDRESS_OF_A_PAGE PAGE…
 //
-// Each page is looked at in light and dark, and at a phone's width: text that has too little
-// contrast (WCAG 2, 4.5 : 1, or 3 : 1 if it is large), a page that is wider than its window, errors
-// on the console, and requests to other hosts are printed. With SHOTS=FOLDER, pictures are kept.
+// Each page is opened in light and dark, and at a phone's width. Prints text that has too little
+// contrast (WCAG 2: 4.5 : 1, or 3 : 1 if it is large), pages that are wider than their window, errors
+// on the console, requests to other hosts, more than 600 kB that a page loads (compressed, without
+// pictures of scenes), and a search without results. With SHOTS=FOLDER, pictures
+// of the pages are kept there.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
+import { gzipSync } from "node:zlib";
 
 const [browser, address, ...pages] = process.argv.slice(2);
 const shots = process.env.SHOTS;
@@ -80,6 +83,18 @@ function widest() {
   return found.tagName + " " + found.textContent.trim().slice(0, 40);
 }
 
+const compressed = {};  // the bytes of each file
+
+async function download() {
+  let all = 0;
+  for (const url of requested) {
+    if (url.endsWith(".png")) continue;
+    compressed[url] ??= gzipSync(new Uint8Array(await (await fetch(url)).arrayBuffer())).length;
+    all += compressed[url];
+  }
+  return all;
+}
+
 const switched = (scheme) => `document.body.setAttribute("data-md-color-scheme", "${scheme}")`;
 
 async function shot(name) {
@@ -93,11 +108,13 @@ const size = (width, height) =>
 
 // ---- all pages
 
-let failed = 0;
+let failed = 0, largest = 0;
 let page;
+const requested = new Set();  // by the page
 const fail = (what) => { failed = 1; console.log(`${page}: ${what}`); };
 const origin = new URL(address).origin;
 listeners.push(({ method, params }) => {
+  if (method === "Network.requestWillBeSent" && params.request.url.startsWith(origin)) requested.add(params.request.url);
   if (method === "Network.requestWillBeSent" && !/^(data|blob):/.test(params.request.url) &&
       new URL(params.request.url).origin !== origin) fail("requests " + params.request.url);
   if (method === "Runtime.exceptionThrown") fail("error: " + params.exceptionDetails.text);
@@ -111,6 +128,7 @@ try {
   for (const domain of ["Page", "Network", "Runtime", "Log"]) await ask(domain + ".enable");
   for (page of pages) {
     const name = page.replace(/\W/g, "_");
+    requested.clear();
     await size(1280, 1600);
     const loaded = new Promise((done) => listeners.unshift(({ method }) => method === "Page.loadEventFired" && done()));
     await ask("Page.navigate", { url: new URL(page, address).href });
@@ -129,12 +147,22 @@ try {
     const width = await value("document.documentElement.scrollWidth");
     if (width > 400) fail(`is ${width} pixels wide in a window of 400: ` + await value(`(${widest})()`));
     await shot(`${name}_400`);
+    const bytes = await download();
+    if (bytes > 600e3) fail(`loads ${bytes} bytes, compressed`);
+    largest = Math.max(largest, bytes);
   }
   page = "all pages";
   if (await value("document.cookie") !== "") fail("a cookie is set");
+  await ask("Page.navigate", { url: address + "?q=penumbra" });
+  const found = "document.querySelectorAll('.md-search-result__item').length";
+  for (let tries = 0; await value(found) < 2; ++tries) {
+    if (tries === 200) { fail("the search for penumbra finds nothing"); break; }
+    await new Promise((done) => setTimeout(done, 100));
+  }
 } finally {
   chromium.kill();
   await new Promise((done) => chromium.on("exit", done));
   rmSync(profile, { recursive: true, force: true });
 }
+console.log(`the largest page loads ${largest} bytes, compressed`);
 process.exit(failed);

@@ -50,14 +50,21 @@ refused "a word" "book" new
 )
 grep -q 'error: ' err || fail "without mkdocs it says so"
 
-# A page whose formula cannot be set: the page is named, and nothing is written.
-mkdir -p wrong/common/course
-cp -r "$project/docs" wrong/docs
-cp -r "$project/common/course/book" wrong/common/course/book
-for path in steps README.md; do ln -s "$project/$path" wrong/$path; done
-printf '\n$\\nonsense{1}$\n' >> wrong/docs/scenes.md
-RAYSTEPS_SOURCE=../.. PYTHONDONTWRITEBYTECODE=1 mkdocs build -q \
-    -f wrong/common/course/book/mkdocs.yml -d "$folder/site" > out 2>&1 && fail "a wrong formula"
+# A project without tests, as a hand-out is: links to them are text. A page whose formula cannot be
+# set is named.
+mkdir -p small/common/course small/build
+cp -r "$project/docs" "$project/scenes" "$project/README.md" small
+cp -r "$project/common/course/book" small/common/course/book
+ln -s "$project/steps" small/steps
+set_pages() {
+    RAYSTEPS_SOURCE=../.. PYTHONDONTWRITEBYTECODE=1 mkdocs build -q \
+        -f small/common/course/book/mkdocs.yml -d "$folder/small/build/book" > out 2>&1
+}
+set_pages || fail "a project without tests"
+grep -q 'href="../../steps/step03_sphere/sphere.hpp"' small/build/book/glossary.html || fail "links to files that are there"
+grep -rql 'href="[./]*/tests/' small/build/book && fail "no link to files that are not there"
+printf '\n$\\nonsense{1}$\n' >> small/docs/scenes.md
+set_pages && fail "a wrong formula"
 grep -q 'docs/scenes.md: error: .*nonsense' out || fail "a wrong formula: the page is named"
 
 # Written, and written again over what nobody has changed.

@@ -37,6 +37,8 @@ mkdir packed
 tar -xzf old.tar.gz -C packed
 diff -r old packed/old > out || fail "the same in both"
 
+[ ! -d "$project/build/book" ] || [ -e old/docs/book/step03_sphere.html ] || fail "the book goes along"
+
 # Nothing shows a solution.
 ls "$project"/steps/*/reference/*.cpp > /dev/null || exit 1
 sealed "$project"/steps/*/reference/*.cpp "$project"/steps/*/story.cpp

@@ -86,7 +86,10 @@ int book(const BookSettings& settings) {
     }
     const bool is_clone = !is_handout(settings.project);
     const std::string site = is_clone ? site_of_clone : site_of_handout;
-    if (is_clone) write_site(settings.project, settings.project / site, project_from_site);
+    if (is_clone) {
+        fs::remove_all(settings.project / site);  // the build folder has nothing of the user's
+        write_site(settings.project, settings.project / site, project_from_site);
+    }
     if (!fs::exists(settings.project / site))
         throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
     Host host(0);

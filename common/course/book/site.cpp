@@ -95,8 +95,8 @@ void write_site(const fs::path& project, const fs::path& destination, const std:
 
 std::string address_on_github(const fs::path& project) {
     const ProcessResult remote =
-        run_captured({"git", "-C", project.string(), "-c", "safe.directory=" + project.string(),
-                      "remote", "get-url", "origin"},
+        run_captured({"env", "git", "-C", project.string(), "-c",
+                      "safe.directory=" + project.string(), "remote", "get-url", "origin"},
                      time_limit);
     static const std::regex name(
         R"(^(?:https://|git@)github\.com[/:]([\w.-]+/[\w.-]+?)(\.git)?\s*$)");
