@@ -2,9 +2,12 @@
 
 #include "common/render/render.hpp"
 
+#include <utility>
+
 namespace rt {
 
 Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
+    if (auto own = picture_by_own_loop(scene)) return *std::move(own);
     const auto pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     Context context{.settings = settings};

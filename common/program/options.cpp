@@ -188,7 +188,8 @@ std::string default_output(const Program& program, const std::string& scene) {
 std::optional<Options> parse_options(const Program& program, int argc, const char* const* argv) {
     const std::string name(stage_name(program.stage));
     Options options;
-    options.threads = std::max(1, int(std::thread::hardware_concurrency()));
+    const bool own_loop = program.stage == 1;  // common/render/stage.hpp
+    options.threads = own_loop ? 1 : std::max(1, int(std::thread::hardware_concurrency()));
     bool horizontal = false;
     bool normal = false;
 
@@ -204,7 +205,9 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         ->type_name("WIDTHxHEIGHT");
     add_precision(app, program, options.precision);
     add_pixel_options(app, options.settings);
-    app.add_option("--threads", options.threads, "as many as there are cores if not given")
+    app.add_option("--threads", options.threads,
+                   own_loop ? "one, the loop in main.cpp, if not given"
+                            : "as many as there are cores if not given")
         ->check(CLI::Range(1, max_threads).description(""))
         ->type_name("N");
     app.add_option_function<std::string>(

@@ -4,6 +4,7 @@
 #include "common/system/parallel_for.hpp"
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace rt {
@@ -79,9 +80,26 @@ Rendering sum(Image image, const std::vector<Row>& rows) {
     return result;
 }
 
+Rendering with_statistics(Image image) {
+    Rendering result{.rays = std::int64_t(image.pixels.size())};
+    for (Pixel pixel; pixel.row < image.resolution.height; ++pixel.row)
+        for (pixel.column = 0; pixel.column < image.resolution.width; ++pixel.column)
+            if (image[pixel] == not_a_color && result.not_a_number++ == 0)
+                result.first_not_a_number = pixel;
+    result.image = std::move(image);
+    return result;
+}
+
 }  // namespace
 
 std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
+    const bool is_plain =
+        job.settings.pixel_samples == 1 && job.settings.gamma != Gamma::srgb && !job.next_look;
+    if (job.threads == 1 && is_plain)
+        if (auto own = picture_by_own_loop(scene)) {
+            if (job.stop != nullptr && *job.stop) return std::nullopt;
+            return with_statistics(*std::move(own));
+        }
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));

@@ -1,4 +1,5 @@
-// Rendering of a whole picture, pixel by pixel, on several threads.
+// Rendering of a whole picture, pixel by pixel, on several threads. In stage 1, one thread is that
+// stage's own loop.
 #pragma once
 
 #include "common/image/image.hpp"

@@ -1,13 +1,16 @@
-// The functions that the main.cpp of each stage defines and the rest of its program calls. In a
-// unity build (common/cmake/stage.cmake), functions marked gnu::flatten have all their calls
+// The functions that each stage defines, mostly in its main.cpp, and the rest of its program calls.
+// In a unity build (common/cmake/stage.cmake), functions marked gnu::flatten have all their calls
 // inlined.
 #pragma once
 
 #include "common/geometry/ray.hpp"
+#include "common/image/image.hpp"
 #include "common/math/basis.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/context.hpp"
 #include "common/scene/scene.hpp"
+
+#include <optional>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -37,6 +40,14 @@ namespace rt {
 
 /// The constants of the rays of one picture.
 [[nodiscard]] PixelRays pixel_rays(const Camera& camera, Resolution resolution);
+
+/// The picture of the directions of all camera rays: the loop over the pixels, on one thread. Only
+/// stage 1 defines it.
+[[nodiscard]] Image render(Resolution resolution, Real vertical_fov);
+
+/// The scene's picture by that loop, in stage 1; in all later stages nothing. Throws InputError if
+/// the loop returns an image of another size.
+[[nodiscard]] std::optional<Image> picture_by_own_loop(const Scene& scene);
 
 /// The color seen along the ray.
 [[nodiscard, gnu::flatten]] Color trace(const Scene& scene, const Ray& ray, Context& context);

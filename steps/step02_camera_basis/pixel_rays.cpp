@@ -17,4 +17,8 @@ Ray PixelRays::operator()(Pixel pixel) const {
     return to_world(camera_ray(pixel, resolution, vertical_fov), basis, position);
 }
 
+std::optional<Image> picture_by_own_loop(const Scene& /*scene*/) {
+    return std::nullopt;
+}
+
 }  // namespace rt

@@ -99,7 +99,7 @@ endfunction()
 
 # raysteps_trace_suite(<stage>)
 #
-# <stage>_trace_test_float and _double, from stage 3 on: the chosen main.cpp, with the references of
+# <stage>_trace_test_float and _double, in stage 1 and from stage 3 on: the chosen main.cpp, with the references of
 # all stages.
 function(raysteps_trace_suite stage)
     set(suite suites/${stage}_trace_test.cpp)

@@ -27,8 +27,9 @@ extern const bool has_oracle;
     return std::string(stage_name(stage)) + suffix;
 }
 
-/// The student's `trace` in steps/stepNN_name/student/, from stage 3 on: in the stage's program it
-/// replaces the main.cpp in the folder above. The other files have the functions of the contract.
+/// The student's loop over the pixels, in stage 1, or `trace`, from stage 3 on, in
+/// steps/stepNN_name/student/: in the stage's program it replaces the main.cpp in the folder above.
+/// The other files have the functions of the contract.
 constexpr const char* trace_file = "main.cpp";
 
 }  // namespace rt

@@ -61,6 +61,7 @@ std::size_t end_of_first_comment(const std::string& source) {
 /// The starter's trace_file, or the student's own of the stage before under its first comment.
 std::string trace_to_go_on_from(const fs::path& starter, int stage) {
     const std::string fresh = read_text(starter);
+    if (stage == 1) return fresh;
     const fs::path before = project_folder / step_path(stage - 1, "student") / trace_file;
     if (!fs::exists(before)) return fresh;
     const std::string own = read_text(before);

@@ -1,0 +1,21 @@
+// origin: common
+// caught by: a picture of one pixel shows the ray through its center (MRT §1)
+// sentence: The loop ends one too late: the last row has the number height - 1, the last column width - 1.
+#include "common/render/render.hpp"
+
+#include "steps/step01_ray_generation/direction_color.hpp"
+#include "steps/step01_ray_generation/ray_generation.hpp"
+
+namespace rt {
+
+Image render(Resolution resolution, Real vertical_fov) {
+    Image image(resolution);
+    for (int row = 0; row <= resolution.height; ++row)
+        for (int column = 0; column <= resolution.width; ++column) {
+            const Ray ray = camera_ray({.row = row, .column = column}, resolution, vertical_fov);
+            image[{.row = row, .column = column}] = to_rgb(direction_color(ray));
+        }
+    return image;
+}
+
+}  // namespace rt

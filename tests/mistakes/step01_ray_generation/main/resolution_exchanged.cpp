@@ -1,0 +1,23 @@
+// origin: common
+// caught by: rows and columns are counted apart: a picture wider than high (M1)
+// sentence: camera_ray receives the height as the width.
+#include "common/render/render.hpp"
+
+#include "steps/step01_ray_generation/direction_color.hpp"
+#include "steps/step01_ray_generation/ray_generation.hpp"
+
+namespace rt {
+
+Image render(Resolution resolution, Real vertical_fov) {
+    Image image(resolution);
+    for (int row = 0; row < resolution.height; ++row)
+        for (int column = 0; column < resolution.width; ++column) {
+            const Ray ray =
+                camera_ray({.row = row, .column = column},
+                           {.width = resolution.height, .height = resolution.width}, vertical_fov);
+            image[{.row = row, .column = column}] = to_rgb(direction_color(ray));
+        }
+    return image;
+}
+
+}  // namespace rt
