@@ -2,6 +2,7 @@
 // environment variable RAYSTEPS_REPORT names the file; without it nothing is reported.
 //
 //   case edges belong to the triangle (MRT §5)
+//   part normal                                of the stage, at its first case: [part normal]
 //   points 2                                   if its tag contains them: [2 points]; default 1
 //   at tests/suites/step05_triangle_test.cpp:61       only for a failed case: its first failure
 //   | intersect(Ray{…                          its lines
@@ -62,6 +63,15 @@ int points_in(const std::string& tags) {
     return points;
 }
 
+/// The part in tags such as "[part normal][3 points]", or nothing.
+std::string part_in(const std::string& tags) {
+    const std::string word = "[part ";
+    const std::size_t at = tags.find(word);
+    if (at == std::string::npos) return "";
+    const std::size_t start = at + word.size();
+    return tags.substr(start, tags.find(']', start) - start);
+}
+
 class Report : public Listener {
 public:
     using Listener::Listener;
@@ -77,6 +87,8 @@ public:
     void testCaseStarting(const Catch::TestCaseInfo& info) override {
         Listener::testCaseStarting(info);
         out_ << "case " << info.name << std::endl;
+        if (const std::string part = part_in(info.tagsAsString()); !part.empty())
+            out_ << "part " << part << std::endl;
         if (const int points = points_in(info.tagsAsString()); points != 1)
             out_ << "points " << points << std::endl;
         told_ = false;

@@ -53,8 +53,13 @@ says "./course reset 3"
 course 1 check
 says "intersect is not written yet"
 says "trace is not written yet"
-says "✗ "
-says "./course hint 3"
+says "  ✗ 1 intersect: "
+says "      ✗ the unit sphere five ahead"
+says "Write next: intersect. Stuck? ./course hint 3"
+says_not "      ✗ a sphere that is alone"
+course 0 hint 3
+says "step03_sphere, intersect, hint 1 of 3"
+says_not "torch"
 course 0
 says "▸  3  step03_sphere"
 
@@ -63,7 +68,11 @@ says "▸  3  step03_sphere"
 cp $stage/reference/sphere.cpp $mine
 course 1 check 3
 says "✗ a sphere that is alone is seen in its color"
+says "  ✓ 1 intersect: "
+says "  ✗ 7 trace: "
 says_not "✗ the normal points away"
+course 0 hint 3
+says "step03_sphere, trace, hint 1 of 3"
 cp tests/mistakes/step03_sphere/main/last_hit.cpp $trace
 course 1 check 3
 says "✗ the closest of several spheres is seen"

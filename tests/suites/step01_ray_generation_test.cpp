@@ -44,7 +44,8 @@ const InverseMatrices of_nine_pixels = inverse_matrices(
 
 }  // namespace
 
-TEST_CASE("the middle pixel of an odd picture lies in the middle of the screen (MRT §1)") {
+TEST_CASE("the middle pixel of an odd picture lies in the middle of the screen (MRT §1)",
+          "[part pixel_on_screen]") {
     CHECK(on_screen({.row = 1, .column = 1}, three, right_angle, {0, 0}));
     CHECK(on_screen({.row = 2, .column = 3}, {.width = 7, .height = 5}, right_angle, {0, 0}));
 }
@@ -89,7 +90,8 @@ TEST_CASE("pixels are equal squares around the middle, in any picture (MRT §1)"
     }));
 }
 
-TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)") {
+TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)",
+          "[part camera_ray]") {
     const Ray ray = camera_ray({.row = 0, .column = 0}, {.width = 4, .height = 2}, right_angle);
     CHECK(gives("its origin", ray.origin, Vec3(0)));
     CHECK(gives("its direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
@@ -106,7 +108,8 @@ TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §
     }));
 }
 
-TEST_CASE("by inverse matrices the ray starts at the camera and ends on the far plane (M1)") {
+TEST_CASE("by inverse matrices the ray starts at the camera and ends on the far plane (M1)",
+          "[part unprojected_ray]") {
     const auto& [camera, image] = of_nine_pixels;
     const Ray ray = unprojected_ray({.row = 0, .column = 2}, camera, image);
     CHECK(gives("its origin", ray.origin, Vec3(1, 2, 3)));
@@ -134,6 +137,6 @@ TEST_CASE("both ways give the same ray, to 64 s f^2/n u (MRT §1, M1)") {
     }));
 }
 
-TEST_CASE("the picture of the stage (MRT §1)") {
+TEST_CASE("the picture of the stage (MRT §1)", "[part together]") {
     CHECK(picture_matches("step01_ray_generation"));
 }

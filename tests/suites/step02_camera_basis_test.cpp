@@ -81,7 +81,8 @@ Vec3 draw_direction(Random& random) {
 
 }  // namespace
 
-TEST_CASE("the default camera has the world's axes (MRT §2)") {
+TEST_CASE("the default camera has the world's axes (MRT §2)",
+          "[part orthonormal_basis, camera_basis]") {
     CHECK(basis_is({0, 0, -1}, {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}}));
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("the camera's basis is that around the opposite direction (MRT §2, Z 
     }));
 }
 
-TEST_CASE("a ray of the camera's frame is carried into the world (MRT §2)") {
+TEST_CASE("a ray of the camera's frame is carried into the world (MRT §2)", "[part to_world]") {
     const Basis pitched{
         .x = {1, 0, 0}, .y = {0, Real(0.8), Real(-0.6)}, .z = {0, Real(0.6), Real(0.8)}};
     const Ray ray = to_world({.origin = {0, 0, 0}, .direction = {2, 5, -10}}, pitched, {7, 8, 9});
@@ -161,7 +162,8 @@ TEST_CASE("t keeps its meaning: a turned direction keeps its length (MRT §2)") 
     }));
 }
 
-TEST_CASE("the view matrix maps the camera to 0, and the view direction to -z (M1)") {
+TEST_CASE("the view matrix maps the camera to 0, and the view direction to -z (M1)",
+          "[part view_matrix]") {
     const Vec3 position(7, 8, 9);
     const Basis basis{
         .x = {1, 0, 0}, .y = {0, Real(0.8), Real(-0.6)}, .z = {0, Real(0.6), Real(0.8)}};
@@ -187,7 +189,8 @@ TEST_CASE("the view matrix undoes what carries a ray into the world (M1, MRT §2
     }));
 }
 
-TEST_CASE("MRT's ray and M1's, through the view matrix, are the same (MRT §1–2, M1)") {
+TEST_CASE("MRT's ray and M1's, through the view matrix, are the same (MRT §1–2, M1)",
+          "[part together]") {
     CHECK(for_all([](Random& random) {
         const Resolution size{.width = 1 + random.below(640), .height = 1 + random.below(480)};
         const Pixel pixel{.row = random.below(size.height), .column = random.below(size.width)};

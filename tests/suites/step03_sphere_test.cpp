@@ -38,7 +38,7 @@ Sphere draw_in_eighths(Random& random) {
 }  // namespace
 
 TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)",
-          "[3 points]") {
+          "[part intersect][3 points]") {
     CHECK(hits(ahead, unit_sphere, 4));
 }
 
@@ -138,13 +138,14 @@ TEST_CASE("rays aimed past the sphere miss it (MRT §3)") {
     CHECK(misses_in({}, draw_past));
 }
 
-TEST_CASE("the normal points away from the center, with unit length (M1)") {
+TEST_CASE("the normal points away from the center, with unit length (M1)", "[part normal]") {
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)",
+          "[part intersect and normal]") {
     CHECK(motion_changes_nothing(draw));
 }
 
@@ -171,13 +172,13 @@ TEST_CASE("the closest of several spheres is seen, in any order (M1, CR §2.1)")
     }
 }
 
-TEST_CASE("a normal's color is the size of its coordinates (M1)") {
+TEST_CASE("a normal's color is the size of its coordinates (M1)", "[part color_from_normal]") {
     CHECK(gives("color_from_normal({0, 0, -1})", color_from_normal({0, 0, -1}), Color(0, 0, 1)));
     CHECK(gives("color_from_normal({-3, 0, 4})", color_from_normal({-3, 0, 4}),
                 Color(Real(0.6), 0, Real(0.8))));
 }
 
-TEST_CASE("the torch lights by the cosine between normal and eye (M1)") {
+TEST_CASE("the torch lights by the cosine between normal and eye (M1)", "[part torch]") {
     const Vec3 point(1, 1, 1);
     const Vec3 eye(1, 1, 4);
     const auto lights = [](Vec3 p, Vec3 n, Vec3 viewer, Real expected) {
@@ -192,6 +193,6 @@ TEST_CASE("the torch lights by the cosine between normal and eye (M1)") {
     CHECK(lights(point, {0, 0, 1}, point, 0));  // no direction, hence no angle
 }
 
-TEST_CASE("the picture of the stage (HAI; CR §2.2)") {
+TEST_CASE("the picture of the stage (HAI; CR §2.2)", "[part together]") {
     CHECK(picture_matches("step03_sphere"));
 }

@@ -25,7 +25,7 @@ Verdict show_in_any_order(std::array<std::string, 3> lines, Rgb expected) {
 
 }  // namespace
 
-TEST_CASE("without a hit the pixel is black (CR §2.1)") {
+TEST_CASE("without a hit the pixel is black (CR §2.1)", "[part trace]") {
     CHECK(shows("", black));
     CHECK(shows("sp 3,0,-5 2 255,0,0\n", black));
     CHECK(shows("sp 3,0,-5 2 255,0,0\nsp 0,-4,-9 3 0,255,0\n", black));

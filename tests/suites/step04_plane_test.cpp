@@ -20,7 +20,7 @@ Sample<Plane> draw(Random& random) {
 
 }  // namespace
 
-TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)", "[3 points]") {
+TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)", "[part intersect][3 points]") {
     const Ray ray{.origin = {2, -3, 1}, .direction = {-1, 2, -3}};
     const Plane plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}};
     CHECK(hits(ray, plane, Real(8) / 15));
@@ -145,14 +145,15 @@ TEST_CASE("rays aimed from the other side meet it there too (MRT §4)") {
     }));
 }
 
-TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)") {
+TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)", "[part normal]") {
     CHECK(normal_is(Plane{.point = {0, 0, 0}, .normal = {0, 0, -5}}, {1, 1, 0}, {0, 0, -1}));
     CHECK(normal_is(Plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}}, {-2, 2, 2},
                     {Real(0.6), 0, Real(0.8)}));
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)",
+          "[part together]") {
     CHECK(motion_changes_nothing(draw));
 }
 

@@ -73,7 +73,7 @@ Verdict hits_exactly_at(Vec3 weights, Random& random) {
 }  // namespace
 
 TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §5)",
-          "[3 points][exact]") {
+          "[part intersect][3 points][exact]") {
     CHECK(hits(down_at(1, 1), right_angled, 2));
     CHECK(misses(down_at(3, 3), right_angled));
     CHECK(misses(down_at(-1, 1), right_angled));
@@ -240,14 +240,16 @@ TEST_CASE("the triangle ends at its edges, and not 0.1 % further (MRT §5)") {
     }));
 }
 
-TEST_CASE("the normal points to the side from which a, b, c are counterclockwise (MRT §5)") {
+TEST_CASE("the normal points to the side from which a, b, c are counterclockwise (MRT §5)",
+          "[part normal]") {
     CHECK(normal_is(right_angled, {1, 1, 0}, {0, 0, 1}));
     CHECK(
         normal_is(Triangle{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}}, {1, 1, 0}, {0, 0, -1}));
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)") {
+TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)",
+          "[part intersect and normal]") {
     CHECK(motion_changes_nothing(draw));
 }
 
@@ -255,7 +257,7 @@ TEST_CASE("a ray or shape with NaN is a miss (contract)") {
     CHECK(nan_misses(draw));
 }
 
-TEST_CASE("a corner's own weight is 1 there (erratum 7, M1)") {
+TEST_CASE("a corner's own weight is 1 there (erratum 7, M1)", "[part barycentric]") {
     CHECK(gives("the weights at a", barycentric(right_angled, {0, 0, 0}), Vec3(1, 0, 0)));
     CHECK(gives("the weights at b", barycentric(right_angled, {4, 0, 0}), Vec3(0, 1, 0)));
     CHECK(gives("the weights at c", barycentric(right_angled, {0, 4, 0}), Vec3(0, 0, 1)));
@@ -281,6 +283,6 @@ TEST_CASE("beyond an edge the opposite corner's weight is negative (M1)") {
                 Vec3(Real(1.5), 0, Real(-0.5))));
 }
 
-TEST_CASE("the picture of the stage (MRT §5)") {
+TEST_CASE("the picture of the stage (MRT §5)", "[part together]") {
     CHECK(picture_matches("step05_triangle"));
 }

@@ -61,7 +61,7 @@ Verdict ends_at_frame(const Square& square, Real margin, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[3 points]") {
+TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[part intersect][3 points]") {
     CHECK(hits(down_at(0, 0), flat, 2));
     CHECK(hits(down_at(Real(1.75), Real(-1.75)), flat, 2));
     CHECK(misses(down_at(Real(2.25), 0), flat));
@@ -210,12 +210,13 @@ TEST_CASE("the square ends at its edges, and not 0.1 % further (MRT §6)") {
     }));
 }
 
-TEST_CASE("the normal is the square's Z (MRT §6)") {
+TEST_CASE("the normal is the square's Z (MRT §6)", "[part normal]") {
     CHECK(normal_is(flat, {1, 1, 0}, {0, 0, 1}));
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum 10, HAI)") {
+TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum 10, HAI)",
+          "[part square_uv]") {
     CHECK(gives("uv at C", square_uv(flat, {-2, -2, 0}), Vec2(0, 0)));
     CHECK(gives("uv at C + U", square_uv(flat, {2, -2, 0}), Vec2(1, 0)));
     CHECK(gives("uv at C + V", square_uv(flat, {-2, 2, 0}), Vec2(0, 1)));
@@ -231,7 +232,8 @@ TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum
     }));
 }
 
-TEST_CASE("x and y are the basis', however near its Z is to the vertical (contract)") {
+TEST_CASE("x and y are the basis', however near its Z is to the vertical (contract)",
+          "[part together]") {
     CHECK(for_all([](Random& random) {
         Square square = draw_square(random);
         square.basis = nearly_vertical_basis(random);

@@ -5,7 +5,7 @@
 
 using namespace rt;
 
-TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")") {
+TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")", "[part trace]") {
     for (const Kind& kind : kinds_until(6)) {
         const auto light = std::uint8_t(255 * kind.torch + 0.5);
         CHECK(shows(kind.line(5, "0,255,0"), {0, light, 0}));

@@ -104,7 +104,7 @@ Verdict hits_steeply(const Ray& ray, const Cylinder& cylinder, Real t) {
 
 }  // namespace
 
-TEST_CASE("a ray across meets the near side (MRT §7)", "[3 points][exact]") {
+TEST_CASE("a ray across meets the near side (MRT §7)", "[part intersect][3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {-7, 1, 0}, .direction = {1, 0, 0}}, upright, 5));
     CHECK(hits(Ray{.origin = {0, 5, 5}, .direction = {0, -1, -1}}, upright, 3));
@@ -273,13 +273,14 @@ TEST_CASE("the side ends at its rims, and not 0.1 % further (MRT §7)") {
     }));
 }
 
-TEST_CASE("the normal points away from the axis, with unit length (MRT §7)") {
+TEST_CASE("the normal points away from the axis, with unit length (MRT §7)", "[part normal]") {
     CHECK(normal_is(upright, {0, 2, 2}, {0, 0, 1}));
     CHECK(normal_is(upright, {-2, -1, 0}, {-1, 0, 0}));
     CHECK(normals_point_outward(draw));
 }
 
-TEST_CASE("X and Y are at right angles to Z, however near it is to the vertical (MRT §7)") {
+TEST_CASE("X and Y are at right angles to Z, however near it is to the vertical (MRT §7)",
+          "[part together]") {
     CHECK(aimed_rays_hit(draw_upright));
     CHECK(normals_point_outward(draw_upright));
 }

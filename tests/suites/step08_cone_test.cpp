@@ -100,7 +100,8 @@ Across draw_in_eighths(Random& random) {
 
 }  // namespace
 
-TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)", "[3 points][exact]") {
+TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)",
+          "[part intersect][3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
     CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, upward, Real(4.5)));
     CHECK(hits(Ray{.origin = {-6, 1, 0}, .direction = {1, 0, 0}}, upward, Real(5.5)));
@@ -319,7 +320,7 @@ TEST_CASE("the side ends at its rim, and not 0.1 % further (MRT §8)") {
     }));
 }
 
-TEST_CASE("the normal leans back by the slope of the side (MRT §8)") {
+TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part normal]") {
     const Real half = std::sqrt(Real(0.5));
     CHECK(normal_is(right_angled, {0, 2, 2}, {0, -half, half}));
     CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
@@ -335,7 +336,8 @@ TEST_CASE("at the apex the normal is -axis (contract)") {
     }));
 }
 
-TEST_CASE("X and Y are at right angles to Z, however near it is to the vertical (MRT §8)") {
+TEST_CASE("X and Y are at right angles to Z, however near it is to the vertical (MRT §8)",
+          "[part together]") {
     CHECK(aimed_rays_hit(draw_upright));
     CHECK(normals_point_outward(draw_upright));
 }

@@ -144,7 +144,7 @@ const Ray from_behind{.origin = {0, 0, -3}, .direction = {0, 0, 1}};
 }  // namespace
 
 TEST_CASE("light leaves on the other side of the normal, at the same angle (CR §3.1)",
-          "[3 points]") {
+          "[part reflected][3 points]") {
     CHECK(reflects(slanting, {0, 0, 1}, mirrored));
     CHECK(reflects({0, 0, 1}, {0, 0, 1}, {0, 0, 1}));
     CHECK(reflects({1, 0, 0}, {0, 0, 1}, {-1, 0, 0}));
@@ -159,7 +159,8 @@ TEST_CASE("light leaves on the other side of the normal, at the same angle (CR �
     }));
 }
 
-TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)") {
+TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (CR §3.1)",
+          "[part ambient_term]") {
     ShadingPoint surface = facing_z({0, 0, 1});
     surface.material.color = {1, Real(0.5), 0};
     CHECK(ambient_is(surface, {.ratio = Real(0.5), .color = {Real(0.5), 1, 1}},
@@ -176,7 +177,7 @@ TEST_CASE("ambient light is the same wherever the surface is, faces, or is seen 
     }));
 }
 
-TEST_CASE("a light straight above shows the full color (CR §3.1)") {
+TEST_CASE("a light straight above shows the full color (CR §3.1)", "[part diffuse_term]") {
     ShadingPoint surface = facing_z(slanting);
     surface.material.color = {1, Real(0.5), Real(0.25)};
     CHECK(diffuse_is(surface, white, {1, Real(0.5), Real(0.25)}));
@@ -249,7 +250,7 @@ TEST_CASE("a light in the plane of the surface shows nothing: ⟨L, N⟩ = 0 (CR
     CHECK(dark(facing_z({-1, 0, 0}), light_at({5, 0, 0})));  // R points to the eye
 }
 
-TEST_CASE("where R points to the eye, the highlight is full (CR §3.1)") {
+TEST_CASE("where R points to the eye, the highlight is full (CR §3.1)", "[part specular_term]") {
     CHECK(specular_is(facing_z({0, 0, 1}), white, Color(1)));
     CHECK(specular_is(facing_z(mirrored), light_along(slanting), Color(1)));
     ShadingPoint half = facing_z(mirrored);
@@ -357,7 +358,7 @@ TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
     CHECK(specular_is(matt, white, Color(0)));
 }
 
-TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)") {
+TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)", "[part together]") {
     CHECK(dark(facing_z({0, 0, 1}), light_at({0, 0, 0})));
     CHECK(for_all([](Random& random) {
         const ShadingPoint surface = draw_surface(random, random.point(3));

@@ -13,7 +13,8 @@ const std::string white_wall = "pl 0,0,-4 0,0,1 255,255,255\n";
 
 }  // namespace
 
-TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)",
+          "[part trace]") {
     CHECK(nearest_of_each_pair_is_seen(9, "A 1 255,255,255\n", false));
 }
 

@@ -161,7 +161,7 @@ const Ray to_the_origin{.origin = {4, 1, 1}, .direction = {-4, -1, -1}};
 
 }  // namespace
 
-TEST_CASE("the way leads from the point to the light (CR §3.2)", "[3 points]") {
+TEST_CASE("the way leads from the point to the light (CR §3.2)", "[part shadow_ray][3 points]") {
     CHECK(leads_there(on_floor, Vec3(0, 4, 0)));
     CHECK(leads_there(on_floor, Vec3(3, Real(0.5), -4)));
     CHECK(for_all([](Random& random) {
@@ -358,7 +358,7 @@ TEST_CASE("the offset does not grow with the distance of the light (contract)") 
     }));
 }
 
-TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)") {
+TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)", "[part together]") {
     Scene scene = ball_above_floor();
     scene.lights = {Light{.position = {0, 8, 0}, .brightness = Real(0.5)}};
     CHECK(gives("the color under the ball", colour(scene, to_the_origin), Color(Real(0.25))));

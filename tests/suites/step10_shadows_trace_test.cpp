@@ -30,7 +30,7 @@ const std::array<std::string, 6> in_the_way = {
 
 }  // namespace
 
-TEST_CASE("without anything in the way, all lights add up (CR §3.1)") {
+TEST_CASE("without anything in the way, all lights add up (CR §3.1)", "[part trace]") {
     CHECK(shows(red_right + white_wall, {102, 0, 0}));
     CHECK(shows(red_right + green_left + white_wall, {102, 102, 0}));
 }

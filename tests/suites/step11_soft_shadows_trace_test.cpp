@@ -21,7 +21,8 @@ const RenderSettings many_samples{.shadow_samples = 256};
 
 }  // namespace
 
-TEST_CASE("an area light without anything in the way counts whole, once (CR §3.3)") {
+TEST_CASE("an area light without anything in the way counts whole, once (CR §3.3)",
+          "[part trace]") {
     for (const int samples : {1, 2, 16, 100}) {
         const RenderSettings settings{.shadow_samples = samples};
         CHECK(shows(red_right + white_wall, {102, 0, 0}, settings));

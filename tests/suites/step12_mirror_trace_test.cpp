@@ -17,7 +17,8 @@ std::string mirror(const std::string& share, const std::string& color = "255,255
 
 }  // namespace
 
-TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)") {
+TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)",
+          "[part trace]") {
     CHECK(shows(bright + mirror("1") + red_wall_behind, {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + "sp 0,0,6 2 0,255,0\n", {0, 255, 0}));
     CHECK(shows(bright + mirror("1"), {0, 0, 0}));

@@ -18,7 +18,7 @@ const std::array<std::string, 2> in_the_way = {
 
 }  // namespace
 
-TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")") {
+TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace]") {
     for (const Kind& kind : kinds_until(13)) {
         CHECK(shows(bright + kind.line(5, "0,255,0"), {0, 255, 0}));
     }

@@ -21,9 +21,11 @@ std::vector<CaseResult> read_report(const std::string& text) {
     std::vector<CaseResult> cases;
     for (const std::string& line : lines_of(text)) {
         std::string rest;
-        if (starts_with(line, "case ", rest)) cases.push_back({.name = rest});
+        if (starts_with(line, "case ", rest))
+            cases.push_back({.name = rest, .part = cases.empty() ? "" : cases.back().part});
         if (cases.empty()) continue;
         CaseResult& last = cases.back();
+        if (starts_with(line, "part ", rest)) last.part = rest;
         if (starts_with(line, "points ", rest)) last.points = std::atoi(rest.c_str());
         if (starts_with(line, "at ", rest)) last.place = rest;
         if (starts_with(line, "| ", rest)) last.failure += rest + "\n";

@@ -8,7 +8,8 @@ namespace rt {
 
 struct CaseResult {
     std::string name;
-    int points = 1;  ///< points if it passes
+    std::string part;  ///< the part of its stage; empty if the suite has no parts
+    int points = 1;    ///< points if it passes
     bool passed = false;
     std::string
         place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"

@@ -5,6 +5,7 @@
 #include "common/course/build/project.hpp"
 #include "common/course/build/status_line.hpp"
 #include "common/course/build/student_objects.hpp"
+#include "common/course/exercise/cases.hpp"
 #include "common/course/exercise/diagnosis.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
@@ -31,14 +32,6 @@ namespace {
 
 constexpr std::chrono::seconds picture_limit{20};
 constexpr const char* not_written = " is not written yet";  // from common/stages/todo.cpp
-
-/// A case in both precisions.
-struct Outcome {
-    CaseResult in_double;
-    CaseResult in_float;
-
-    [[nodiscard]] bool passed() const { return in_double.passed && in_float.passed; }
-};
 
 /// The results of both suites.
 struct Judgement {
@@ -174,17 +167,6 @@ std::set<std::string> passed_by_starter(int stage) {
     return {lines.begin(), lines.end()};
 }
 
-void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given) {
-    for (const Outcome& outcome : all) {
-        const std::string& name = outcome.in_double.name;
-        const bool is_given = outcome.passed() && given.count(name) == 1;
-        std::printf("%s\n", !outcome.passed() ? styled("  ✗ " + name, Style::bad).c_str()
-                            : is_given        ? styled("  · " + name, Style::dim).c_str()
-                                              : styled("  ✓ " + name, Style::dim).c_str());
-    }
-    if (!given.empty()) std::printf("%s\n", styled("  · passes unwritten too", Style::dim).c_str());
-}
-
 /// Warns of includes that work here, and are refused when the file is graded.
 void show_refused_includes(const Workbook& workbook) {
     const int stage = workbook.stage();
@@ -234,6 +216,7 @@ void remember(const Judgement& judgement, const std::string& files, Workbook& wo
     record.passed = judgement.passed();
     record.cases = int(judgement.outcomes.size()) + (judgement.ended() ? 0 : 1);
     record.checked_files = files;
+    record.part = first_wrong_part(judgement.outcomes);
     workbook.remember(record);
 }
 
@@ -243,8 +226,10 @@ void show_count(const Judgement& judgement, int stage) {
                               " cases pass, in float and double";
     std::printf("\n%s: %s\n", styled(std::string(stage_name(stage)), Style::bold).c_str(),
                 styled(count, judgement.right() ? Style::good : Style::bad).c_str());
+    const std::string part = first_wrong_part(judgement.outcomes);
     if (!judgement.right())
-        std::printf("Stuck? ./course hint %d\n", stage);
+        std::printf("%sStuck? ./course hint %d\n",
+                    part.empty() ? "" : ("Write next: " + part + ". ").c_str(), stage);
     else if (stage < int(stage_names.size()))
         std::printf("Next: ./course start %d\n", stage + 1);
 }

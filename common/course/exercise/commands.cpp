@@ -69,10 +69,14 @@ void reset(int stage) {
 void show_hint(int stage, std::optional<int> level) {
     Workbook workbook(stage);
     Record record = workbook.record();
-    const int shown = level.value_or(std::min(record.hints + 1, hint_levels));
-    record.hints = std::max(record.hints, shown);
-    std::printf("%s, hint %d of %d\n\n%s", stage_name(stage).data(), shown, hint_levels,
-                hint_text(stage, shown).c_str());
+    if (record.hint_part != record.part) record.hint_level = 0;
+    record.hint_part = record.part;
+    const int shown = level.value_or(std::min(record.hint_level + 1, hint_levels));
+    record.hints += std::max(0, shown - record.hint_level);
+    record.hint_level = std::max(record.hint_level, shown);
+    const std::string part = record.part.empty() ? "" : ", " + record.part;
+    std::printf("%s%s, hint %d of %d\n\n%s", stage_name(stage).data(), part.c_str(), shown,
+                hint_levels, hint_text(stage, shown, record.part).c_str());
     if (shown > 1) std::printf("\nAn earlier hint again: ./course hint %d 1\n", stage);
     workbook.remember(record);
 }

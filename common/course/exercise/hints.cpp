@@ -4,6 +4,10 @@
 
 #include "common/system/files.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
 namespace rt {
 
 std::string hint_text(int stage, int level) {
@@ -18,6 +22,54 @@ std::string hint_text(int stage, int level) {
     }
     const std::size_t first = text.find_first_not_of('\n');
     return first == std::string::npos ? "" : text.substr(first);
+}
+
+namespace {
+
+/// The words that stand before ": ", or before ", ", at the start of a paragraph.
+std::string label_of(const std::string& line) {
+    return line.substr(0, line.find_first_of(":,"));
+}
+
+/// The functions that the first level explains, each in a paragraph that begins with its name.
+std::vector<std::string> labels_of(int stage) {
+    std::vector<std::string> labels;
+    std::string before;
+    for (const std::string& line : lines_of(hint_text(stage, 1))) {
+        if (before.empty() && line.find(": ") != std::string::npos)
+            labels.push_back(label_of(line));
+        before = line;
+    }
+    return labels;
+}
+
+/// Whether the part's name contains the label as whole words.
+bool names(const std::string& part, const std::string& label) {
+    const auto is_letter = [&part](std::size_t i) {
+        return i < part.size() && (std::isalpha(part[i]) != 0 || part[i] == '_');
+    };
+    for (std::size_t at = part.find(label); at != std::string::npos; at = part.find(label, at + 1))
+        if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + label.size())) return true;
+    return false;
+}
+
+}  // namespace
+
+std::string hint_text(int stage, int level, const std::string& part) {
+    const std::string whole = hint_text(stage, level);
+    const std::vector<std::string> labels = labels_of(stage);
+    std::string text;
+    std::string before;
+    bool inside = false;
+    for (const std::string& line : lines_of(whole)) {
+        if (before.empty() &&
+            std::find(labels.begin(), labels.end(), label_of(line)) != labels.end())
+            inside = names(part, label_of(line));
+        if (inside) text += line + "\n";
+        before = line;
+    }
+    while (text.size() > 1 && text[text.size() - 2] == '\n') text.pop_back();
+    return text.empty() ? whole : text;
 }
 
 }  // namespace rt

@@ -33,7 +33,10 @@ Record read_record(const fs::path& file) {
         if (key == "checked") record.checked = value;
         if (key == "passed") number >> record.passed >> of >> record.cases;
         if (key == "files") record.checked_files = value;
+        if (key == "part") record.part = value;
         if (key == "hints") number >> record.hints;
+        if (key == "hint part") record.hint_part = value;
+        if (key == "hint level") number >> record.hint_level;
         if (key == "solution asked") number >> record.solution_asked;
     }
     return record;
@@ -45,7 +48,10 @@ std::string text(const Record& record) {
     if (!record.checked.empty())
         out << "checked: " << record.checked << "\npassed: " << record.passed << " of "
             << record.cases << "\nfiles: " << record.checked_files << '\n';
-    if (record.hints > 0) out << "hints: " << record.hints << '\n';
+    if (!record.part.empty()) out << "part: " << record.part << '\n';
+    if (record.hints > 0)
+        out << "hints: " << record.hints << "\nhint part: " << record.hint_part
+            << "\nhint level: " << record.hint_level << '\n';
     if (record.solution_asked > 0) out << "solution asked: " << record.solution_asked << '\n';
     return out.str();
 }

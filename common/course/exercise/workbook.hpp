@@ -14,7 +14,10 @@ struct Record {
     int passed = 0;       ///< number of cases
     int cases = 0;
     std::string checked_files;  ///< fingerprint of the checked files
-    int hints = 0;              ///< number of hints shown
+    std::string part;           ///< the first part that was not right
+    int hints = 0;              ///< number of hints shown, of all parts
+    std::string hint_part;      ///< the part of the last hint
+    int hint_level = 0;         ///< the highest that was shown for this part
     int solution_asked = 0;     ///< number of times that the solution was shown
 };
 

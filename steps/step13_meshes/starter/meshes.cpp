@@ -1,6 +1,6 @@
 // Stage 13, to be written. docs/step13_meshes.md explains it, the header is its contract.
-// The functions are independent. overlap and the first intersect are for boxes; to_object_space and
-// interpolated_normal are for meshes, and the second intersect for those of fewer than 16
+// Write them in this order. overlap, the first intersect and normal are for boxes; to_object_space
+// and interpolated_normal are for meshes, and the second intersect for those of fewer than 16
 // triangles.
 // `./course check 13` reports errors, `./course hint 13` prints the next hint.
 #include "steps/step13_meshes/meshes.hpp"

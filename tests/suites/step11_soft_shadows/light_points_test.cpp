@@ -121,8 +121,103 @@ const Light above{.position = {0, 4, 0}, .radius = 2};
 
 }  // namespace
 
+TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, erratum 16)",
+          "[part sample_light, CR's cube]") {
+    CHECK(verdict(sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
+                      sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
+                  "Every sample is aimed at one point."));
+    const auto property = [](Random& random) {
+        const Vec3 from = random.point(5);
+        const Light light = draw_light(random, from);
+        Exact sum(0);
+        constexpr int samples = 1024;
+        for (const Vec3& point : light_points(light, from, 5, samples))
+            sum += Exact(point) - Exact(light.position);
+        const Exact mean = sum / double(samples);
+        const Exact axis = normalize(Exact(from) - Exact(light.position));
+        const double aside = length(mean - dot(mean, axis) * axis) / light.radius;
+        return verdict(aside < 0.02, "The mean of sample_light(" + code(light) +
+                                         ",\n              Vec3" + code(from) + ", sample) over " +
+                                         std::to_string(samples) +
+                                         " samples\n  got:      " + text(Real(aside)) +
+                                         " of the radius off the line to the light's center\n"
+                                         "  expected: on it, to 0.02");
+    };
+    CHECK(for_all(property, 40));
+}
+
+TEST_CASE("another sample is another point (CR §3.3)") {
+    CHECK(for_all([](Random& random) {
+        const Vec3 from = random.point(5);
+        const Light light = draw_light(random, from);
+        const Vec3 first = sample_light(light, from, {Real(0.25), Real(0.125)});
+        const Vec3 second = sample_light(light, from, {Real(0.75), Real(0.625)});
+        return verdict(distance(first, second) > Real(0.01) * light.radius,
+                       call(light, from, {Real(0.25), Real(0.125)}) + "\n  got:      " +
+                           text(first) + "\n  expected: not what the sample (0.75, 0.625) gives");
+    }));
+}
+
+TEST_CASE("the same sample gives the same point in every call (contract)") {
+    CHECK(for_all([](Random& random) {
+        const Vec3 from = random.point(5);
+        const Light light = draw_light(random, from);
+        const Vec2 sample = draw_sample(random);
+        return aims_at(light, from, sample, sample_light(light, from, sample));
+    }));
+}
+
+TEST_CASE("from inside the light it is its center (contract)") {
+    const Vec2 sample(Real(0.375), Real(0.625));
+    CHECK(aims_at(above, {0, 4, 0}, sample, above.position));
+    CHECK(aims_at(above, {1, 4, 0}, sample, above.position));
+    CHECK(aims_at(above, {0, Real(2.125), 0}, sample, above.position));
+    CHECK(for_all([](Random& random) {
+        const Light light{.position = random.point(5), .radius = random.between(Real(0.5), 2)};
+        const Vec3 from =
+            light.position + light.radius * random.between(0, Real(0.99)) * random.direction();
+        return aims_at(light, from, draw_sample(random), light.position);
+    }));
+}
+
+TEST_CASE("a light without a size is aimed at where it is (contract)") {
+    CHECK(for_all([](Random& random) {
+        const Light light{.position = random.point(5)};
+        return aims_at(light, random.point(5), draw_sample(random), light.position);
+    }));
+}
+
+TEST_CASE("just outside the light, the point is still on it (contract)",
+          "[part sample_light, a disc][exact]") {
+    for (const Real above_surface : {Real(0), 4 * epsilon, 64 * epsilon, Real(0.001)}) {
+        const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
+        for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
+            const Vec3 got = sample_light(above, from, {x, Real(0.25)});
+            if (x > 0 && above_surface > 64 * epsilon)  // closer points may all be equal
+                CHECK(got != sample_light(above, from, {x, Real(0.75)}));
+            // the light's center is accepted on the surface
+            const Real off = distance(got, above.position);
+            CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +
+                                                        "\n  got:      " + text(got) +
+                                                        "\n  expected: a point of the light"));
+        }
+    }
+    CHECK(for_all([](Random& random) {
+        const Light light{.position = random.point_in_eighths(3), .radius = random.eighths(1, 3)};
+        const Real above_surface = random.between(Real(0.001), Real(0.01));
+        const Vec3 from = light.position + light.radius * (1 + above_surface) * random.direction();
+        const Real x = random.between(Real(0.25), Real(0.999));
+        const Vec3 got = sample_light(light, from, {x, Real(0.25)});
+        const Real off = distance(got, light.position);
+        return verdict(off <= light.radius * (1 + tolerance) &&
+                           got != sample_light(light, from, {x, Real(0.75)}),
+                       call(light, from, {x, Real(0.25)}) + "\n  got:      " + text(got) +
+                           "\n  expected: a point of the light, another one for {x, 0.75}");
+    }));
+}
+
 TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratum 16)",
-          "[3 points]") {
+          "[part sample_light, the visible ball][3 points]") {
     CHECK(aims_at_what_is_seen({.position = {5, 5, 5}, .radius = 1}, {0, 0, 0}, {Real(0.5), 0}));
     CHECK(aims_at_what_is_seen({.position = {0, 0, -3}, .radius = 2}, {0, 0, 0}, {0, 0}));
     CHECK(aims_at_what_is_seen(above, {0, 0, 0}, {Real(0.999), Real(0.25)}));
@@ -154,99 +249,6 @@ TEST_CASE("the points are spread evenly over the solid angle that the light fill
         return points_are_even(light, from, draw_seed(random));
     };
     CHECK(for_all(property, 40));
-}
-
-TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, erratum 16)") {
-    CHECK(verdict(sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
-                      sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
-                  "Every sample is aimed at one point."));
-    const auto property = [](Random& random) {
-        const Vec3 from = random.point(5);
-        const Light light = draw_light(random, from);
-        Exact sum(0);
-        constexpr int samples = 1024;
-        for (const Vec3& point : light_points(light, from, 5, samples))
-            sum += Exact(point) - Exact(light.position);
-        const Exact mean = sum / double(samples);
-        const Exact axis = normalize(Exact(from) - Exact(light.position));
-        const double aside = length(mean - dot(mean, axis) * axis) / light.radius;
-        return verdict(aside < 0.02, "The mean of sample_light(" + code(light) +
-                                         ",\n              Vec3" + code(from) + ", sample) over " +
-                                         std::to_string(samples) +
-                                         " samples\n  got:      " + text(Real(aside)) +
-                                         " of the radius off the line to the light's center\n"
-                                         "  expected: on it, to 0.02");
-    };
-    CHECK(for_all(property, 40));
-}
-
-TEST_CASE("the same sample gives the same point in every call (contract)") {
-    CHECK(for_all([](Random& random) {
-        const Vec3 from = random.point(5);
-        const Light light = draw_light(random, from);
-        const Vec2 sample = draw_sample(random);
-        return aims_at(light, from, sample, sample_light(light, from, sample));
-    }));
-}
-
-TEST_CASE("another sample is another point (CR §3.3)") {
-    CHECK(for_all([](Random& random) {
-        const Vec3 from = random.point(5);
-        const Light light = draw_light(random, from);
-        const Vec3 first = sample_light(light, from, {Real(0.25), Real(0.125)});
-        const Vec3 second = sample_light(light, from, {Real(0.75), Real(0.625)});
-        return verdict(distance(first, second) > Real(0.01) * light.radius,
-                       call(light, from, {Real(0.25), Real(0.125)}) + "\n  got:      " +
-                           text(first) + "\n  expected: not what the sample (0.75, 0.625) gives");
-    }));
-}
-
-TEST_CASE("from inside the light it is its center (contract)") {
-    const Vec2 sample(Real(0.375), Real(0.625));
-    CHECK(aims_at(above, {0, 4, 0}, sample, above.position));
-    CHECK(aims_at(above, {1, 4, 0}, sample, above.position));
-    CHECK(aims_at(above, {0, Real(2.125), 0}, sample, above.position));
-    CHECK(for_all([](Random& random) {
-        const Light light{.position = random.point(5), .radius = random.between(Real(0.5), 2)};
-        const Vec3 from =
-            light.position + light.radius * random.between(0, Real(0.99)) * random.direction();
-        return aims_at(light, from, draw_sample(random), light.position);
-    }));
-}
-
-TEST_CASE("a light without a size is aimed at where it is (contract)") {
-    CHECK(for_all([](Random& random) {
-        const Light light{.position = random.point(5)};
-        return aims_at(light, random.point(5), draw_sample(random), light.position);
-    }));
-}
-
-TEST_CASE("just outside the light, the point is still on it (contract)", "[exact]") {
-    for (const Real above_surface : {Real(0), 4 * epsilon, 64 * epsilon, Real(0.001)}) {
-        const Vec3 from(0, 4 - 2 * (1 + above_surface), 0);
-        for (const Real x : {Real(0), Real(0.5), Real(0.999)}) {
-            const Vec3 got = sample_light(above, from, {x, Real(0.25)});
-            if (x > 0 && above_surface > 64 * epsilon)  // closer points may all be equal
-                CHECK(got != sample_light(above, from, {x, Real(0.75)}));
-            // the light's center is accepted on the surface
-            const Real off = distance(got, above.position);
-            CHECK(verdict(off <= 2 + 2 * tolerance, call(above, from, {x, Real(0.25)}) +
-                                                        "\n  got:      " + text(got) +
-                                                        "\n  expected: a point of the light"));
-        }
-    }
-    CHECK(for_all([](Random& random) {
-        const Light light{.position = random.point_in_eighths(3), .radius = random.eighths(1, 3)};
-        const Real above_surface = random.between(Real(0.001), Real(0.01));
-        const Vec3 from = light.position + light.radius * (1 + above_surface) * random.direction();
-        const Real x = random.between(Real(0.25), Real(0.999));
-        const Vec3 got = sample_light(light, from, {x, Real(0.25)});
-        const Real off = distance(got, light.position);
-        return verdict(off <= light.radius * (1 + tolerance) &&
-                           got != sample_light(light, from, {x, Real(0.75)}),
-                       call(light, from, {x, Real(0.25)}) + "\n  got:      " + text(got) +
-                           "\n  expected: a point of the light, another one for {x, 0.75}");
-    }));
 }
 
 TEST_CASE("a light so small that sin² is less than a rounding is sampled all over (contract)",

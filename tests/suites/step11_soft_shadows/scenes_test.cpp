@@ -126,7 +126,8 @@ Verdict picture_matches_on_average(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should be (erratum 16)") {
+TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should be (erratum 16)",
+          "[part together]") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
     for (const Real x : {Real(0.5), Real(1), Real(1.5), Real(2), Real(3)}) {
         const Real expected = Real(free_share(scene.lights[0], x));

@@ -83,7 +83,8 @@ Verdict honest(double from, double to) {
 
 }  // namespace
 
-TEST_CASE("the share is that of the rays that reach the light, not of the blocked ones (CR §3.3)") {
+TEST_CASE("the share is that of the rays that reach the light, not of the blocked ones (CR §3.3)",
+          "[part visibility]") {
     CHECK(share_is({.sent = 4, .reached = 3}, Real(0.75)));
     CHECK(share_is({.sent = 16, .reached = 1}, Real(0.0625)));
     CHECK(share_is({.sent = 16, .reached = 0}, 0));
@@ -126,7 +127,7 @@ Verdict halves(int sent) {
 
 }  // namespace
 
-TEST_CASE("the error is positive even if all rays agree (contract)") {
+TEST_CASE("the error is positive even if all rays agree (contract)", "[part visibility_error]") {
     for (const int sent : {1, 8, 1024})
         for (const int reached : {0, sent / 2, sent})
             CHECK(is_positive({.sent = sent, .reached = reached}));

@@ -102,7 +102,7 @@ Seen draw_interpolated(Random& random) {
 
 }  // namespace
 
-TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)", "[3 points]") {
+TEST_CASE("the direction is d - 2 n times d.n (CR §5.1, equation 4)", "[part mirrored][3 points]") {
     const Real s = Real(0.6);
     const Real c = Real(0.8);
     const Ray down{.origin = {1, 2, 3}, .direction = {s, -c, 0}};

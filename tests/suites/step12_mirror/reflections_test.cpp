@@ -103,7 +103,7 @@ const Ray round_the_square{.origin = {0, -1, 0}, .direction = {1, 0, 0}};
 
 }  // namespace
 
-TEST_CASE("the surface's own part and the reflected part sum to one (contract)") {
+TEST_CASE("the surface's own part and the reflected part sum to one (contract)", "[part mixed]") {
     const Color own{1, Real(0.5), 0};
     const Color reflection{0, Real(0.25), Real(0.5)};
     CHECK(mixes(own, reflection, 0, own));
@@ -125,7 +125,8 @@ TEST_CASE("colors brighter than white are reflected unclamped (contract)") {
     CHECK(mixes(Color(8), Color(0), Real(0.75), Color(2)));
 }
 
-TEST_CASE("no more reflections than the depth: there is a bound (contract)") {
+TEST_CASE("no more reflections than the depth: there is a bound (contract)",
+          "[part worth_reflecting]") {
     for (const int depth : {0, 1, 2, 8, 1000}) CHECK(stops_at(depth));
 }
 
@@ -150,7 +151,8 @@ TEST_CASE("a weight of less than 1/512 is not worth a ray (contract)") {
     CHECK(worth(0, 1000, Real(0.001), false));
 }
 
-TEST_CASE("between two facing mirrors a ray is reflected --depth times (CR §5.1)") {
+TEST_CASE("between two facing mirrors a ray is reflected --depth times (CR §5.1)",
+          "[part together]") {
     Verdict perfect;
     Verdict dim;
     for (const int depth : {0, 1, 2, 3, 7, 8, 30}) {

@@ -101,7 +101,8 @@ OrientedBox draw_box_in_eighths(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray is in the box from the last t_min to the first t_max (M1)", "[3 points]") {
+TEST_CASE("a ray is in the box from the last t_min to the first t_max (M1)",
+          "[part boxes (overlap)][3 points]") {
     CHECK(inside(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, block, {2, 8}));
     // Through x in 4 to 6, y in 3 to 7, z in 2 to 8.
     CHECK(inside(Ray{.origin = {5, 5, 5}, .direction = {-1, -1, -1}}, block, {4, 6}));
@@ -264,7 +265,8 @@ TEST_CASE("with a coordinate that is not a number, a ray is in no box (contract)
     }));
 }
 
-TEST_CASE("a ray meets the near face of an oriented box, half a size from its center (M1)") {
+TEST_CASE("a ray meets the near face of an oriented box, half a size from its center (M1)",
+          "[part oriented boxes (intersect with an oriented box, normal)]") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {5, 0, -5}, .direction = {-1, 0, 0}}, upright, 4));
     CHECK(hits(Ray{.origin = {0, -6, -5}, .direction = {0, 2, 0}}, upright, 2));

@@ -5,7 +5,8 @@
 
 using namespace rt;
 
-TEST_CASE("a mesh that is moved: the ray is moved the other way (HAI, translate)") {
+TEST_CASE("a mesh that is moved: the ray is moved the other way (HAI, translate)",
+          "[part frames (to_object_space)]") {
     const Ray seen =
         to_object_space({.origin = {1, 2, 8}, .direction = {0, 1, -1}}, {.translation = {1, 2, 3}});
     CHECK(gives("the origin, 1,2,8 with the mesh at 1,2,3", seen.origin, Vec3(0, 0, 5)));

@@ -106,7 +106,8 @@ Stack draw_stack(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (CR §4.2)") {
+TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (CR §4.2)",
+          "[part meshes (intersect with a mesh)]") {
     CHECK(meets(down_z, layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
     CHECK(meets({.origin = {0, 0, 1}, .direction = {0, 0, -1}}, layers,
                 {.t = 1, .triangle = 0, .weights = half_and_quarters}));
@@ -249,7 +250,8 @@ Vec3 draw_weights(Random& random) {
 
 }  // namespace
 
-TEST_CASE("at a vertex, the normal is that of the vertex (CR §6)") {
+TEST_CASE("at a vertex, the normal is that of the vertex (CR §6)",
+          "[part normals (interpolated_normal)]") {
     const std::array<Vec3, 3> axes = {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
     CHECK(interpolates(axes, {1, 0, 0}, {1, 0, 0}));
     CHECK(interpolates(axes, {0, 1, 0}, {0, 1, 0}));

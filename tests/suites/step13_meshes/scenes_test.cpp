@@ -136,7 +136,7 @@ Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color 
 
 }  // namespace
 
-TEST_CASE("a placed mesh is met where it has been moved to (HAI, CR §4.2)") {
+TEST_CASE("a placed mesh is met where it has been moved to (HAI, CR §4.2)", "[part together]") {
     // The cube, twice as large, a quarter turn round z, at 0,0,-10: it reaches from -12 to -8.
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
     const MeshInstance instance{

@@ -1,0 +1,69 @@
+#include "common/course/exercise/cases.hpp"
+
+#include "common/system/paint.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace rt {
+
+namespace {
+
+/// The cases of one part, in the order of the suite.
+struct Part {
+    std::string name;
+    std::vector<const Outcome*> cases;
+
+    [[nodiscard]] int passed() const {
+        return int(std::count_if(cases.begin(), cases.end(),
+                                 [](const Outcome* each) { return each->passed(); }));
+    }
+    [[nodiscard]] bool right() const { return passed() == int(cases.size()); }
+};
+
+std::vector<Part> parts_of(const std::vector<Outcome>& all) {
+    std::vector<Part> parts;
+    for (const Outcome& outcome : all) {
+        if (parts.empty() || parts.back().name != outcome.part())
+            parts.push_back({.name = outcome.part()});
+        parts.back().cases.push_back(&outcome);
+    }
+    return parts;
+}
+
+void show(const Outcome& outcome, const std::string& indent, bool is_given) {
+    const std::string& name = outcome.in_double.name;
+    std::printf("%s\n", !outcome.passed() ? styled(indent + "✗ " + name, Style::bad).c_str()
+                        : is_given        ? styled(indent + "· " + name, Style::dim).c_str()
+                                          : styled(indent + "✓ " + name, Style::dim).c_str());
+}
+
+}  // namespace
+
+void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given) {
+    const std::vector<Part> parts = parts_of(all);
+    bool is_first_wrong = true;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Part& part = parts[i];
+        const std::string line = (part.right() ? "  ✓ " : "  ✗ ") + std::to_string(i + 1) + " " +
+                                 part.name + ": " + std::to_string(part.passed()) + " of " +
+                                 std::to_string(part.cases.size());
+        if (parts.size() > 1)
+            std::printf("%s\n", styled(line, part.right() ? Style::dim : Style::bad).c_str());
+        const bool is_listed = parts.size() == 1 || (!part.right() && is_first_wrong);
+        is_first_wrong = is_first_wrong && part.right();
+        if (!is_listed) continue;
+        for (const Outcome* each : part.cases)
+            show(*each, parts.size() == 1 ? "  " : "      ",
+                 each->passed() && given.count(each->in_double.name) == 1);
+    }
+    if (!given.empty()) std::printf("%s\n", styled("  · passes unwritten too", Style::dim).c_str());
+}
+
+std::string first_wrong_part(const std::vector<Outcome>& all) {
+    const auto wrong =
+        std::find_if(all.begin(), all.end(), [](const Outcome& each) { return !each.passed(); });
+    return wrong == all.end() ? "" : wrong->part();
+}
+
+}  // namespace rt
