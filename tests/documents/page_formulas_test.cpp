@@ -1,6 +1,8 @@
 // The formulas of the README and the pages are displayed correctly on GitHub. GitHub applies
 // Markdown's backslash escapes inside a formula before it typesets it, ends a formula at the line's
-// end, and does not always recognize a formula that ends bold or italic text.
+// end, and does not always recognize a formula that ends bold or italic text. A formula beside a
+// letter or a digit is no formula, a bar in it ends the cell of a table, and "<" before a letter
+// begins a tag. Markdown in folded text begins after an empty line.
 #include "tests/documents/page.hpp"
 #include "tests/kit/picture.hpp"
 #include "tests/kit/verdict.hpp"
@@ -18,9 +20,15 @@ std::vector<std::string> faults(const std::vector<PageLine>& page) {
     static const std::regex formula(R"(\$[^$]*\$)");
     static const std::regex escape(R"(\\[!-/:-@\[-`{-~])");
     static const std::regex ends_emphasis(R"(\$[*_])");
+    static const std::regex touches_a_word("[A-Za-z0-9]\x01|\\$[A-Za-z0-9]");
+    static const std::regex tag("<[A-Za-z/!]");
     std::vector<std::string> all;
     bool displayed = false;  // between $$ and $$
+    bool folded = false;     // after a summary
     for (const PageLine& line : page) {
+        if (folded && !line.text.empty())
+            all.push_back(std::to_string(line.number) + ": no empty line after a summary");
+        folded = line.text.find("</summary>") != std::string::npos;
         if (line.is_verbatim()) continue;
         const auto found = [&](const std::string& why) {
             all.push_back(std::to_string(line.number) + ": " + why + ": " + line.text);
@@ -35,6 +43,7 @@ std::vector<std::string> faults(const std::vector<PageLine>& page) {
         }
         if (!is_inline) {
             if (std::regex_search(text, escape)) found("a backslash before punctuation");
+            if (std::regex_search(text, tag)) found("a tag in a formula");
             continue;
         }
         if (std::count(text.begin(), text.end(), '$') % 2 != 0)
@@ -44,8 +53,12 @@ std::vector<std::string> faults(const std::vector<PageLine>& page) {
         for (std::sregex_iterator it(text.begin(), text.end(), formula), end; it != end; ++it)
             formulas += it->str();
         if (std::regex_search(formulas, escape)) found("a backslash before punctuation");
+        if (std::regex_search(formulas, tag)) found("a tag in a formula");
+        if (text.rfind('|', 0) == 0 && formulas.find('|') != std::string::npos)
+            found("a bar in a formula of a table");
         const std::string outside = std::regex_replace(text, formula, "\x01$$");
         if (std::regex_search(outside, ends_emphasis)) found("a formula at the end of bold text");
+        if (std::regex_search(outside, touches_a_word)) found("a formula beside a letter");
     }
     return all;
 }
@@ -74,6 +87,14 @@ TEST_CASE("a formula that GitHub would spoil is noticed (this suite)") {
     CHECK(faults(lines({"$$", R"(\lbrace a\})", "$$"})).size() == 1);
     CHECK(faults(lines({"where $t", "d$ is"})).size() == 2);
     CHECK(faults(lines({"**the factor $2$** is lost"})).size() == 1);
+    CHECK(faults(lines({"the $n$th ray"})).size() == 1);
+    CHECK(faults(lines({"of 2$n$ rays"})).size() == 1);
+    CHECK(faults(lines({"| $|x|$ | a cell |"})).size() == 1);
+    CHECK(faults(lines({"if $a<b$"})).size() == 1);
+    CHECK(faults(lines({"$$", "a<b", "$$"})).size() == 1);
+    CHECK(faults(lines({"<details><summary>Answers</summary>", "1. One."})).size() == 1);
+    CHECK(
+        faults(lines({"<details><summary>Answers</summary>", "", "$a < b$, $|x|$-axis"})).empty());
     CHECK(faults(lines({"**$2$ is lost**, *$t$ too*, `$t\\,d$`, $a$ and $b_1$"})).empty());
     CHECK(faults(lines({"    echo $HOME \\, $1"})).empty());
 }

@@ -250,6 +250,17 @@ says "Did you mean check?"
 course 2 check Tringle
 says "Did you mean triangle?"
 
+# The student's loop over the pixels draws stage 1, on one thread.
+mkdir steps/step01_ray_generation/student
+cp tests/mistakes/step01_ray_generation/main/upside_down.cpp steps/step01_ray_generation/student/main.cpp
+course 0 run 1 --size 3x2 -o mine.png
+course 0 run 1 --size 3x2 -o ours.png --threads 2
+! cmp -s mine.png ours.png || fail "run 1 draws with the student's loop"
+cp tests/mistakes/step01_ray_generation/main/size_exchanged.cpp steps/step01_ray_generation/student/main.cpp
+course 2 run 1 --size 3x2 -o mine.png
+says "error: "
+rm -r steps/step01_ray_generation/student
+
 # Hints, the solution.
 course 0 hint 3
 says "hint 1 of 3"

@@ -79,6 +79,11 @@ for threads in 1 2 5; do
     "$build/step08_cone" -o $threads.png --threads $threads --quiet --size 160x120
 done
 cmp -s 1.png 2.png && cmp -s 1.png 5.png || fail "threads change the file"
+# In stage 1, one thread is the loop of its main.cpp.
+for threads in 1 2; do
+    "$build/step01_ray_generation" -o $threads.png --threads $threads --quiet --size 31x17
+done
+cmp -s 1.png 2.png || fail "the loop of stage 1 and the program's make the same file"
 "$build/step08_cone" -o f.png --precision float --size 160x120 > out
 grep -q ', float, ' out || fail "--precision float is told"
 grep -aq 'float' f.png || fail "the picture says its precision"

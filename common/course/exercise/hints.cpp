@@ -36,8 +36,8 @@ std::vector<std::string> labels_of(int stage) {
     std::vector<std::string> labels;
     std::string before;
     for (const std::string& line : lines_of(hint_text(stage, 1))) {
-        if (before.empty() && line.find(": ") != std::string::npos)
-            labels.push_back(label_of(line));
+        const std::string label = label_of(line);
+        if (before.empty() && line.compare(label.size(), 2, ": ") == 0) labels.push_back(label);
         before = line;
     }
     return labels;
