@@ -104,6 +104,42 @@ function(raysteps_start_from_common name)
     endforeach()
 endfunction()
 
+# raysteps_precompile_contract(<stage>)
+#
+# Defines <stage>_contract_f32 and _f64, for g++: the stage's header, precompiled in a folder
+# <header>.hpp.gch of a tree that can be searched before the project's.
+function(raysteps_precompile_contract stage)
+    string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${stage}/\\1.hpp" header ${stage})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${header}.gch/all.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
+    raysteps_compile_twice(${stage}_contract ${source})
+    foreach(target IN ITEMS ${stage}_contract_f32 ${stage}_contract_f64)
+        target_compile_options(${target} PRIVATE "SHELL:-x c++-header")
+        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+        # For an #include after others, where g++ accepts no precompiled header.
+        file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${header}
+            CONTENT "#include \"${PROJECT_SOURCE_DIR}/${header}\"\n")
+    endforeach()
+endfunction()
+
+# raysteps_start_from_contract(<name> <stage> <source>...)
+#
+# Compiles <name>_f32 and <name>_f64, of these sources, in a third of the time with g++: their own
+# #include of the stage's header, if it is the first, finds the precompiled one. It hides no missing
+# #include.
+function(raysteps_start_from_contract name stage)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${stage}/\\1.hpp" header ${stage})
+        foreach(target IN ITEMS ${stage}_contract_f32 ${stage}_contract_f64)
+            set(folder ${PROJECT_BINARY_DIR}/steps/${stage}/CMakeFiles/${target}.dir)
+            set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
+                ${folder}/${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+            string(REPLACE ${stage}_contract ${name} user ${target})
+            target_include_directories(${user} BEFORE PRIVATE ${folder})
+        endforeach()
+    endif()
+endfunction()
+
 # raysteps_link(<target> <precision> <name>...)
 #
 # Links a target to <name>_f32 or <name>_f64 of each name.

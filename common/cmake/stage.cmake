@@ -8,6 +8,7 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
+# stepNN_name_contract_f64    the precompiled header of the stage's header, for these
 # stepNN_name_f64             the selected one of these two, by option
 # stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
 # stepNN_name                 the executable; _reference_program and _checked are the same program built
@@ -38,11 +39,13 @@ function(raysteps_stage)
         raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
+    raysteps_precompile_contract(${name})
     set(chosen reference)
     set(chosen_main main)
     foreach(part IN ITEMS student student_main)
         if(${part})
             raysteps_compile_twice(${name}_${part} ${${part}})
+            raysteps_start_from_contract(${name}_${part} ${name} ${${part}})
         endif()
     endforeach()
     if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)

@@ -122,6 +122,7 @@ endfunction()
 # audit`.
 function(raysteps_starter suite)
     raysteps_compile_twice(${suite}_starter ${ARGN})
+    set_target_properties(${suite}_starter_f32 ${suite}_starter_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
     foreach(precision IN ITEMS f32 f64)
         set(word ${word_${precision}})
         raysteps_link_suite(${suite}_starter_test_${word} ${suite}_test_${word}_objects
