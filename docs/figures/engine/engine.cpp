@@ -1,5 +1,6 @@
-// The engine of the book's figures: every function of every contract behind one C function that
-// carries the bytes of common/contract. Compiled once in each precision.
+// Compiled once in each precision.
+#include "docs/figures/engine/engine.hpp"
+
 #include "docs/figures/engine/describe.hpp"
 #include "docs/figures/engine/questions.hpp"
 
@@ -42,16 +43,12 @@ Engine& engine() {
 
 }  // namespace rt::book
 
-extern "C" {
-
-/// Room for a question of this size.
 char* engine_room(std::size_t size) {
     auto& room = rt::book::engine().room;
     if (size > room.size()) room.resize(size);
     return room.data();
 }
 
-/// Answers the question in the room; the size of the answer, 0 if there is no such function.
 std::size_t engine_ask(std::size_t size) {
     using namespace rt::contract;
     auto& engine = rt::book::engine();
@@ -66,7 +63,6 @@ std::size_t engine_ask(std::size_t size) {
     return engine.result.size();
 }
 
-/// The list of functions becomes the result; its size.
 std::size_t engine_describe() {
     auto& engine = rt::book::engine();
     engine.result = engine.description;
@@ -75,5 +71,4 @@ std::size_t engine_describe() {
 
 const char* engine_result() {
     return rt::book::engine().result.data();
-}
 }

@@ -1,13 +1,9 @@
 // The engine without WebAssembly: questions on the standard input, answers on the output, each
 // after its size. An answer has the same bytes as in a page.
+#include "docs/figures/engine/engine.hpp"
+
 #include <cstdint>
 #include <cstdio>
-
-extern "C" {
-char* engine_room(std::size_t size);
-std::size_t engine_ask(std::size_t size);
-const char* engine_result();
-}
 
 int main() {
     std::uint32_t size = 0;
