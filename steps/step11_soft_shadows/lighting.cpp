@@ -25,7 +25,7 @@ bool accurate(const ShadowRays& rays, const Color& color, const Context& context
     return steps <= Real(settings.shadow_error);
 }
 
-LightPoints light_points(const Context& context, std::uint32_t light) {
+LightPoints RT_PRECISION::light_points(const Context& context, std::uint32_t light) {
     const auto bounces = std::uint32_t(context.bounces);
     if (context.sample < 0) return {.seed = sample_seed(context.pixel, light, bounces), .first = 0};
     const std::uint32_t seed = sample_seed(context.whole_pixel, light, bounces);

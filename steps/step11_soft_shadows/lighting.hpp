@@ -20,6 +20,11 @@ namespace rt {
 /// visible fraction, is small enough, or whether enough rays agree.
 [[nodiscard]] bool accurate(const ShadowRays& rays, const Color& color, const Context& context);
 
+}  // namespace rt
+
+namespace rt {
+inline namespace RT_PRECISION {
+
 /// The points of a light that shadow rays aim at: spread_sample(first + i, seed).
 struct LightPoints {
     std::uint32_t seed;
@@ -30,6 +35,11 @@ struct LightPoints {
 /// of which each uses a part of its own, so that together their points are as even as those of one
 /// ray. `light` is the light's number, from 1.
 [[nodiscard]] LightPoints light_points(const Context& context, std::uint32_t light);
+
+}  // namespace RT_PRECISION
+}  // namespace rt
+
+namespace rt {
 
 // Each main.cpp defines the possible occluders: obstacles(query) tests an any-hit query, or another
 // one, against them. The functions with queries are templates, so that they are compiled into
