@@ -5,6 +5,7 @@
 #include "common/math/vector.hpp"
 #include "common/render/render.hpp"
 #include "common/render/stage.hpp"
+#include "common/scene/box_of_shapes.hpp"
 #include "common/stages/stages.hpp"
 
 #include <algorithm>
@@ -36,13 +37,6 @@ int hits(const Scene& scene, const Camera& camera, RenderSettings settings) {
     return count;
 }
 
-/// The bounding box of all shapes except planes; empty if there are none.
-BoundingBox around(const Scene& scene) {
-    BoundingBox all;
-    for_each_kind(scene, [&all](const auto& primitives) { all = merged(all, primitives.box()); });
-    return merged(all, scene.meshes.box());
-}
-
 std::size_t count_shapes(const Scene& scene) {
     std::size_t count = scene.meshes.size();
     for_each_kind(scene, [&count](const auto& primitives) { count += primitives.size(); });
@@ -53,7 +47,7 @@ std::size_t count_shapes(const Scene& scene) {
 /// the axes.
 std::vector<Vec3> other_directions(const Scene& scene, Vec3 position) {
     std::vector<Vec3> directions;
-    const BoundingBox box = around(scene);
+    const BoundingBox box = box_of_shapes(scene);
     const Vec3 way = box.min / Real(2) + box.max / Real(2) - position;
     const Real size = largest_component(glm::abs(way));
     if (size > 0 && size < infinity) directions.push_back(way / size);

@@ -22,6 +22,8 @@ namespace {
 
 constexpr int max_threads = 1024;
 constexpr int most_shapes = 1'000'000'000;
+constexpr int camera_stage = 2;   // which brings its position and direction
+constexpr int most_frames = 360;  // an animation is in memory until it is written
 constexpr int max_cameras = 1'000'000;
 
 constexpr double brightest = 255;  ///< in 8-bit levels
@@ -244,6 +246,17 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
                  "print what the scene requires and what is omitted, and make no picture");
     app.add_flag("--preview", options.preview, "show the picture in the terminal too");
     app.add_flag("--quiet", options.quiet, "print errors only");
+    if (program.stage >= camera_stage) {
+        CLI::Option* const turn =
+            app.add_option("--turn", options.turn,
+                           "make an animated PNG of N pictures: the camera goes around the middle "
+                           "of all shapes")
+                ->check(CLI::Range(2, most_frames).description(""))
+                ->type_name("N");
+        for (const char* other :
+             {"--pixel", "--requirements", "--preview", "--tolerance", "--time"})
+            turn->excludes(other);
+    }
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

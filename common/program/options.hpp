@@ -27,6 +27,7 @@ struct Options : Aim {
     SceneReading reading;
     std::optional<Resolution> size;  ///< overrides the scene's resolution
     int camera = 1;                  ///< number of the scene's camera, from 1
+    std::optional<int> turn;         ///< frames of an animation in which the camera goes around
     std::optional<Pixel> pixel;      ///< print the log of this pixel, and make no picture
     Precision precision = Precision::f64;
     bool precision_given = false;

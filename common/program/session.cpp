@@ -1,11 +1,13 @@
 #include "common/program/session.hpp"
 
 #include "common/explain/pixel_log.hpp"
+#include "common/image/animation.hpp"
 #include "common/image/png.hpp"
 #include "common/image/preview.hpp"
 #include "common/program/blank_picture.hpp"
 #include "common/program/load_meshes.hpp"
 #include "common/program/requirements.hpp"
+#include "common/program/turntable.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/pixel_samples.hpp"
 #include "common/render/render.hpp"
@@ -146,6 +148,39 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     return true;
 }
 
+/// Renders the frames of `--turn` to an animated PNG.
+bool make_animation(const Program& program, const Options& options, const Scene& scene,
+                    const std::atomic<bool>& stop) {
+    constexpr int milliseconds = 5000;  // for the whole way around
+    const std::optional<Vec3> middle = middle_of_shapes(scene);
+    if (!middle)
+        throw InputError({options.scene},
+                         "has no shape but planes: --turn needs another, to go around it");
+    const auto start = std::chrono::steady_clock::now();
+    const int frames = *options.turn;
+    Scene turning = scene;
+    Animation animation;
+    {
+        Progress progress(!options.quiet && errors_on_terminal(), frames * scene.resolution.height);
+        for (int frame = 0; frame < frames; ++frame) {
+            turning.cameras[0] = turned(scene.cameras[0], *middle, Real(frame) / Real(frames));
+            const auto rendering = render(turning, {.threads = options.threads,
+                                                    .settings = options.settings,
+                                                    .row_done = [&] { progress.advance(); },
+                                                    .stop = &stop});
+            if (!rendering) return false;
+            animation.add(rendering->image);
+        }
+    }
+    animation.write(options.output, milliseconds / frames,
+                    texts(program, options, scene.resolution), options.settings.gamma);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (!options.quiet)
+        std::printf("%s: %d frames of %s pixels, %s, %.2f s\n", options.output.c_str(), frames,
+                    size_text(scene.resolution).c_str(), name(options.precision), seconds.count());
+    return true;
+}
+
 std::string bytes_text(Rgb rgb) {
     return std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " + std::to_string(rgb[2]);
 }
@@ -219,6 +254,8 @@ public:
             std::cout << options.scene << explanation(scene_);
         } else if (options.pixel) {
             tell_pixel(program_, options, scene_, *options.pixel);
+        } else if (options.turn) {
+            return make_animation(program_, options, scene_, stop);
         } else {
             return make_picture(program_, options, scene_, pace, stop);
         }

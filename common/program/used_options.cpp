@@ -45,6 +45,7 @@ std::string used_options(const Program& program, const Options& options) {
     if (options.reading.axes.left_handed) used += " --hand left";
     if (options.reading.axes.z_up) used += " --up z";
     if (options.camera != 1) used += " --camera " + std::to_string(options.camera);
+    if (options.turn) used += " --turn " + std::to_string(*options.turn);
     if (options.reading.strict) used += " --strict";
     if (options.time) used += " --time " + shortest(*options.time);
     return used;

@@ -108,6 +108,25 @@ done
 "$build/step03_sphere" own.rt -o empty.png --size 3x2 --quiet || fail "an empty file is a place"
 picture_of 0000000300000002 empty.png || fail "an empty file becomes a picture"
 
+# --turn makes an animated PNG, in which the first picture is that without --turn.
+"$build/step03_sphere" own.rt -o turn.png --size 16x12 --turn 3 > out 2> err || fail "--turn 3"
+picture_of 000000100000000c turn.png && grep -q '^turn.png: 3 frames of 16 x 12 pixels' out ||
+    fail "--turn 3 tells its frames"
+[ "$(grep -ao fcTL turn.png | wc -l)" = 3 ] && grep -aq acTL turn.png || fail "--turn 3 has three frames"
+cp turn.png before
+for words in "--turn 1" "--turn 361" "--turn two" "--turn 3 --pixel 0,0" "--turn 3 --time 1"; do
+    # shellcheck disable=SC2086
+    "$build/step03_sphere" own.rt -o turn.png --size 16x12 $words > out 2> err
+    [ $? = 2 ] && [ ! -s out ] && [ "$(wc -l < err)" = 1 ] && grep -q -- '--turn' err ||
+        fail "$words: status 2, and an error in one line"
+done
+cmp -s before turn.png || fail "a wrong --turn leaves the older file"
+printf 'C 0,1,0 0,0,-1 60\npl 0,0,0 0,1,0 9,9,9\n' > plane.rt
+"$build/step04_plane" plane.rt -o plane.png --turn 3 > out 2> err
+[ $? = 2 ] && [ ! -e plane.png ] && grep -q '^plane.rt: error: .* --turn' err || fail "--turn without a middle"
+"$build/step03_sphere" own.rt -o own.rt --turn 3 2> err && fail "--turn overwrites the scene"
+cmp -s own.rt "$project/scenes/one_sphere.rt" || fail "--turn: the scene is as it was"
+
 # Neighboring files stay, also a scene with that name and a link.
 cp own.rt neighbour.png.part
 cp own.rt precious

@@ -1,6 +1,7 @@
 // Pictures as files.
 
 #include "common/image/png.hpp"
+#include "common/image/animation.hpp"
 #include "common/system/input_error.hpp"
 
 #include "tests/kit/for_all.hpp"
@@ -79,6 +80,19 @@ std::vector<PngText> text_chunks(std::string_view png) {
         png.remove_prefix(length + 12);
     }
     return texts;
+}
+
+/// Type and content of each chunk of a PNG file, in order.
+std::vector<PngText> chunks(std::string_view png) {
+    std::vector<PngText> all;
+    png.remove_prefix(8);  // the signature
+    while (png.size() >= 12) {
+        std::size_t length = 0;
+        for (int i = 0; i < 4; ++i) length = length * 256 + std::uint8_t(png[std::size_t(i)]);
+        all.push_back({std::string(png.substr(4, 4)), std::string(png.substr(8, length))});
+        png.remove_prefix(length + 12);
+    }
+    return all;
 }
 
 std::string refusal(const std::string& file) {
@@ -233,4 +247,45 @@ TEST_CASE("a file that is not a PNG is refused by name") {
     write_png(file, noise({50, 50}), {});
     fs::resize_file(file, 1000);  // cut in the middle
     CHECK_THROWS_WITH(read_png(file), Catch::Matchers::StartsWith(file + ": error: "));
+}
+
+TEST_CASE("an animation has every frame, and shows the first where animations are unknown") {
+    const Scratch scratch;
+    const Image first = noise({5, 3});
+    const Image second(first.resolution);  // black
+    Animation both;
+    both.add(first);
+    both.add(second);
+    both.write(scratch.file("both.png"), 40, {{"Title", "both"}}, Gamma::srgb);
+    CHECK(read_png(scratch.file("both.png")).pixels == first.pixels);
+
+    Animation alone;
+    alone.add(second);
+    alone.write(scratch.file("alone.png"), 40, {}, Gamma::unstated);
+    CHECK(read_png(scratch.file("alone.png")).pixels == second.pixels);
+
+    const std::vector<PngText> all = chunks(content(scratch.file("both.png")));
+    std::string types;
+    for (const PngText& chunk : all) types += chunk.key + " ";
+    REQUIRE(types == "IHDR sRGB acTL iTXt fcTL IDAT fcTL fdAT IEND ");
+    using namespace std::string_literals;
+    CHECK(all[2].value == "\0\0\0\2\0\0\0\0"s);  // two frames, without end
+    // number, width, height, x, y, 40 of 1000 seconds, no disposal, no blending
+    const std::string frame = "\0\0\0\5\0\0\0\3\0\0\0\0\0\0\0\0\0\50\3\350\0\0"s;
+    CHECK(all[4].value == "\0\0\0\0"s + frame);
+    CHECK(all[6].value == "\0\0\0\1"s + frame);
+    // The second frame has the data that it has alone, after its number.
+    CHECK(all[7].value == "\0\0\0\2"s + chunks(content(scratch.file("alone.png")))[3].value);
+    CHECK(scratch.count() == 2);
+}
+
+TEST_CASE("an animation replaces pictures only") {
+    const Scratch scratch;
+    write(scratch.file("notes.txt"), "mine");
+    Animation animation;
+    animation.add(noise({2, 2}));
+    CHECK_THROWS_AS(animation.write(scratch.file("notes.txt"), 40, {}, Gamma::unstated),
+                    InputError);
+    CHECK(content(scratch.file("notes.txt")) == "mine");
+    CHECK(scratch.count() == 1);
 }

@@ -2,6 +2,7 @@
 
 #include "common/geometry/transform.hpp"
 #include "common/program/requirements.hpp"
+#include "common/program/turntable.hpp"
 #include "common/render/closest_hit.hpp"
 #include "common/stages/stages.hpp"
 
@@ -111,6 +112,26 @@ TEST_CASE("a sky is required from stage 3 on, which shows it") {
         REQUIRE(needs.size() == 1);
         CHECK((needs[0].what == "1 sky" && needs[0].stage == 3));
     }
+}
+
+TEST_CASE("a turning camera goes counterclockwise around the middle, and looks at the same place") {
+    const Camera start{.position = {1, 1, 5}, .direction = {0, 0, -1}, .fov = 1};
+    const Vec3 middle(1, 7, 0);
+    const Camera quarter = turned(start, middle, Real(0.25));
+    CHECK(close(quarter.position, Vec3(6, 1, 0)));
+    CHECK(close(quarter.direction, Vec3(-1, 0, 0)));
+    CHECK(quarter.fov == 1);
+    CHECK(close(turned(start, middle, Real(0.5)).position, Vec3(1, 1, -5)));
+    CHECK(turned(start, middle, 0).position == start.position);
+}
+
+TEST_CASE("a turning camera goes around the middle of all shapes but planes") {
+    Scene scene;
+    scene.planes = {Primitive<Plane>()};
+    CHECK_FALSE(middle_of_shapes(scene));
+    scene.spheres = {{.shape = {.center = {0, 0, 0}, .radius = 1}, .material = {}},
+                     {.shape = {.center = {4, 0, 0}, .radius = 2}, .material = {}}};
+    CHECK(middle_of_shapes(scene) == Vec3(2.5, 0, 0));
 }
 
 TEST_CASE("the vertical field of view is the one that is given, or follows from the horizontal") {
