@@ -82,6 +82,8 @@ void look_at_page(int stage, Findings& findings) {
                          "docs/figures/" + figure + " does not exist");
     findings.require(page.find("pictures/" + name + ".png") != std::string::npos,
                      file + " does not show the stage's picture");
+    findings.require(page.find("gallery/" + name + ".png") != std::string::npos,
+                     file + " does not show the stage's picture of the gallery");
     for (const char* command : {"./course run ", "./course check "})
         findings.require(page.find(command + std::to_string(stage)) != std::string::npos,
                          file + " does not contain " + command + std::to_string(stage));
