@@ -118,7 +118,7 @@ TEST_CASE("a command that is not there is noticed (this suite)") {
 }
 
 TEST_CASE("every line of a scene in the stages' pages is read, to the letter") {
-    static const std::regex element(R"(^    ((?:R|A|C|L|sp|pl|tr|sq|cy|co|box|mesh) .*))");
+    static const std::regex element(R"(^    ((?:R|A|C|L|sky|sp|pl|tr|sq|cy|co|box|mesh) .*))");
     const std::vector<Shown> all = shown(element);
     CHECK(all.size() >= 3);
     for (const auto& [place, line] : all) {
