@@ -1,0 +1,24 @@
+#!/bin/sh
+# Each stage's program is linked from the unity build of its parts, without which pictures take up to a
+# fifth longer and nothing else changes (common/cmake/stage.cmake): unity_test.sh BUILD PROJECT STAGE…
+build=$1
+project=$2
+shift 2
+. "$(dirname "$0")/../lib.sh"
+ls "$project"/steps/*/student/*.cpp > "$folder/student" 2> /dev/null &&
+    { echo "with a student's files, programs are linked from separate parts"; exit 77; }
+[ -e "$build/build.ninja" ] || { echo "this test needs a build by ninja"; exit 77; }
+
+ninja -C "$build" -t query "$@" > "$folder/programs" || fail "not every stage is a target"
+for stage in "$@"; do
+    awk -v program="$stage:" '/^[^ ]/ { on = $0 == program } on' "$folder/programs" > "$folder/inputs"
+    for precision in f32 f64; do
+        unity=${stage}_unity_objects_$precision.dir/Unity/unity_0_cxx.cxx
+        grep -q "/$unity\.o" "$folder/inputs" || fail "$stage is not linked from $unity"
+        for part in "steps/$stage/main.cpp" "steps/$stage/reference/" common/render/render.cpp; do
+            grep -q "$part" "$build/steps/$stage/CMakeFiles/$unity" || fail "$unity does not include $part"
+        done
+    done
+    ! grep "_\(reference\|main\)_f[36][24]\.dir/" "$folder/inputs" || fail "$stage is linked from separate parts"
+done
+exit $failed
