@@ -1,6 +1,7 @@
 #include "common/contract/asking.hpp"
 #include "common/contract/frame.hpp"
 #include "common/stages/reasons.hpp"
+#include "common/system/descriptors.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -82,8 +83,10 @@ bool is_asleep(pid_t process) {
 }  // namespace
 
 Stopwatch::Stopwatch(pid_t process) : process_(process) {
+#ifdef __linux__
     clockid_t clock{};
     if (clock_getcpuclockid(process, &clock) == 0) clock_ = clock;
+#endif
 }
 
 double Stopwatch::computed() {
@@ -111,8 +114,10 @@ void Stopwatch::look() {
 
 Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
     int sockets[2];
-    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0)
+    std::unique_lock lock(inheritance);
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, sockets) != 0)
         throw CannotStart("no socket: " + std::string(std::strerror(errno)));
+    for (const int end : sockets) prepare_socket(end);
     socket_ = sockets[0];
     fcntl(socket_, F_SETFL, O_NONBLOCK);
     // Its output is discarded: it may print for every query.
@@ -129,6 +134,7 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
     arguments.push_back(nullptr);
     const int error =
         posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
+    lock.unlock();
     posix_spawn_file_actions_destroy(&actions);
     close(sockets[1]);
     if (error != 0) {
@@ -191,7 +197,7 @@ void Worker::wait_until_ready(short event, Allowance allowance) {
 
 void Worker::send(const char* from, std::size_t count, Allowance allowance) {
     while (count > 0) {
-        const ssize_t sent = ::send(socket_, from, count, MSG_NOSIGNAL);
+        const ssize_t sent = ::send(socket_, from, count, send_without_signal);
         if (sent > 0) {
             from += sent;
             count -= std::size_t(sent);

@@ -1,8 +1,8 @@
 #include "common/contract/value.hpp"
 
 #include "common/explain/text.hpp"
+#include "common/system/parse_floating.hpp"
 
-#include <charconv>
 #include <cmath>
 
 namespace rt::contract {
@@ -62,7 +62,7 @@ double read_number(std::string_view& text) {
     if (take(text, "NAN")) return std::numeric_limits<double>::quiet_NaN();
     const bool wrapped = take(text, "Real(");
     double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const auto [end, error] = parse_floating(text, number);
     if (error != std::errc())
         throw Malformed("not a number: \"" + std::string(text.substr(0, 40)) + "\"");
     text.remove_prefix(std::size_t(end - text.data()));

@@ -5,8 +5,8 @@
 #include "common/contract/light_points.hpp"
 #include "common/contract/rendered.hpp"
 #include "common/contract/scene_bytes.hpp"
+#include "common/system/end_with_parent.hpp"
 
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -131,7 +131,7 @@ Writer answer_to(const std::string& question, const std::map<int, Answer>& answe
 }
 
 int serve() {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a worker without a client must not go on
+    end_with_parent(SIGKILL);  // a worker without a client must not go on
     const std::map<int, Answer> answers = all_answers();
     Inbox inbox;
     std::string question;

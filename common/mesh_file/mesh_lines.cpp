@@ -1,6 +1,7 @@
 #include "common/mesh_file/mesh_lines.hpp"
 
 #include "common/system/escaping.hpp"
+#include "common/system/parse_floating.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -79,9 +80,9 @@ std::optional<std::int64_t> whole_number(std::string_view word) {
 std::optional<float> float_number(std::string_view word) {
     float value = 0;
     const char* const last = word.data() + word.size();
-    const auto [end, error] = std::from_chars(word.data(), last, value);
+    const auto [end, error] = parse_floating(word, value);
     if (error == std::errc() && end == last && std::isfinite(value)) return value;
-    // from_chars rejects "+1", and numbers near 0 that round to 0. (strtof also accepts "0x1p3".)
+    // It rejects "+1", and numbers near 0 that round to 0. (strtof also accepts "0x1p3".)
     constexpr std::string_view allowed = "0123456789+-.eE";
     if (word.find_first_not_of(allowed) != std::string_view::npos) return std::nullopt;
     const std::string text(word);

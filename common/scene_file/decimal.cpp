@@ -1,7 +1,8 @@
 #include "common/scene_file/decimal.hpp"
 
+#include "common/system/parse_floating.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -32,12 +33,9 @@ std::string significant(std::string_view number) {
 
 /// Returns the double nearest to an unsigned number; infinity if it is too large.
 double nearest_double(std::string_view text) {
-#ifdef __cpp_lib_to_chars  // libc++ before 20, that of macOS, cannot read a double with from_chars
     double value = 0;
-    const auto error = std::from_chars(text.data(), text.data() + text.size(), value).ec;
-    if (error == std::errc())
+    if (parse_floating(text, value).ec == std::errc())
         return value;  // otherwise it does not report whether too large or too small
-#endif
     // strtod returns the same in the "C" locale, which a program has until it selects another.
     return std::strtod(std::string(text).c_str(), nullptr);
 }

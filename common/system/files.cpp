@@ -3,6 +3,8 @@
 #include "common/system/input_error.hpp"
 #include "common/system/whole_file.hpp"
 
+#include <unistd.h>  // mkdtemp on macOS
+
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>

@@ -9,7 +9,7 @@ namespace {
 /// A file name may contain a line break or a terminal's control sequence; a message is one plain
 /// line.
 std::string one_line(std::string text) {
-    const auto is_control = [](char c) { return ('\0' <= c && c < ' ') || c == '\x7f'; };
+    const auto is_control = [](unsigned char c) { return c < ' ' || c == '\x7f'; };
     std::replace_if(text.begin(), text.end(), is_control, '?');
     return text;
 }

@@ -1,10 +1,11 @@
 #include "common/system/process.hpp"
 
+#include "common/system/descriptors.hpp"
+#include "common/system/end_with_parent.hpp"
 #include "common/system/input_error.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -41,7 +42,7 @@ struct Launch {
 int become(char** arguments, const Launch& launch, pid_t parent) {
     signal(SIGINT, SIG_DFL);
     if (launch.group == Group::its_own) setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, launch.signal);
+    end_with_parent(launch.signal);
     if (getppid() != parent) _exit(signalled + SIGKILL);
     if (launch.output != -1) {
         const int nothing = open("/dev/null", O_RDONLY);
@@ -60,14 +61,16 @@ pid_t start(const Command& command, const Launch& launch) {
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     std::array<int, 2> failure{};
-    if (pipe2(failure.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    if (!make_pipe(failure)) throw InputError({}, "cannot create a pipe");
     const pid_t parent = getpid();
+    std::unique_lock lock(inheritance);
     const pid_t process = fork();
     int error = process == -1 ? errno : 0;
     if (process == 0) {
         error = become(arguments.data(), launch, parent);
         _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
     }
+    lock.unlock();
     close(failure[1]);
     // Nothing can be read after a successful exec.
     while (process > 0 && read(failure[0], &error, sizeof error) == -1 && errno == EINTR) continue;
@@ -85,7 +88,7 @@ struct HeardProgram {
 
 HeardProgram start_heard(const Command& command, Launch launch) {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    if (!make_pipe(ends)) throw InputError({}, "cannot create a pipe");
     const auto [ear, mouth] = ends;
     launch.output = mouth;
     try {

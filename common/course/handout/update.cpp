@@ -164,9 +164,11 @@ int update(const fs::path& newer) {
         throw InputError({}, "this is not a hand-out: update it with git pull");
     const fs::path folder = unpacked(newer);
     Manifest mine = read_manifest(project_folder);
+    const bool was_interrupted = mine.title == under_way;
     Update update(folder, std::move(mine), read_whole(folder));
     // `course` continues with this copy if the half-updated project does not build.
-    copy_whole("/proc/self/exe", build_folder / "updater");
+    if (!was_interrupted || !is_there(build_folder / "updater"))
+        copy_whole(build_folder / "course", build_folder / "updater");
     update.run();
     update.explain();
     std::error_code ignored;

@@ -1,5 +1,6 @@
 #include "common/course/view/host.hpp"
 
+#include "common/system/descriptors.hpp"
 #include "common/system/input_error.hpp"
 
 #include <fcntl.h>
@@ -39,7 +40,7 @@ void on_signal(int /*signal*/) {
 /// From now on, a request to end can be read from the returned descriptor.
 int hear_signals() {
     std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw InputError({}, "cannot create a pipe");
+    if (!make_pipe(ends)) throw InputError({}, "cannot create a pipe");
     end_wanted = ends[1];
     struct sigaction action {};
     action.sa_handler = on_signal;

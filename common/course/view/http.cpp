@@ -1,6 +1,7 @@
 #include "common/course/view/http.hpp"
 
 #include "common/system/escaping.hpp"
+#include "common/system/parse_floating.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,13 +36,21 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(first, last == std::string_view::npos ? 0 : last + 1 - first);
 }
 
+std::from_chars_result parse_start(const std::string& text, double& value) {
+    return parse_floating(text, value);
+}
+
+std::from_chars_result parse_start(const std::string& text, int& value) {
+    return std::from_chars(text.data(), text.data() + text.size(), value);
+}
+
 template <class Number>
 Number parse(const Request& request, const std::string& name, Number min, Number max) {
     const auto found = request.parameters.find(name);
     if (found == request.parameters.end()) throw Refusal{400, name + " is missing"};
     const std::string& text = found->second;
     Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = parse_start(text, value);
     const bool fits = min <= value && value <= max;  // false for NaN
     if (error != std::errc() || end != text.data() + text.size() || !fits)
         throw Refusal{400, name + " must be a number from " + std::to_string(min) + " to " +

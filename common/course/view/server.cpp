@@ -1,5 +1,6 @@
 #include "common/course/view/server.hpp"
 
+#include "common/system/descriptors.hpp"
 #include "common/system/input_error.hpp"
 
 #include <arpa/inet.h>
@@ -13,6 +14,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <utility>
 
 namespace rt {
 
@@ -26,10 +28,11 @@ constexpr std::size_t longest_head = 8192;
 constexpr std::chrono::seconds patience_with_request{5};
 constexpr std::chrono::seconds patience_with_reader{10};
 
-/// A connection, and its listening socket: when that shuts down, all waiting ends.
+/// A connection, and a pipe: when its other end is closed, all waiting ends. (On macOS, shutdown of
+/// the listening socket would end nothing.)
 struct Connection {
     int socket = -1;
-    int listener = -1;
+    int ended = -1;
 };
 
 /// True if the connection is ready before the deadline.
@@ -37,8 +40,7 @@ bool wait_for(Connection connection, short event, Clock::time_point deadline) {
     for (;;) {
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-        std::array<pollfd, 2> questions{
-            {{connection.socket, event, 0}, {connection.listener, 0, 0}}};
+        std::array<pollfd, 2> questions{{{connection.socket, event, 0}, {connection.ended, 0, 0}}};
         const int ready = poll(questions.data(), 2, int(std::max<long long>(left.count(), 0)));
         if (ready != -1 || errno != EINTR) return ready > 0 && questions[0].revents != 0;
     }
@@ -65,7 +67,7 @@ void send_all(Connection connection, const std::string& bytes) {
         if (!wait_for(connection, POLLOUT, deadline)) return;
         // A reader who disconnected must not end the program, as SIGPIPE would.
         const ssize_t count = send(connection.socket, bytes.data() + sent, bytes.size() - sent,
-                                   MSG_NOSIGNAL | MSG_DONTWAIT);
+                                   send_without_signal | MSG_DONTWAIT);
         if (count == -1 && errno != EAGAIN && errno != EINTR) return;
         if (count > 0) sent += std::size_t(count);
     }
@@ -82,10 +84,19 @@ void close_kindly(Connection connection) {
     close(connection.socket);
 }
 
+/// The next connection of a listening socket that does not block; -1 if there is none.
+int accept_connection(int listener) {
+    const std::scoped_lock lock(inheritance);
+    const int socket = accept(listener, nullptr, nullptr);
+    if (socket == -1) return -1;
+    fcntl(socket, F_SETFL, 0);  // on macOS, it does not block either
+    return prepare_socket(socket);
+}
+
 }  // namespace
 
 Server::Server(int port) {
-    listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    listener_ = keep_from_children(socket(AF_INET, SOCK_STREAM, 0));
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -102,11 +113,17 @@ Server::Server(int port) {
                                  " of 127.0.0.1 cannot be used: " + std::strerror(why));
     }
     port_ = ntohs(address.sin_port);
+    fcntl(listener_, F_SETFL, O_NONBLOCK);
+    if (!make_pipe(end_)) {
+        close(listener_);
+        throw InputError({}, "cannot create a pipe");
+    }
 }
 
 Server::~Server() {
     stop();
     close(listener_);
+    close(end_[0]);
 }
 
 void Server::start(const Answer& answer) {
@@ -115,20 +132,23 @@ void Server::start(const Answer& answer) {
 }
 
 void Server::stop() {
-    shutdown(listener_, SHUT_RDWR);  // ends every accept
+    if (end_[1] != -1) close(std::exchange(end_[1], -1));  // ends all waiting
     for (std::thread& worker : workers_) worker.join();
     workers_.clear();
 }
 
 void Server::work(const Answer& answer) const {
     for (;;) {
-        const int socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
-        if (socket == -1 && errno == EINVAL) return;
-        if (socket == -1) {  // the client disconnected, or a resource is exhausted
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        std::array<pollfd, 2> questions{{{listener_, POLLIN, 0}, {end_[0], 0, 0}}};
+        if (poll(questions.data(), 2, -1) == -1) continue;
+        if (questions[1].revents != 0) return;
+        const int socket = accept_connection(listener_);
+        if (socket == -1) {
+            // Another thread was faster, or the client disconnected; or a resource is exhausted.
+            if (errno != EAGAIN) std::this_thread::sleep_for(std::chrono::milliseconds(50));
             continue;
         }
-        const Connection connection{socket, listener_};
+        const Connection connection{socket, end_[0]};
         send_all(connection, to_bytes(respond([&] { return receive_head(connection); }, answer)));
         close_kindly(connection);
     }

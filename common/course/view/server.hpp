@@ -3,6 +3,7 @@
 
 #include "common/course/view/http.hpp"
 
+#include <array>
 #include <functional>
 #include <thread>
 #include <vector>
@@ -35,6 +36,7 @@ private:
                                    const Answer& answer) const;
 
     int listener_ = -1;
+    std::array<int, 2> end_{-1, -1};  ///< a pipe whose second end is open until the server stops
     int port_ = 0;
     std::vector<std::thread> workers_;
 };

@@ -2,6 +2,7 @@
 
 #include "common/course/view/stage_runner.hpp"
 
+#include <cstdint>
 #include <functional>
 
 namespace rt {
@@ -17,7 +18,8 @@ constexpr std::chrono::seconds forgotten_after{60};
 /// Changes whenever the file is written or replaced; empty if there is no file.
 std::string stamp(const fs::path& file) {
     std::error_code none;
-    const auto time = fs::last_write_time(file, none).time_since_epoch().count();
+    // libc++ counts it in __int128, which to_string does not take.
+    const auto time = std::int64_t(fs::last_write_time(file, none).time_since_epoch().count());
     const auto size = fs::file_size(file, none);
     return none ? "" : std::to_string(time) + "." + std::to_string(size);
 }

@@ -3,10 +3,10 @@
 #include "common/explain/text.hpp"
 #include "common/scene/scene.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/parse_floating.hpp"
 
 #include "tests/kit/for_all.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -27,9 +27,8 @@ Real any_number(Random& random) {
 Real number(std::string digits) {
     if (digits.starts_with("Real(")) digits = digits.substr(5, digits.size() - 6);
     Real value = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto read = std::from_chars(digits.data(), end, value);
-    return read.ec == std::errc() && read.ptr == end ? value : NAN;
+    const auto read = parse_floating(digits, value);
+    return read.ec == std::errc() && read.ptr == digits.data() + digits.size() ? value : NAN;
 }
 
 bool same(Real a, Real b) {
