@@ -1,6 +1,7 @@
 // M1's rays as results of inverse matrices: the matrices, and a bound of their rounding.
 #pragma once
 
+#include "tests/kit/exact.hpp"
 #include "tests/kit/random.hpp"
 #include "tests/kit/verdict.hpp"
 
@@ -13,10 +14,6 @@
 #include <string>
 
 namespace rt {
-
-/// The type of expected values. Where it is no wider than double, its users must tolerate a few
-/// more u.
-using Exact = long double;
 
 /// The parameters of OpenGL's camera, apart from its position: the planes are at distances from it.
 struct Perspective {

@@ -3,6 +3,7 @@
 
 #include "tests/common/bvh/inputs.hpp"
 #include "tests/common/bvh/scalar_lanes.hpp"
+#include "tests/kit/exact.hpp"
 
 #include <algorithm>
 
@@ -29,32 +30,32 @@ Verdict keeps_every_ray(const Mesh& mesh, Real scale, Vec3 center, int rays) {
 /// A hit in arithmetic with more digits, or the result that it is uncertain.
 struct Certain {
     bool sure = true;
-    std::optional<long double> t;
+    std::optional<Exact> t;
 };
 
 Certain exact_hit(const Ray& ray, const Triangle& triangle) {
-    using Long = glm::vec<3, long double>;
-    constexpr long double close_call = tolerance;
+    using Long = glm::vec<3, Exact>;
+    constexpr Exact close_call = tolerance;
     const Long o(ray.origin);
     const Long d(ray.direction);
     const Long a = Long(triangle.a) - o;
     const Long b = Long(triangle.b) - o;
     const Long c = Long(triangle.c) - o;
     const Long areas(dot(d, cross(b, c)), dot(d, cross(c, a)), dot(d, cross(a, b)));
-    const long double sum = areas.x + areas.y + areas.z;
+    const Exact sum = areas.x + areas.y + areas.z;
     const Long n = cross(b - a, c - a);
     if (std::abs(sum) < close_call * length(d) * length(n)) return {.sure = false};
     const Long weights = areas / sum;
-    const long double least = std::min(weights.x, std::min(weights.y, weights.z));
+    const Exact least = std::min(weights.x, std::min(weights.y, weights.z));
     if (std::abs(least) < 10 * close_call) return {.sure = false};
-    const long double t = dot(a, n) / dot(d, n);
+    const Exact t = dot(a, n) / dot(d, n);
     if (least < 0 || t <= 0) return {};
     return {.t = t};
 }
 
-/// Triangles anywhere: the packed mesh and long double agree on the hit, the triangle and its
+/// Triangles anywhere: the packed mesh and wider arithmetic agree on the hit, the triangle and its
 /// weights.
-Verdict agrees_with_long_double(Random& random) {
+Verdict agrees_with_wider_arithmetic(Random& random) {
     Mesh mesh;
     const auto count = std::uint32_t(1 + random.below(100));
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -66,7 +67,7 @@ Verdict agrees_with_long_double(Random& random) {
     const MeshBvh packed(mesh);
     const auto target = std::size_t(random.below(int(count)));
     const Ray ray = draw_ray(random, bounds(triangle_of(mesh, target)));
-    std::optional<long double> expected;
+    std::optional<Exact> expected;
     for (std::size_t i = 0; i < count; ++i) {
         const auto [sure, t] = exact_hit(ray, triangle_of(mesh, i));
         if (!sure) return {};
@@ -134,7 +135,9 @@ TEST_CASE("no ray is lost at a surface that is as nothing beside the rest of its
 }
 
 TEST_CASE("a packed mesh gives the hit that exact arithmetic gives (contract)") {
-    CHECK(for_all(agrees_with_long_double, 3000));
+    // No wider type, no judge: as in double on Apple's processors.
+    if (Exact(1) + Exact(unit_roundoff) / 4 == 1) return;
+    CHECK(for_all(agrees_with_wider_arithmetic, 3000));
 }
 
 TEST_CASE("a scale changes no bit, however large or small (contract)") {
