@@ -2,8 +2,8 @@
 
 # raysteps_archive(<name> <folder> <source>...)
 #
-# Defines f32.a and f64.a for this folder of a hand-out: the sources compiled again, for any
-# processor. The target `archives` builds them all, in the folder archives/ of the build.
+# Defines x86_64/f32.a and f64.a, or those of another kind of processor, for this folder of a
+# hand-out: the sources compiled again, for all processors of the kind. The target `archives` builds them all, in the folder archives/ of the build.
 function(raysteps_archive name folder)
     if(NOT TARGET archives)
         add_custom_target(archives)
@@ -14,11 +14,12 @@ function(raysteps_archive name folder)
         target_link_libraries(${archive} PRIVATE raysteps_options)
         set_target_properties(${archive} PROPERTIES
             RAYSTEPS_ANY_PROCESSOR ON
-            ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}
+            ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}/${CMAKE_SYSTEM_PROCESSOR}
             PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
         if(CMAKE_STRIP)
             add_custom_command(TARGET ${archive} POST_BUILD
-                COMMAND ${CMAKE_STRIP} --strip-unneeded $<TARGET_FILE:${archive}> VERBATIM)
+                COMMAND ${CMAKE_STRIP} $<IF:$<BOOL:${APPLE}>,-x,--strip-unneeded>
+                    $<TARGET_FILE:${archive}> VERBATIM)
         endif()
         add_dependencies(archives ${archive})
     endforeach()
@@ -32,7 +33,7 @@ endfunction()
 function(raysteps_link_archive name folder)
     raysteps_require_fit()
     foreach(precision IN ITEMS f32 f64)
-        set(file ${PROJECT_SOURCE_DIR}/${folder}/${precision}.a)
+        set(file ${PROJECT_SOURCE_DIR}/${folder}/${CMAKE_SYSTEM_PROCESSOR}/${precision}.a)
         if(NOT EXISTS ${file})
             message(FATAL_ERROR "${file} is missing: get the hand-out again")
         endif()
@@ -40,7 +41,10 @@ function(raysteps_link_archive name folder)
         add_library(${archive} STATIC IMPORTED GLOBAL)
         set_target_properties(${archive} PROPERTIES IMPORTED_LOCATION ${file})
         target_link_libraries(${archive} INTERFACE raysteps_base)
-        if("WHOLE" IN_LIST ARGN)
+        if("WHOLE" IN_LIST ARGN AND CMAKE_VERSION VERSION_LESS 3.24)
+            set(archive -Wl,--whole-archive,${file},--no-whole-archive)
+            set_property(TARGET ${name}_${precision} APPEND PROPERTY INTERFACE_LINK_DEPENDS ${file})
+        elseif("WHOLE" IN_LIST ARGN)
             set(archive $<LINK_LIBRARY:WHOLE_ARCHIVE,${archive}>)
         endif()
         target_link_libraries(${name}_${precision} INTERFACE ${archive})
@@ -64,10 +68,10 @@ function(raysteps_require_fit)
     if(NOT RAYSTEPS_FITS)
         file(STRINGS ${needs} kind LIMIT_COUNT 1)
         string(REPLACE "// " "" kind "${kind}")
-        message(FATAL_ERROR "The references of this hand-out are built for ${kind}. They do not "
-            "fit ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on "
-            "${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR}: use such a compiler, or request a "
-            "hand-out that was made on a machine like yours.")
+        message(FATAL_ERROR "This hand-out is for ${kind}, and not for "
+            "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on "
+            "${CMAKE_SYSTEM_NAME} with ${CMAKE_SYSTEM_PROCESSOR}: use such a machine and compiler, "
+            "or request a hand-out for yours.")
     endif()
     set_property(GLOBAL PROPERTY RAYSTEPS_FITS ON)
 endfunction()

@@ -41,6 +41,7 @@ struct Words {
     std::string place;
     std::optional<std::string> out;
     std::string source;
+    std::vector<std::string> also;
     std::optional<int> level;
     bool check = false;
     int seconds = 60;
@@ -282,16 +283,20 @@ void Commands::add_author_commands() {
         rt::run_grader)
         ->prefix_command()
         ->set_help_flag();
-    add("handout DIR", "for instructors: a copy without the solutions; or DIR.tar.gz",
-        [this](Rest) { return rt::hand_out(words_.place); })
-        ->add_option("place", words_.place)
-        ->required();
+    CLI::App* handout_command =
+        add("handout DIR", "for instructors: a copy without the solutions; or DIR.tar.gz",
+            [this](Rest) { return rt::hand_out(words_.place, words_.also); });
+    handout_command->add_option("place", words_.place)->required();
+    handout_command->add_option("--also", words_.also,
+                                "another processor that it is for, too: aarch64 or x86_64");
 }
 
 void Commands::print_list() const {
     std::puts("");
     for (const CLI::App* command : app_.get_subcommands({}))
         if (!is_missing(command->get_name())) std::puts(command->get_description().c_str());
+    if (rt::is_handout(rt::project_folder))
+        std::printf("\n%s\n", rt::read_manifest(rt::project_folder).title.c_str());
     std::printf("\nN is %s.\n", stage_option);
     std::puts("run, compare, explain: --mine uses all your stages, --reference 3,5 all but these.");
 }

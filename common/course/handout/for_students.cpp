@@ -46,6 +46,7 @@ constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 /// exact arithmetic, and so has steps/…/exact; stories have them as `explain` tells.
 const std::regex of_other_folders(  //
     R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
+    R"(|\.gitattributes|\.devcontainer/devcontainer\.json)"
     R"(|docs/.*\.(md|svg|png|js))"
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"

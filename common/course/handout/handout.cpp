@@ -3,6 +3,7 @@
 #include "common/course/book/site.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/status_line.hpp"
 #include "common/course/handout/for_students.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
@@ -14,6 +15,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <sstream>
+#include <string>
+#include <utility>
 #include <version>
 
 namespace rt {
@@ -23,6 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::minutes time_limit{5};
+constexpr std::chrono::minutes build_time_limit{60};
 constexpr const char* archive_ending = ".tar.gz";
 
 /// The output of git ls-files; nothing if the project is not a clone.
@@ -58,7 +63,7 @@ std::vector<std::string> look_around() {
         const std::string name = entry.path().filename().string();
         if (entry.is_regular_file()) paths.push_back(name);
     }
-    for (const std::string folder : {"common", "docs", "scenes", "steps", "tests"})
+    for (const std::string folder : {".devcontainer", "common", "docs", "scenes", "steps", "tests"})
         for (const std::string& path : all_files(project_folder / folder))
             paths.push_back((folder + "/").append(path));
     const auto not_theirs = [](const std::string& path) { return !is_for_students(path); };
@@ -74,32 +79,107 @@ std::vector<std::string> files_for_students() {
     return known;
 }
 
-#if defined(__x86_64__)
-constexpr const char* machine = "__x86_64__";
-#elif defined(__aarch64__)
-constexpr const char* machine = "__aarch64__";
+/// Debian's name of the compiler for this kind of processor.
+std::string cross_compiler(const std::string& processor) {
+    return processor + "-linux-gnu-g++";
+}
+
+/// A kind of machine for which a hand-out has archives.
+struct Machine {
+    std::string processor;  ///< the name of their folders: CMake's name of the kind
+    int library = 0;        ///< the oldest version of the C++ library with which they can be linked
+};
+
+#ifdef _GLIBCXX_RELEASE
+constexpr int library_release = _GLIBCXX_RELEASE;
 #else
-constexpr const char* machine = "";  // for a project that is not a hand-out
+constexpr int library_release = 0;  // of libc++, every version fits
 #endif
+
+#ifdef __APPLE__
+constexpr const char* system_name = "macOS";
+#else
+constexpr const char* system_name = "Linux";
+#endif
+
+Machine this_machine() {
+    utsname system{};
+    uname(&system);
+    return {.processor = system.machine, .library = library_release};
+}
+
+/// The macro that a compiler defines for this kind of processor; empty if it is none for which
+/// hand-outs are made.
+std::string macro_of(const std::string& processor) {
+    if (processor == "x86_64") return "__x86_64__";
+    return processor == "aarch64" || processor == "arm64" ? "__aarch64__" : "";
+}
+
+/// "x86_64 or aarch64"
+std::string processors_of(const std::vector<Machine>& machines) {
+    std::string names;
+    for (const Machine& machine : machines)
+        names += (names.empty() ? "" : " or ") + machine.processor;
+    return names;
+}
+
+/// The machines for which a hand-out is, in English.
+std::string kind_of(const std::vector<Machine>& machines) {
+    int library = 0;
+    for (const Machine& machine : machines) library = std::max(library, machine.library);
+    const std::string compiler =
+        library == 0 ? "clang++ with libc++"
+                     : "g++ " + std::to_string(library) + " or newer, or clang++ with its library";
+    return compiler + ", on " + system_name + " with " + processors_of(machines);
+}
 
 /// A source that compiles only where the references' objects can be linked. Its first line states
 /// this in English.
-std::string fits() {
-    utsname system{};
-    uname(&system);
-    std::string text;
-#ifdef _GLIBCXX_RELEASE
-    const std::string release = std::to_string(_GLIBCXX_RELEASE);
-    text = "// g++ " + release + " or newer, or clang++ with its library, on " + system.sysname +
-           " " + system.machine + "\n#include <version>\n" +
-           "static_assert(_GLIBCXX_RELEASE >= " + release +
-           " && _GLIBCXX_USE_CXX11_ABI == " + std::to_string(_GLIBCXX_USE_CXX11_ABI) + ");\n";
+std::string fits(const std::vector<Machine>& machines) {
+    std::string text = "// " + kind_of(machines) + "\n#include <version>\n";
+#ifdef __APPLE__
+    text += "#ifndef __APPLE__\n#error another system\n#endif\n";
 #else
-    text = std::string("// clang++ with libc++, on ") + system.sysname + " " + system.machine +
-           "\n#include <version>\nstatic_assert(_LIBCPP_VERSION > 0);\n";
+    text += "#ifndef __linux__\n#error another system\n#endif\n";
 #endif
-    return text + "static_assert(" + machine +
-           " && sizeof(void*) == " + std::to_string(sizeof(void*)) + ");\nint main() {}\n";
+    text += "#if !(";
+    for (const Machine& machine : machines)
+        text += (&machine == machines.data() ? "defined " : " || defined ") +
+                macro_of(machine.processor);
+    text += ")\n#error another processor\n#endif\n";
+    int library = 0;
+    for (const Machine& machine : machines) library = std::max(library, machine.library);
+#ifdef _GLIBCXX_USE_CXX11_ABI
+    text += "static_assert(_GLIBCXX_RELEASE >= " + std::to_string(library) +
+            " && _GLIBCXX_USE_CXX11_ABI == " + std::to_string(_GLIBCXX_USE_CXX11_ABI) + ");\n";
+#else
+    text += "static_assert(_LIBCPP_VERSION > 0);\n";
+#endif
+    return text + "static_assert(sizeof(void*) == " + std::to_string(sizeof(void*)) +
+           ");\nint main() {}\n";
+}
+
+/// The machine of this kind of processor whose archives Debian's cross compiler can build. Throws
+/// InputError if there is no such kind, or no compiler.
+Machine other_machine(const std::string& processor) {
+    if (processor != "x86_64" && processor != "aarch64")
+        throw InputError({},
+                         "handout: --also: expected x86_64 or aarch64, not \"" + processor + "\"");
+    if (library_release == 0 || this_machine().processor == processor)
+        throw InputError({}, "handout: --also " + processor +
+                                 ": expected another processor than this machine's, on Linux");
+    const std::string compiler = cross_compiler(processor);
+    const std::string package =
+        processor == "x86_64" ? "g++-x86-64-linux-gnu" : "g++-" + processor + "-linux-gnu";
+    try {
+        const ProcessResult version = run_captured({compiler, "-dumpversion"}, time_limit);
+        if (version.status == 0)
+            return {.processor = processor, .library = std::stoi(version.output)};
+    } catch (const std::exception&) {
+        // it is not there, or is none
+    }
+    throw InputError(
+        {}, "handout: --also " + processor + " needs " + compiler + ": apt-get install " + package);
 }
 
 std::string today() {
@@ -120,16 +200,44 @@ void add_book(const fs::path& folder) {
     fs::rename(site, folder / site_of_handout);
 }
 
+/// Builds the archives for another kind of processor, in a build folder of their own.
+fs::path build_archives(const std::string& processor) {
+    const fs::path folder = build_folder / ("handout_" + processor);
+    const StatusLine status("building for " + processor + " …");
+    const Command configure{"cmake", "-S", project_folder.string(), "-B", folder.string(), "-G",
+                            "Ninja", "-DCMAKE_SYSTEM_NAME=Linux",
+                            "-DCMAKE_SYSTEM_PROCESSOR=" + processor,
+                            "-DCMAKE_CXX_COMPILER=" + cross_compiler(processor),
+                            "-DRAYSTEPS_TESTS=OFF", "-DRAYSTEPS_ANY_PROCESSOR=ON",
+                            // What an archive is not linked with need not be for its processor.
+                            "-DPNG_LIBRARY=/dev/null", "-DPNG_PNG_INCLUDE_DIR=/usr/include",
+                            "-DZLIB_LIBRARY=/dev/null", "-DZLIB_INCLUDE_DIR=/usr/include"};
+    for (const Command& command :
+         {configure, Command{"ninja", "-C", folder.string(), "archives"}}) {
+        const ProcessResult ending = run_captured(command, build_time_limit);
+        if (ending.status != 0)
+            throw ProgramError("error: " + command[0] + " failed\n" + ending.output);
+    }
+    return folder / "archives";
+}
+
 /// Returns how many files it consists of.
-std::size_t fill(const fs::path& folder) {
+std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines) {
     build({"archives"});
-    const fs::path archives = build_folder / "archives";
-    for (const std::string& path : all_files(archives)) copy_whole(archives / path, folder / path);
+    for (const Machine& machine : machines) {
+        const bool is_this = &machine == machines.data();
+        const fs::path archives =
+            is_this ? build_folder / "archives" : build_archives(machine.processor);
+        for (const std::string& path : all_files(archives))
+            if (fs::path(path).parent_path().filename() == machine.processor)
+                copy_whole(archives / path, folder / path);
+    }
     for (const std::string& path : files_for_students())
         copy_whole(project_folder / path, folder / path);
-    write_text(folder / "steps/fits.cpp", fits());
+    write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);
-    Manifest manifest{.title = "Raysteps, handed out on " + today(), .fingerprints = {}};
+    Manifest manifest{.title = "Raysteps, handed out on " + today() + " for " + kind_of(machines),
+                      .fingerprints = {}};
     for (const std::string& path : all_files(folder))
         manifest.fingerprints[path] = {fingerprint(folder / path)};
     write_manifest(folder, manifest);
@@ -138,11 +246,15 @@ std::size_t fill(const fs::path& folder) {
 
 /// The folder as an archive that unpacks to its name.
 void pack(const fs::path& folder, const fs::path& archive) {
-    const ProcessResult ending =
-        run_captured({"tar", "-czf", archive.string(), "--owner=0", "--group=0", "-C",
-                      folder.parent_path().string(), folder.filename().string()},
-                     time_limit);
-    if (ending.status != 0) throw ProgramError("error: tar failed\n" + ending.output);
+    ProcessResult ending;
+    for (const auto& [owner, group] : {std::pair("--owner=0", "--group=0"),  // GNU's
+                                       std::pair("--uid=0", "--gid=0")}) {   // macOS's
+        ending = run_captured({"tar", "-czf", archive.string(), owner, group, "-C",
+                               folder.parent_path().string(), folder.filename().string()},
+                              time_limit);
+        if (ending.status == 0) return;
+    }
+    throw ProgramError("error: tar failed\n" + ending.output);
 }
 
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
@@ -154,12 +266,18 @@ void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
 
 }  // namespace
 
-int hand_out(const fs::path& destination) {
-    if (std::string(machine).empty())
+int hand_out(const fs::path& destination, const std::vector<std::string>& also) {
+    std::vector<Machine> machines{this_machine()};
+    if (macro_of(machines[0].processor).empty())
         throw InputError({}, "hand-outs are made on x86_64 and aarch64");
     if (destination.empty()) throw InputError({}, "handout: expected a name, not \"\"");
     const fs::path target = fs::absolute(destination / "").parent_path();
     refuse_what_is_there(destination, target);
+    for (const std::string& processor : also) {
+        const auto is_same = [&](const Machine& known) { return known.processor == processor; };
+        if (std::none_of(machines.begin() + 1, machines.end(), is_same))
+            machines.push_back(other_machine(processor));
+    }
     std::string name = target.filename().string();
     const bool packed = name.size() > std::string(archive_ending).size() &&
                         name.compare(name.size() - 7, 7, archive_ending) == 0;
@@ -168,12 +286,12 @@ int hand_out(const fs::path& destination) {
     // Beside it until it is whole.
     fs::create_directories(target.parent_path());
     const TemporaryFolder workshop(target.parent_path());
-    const std::size_t files = fill(workshop.path() / name);
+    const std::size_t files = fill(workshop.path() / name, machines);
     if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
-    std::printf("%s: %zu files, without solutions\nfor %s", destination.c_str(), files,
-                fits().substr(3, fits().find('\n') - 2).c_str());
+    std::printf("%s: %zu files, without solutions\nfor %s\n", destination.c_str(), files,
+                kind_of(machines).c_str());
     std::printf("To update an older hand-out: ./course update %s\n", target.filename().c_str());
     return 0;
 }
