@@ -33,7 +33,8 @@ need() {
 unpack() {
     for package in "$@"; do
         [ ! -e "$tools/packages/$package" ] || continue
-        (cd "$tools/packages" && apt-get -qq download "$package" 2> "$package.log") ||
+        (cd "$tools/packages" && apt-get -qq download "$package" 2> "$package.log" ||
+            { apt-get -qq update && apt-get -qq download "$package" 2> "$package.log"; }) ||
             { cat "$tools/packages/$package.log" >&2; fail "$package cannot be downloaded: apt-get update" 2; }
         dpkg -x "$tools/packages/$package"_*.deb "$tools"
         : > "$tools/packages/$package"
