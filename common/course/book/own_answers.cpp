@@ -6,6 +6,7 @@
 #include "common/system/process.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -28,7 +29,8 @@ std::string state_of_files(int stage) {
          fs::directory_iterator(project_folder / step_path(stage, "student"), none))
         if (entry.path().extension() == ".cpp" && entry.path().filename() != trace_file)
             files.insert(entry.path().string() + " " +
-                         std::to_string(entry.last_write_time(none).time_since_epoch().count()) +
+                         std::to_string(
+                             std::int64_t(entry.last_write_time(none).time_since_epoch().count())) +
                          "\n");
     std::string state;
     for (const std::string& file : files) state += file;
