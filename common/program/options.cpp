@@ -126,6 +126,10 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
                    "the ray through its center")
         ->check(CLI::Range(1, most_pixel_samples).description(""))
         ->type_name("N");
+    add_number(app, "--pixel-error", least_error, brightest,
+               "trace more rays through a pixel only beside edges, until its estimated error is "
+               "below this, of 255; at most --samples, or 1024 if not given",
+               "E", [&settings](double steps) { settings.pixel_error = steps; });
     app.add_option("--gamma", settings.gamma,
                    "write colors encoded for screens, or proportional to light; proportional, and "
                    "the file does not say so, if not given")
@@ -274,6 +278,11 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     };
     if (is_given("--shadow-error") && !is_given("--shadow-samples"))
         options.settings.shadow_samples = most_shadow_samples;
+    if (is_given("--pixel-error") && (options.tolerance || options.time))
+        throw InputError({},
+                         "--pixel-error must be given without --tolerance and --time, whose "
+                         "trials are of pixels with the same number of rays");
+    if (is_given("--pixel-error") && !is_given("--samples")) options.settings.pixel_samples = 1024;
     options.precision_given = is_given("--precision");
     options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
                      .depth = is_given("--depth")};

@@ -220,7 +220,10 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     log.heading("The pixel");
     log.line("color", text(color));
     log.line("8-bit", bytes_text(to_rgb(color, options.settings.gamma)));
-    if (options.settings.pixel_samples > 1) log_mean(log, options.settings, scene, pixel);
+    if (options.settings.pixel_error > 0)
+        log.remark("in the picture, a pixel beside an edge has the mean of more rays");
+    else if (options.settings.pixel_samples > 1)
+        log_mean(log, options.settings, scene, pixel);
 }
 
 class SceneReader : public Renderer {

@@ -30,6 +30,7 @@ std::string used_options(const Program& program, const Options& options) {
     if (settings.term == PhongTerm::diffuse) used += " --term diffuse";
     if (settings.term == PhongTerm::specular) used += " --term specular";
     if (settings.pixel_samples > 1) used += " --samples " + std::to_string(settings.pixel_samples);
+    if (settings.pixel_error > 0) used += " --pixel-error " + shortest(settings.pixel_error);
     if (settings.gamma == Gamma::linear) used += " --gamma linear";
     if (settings.gamma == Gamma::srgb) used += " --gamma srgb";
     if (program.stage >= soft_shadow_stage)

@@ -1,6 +1,7 @@
 #include "common/render/render.hpp"
 
 #include "common/render/pixel_samples.hpp"
+#include "common/render/refinement.hpp"
 #include "common/system/parallel_for.hpp"
 
 #include <numeric>
@@ -90,11 +91,76 @@ Rendering with_statistics(Image image) {
     return result;
 }
 
+/// Fewer rays may agree by chance.
+constexpr int first_samples = 8;
+/// The number of rays through a pixel for which the settings are shared: a typical one.
+constexpr int typical_samples = 16;
+
+/// Traces rays through a pixel until the estimated error is small enough. Returns whether they
+/// differ.
+bool refine(PixelSamples& samples, const RenderSettings& settings) {
+    const int most = settings.pixel_samples;
+    int count = std::min(first_samples, most);
+    samples.trace_to(count);
+    while (count < most && samples.error(settings.gamma) > settings.pixel_error) {
+        count = count > most / 2 ? most : 2 * count;  // at powers of two the points are most even
+        samples.trace_to(count);
+    }
+    return samples.range(settings.gamma) > 2 * settings.pixel_error;
+}
+
+/// Renders more rays through the pixels of a picture of one ray a pixel where it has edges.
+/// Returns false if it was stopped.
+bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::vector<Row>& rows) {
+    const RenderSettings& settings = job.settings;
+    const FinerRays rays(scene.cameras.front(), scene.resolution);
+    RenderSettings typical = settings;
+    typical.pixel_samples = typical_samples;
+    const Context fresh{.settings = shared_settings(typical)};
+    // A ray through the center is at most half a difference off what lies beside an edge.
+    Refinement refinement(image.resolution, 2 * settings.pixel_error);
+    parallel_for(job.threads, rows.size(), job.stop,
+                 [&](std::size_t row) { refinement.compare(image, int(row)); });
+    const auto refine_row = [&](std::size_t row) {
+        Context context = fresh;
+        refinement.take(int(row), [&](Pixel pixel) {
+            if (job.stop != nullptr && *job.stop) return false;
+            // A pixel that is not a number, and counted, stays so.
+            if (rows[row].not_a_number > 0 && image[pixel] == not_a_color) return false;
+            context.pixel = pixel;
+            PixelSamples samples(scene, rays, pixel, context);
+            const bool differ = refine(samples, settings);
+            const Color color = samples.mean();
+            if (!is_number(color) && rows[row].not_a_number++ == 0)
+                rows[row].first_not_a_number = pixel.column;
+            image[pixel] = to_rgb(color, settings.gamma);
+            return differ;
+        });
+        rows[row].rays += context.rays;
+        rows[row].sized_light_rays += context.sized_light_rays;
+    };
+    bool first = true;
+    std::vector<std::size_t> pending(rows.size());
+    std::iota(pending.begin(), pending.end(), std::size_t(0));
+    while (!pending.empty()) {
+        parallel_for(job.threads, pending.size(), job.stop, [&](std::size_t i) {
+            refine_row(pending[i]);
+            if (first && job.row_done) job.row_done();
+        });
+        if (job.stop != nullptr && *job.stop) return false;
+        first = false;
+        pending.clear();
+        for (std::size_t row = 0; row < rows.size(); ++row)
+            if (refinement.is_pending(int(row))) pending.push_back(row);
+    }
+    return true;
+}
+
 }  // namespace
 
 std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
-    const bool is_plain =
-        job.settings.pixel_samples == 1 && job.settings.gamma != Gamma::srgb && !job.next_look;
+    const bool is_plain = job.settings.pixel_samples == 1 && job.settings.pixel_error == 0 &&
+                          job.settings.gamma != Gamma::srgb && !job.next_look;
     if (job.threads == 1 && is_plain)
         if (auto own = picture_by_own_loop(scene)) {
             if (job.stop != nullptr && *job.stop) return std::nullopt;
@@ -104,15 +170,17 @@ std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
     const std::vector<int> order = order_of(scene.resolution.height, job.next_look != nullptr);
+    const bool adaptive = job.settings.pixel_error > 0;
     parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
         const int row = order[i];
         const RenderSettings settings = job.next_look ? job.next_look() : job.settings;
-        rows[std::size_t(row)] = settings.pixel_samples > 1
+        rows[std::size_t(row)] = settings.pixel_samples > 1 && !adaptive
                                      ? render_fine_row(scene, job, settings, row, image)
                                      : render_row(scene, pixel_ray, settings, row, image);
-        if (job.row_done) job.row_done();
+        if (job.row_done && !adaptive) job.row_done();
     });
     if (job.stop != nullptr && *job.stop) return std::nullopt;
+    if (adaptive && !refine_edges(scene, job, image, rows)) return std::nullopt;
     return sum(std::move(image), rows);
 }
 

@@ -4,6 +4,7 @@
 #include "common/image/png.hpp"
 #include "common/program/load_meshes.hpp"
 #include "common/render/render.hpp"
+#include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 #include "common/scene_file/reader.hpp"
 
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 using namespace rt;
 
@@ -190,4 +192,22 @@ TEST_CASE("the pages' Cornell boxes are what their scenes show") {
     const auto [brighter, darker] = differences("cornell_phong", "cornell_phong");
     CHECK(brighter > 100);
     CHECK(darker == 0);
+}
+
+TEST_CASE("antialiasing.md's answer: the shades of an upright edge in a pixel of 16 points") {
+    std::set<int> regular;
+    std::set<int> even;
+    for (int place = 0; place <= 1000; ++place) {
+        const Real edge = Real(place) / 1000;
+        int left_in_grid = 0;
+        int left = 0;
+        for (int i = 0; i < 16; ++i) {
+            left_in_grid += (Real(i % 4) + Real(0.5)) / 4 < edge;
+            left += spread_sample(std::uint32_t(i), 2021).x < edge;
+        }
+        regular.insert(left_in_grid);
+        even.insert(left);
+    }
+    CHECK(says("antialiasing", std::to_string(regular.size()) + " shades"));
+    CHECK(says("antialiasing", "all " + std::to_string(even.size())));
 }

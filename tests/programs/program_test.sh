@@ -61,6 +61,13 @@ refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step
 refused "a mirror" "step12_mirror" step11_soft_shadows "$scenes/step12_mirror.rt"
 refused "a mesh" "step13_meshes" step12_mirror "$scenes/step13_meshes.rt"
 
+refused "no rays for a pixel" "--samples" step03_sphere --samples 0
+refused "two and a half rays" "--samples" step03_sphere --samples 2.5
+refused "300 digits of rays" "--samples" step03_sphere --samples "$long"
+refused "no error of a pixel" "--pixel-error" step03_sphere --pixel-error 0
+refused "errors of pixels and a time" "without --tolerance" step03_sphere --pixel-error 1 --time 1
+refused "a gamma of 2.2" "--gamma" step03_sphere --gamma 2.2
+
 printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 -2 255,0,0\n' > wrong.rt
 refused "a wrong scene" "wrong.rt:2:10: error: " step03_sphere wrong.rt
 printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 shiny\n' > doubtful.rt
@@ -87,6 +94,19 @@ cmp -s 1.png 2.png || fail "the loop of stage 1 and the program's make the same 
 "$build/step08_cone" -o f.png --precision float --size 160x120 > out
 grep -q ', float, ' out || fail "--precision float is told"
 grep -aq 'float' f.png || fail "the picture says its precision"
+
+# Several rays for a pixel: as many as given, from stage 1 on, and the file says so.
+"$build/step01_ray_generation" -o a.png --size 40x30 --samples 5 > out
+grep -q ', 6000 rays$' out || fail "--samples is the number of rays for a pixel"
+"$build/step03_sphere" doubtful.rt --quiet -o b.png --size 40x30 --samples 1 2> err
+"$build/step03_sphere" doubtful.rt --quiet -o c.png --size 40x30 2> err
+cmp -s b.png c.png || fail "--samples 1 is the default"
+"$build/step03_sphere" doubtful.rt --quiet -o a.png --samples 3 --gamma srgb 2> err
+grep -aq -- '--samples 3 --gamma srgb' a.png && grep -aq sRGB a.png || fail "the file says its samples"
+"$build/step03_sphere" doubtful.rt --quiet -o a.png --size 40x30 --pixel-error 2.5 2> err
+grep -aq -- '--samples 1024 --pixel-error 2.5' a.png || fail "the file says its error of a pixel"
+"$build/step03_sphere" "$scenes/one_sphere.rt" --pixel 240,240 --samples 4 > out
+grep -q 'mean of 4 other rays' out && grep -q 'hit at t = 4.0' out || fail "a log has the mean too"
 
 # A scene is not overwritten by its own picture.
 cp "$scenes/one_sphere.rt" own.rt

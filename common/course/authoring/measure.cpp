@@ -33,6 +33,7 @@ const std::vector<File> files = {
     {"hierarchy", "hierarchy", {"hierarchy"}, 3, 1},
     {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
     {"meshes", "decimation", {"decimation"}, 1, 4, true},
+    {"pixels", "pixels", {"pixels"}, 1, 80, true},
     {"pictures", "pictures", {"pictures"}, 1, 18, true},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"choices", "choices", {"choices"}, 1, 120, true},

@@ -51,9 +51,9 @@ pyplot.rcParams.update({
 })
 
 
-def figure(width, height, panels=1, **options):
-    """A figure of so many pixels at ordinary size, and so many panels side by side."""
-    fig, axes = pyplot.subplots(1, panels, figsize=(width / 72, height / 72),
+def figure(width, height, panels=1, rows=1, **options):
+    """A figure of so many pixels at ordinary size, and so many panels side by side, in rows."""
+    fig, axes = pyplot.subplots(rows, panels, figsize=(width / 72, height / 72),
                                 layout="constrained", **options)
     fig.get_layout_engine().set(w_pad=0.12, h_pad=0.1)
     return fig, axes

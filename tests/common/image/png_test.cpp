@@ -132,6 +132,26 @@ TEST_CASE("a picture's settings are in its text chunks, in UTF-8") {
     }
 }
 
+TEST_CASE("a picture says how its colors are encoded if that is given, and keeps its bytes") {
+    const Scratch scratch;
+    const std::string file = scratch.file("a.png");
+    const Image image = noise({5, 4});
+    const std::string full_light("gAMA\x00\x01\x86\xa0", 8);  // 100000, for an exponent of 1
+    const auto has = [&](const std::string& text) {
+        return content(file).find(text) != std::string::npos;
+    };
+    write_png(file, image, {});
+    CHECK_FALSE(has("gAMA"));
+    CHECK_FALSE(has("sRGB"));
+    write_png(file, image, {}, Gamma::linear);
+    CHECK(has(full_light));
+    CHECK_FALSE(has("sRGB"));
+    write_png(file, image, {}, Gamma::srgb);
+    CHECK(has("sRGB"));
+    CHECK_FALSE(has(full_light));
+    CHECK(read_png(file).pixels == image.pixels);
+}
+
 TEST_CASE("a picture makes its folders, and takes an older one's place") {
     const Scratch scratch;
     const std::string file = scratch.file("new/deep/a.png");

@@ -1,6 +1,8 @@
 // The points that soft shadows are sampled with: common/render/sampling.hpp.
 #include "common/render/sampling.hpp"
 
+#include "common/system/hash.hpp"
+
 #include "tests/kit/for_all.hpp"
 
 #include <algorithm>
@@ -125,6 +127,44 @@ TEST_CASE("samples: neighbors, lights and bounces have points of their own") {
     CHECK(chi_squared(below) < chi_squared_bound);
     CHECK(chi_squared(other_light) < chi_squared_bound);
     CHECK(chi_squared(other_bounce) < chi_squared_bound);
+}
+
+TEST_CASE("samples: shuffled, the first 2^k are a whole block of 2^k") {
+    CHECK(for_all([](Random& random) {
+        const auto k = unsigned(random.below(10));
+        const std::uint32_t seed = draw_seed(random);
+        std::vector<bool> seen(std::size_t(1) << k);
+        const std::uint32_t block = shuffled(0, seed) >> k;
+        bool together = true;
+        for (std::uint32_t i = 0; i < seen.size(); ++i) {
+            const std::uint32_t index = shuffled(i, seed);
+            together = together && index >> k == block;
+            seen[index % seen.size()] = true;
+        }
+        const bool all = std::find(seen.begin(), seen.end(), false) == seen.end();
+        return verdict(together && all, "2^" + std::to_string(k) + " indices, shuffled with " +
+                                            std::to_string(seed) + ", are not a block");
+    }));
+}
+
+TEST_CASE("samples: shuffled, two sequences are not left and right together") {
+    // Points 0 and 2 of a sequence lie on the same side. Of two sequences that are not shuffled,
+    // either both points are on the same side, or neither: a pixel's rays on the left would see the
+    // left of a light.
+    std::vector<int> counts(4);
+    for (int row = 0; row < 240; ++row)
+        for (int column = 0; column < 320; ++column) {
+            const std::uint32_t pixel = sample_seed({row, column}, 0, 0);
+            const std::uint32_t light = sample_seed({row, column}, 1, 0);
+            const auto agree = [&](std::uint32_t index) {
+                const std::uint32_t other = shuffled(index, mixed_bits(light));
+                return (spread_sample(index, pixel).x < Real(0.5)) ==
+                       (spread_sample(other, light).x < Real(0.5));
+            };
+            ++counts[2 * std::size_t(agree(0)) + std::size_t(agree(2))];
+        }
+    // In 4 boxes, χ² has mean 3 and standard deviation √6: six of them above.
+    CHECK(chi_squared(counts) < 3 + 6 * 2.45);
 }
 
 TEST_CASE("samples: no two pixels of a large picture have the same seed, nearly") {
