@@ -12,18 +12,23 @@ Refinement::Refinement(Resolution size, double difference)
       pending_(std::size_t(size.height)) {}
 
 void Refinement::compare(const Image& image, int row) {
-    const auto compare_two = [&](Pixel a, Pixel b) {
-        int most = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            most = std::max(most, std::abs(int(image[a][i]) - int(image[b][i])));
-        if (most <= difference_) return;
-        mark(a);
-        mark(b);
+    const int last_column = size_.width - 1;
+    const Rgb* const here = &image[{row, 0}];
+    const Rgb* const below = row + 1 < size_.height ? &image[{row + 1, 0}] : here;
+    const int least = int(difference_) + 1;  // the least whole number above it
+    const auto differ = [least](const Rgb& a, const Rgb& b) {
+        return std::abs(a[0] - b[0]) >= least || std::abs(a[1] - b[1]) >= least ||
+               std::abs(a[2] - b[2]) >= least;
     };
-    for (int column = 0; column < size_.width; ++column) {
-        const Pixel here{.row = row, .column = column};
-        if (column + 1 < size_.width) compare_two(here, {row, column + 1});
-        if (row + 1 < size_.height) compare_two(here, {row + 1, column});
+    for (int column = 0; column <= last_column; ++column) {
+        const int next = std::min(column + 1, last_column);
+        const bool right = differ(here[column], here[next]);
+        const bool down = differ(here[column], below[column]);
+        if (!right && !down) [[likely]]
+            continue;
+        mark({row, column});
+        if (right) mark({row, next});
+        if (down) mark({std::min(row + 1, size_.height - 1), column});
     }
 }
 
