@@ -46,8 +46,10 @@ std::vector<std::string> faults(const std::vector<PageLine>& page) {
             if (std::regex_search(text, tag)) found("a tag in a formula");
             continue;
         }
-        if (std::count(text.begin(), text.end(), '$') % 2 != 0)
+        if (std::count(text.begin(), text.end(), '$') % 2 != 0) {
             found("a formula across a line's end");
+            continue;
+        }
         // With each formula as $x$, what follows a dollar is outside of formulas.
         std::string formulas;
         for (std::sregex_iterator it(text.begin(), text.end(), formula), end; it != end; ++it)
