@@ -1,7 +1,7 @@
 // Stage 11, to be written. docs/step11_soft_shadows.md explains it, the header is its contract.
-// Begin with sample_light: CR's cube, put at the light's center, then a disc, then the visible ball.
-// Until visibility is written, all of a light arrives and there are no shadows; visibility_error
-// matters only with --tolerance.
+// Begin with sample_light: CR's cube, put at the light's center, then a disc, then the visible
+// ball. Until visibility is written, all of a light arrives and there are no shadows;
+// visibility_error matters only with --tolerance.
 // `./course check 11` reports errors, `./course hint 11` prints the next hint.
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
