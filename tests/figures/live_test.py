@@ -24,7 +24,7 @@ shared = {"drawing", "engine", "mine"}
 figures = sys.argv[3:] or sorted(file.stem for file in live.glob("*.js") if file.stem not in shared)
 browser = next(filter(None, map(shutil.which, ["chromium", "chromium-browser", "google-chrome"])), None)
 engines = {precision: build / f"engine_{precision}" for precision in ["double", "float"]}
-for needed in [browser, build / "figures/engine_float.wasm", build / "call_once", *engines.values()]:
+for needed in [browser, build / "engine/engine_float.wasm", build / "call_once", *engines.values()]:
     if needed is None or not pathlib.Path(needed).exists():
         print(f"skipped: {needed or 'chromium'} is missing")
         sys.exit(77)
@@ -45,7 +45,7 @@ class Site(http.server.BaseHTTPRequestHandler):
     def do_GET(self):
         folder, name = os.path.split(self.path)
         types = {".js": "text/javascript", ".wasm": "application/wasm"}
-        file = (build / "figures" if name.endswith(".wasm") else live) / name
+        file = (build / "engine" if name.endswith(".wasm") else live) / name
         status, kind, body = 404, "text/plain", b"not found"
         if folder == "/page":
             status, kind, body = 200, "text/html", page.format(name).encode()

@@ -52,7 +52,7 @@ void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
 /// Builds what the live figures call. Without it the site has the drawn figures.
 void build_engine() {
     const bool is_built = try_build({"book_engine"}).succeeded;
-    if (!is_built || !fs::exists(build_folder / "figures/engine_double.wasm"))
+    if (!is_built || !fs::exists(build_folder / "engine/engine_double.wasm"))
         std::cerr << "The figures do not run: they need clang, lld, wasi-libc and what "
                      "docs/reference/figures.md names.\n";
 }
@@ -61,7 +61,7 @@ void run_mkdocs(const fs::path& project, const fs::path& site, const std::string
     const fs::path pages = project / "common/course/book/mkdocs.yml";
     const ProcessResult ending =
         run_captured({"env", "PYTHONDONTWRITEBYTECODE=1", "RAYSTEPS_SOURCE=" + source,
-                      "RAYSTEPS_ENGINE=" + (build_folder / "figures").string(), "mkdocs", "build",
+                      "RAYSTEPS_ENGINE=" + (build_folder / "engine").string(), "mkdocs", "build",
                       "--quiet", "--config-file", pages.string(), "--site-dir", site.string()},
                      time_limit);
     const bool has_parts = ending.output.find("Unrecognised theme name") == std::string::npos &&
