@@ -18,7 +18,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
         closest = &each;
         interval.max = *t;
     }
-    if (closest == nullptr) return Color(0);
+    if (closest == nullptr) return background(scene, ray);
     const Vec3 point = at(ray, interval.max);
     const Vec3 outward = normal(closest->shape, point);
     if (context.settings.shading == Shading::normal) return color_from_normal(outward);

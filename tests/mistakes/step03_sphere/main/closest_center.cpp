@@ -21,7 +21,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
         smallest = away;
         t_of_closest = *t;
     }
-    if (closest == nullptr) return Color(0);
+    if (closest == nullptr) return background(scene, ray);
     const Vec3 point = at(ray, t_of_closest);
     const Vec3 outward = normal(closest->shape, point);
     if (context.settings.shading == Shading::normal) return color_from_normal(outward);
