@@ -345,8 +345,7 @@ int main(int argc, char** argv) {
         std::cerr << error.what() << '\n';
     } catch (const rt::ProgramError& error) {
         std::cerr << error.what();
-        // from the system: a folder of another user, for example
-    } catch (const std::exception& error) {
+    } catch (const std::exception& error) {  // from the system: a folder of another user
         std::cerr << "error: " << error.what() << '\n';
     }
     return 2;

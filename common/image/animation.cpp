@@ -79,8 +79,8 @@ void Animation::write(const std::string& file, int milliseconds, const std::vect
     if (gamma == Gamma::srgb) whole.write(chunk("sRGB", bytes(1, 1)));  // relative colorimetric
     whole.write(chunk("acTL", bytes(std::uint32_t(frames_.size())) + bytes(0)));  // without end
     for (const PngText& text : texts) {
-        const std::string zeros(5,
-                                '\0');  // the key's end; not compressed; no language, no other key
+        // The key's end; not compressed; no language, no other key.
+        const std::string zeros(5, '\0');
         whole.write(chunk("iTXt", text.key + zeros + text.value));
     }
     std::uint32_t number = 0;  // of the chunks fcTL and fdAT, together
