@@ -67,7 +67,7 @@ is() {
     [ "$got" = "$expected" ] || fail "$what: $expected, not $got"
 }
 
-drawing="stage=5&page=1&moved=0&shrink=4&precision=0&shade=0&term=0"
+drawing="stage=5&page=1&order=1&moved=0&shrink=4&precision=0&shade=0&term=0"
 is "the page" 200 "$address"
 is "the page by the name localhost" 200 "http://localhost:$port/${address#"$origin/"}"
 is "no token" 403 "$origin/"
@@ -115,7 +115,7 @@ answers "slow ones"
 wait $slow
 [ "$(grep -l 408 slow? | wc -l)" = 8 ] || fail "slow ones are sent away"
 
-# A newer picture ends the older one, and its program.
+# A newer picture ends the older one, and its program, also if the older's request arrives last.
 endless='echo $$ > endless; sleep 301 & wait'
 began() {
     tries=0
@@ -123,10 +123,12 @@ began() {
     [ -s endless ]
 }
 script "$endless"
-curl -s -m 20 -o older_picture -w '%{http_code}' "${address}picture?$drawing&whose=0" > older &
+curl -s -m 20 -o older_picture -w '%{http_code}' "${address}picture?$drawing&whose=0&order=2" > older &
 older=$!
 began || fail "a program without end is run"
-is "a program that is not there" 500 "${address}picture?$drawing&whose=0&stage=6"
+is "a request that was overtaken" 409 "${address}picture?$drawing&whose=0"
+kill -0 "$(cat endless)" 2> /dev/null || fail "a request that was overtaken ends no program"
+is "a program that is not there" 500 "${address}picture?$drawing&whose=0&order=3&stage=6"
 wait $older
 [ "$(cat older)" = 409 ] || fail "a newer picture ends the older"
 kill -0 "$(cat endless)" 2> /dev/null && fail "a newer picture ends the older's program"

@@ -14,6 +14,7 @@ let moved = false;                          // different from the scene's camera
 let programs = "";                          // the programs of the pictures
 let broken = "";                            // the compiler's error
 let order = 0;                              // of renderings; only the last one is shown
+let asked = 0;                              // the number of explanations that were requested
 let drafting = false, draftAgain = false;   // while a slider is dragged
 let pixel = null;
 let images = {};                            // mine and reference: ImageData
@@ -37,7 +38,7 @@ function decode(text) {
 }
 
 async function fetchPicture(whose, shrink, mine) {
-  const query = parameters({shrink, whose: both.indexOf(whose)});
+  const query = parameters({order: mine, shrink, whose: both.indexOf(whose)});
   const answer = await fetch("picture?" + query).catch(() => null);
   if (mine !== order || !answer || answer.status === 409) return;
   if (!answer.ok) return showError(whose, await answer.text());
@@ -178,9 +179,9 @@ function choose(row, column) {
 }
 
 async function tell() {
-  const asked = pixel;
-  const answer = await fetch("story?" + parameters(pixel)).catch(() => null);
-  if (asked !== pixel || !answer || answer.status === 409) return;
+  const mine = ++asked;
+  const answer = await fetch("story?" + parameters({order: mine, ...pixel})).catch(() => null);
+  if (mine !== asked || !answer || answer.status === 409) return;
   if (!answer.ok) { $("told").textContent = await answer.text(); return; }
   const {rows, first, unwritten} = await answer.json();
   $("story").hidden = false;
@@ -250,6 +251,7 @@ async function follow(chosen) {
   stage = chosen;
   [programs, broken, pixel, images, size.scene] = ["", "", null, {}, ""];
   ++order;
+  ++asked;
   let seen = "";
   document.title = $("title").textContent = `${stage} · ${$("stages").children[stage - 1].title}`;
   for (const whose of both) $(whose).classList.add("old");

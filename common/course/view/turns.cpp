@@ -2,8 +2,8 @@
 
 namespace rt {
 
-bool RenderQueue::take(int page, const Work& work) {
-    Turn& turn = enter(page);
+bool RenderQueue::take(int page, int number, const Work& work) {
+    Turn& turn = enter(page, number);
     try {
         if (!turn.cancelled) work(turn.cancelled);
     } catch (...) {
@@ -13,14 +13,21 @@ bool RenderQueue::take(int page, const Work& work) {
     return leave(turn);
 }
 
-RenderQueue::Turn& RenderQueue::enter(int page) {
+RenderQueue::Turn& RenderQueue::enter(int page, int number) {
     std::unique_lock lock(mutex_);
-    for (Turn& turn : turns_)
-        if (turn.page == page) turn.cancelled = true;
+    bool is_latest = true;
+    for (Turn& turn : turns_) {
+        if (turn.page != page) continue;
+        if (turn.number > number)
+            is_latest = false;
+        else
+            turn.cancelled = true;
+    }
     changed_.notify_all();
     Turn& turn = turns_.emplace_back();
     turn.page = page;
-    turn.cancelled = over_;
+    turn.number = number;
+    turn.cancelled = over_ || !is_latest;
     changed_.wait(lock, [&] { return turn.cancelled || &turn == &turns_.front(); });
     return turn;
 }

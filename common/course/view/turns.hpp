@@ -13,9 +13,10 @@ class RenderQueue {
 public:
     using Work = std::function<void(const std::atomic<bool>& cancelled)>;
 
-    /// Cancels the page's previous request, waits for its turn, and runs the work. Returns false if
-    /// the page sent another request meanwhile, or everything was cancelled.
-    bool take(int page, const Work& work);
+    /// Cancels the page's earlier requests, waits for its turn, and runs the work. Returns false if
+    /// the page sent a later request meanwhile, or everything was cancelled. A page numbers its
+    /// requests in order, since they may arrive in another one.
+    bool take(int page, int number, const Work& work);
 
     /// Cancels all present and future requests.
     void cancel_all();
@@ -23,10 +24,11 @@ public:
 private:
     struct Turn {
         int page = 0;
+        int number = 0;
         std::atomic<bool> cancelled = false;
     };
 
-    Turn& enter(int page);
+    Turn& enter(int page, int number);
     /// Returns false if it was cancelled.
     bool leave(const Turn& turn);
 

@@ -17,8 +17,8 @@ namespace rt {
 
 namespace {
 
-constexpr int most_pages = 1'000'000'000;  // a page calls itself by a number of its own
-constexpr double farthest = 10'000;        // the largest coordinate of a camera
+constexpr int most = 1'000'000'000;  // pages, which call themselves by a number, and their requests
+constexpr double farthest = 10'000;  // the largest coordinate of a camera
 constexpr int most_shrunk = 16;
 constexpr std::size_t longest_report = 4096;
 
@@ -37,7 +37,12 @@ int parse_stage(const Request& request) {
 }
 
 int parse_page(const Request& request) {
-    return whole_number(request, "page", 0, most_pages);
+    return whole_number(request, "page", 0, most);
+}
+
+/// The number of a page's request, in the order in which the page sent them.
+int parse_number(const Request& request) {
+    return whole_number(request, "order", 1, most);
 }
 
 RenderRequest parse_request(const Request& request) {
@@ -152,7 +157,7 @@ private:
         const int whose = whole_number(request, "whose", 0, 1);
         Picture made;
         const bool finished = pictures_[static_cast<std::size_t>(whose)].take(
-            parse_page(request), [&](const std::atomic<bool>& cancelled) {
+            parse_page(request), parse_number(request), [&](const std::atomic<bool>& cancelled) {
                 made = runner_.draw(picture_request, Whose(whose), cancelled);
             });
         if (!finished) throw Refusal{409, "another picture was requested"};
@@ -166,8 +171,8 @@ private:
         const int row = whole_number(request, "row", 0, largest_side);
         const int column = whole_number(request, "column", 0, largest_side);
         std::vector<std::string> told;
-        const bool finished =
-            stories_.take(parse_page(request), [&](const std::atomic<bool>& cancelled) {
+        const bool finished = stories_.take(
+            parse_page(request), parse_number(request), [&](const std::atomic<bool>& cancelled) {
                 told = runner_.stories(picture_request, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was requested"};
