@@ -211,6 +211,25 @@ course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
 
+# Double's results are printed before anything is compiled in float. A case that fails in float only.
+sed '$s/^/static_assert(sizeof(Real) == 8);\n/' $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "cases pass, in double"
+says "$mine:"
+says "error: static assertion failed"
+says_not "in float"
+in_intersect='s/^std::optional<Real> intersect(.*/&\n    if (sizeof(Real) == 4 \&\& ray.origin.z == 5)'
+sed "$in_intersect return std::nullopt;/" $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "  ✓ 1 intersect: "
+says "  ✗ the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)  (in float only)"
+says "      got:      no hit"
+says "Write next: intersect."
+sed "$in_intersect __builtin_trap();/" $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "your code crashed: "
+[ "$(grep -c '✗' out)" = 1 ] || fail "cases that were not run are not listed"
+
 # The output cannot be written; a foreign file has the picture's name.
 ./course > /dev/full 2> out
 [ $? = 2 ] || fail "a full disk is told by the status"
@@ -282,7 +301,7 @@ cp $stage/reference/sphere.cpp $mine
 ./course watch 3 > watched 2>&1 &
 watcher=$!
 tries=0
-until grep -q "cases pass" watched || [ $tries = 300 ]; do
+until grep -q "cases pass, in float and double" watched || [ $tries = 300 ]; do
     sleep 0.1
     tries=$((tries + 1))
 done

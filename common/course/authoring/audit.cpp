@@ -3,10 +3,13 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
+#include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/suite.hpp"
 
+#include "common/image/png.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/process.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -67,6 +70,25 @@ std::set<std::string> figures_of(const std::string& page) {
 /// Whether the stage has a trace to write.
 bool has_trace(int stage) {
     return is_file(step_path(stage, "starter/main.cpp"));
+}
+
+/// The reference draws the small picture, with which `check` compares the student's.
+void look_at_small_picture(int stage, Findings& findings) {
+    const std::string name(stage_name(stage));
+    const std::string file = "docs/pictures/small/" + name + ".png";
+    findings.require(is_file(file), file + " does not exist");
+    if (!is_file(file)) return;
+    const TemporaryFolder folder(build_folder);
+    const std::string drawn = (folder.path() / "drawn.png").string();
+    const ProcessResult ending =
+        run_captured({(build_folder / name).string(), "--quiet", "--size", "128x96", "-o", drawn},
+                     std::chrono::seconds(20));
+    findings.require(ending.status == 0, "the reference draws no picture: " + ending.output);
+    if (ending.status != 0) return;
+    const Comparison comparison =
+        compare(read_png(drawn), read_png((project_folder / file).string()));
+    findings.require(!comparison.center, file + " is not the reference's picture: ./course run " +
+                                             std::to_string(stage) + " --size 128x96 -o " + file);
 }
 
 void look_at_page(int stage, Findings& findings) {
@@ -176,7 +198,7 @@ int audit() {
         if (stage == mesh_stage && !has_meshes) continue;
         stages.push_back(stage);
         for (const char* suffix :
-             {"_test_float", "_test_double", "_starter_test_float", "_starter_test_double"})
+             {"", "_test_float", "_test_double", "_starter_test_float", "_starter_test_double"})
             targets.push_back(stage_target(stage, suffix));
         if (!has_trace(stage)) continue;
         for (const char* suffix : {"_trace_test_float", "_trace_test_double",
@@ -192,6 +214,7 @@ int audit() {
             findings.require(is_file(file), file + " does not exist");
         look_at_suite(stage, findings);
         if (has_trace(stage)) look_at_trace(stage, findings);
+        look_at_small_picture(stage, findings);
         look_at_page(stage, findings);
         look_at_hints(stage, findings);
         look_at_mistakes(stage, findings);

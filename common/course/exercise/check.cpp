@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
-#include <future>
 #include <thread>
 
 namespace rt {
@@ -33,13 +32,55 @@ namespace {
 constexpr std::chrono::seconds picture_limit{20};
 constexpr const char* not_written = " is not written yet";  // from common/stages/todo.cpp
 
-/// The results of both suites.
+/// The result of a suite in one precision.
+struct Judged {
+    SuiteResult suite;
+    bool functions_are_wrong = false;  ///< though written; without `trace`
+
+    [[nodiscard]] int passed() const {
+        return int(std::count_if(suite.cases.begin(), suite.cases.end(),
+                                 [](const CaseResult& result) { return result.passed; }));
+    }
+    [[nodiscard]] bool right() const {
+        return suite.ended.empty() && !suite.cases.empty() && passed() == int(suite.cases.size());
+    }
+    [[nodiscard]] bool written() const {
+        return suite.output.find(not_written) == std::string::npos;
+    }
+};
+
+/// Builds the suites in a precision, "double" or "float", with other targets. Prints the first
+/// error, if there is one.
+bool is_built(const Workbook& workbook, const std::string& word, std::vector<std::string> targets) {
+    const std::string name(stage_name(workbook.stage()));
+    targets.push_back(name + "_test_" + word);
+    if (workbook.has_trace()) targets.push_back(name + "_trace_test_" + word);
+    const Build built = try_build(targets);
+    if (!built.succeeded) std::fputs(first_error(built.output).c_str(), stdout);
+    return built.succeeded;
+}
+
+/// Runs the suite, and then the suite of `trace`, which is linked to the references' functions, so
+/// that no mistake in a function is one of `trace`.
+Judged judge(const Workbook& workbook, const std::string& word) {
+    const StatusLine status("testing in " + word + " …");
+    const std::string name(stage_name(workbook.stage()));
+    Judged judged{.suite = run_suite(name + "_test_" + word)};
+    judged.functions_are_wrong = !judged.right() && judged.written();
+    if (workbook.has_trace() && judged.suite.ended.empty())
+        judged.suite.add(run_suite(name + "_trace_test_" + word));
+    return judged;
+}
+
+/// The results in both precisions.
 struct Judgement {
-    SuiteResult in_double;
-    SuiteResult in_float;
+    Judged in_double;
+    Judged in_float;
     std::vector<Outcome> outcomes;  ///< in the order of the suite
 
-    [[nodiscard]] bool ended() const { return in_double.ended.empty() && in_float.ended.empty(); }
+    [[nodiscard]] bool ended() const {
+        return in_double.suite.ended.empty() && in_float.suite.ended.empty();
+    }
     [[nodiscard]] int passed() const {
         return int(std::count_if(outcomes.begin(), outcomes.end(),
                                  [](const Outcome& outcome) { return outcome.passed(); }));
@@ -47,38 +88,19 @@ struct Judgement {
     [[nodiscard]] bool right() const {
         return ended() && !outcomes.empty() && passed() == int(outcomes.size());
     }
-    [[nodiscard]] bool written() const {
-        return in_double.output.find(not_written) == std::string::npos;
-    }
 };
 
-/// Runs both suites at the same time. A case that was not reached because of a crash has not
-/// passed.
-Judgement judge(const std::string& name) {
-    const StatusLine status("testing …");
-    std::future<SuiteResult> beside =
-        std::async(std::launch::async, [&name] { return run_suite(name + "_test_float"); });
-    Judgement judgement{.in_double = run_suite(name + "_test_double")};
-    judgement.in_float = beside.get();
-    const auto& doubles = judgement.in_double.cases;
-    const auto& floats = judgement.in_float.cases;
+/// A case that was not reached because of a crash has not passed.
+Judgement judgement_of(Judged in_double, Judged in_float) {
+    const auto& doubles = in_double.suite.cases;
+    const auto& floats = in_float.suite.cases;
+    std::vector<Outcome> outcomes;
     for (std::size_t i = 0; i < std::max(doubles.size(), floats.size()); ++i) {
         const std::string& asked = i < doubles.size() ? doubles[i].name : floats[i].name;
-        judgement.outcomes.push_back({i < doubles.size() ? doubles[i] : CaseResult{.name = asked},
-                                      i < floats.size() ? floats[i] : CaseResult{.name = asked}});
+        outcomes.push_back({i < doubles.size() ? doubles[i] : CaseResult{.name = asked},
+                            i < floats.size() ? floats[i] : CaseResult{.name = asked}});
     }
-    return judgement;
-}
-
-/// Adds the cases of `trace`. They are judged with the references' functions, so that no mistake in
-/// a function is one of trace.
-void judge_trace(const std::string& name, Judgement& judgement) {
-    if (!judgement.ended()) return;
-    const Judgement of_trace = judge(name + "_trace");
-    judgement.in_double.add(of_trace.in_double);
-    judgement.in_float.add(of_trace.in_float);
-    judgement.outcomes.insert(judgement.outcomes.end(), of_trace.outcomes.begin(),
-                              of_trace.outcomes.end());
+    return {std::move(in_double), std::move(in_float), std::move(outcomes)};
 }
 
 std::string now() {
@@ -109,17 +131,9 @@ void show_output(const SuiteResult& suite) {
     }
 }
 
-/// Explains the first failure, if there is one.
-void explain_failure(const Judgement& judgement) {
-    const auto& outcomes = judgement.outcomes;
-    const auto first = std::find_if(outcomes.begin(), outcomes.end(),
-                                    [](const Outcome& outcome) { return !outcome.passed(); });
-    if (first == outcomes.end()) return;
-    const bool float_only = first->in_double.passed;
-    const CaseResult& failed = float_only ? first->in_float : first->in_double;
-    const SuiteResult& suite = float_only ? judgement.in_float : judgement.in_double;
-    std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(),
-                float_only ? "  (in float only)" : "");
+/// Explains a case of the suite that failed.
+void explain_failure(const CaseResult& failed, const SuiteResult& suite, const char* remark) {
+    std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(), remark);
     if (!suite.ended.empty() && failed.name == suite.cases.back().name) {
         // A failure that came before is of another question.
         std::printf("    your code %s.\n    The cases after this one were not run.\n",
@@ -131,18 +145,36 @@ void explain_failure(const Judgement& judgement) {
     if (!failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
 }
 
-ProcessResult drawn(const std::string& program, const std::filesystem::path& file) {
+std::string count(int passed, std::size_t cases, const std::string& words) {
+    return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass, in " + words;
+}
+
+/// Prints a line that is complete before the next build begins.
+void show_count(const Judged& judged, const std::string& word) {
+    std::printf("%s\n", styled(count(judged.passed(), judged.suite.cases.size(), word),
+                               judged.right() ? Style::dim : Style::bad)
+                            .c_str());
+}
+
+ProcessResult drawn(const std::string& program, const std::filesystem::path& file,
+                    Resolution size) {
     const StatusLine status("drawing your picture …");
-    return run_captured({(build_folder / program).string(), "--quiet", "-o", file.string()},
+    return run_captured({(build_folder / program).string(), "--quiet", "-o", file.string(),
+                         "--size", std::to_string(size.width) + "x" + std::to_string(size.height)},
                         picture_limit);
 }
 
-/// Writes the student's picture beside the reference's to a file, and prints its path.
+/// Writes the student's picture beside the reference's to a file, and prints its path. They are
+/// small, to be drawn in a moment; `./course compare` draws the whole ones.
 void show_picture(int stage) {
+    constexpr int apart = 5;  // a pixel is the middle one of 5 x 5 in the whole picture
+    constexpr int magnification = 3;
     const std::string name(stage_name(stage));
+    const Image reference =
+        read_png((project_folder / "docs/pictures/small" / (name + ".png")).string());
     const TemporaryFolder folder(build_folder);
     const std::filesystem::path mine = folder.path() / "mine.png";
-    const ProcessResult ending = drawn(name + "_checked", mine);
+    const ProcessResult ending = drawn(name + "_checked", mine, reference.resolution);
     if (ending.out_of_time || ending.status != 0) {
         std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
                                                       : ending.crash.empty()
@@ -150,13 +182,15 @@ void show_picture(int stage) {
                                                           : ("crashed: " + ending.crash).c_str());
         return;
     }
-    const Comparison comparison =
-        compare(read_png(mine.string()),
-                read_png((project_folder / "docs/pictures" / (name + ".png")).string()));
+    Comparison comparison = compare(read_png(mine.string()), reference);
+    if (comparison.center)
+        comparison.center = {.row = comparison.center->row * apart + apart / 2,
+                             .column = comparison.center->column * apart + apart / 2};
     const std::string file = "renders/" + name + "_compare.png";
-    write_png((project_folder / file).string(), comparison.side_by_side, {});
-    std::printf("\nYour picture, the reference's and the difference: %s\n  %s\n", file.c_str(),
-                summary(comparison).c_str());
+    write_png((project_folder / file).string(), magnified(comparison.side_by_side, magnification),
+              {});
+    std::printf("\nYour picture, the reference's and the difference, small: %s\n  %s\n",
+                file.c_str(), summary(comparison).c_str());
 }
 
 /// The cases that the starter passes: they say nothing about a file in which something is missing.
@@ -165,6 +199,38 @@ std::set<std::string> passed_by_starter(int stage) {
     if (!std::filesystem::exists(file)) return {};
     const std::vector<std::string> lines = lines_of(read_text(file));
     return {lines.begin(), lines.end()};
+}
+
+/// Prints the result in double, before anything is built in float.
+void show_double(const Judged& judged, int stage) {
+    const SuiteResult& suite = judged.suite;
+    show_output(suite);
+    const std::vector<Outcome> outcomes = judgement_of(judged, judged).outcomes;
+    show_cases(outcomes, judged.written() ? std::set<std::string>() : passed_by_starter(stage));
+    show_count(judged, "double");
+    const auto failed = std::find_if(suite.cases.begin(), suite.cases.end(),
+                                     [](const CaseResult& result) { return !result.passed; });
+    if (failed != suite.cases.end()) explain_failure(*failed, suite, "");
+    std::fflush(stdout);
+}
+
+/// Prints the cases that fail in float only, of the first part that has some, and explains the
+/// first if none fails in double.
+void show_float(const Judgement& judgement) {
+    constexpr const char* remark = "  (in float only)";
+    const SuiteResult& suite = judgement.in_float.suite;
+    show_count(judgement.in_float, "float");
+    const CaseResult* first = nullptr;
+    for (std::size_t i = 0; i < suite.cases.size(); ++i) {
+        const CaseResult& each = suite.cases[i];
+        if (each.passed || !judgement.outcomes[i].in_double.passed) continue;
+        if (!first) first = &each;
+        if (each.part == first->part)
+            std::printf("%s%s\n", styled("  ✗ " + each.name, Style::bad).c_str(), remark);
+    }
+    if (first && (judgement.in_double.right() || !suite.ended.empty()))
+        explain_failure(*first, suite, remark);
+    std::fflush(stdout);
 }
 
 /// Warns of includes that work here, and are refused when the file is graded.
@@ -220,12 +286,12 @@ void remember(const Judgement& judgement, const std::string& files, Workbook& wo
     workbook.remember(record);
 }
 
-void show_count(const Judgement& judgement, int stage) {
-    const std::string count = std::to_string(judgement.passed()) + " of " +
-                              std::to_string(judgement.outcomes.size()) +
-                              " cases pass, in float and double";
+void show_end(const Judgement& judgement, int stage) {
+    const std::string passed =
+        count(judgement.passed(), judgement.outcomes.size(),
+              judgement.in_double.suite.ended.empty() ? "float and double" : "double");
     std::printf("\n%s: %s\n", styled(std::string(stage_name(stage)), Style::bold).c_str(),
-                styled(count, judgement.right() ? Style::good : Style::bad).c_str());
+                styled(passed, judgement.right() ? Style::good : Style::bad).c_str());
     const std::string part = first_wrong_part(judgement.outcomes);
     if (!judgement.right())
         std::printf("%sStuck? ./course hint %d\n",
@@ -242,33 +308,28 @@ int check(int stage) {
     if (workbook.files().empty())
         throw InputError({}, name + " is not started: ./course start " + std::to_string(stage));
     choose_reference("");
-    std::vector<std::string> targets = {name + "_test_double", name + "_test_float",
-                                        name + "_checked"};
-    if (workbook.has_trace())
-        targets.insert(targets.end(), {name + "_trace_test_double", name + "_trace_test_float"});
-    const Build built = try_build(targets);
-    if (!built.succeeded) {
-        std::fputs(first_error(built.output).c_str(), stdout);
-        return 1;
-    }
     const std::string files = workbook.fingerprint();
-    Judgement judgement = judge(name);
-    const bool functions_are_wrong = !judgement.right() && judgement.written();
-    if (workbook.has_trace()) judge_trace(name, judgement);
-    remember(judgement, files, workbook);
+    if (!is_built(workbook, "double", {})) return 1;
+    Judged in_double = judge(workbook, "double");
+    show_double(in_double, stage);
 
-    show_output(judgement.in_double);
-    show_cases(judgement.outcomes,
-               judgement.written() ? std::set<std::string>() : passed_by_starter(stage));
+    Judged in_float = in_double;
+    if (in_double.suite.ended.empty()) {  // else float would crash too, or take as long
+        if (!is_built(workbook, "float", {name + "_checked"})) return 1;
+        in_float = judge(workbook, "float");
+    }
+    const Judgement judgement = judgement_of(std::move(in_double), std::move(in_float));
+    remember(judgement, files, workbook);
+    if (judgement.in_double.suite.ended.empty()) show_float(judgement);
     show_warning(stage);
     show_shared_symbols(stage);
     show_refused_includes(workbook);
     show_ungraded_files(workbook);
-    explain_failure(judgement);
     if (judgement.ended()) show_picture(stage);
-    if (functions_are_wrong) show_diagnosis(stage, report_of(name + "_test_double"));
+    if (judgement.in_double.functions_are_wrong || judgement.in_float.functions_are_wrong)
+        show_diagnosis(stage, report_of(name + "_test_double"));
     show_references_used(stage);
-    show_count(judgement, stage);
+    show_end(judgement, stage);
     return judgement.right() ? 0 : 1;
 }
 

@@ -111,6 +111,14 @@ Comparison compare(const Image& mine, const Image& reference, int tolerated) {
     return comparison;
 }
 
+Image magnified(const Image& image, int times) {
+    Image large({image.resolution.width * times, image.resolution.height * times});
+    for (int row = 0; row < large.resolution.height; ++row)
+        for (int column = 0; column < large.resolution.width; ++column)
+            large[{row, column}] = image[{row / times, column / times}];
+    return large;
+}
+
 std::string summary(const Comparison& comparison) {
     if (!comparison.center) return "the same picture as the reference's";
     const auto [row, column] = *comparison.center;

@@ -24,6 +24,9 @@ inline constexpr int one_rounding = 1;
 [[nodiscard]] Comparison compare(const Image& mine, const Image& reference,
                                  int tolerated = one_rounding);
 
+/// Each pixel as a square of `times` by `times`.
+[[nodiscard]] Image magnified(const Image& image, int times);
+
 /// "1,234 of 307,200 pixels differ, by 255 at most; …", or a sentence that none differs.
 [[nodiscard]] std::string summary(const Comparison& comparison);
 
