@@ -50,4 +50,6 @@ std::string box_slabs();
 std::string mesh_frame();
 std::string mesh_hierarchy();
 
+std::string pixel_points();
+
 }  // namespace rt::figures

@@ -50,6 +50,7 @@ constexpr std::array all = {
     Figure{"box_slabs", box_slabs},
     Figure{"mesh_frame", mesh_frame},
     Figure{"mesh_hierarchy", mesh_hierarchy},
+    Figure{"pixel_points", pixel_points},
 };
 
 /// Throws InputError if a file cannot be written, or a scene cannot be read.
