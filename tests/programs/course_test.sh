@@ -262,6 +262,45 @@ course 2 compare 3
 says "your code does not end: it was stopped after 10 s"
 [ $(($(date +%s) - began)) -lt 60 ] || fail "compare stops it as soon as check does"
 
+# A figure of the book calls the student's file; other programs take the place of mkdocs and of the
+# engine's compiler. The question is stage 3's first function: a ray from the origin along -z, a
+# sphere of radius 1 around (0, 0, -5), and t from 0 on. The answer is 4.
+if command -v curl > /dev/null; then
+    mkdir fakes
+    printf '#!/bin/sh\nexit 1\n' > fakes/clang++-14
+    printf '#!/bin/sh\nfor site; do :; done\nmkdir -p "$site"\necho a page > "$site/index.html"\n' > fakes/mkdocs
+    chmod +x fakes/*
+    PATH=$PWD/fakes:$PATH build/course book > address 2> err &
+    server=$!
+    tries=0
+    until grep -qs http address || [ $((tries += 1)) -gt 600 ]; do sleep 0.05; done
+    own=$(sed 's,build/book/index.html.*,own_,;q' address)
+    none=0000000000000000 one=000000000000f03f
+    question=0300$none$none$none$none${none}000000000000f0bf$none${none}00000000000014c0$one${none}000000000000f07f
+    # answered STATUS TEXT: the figure gets it.
+    answered() {
+        [ "$(curl -s -m 100 -o out -w '%{http_code}' "${own}answer?stage=3&precision=0&question=$question")" = "$1" ] &&
+            says "$2" || fail "a figure gets $1, $2"
+    }
+    answered 422 "your code gave no answer within"
+    curl -s "${own}files" > before
+    sed -i 's/for (volatile bool on = true; on;) continue;/std::raise(SIGSEGV);/' $mine
+    ! curl -s "${own}files" | cmp -s before || fail "a figure learns that the file is saved"
+    answered 422 "your code crashed: "
+    cp $stage/reference/sphere.cpp $mine
+    answered 200 ""
+    [ "$(od -An -tx1 out | tr -d ' \n')" = 010000000000001040 ] || fail "a figure gets 4"
+    printf 'int broken(\n' >> $mine
+    answered 422 "$mine:"
+    rm -r $stage/student
+    answered 422 "./course start 3"
+    [ "$(curl -s -o out -w '%{http_code}' "${own}answer?stage=3&precision=0&question=05")" = 400 ] || fail "no question"
+    kill -INT $server
+    wait $server
+    rm -r fakes address before err
+    course 0 start 3
+fi
+
 # Typos.
 course 2 chek 3
 says "no command \"chek\""

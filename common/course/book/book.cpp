@@ -30,7 +30,8 @@ std::string type_of(const fs::path& file) {
         {".css", "text/css"},          {".html", "text/html; charset=utf-8"},
         {".js", "text/javascript"},    {".json", "application/json"},
         {".png", "image/png"},         {".svg", "image/svg+xml"},
-        {".wasm", "application/wasm"}, {".woff2", "font/woff2"},
+        {".wasm", "application/wasm"}, {".webp", "image/webp"},
+        {".woff2", "font/woff2"},
     };
     const auto found = types.find(file.extension().string());
     return found == types.end() ? "text/plain; charset=utf-8" : found->second;
@@ -97,6 +98,7 @@ int book(const BookSettings& settings) {
         site + "/index.html",
         [&](const Request& request) {
             if (request.path == "own_answer") return own_answer(request);
+            if (request.path == "own_files") return own_files();
             if (request.path == site + "/figures/mine.js") return own_answer_address();
             return file_of(settings.project, request.path);
         },

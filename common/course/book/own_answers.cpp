@@ -81,7 +81,16 @@ std::string bytes_of(const std::string& digits) {
 }  // namespace
 
 Response own_answer_address() {
-    return {.body = "export const mine = \"../../../own_answer\";\n", .type = "text/javascript"};
+    return {.body =
+                "export const mine = \"../../../own_answer\";\n"
+                "export const files = \"../../../own_files\";\n",
+            .type = "text/javascript"};
+}
+
+Response own_files() {
+    std::string all;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage) all += state_of_files(stage);
+    return {.body = all, .type = "text/plain; charset=utf-8"};
 }
 
 Response own_answer(const Request& request) {

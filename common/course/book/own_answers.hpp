@@ -5,8 +5,11 @@
 
 namespace rt {
 
-/// The script that tells the figures where own_answer is, as seen from itself.
+/// The script with the addresses of own_answer and own_files, as seen from itself.
 [[nodiscard]] Response own_answer_address();
+
+/// The names and the times of all the student's files: another text after one was saved.
+[[nodiscard]] Response own_files();
 
 /// The bytes of the answer to `question`, in hexadecimal digits, of the student's file of `stage`,
 /// in double (`precision` 0) or float. Builds the file if it has changed. Throws Refusal where

@@ -130,7 +130,7 @@ export class Figure extends HTMLElement {
     this.precision = this.choice("precision", ["double", "float"]);
     if (has_mine) this.whose = this.choice("answers", ["reference", "mine", "both"]);
     this.form.addEventListener("submit", (event) => event.preventDefault());
-    if (has_mine) addEventListener("focus", () => this.redraw());  // after a file was saved
+    if (has_mine) addEventListener("saved", () => this.redraw());
     await this.redraw();
   }
 

@@ -1,7 +1,7 @@
 // The stages' functions, as figures call them. Arguments and answers go as the bytes of
 // common/contract to an engine: the references as WebAssembly, or the student's file, in a worker
 // behind ./course book. The engine itself lists its functions and their types (describe.hpp).
-import { mine } from "./mine.js";
+import { files, mine } from "./mine.js";
 
 const numbers = { f32: [4, "Float32"], f64: [8, "Float64"], u8: [1, "Uint8"], i32: [4, "Int32"], u32: [4, "Uint32"], bool: [1, "Uint8"] };
 
@@ -52,7 +52,7 @@ class Engine {
     // What a program without files calls of its system, and does not get.
     const system = new Proxy({}, { get: (_, name) => (name === "proc_exit" ? ends : () => 52) });
     const bytes = await (await fetch(new URL(`engine_${precision}.wasm`, import.meta.url))).arrayBuffer();
-    const { instance } = await WebAssembly.instantiate(bytes, { wasi_snapshot_preview1: system, env: system });
+    const { instance } = await WebAssembly.instantiate(bytes, { page: { thrown: ends }, wasi_snapshot_preview1: system, env: system });
     instance.exports._initialize();
     return new Engine(precision, instance.exports);
   }
@@ -98,5 +98,16 @@ class Engine {
   }
 }
 
+/// Reports when a file of the student's is saved, by the event "saved".
+async function watch() {
+  const state = async () => (await fetch(new URL(files, import.meta.url))).text();
+  for (let last = await state(), now; ; last = now) {
+    await new Promise((done) => setTimeout(done, 500));
+    now = await state();
+    if (now !== last) dispatchEvent(new Event("saved"));
+  }
+}
+
 export const has_mine = mine !== null;
+if (has_mine) watch().catch(() => {});  // the server has ended
 export const open = (precision) => Engine.open(precision);
