@@ -1,7 +1,6 @@
 #include "common/scene/scene.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 namespace rt {
 
@@ -9,10 +8,6 @@ Real vertical_fov(const Camera& camera, Resolution resolution) {
     if (camera.fov_axis == FovAxis::vertical) return camera.fov;
     const Real ratio = Real(resolution.height) / Real(resolution.width);
     return 2 * std::atan(std::tan(camera.fov / 2) * ratio);
-}
-
-std::string path_of(const MeshRequest& mesh) {
-    return (std::filesystem::path(mesh.place.file).parent_path() / mesh.file).string();
 }
 
 }  // namespace rt

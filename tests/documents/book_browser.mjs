@@ -1,10 +1,11 @@
 // The pages of the book in Chromium: node book_browser.mjs CHROMIUM ADDRESS_OF_A_PAGE PAGE…
 //
 // Each page is opened in light and dark, and at a phone's width. Prints text that has too little
-// contrast (WCAG 2: 4.5 : 1, or 3 : 1 if it is large), pages that are wider than their window, errors
-// on the console, requests to other hosts, more than 600 kB that a page loads (compressed, without
-// pictures of scenes), and a search without results. With SHOTS=FOLDER, pictures
-// of the pages are kept there.
+// contrast (WCAG 2: 4.5 : 1, or 3 : 1 if it is large), controls and figures without a name for a
+// screen reader, headings that skip a level, what moves though the reader wants less motion, pages
+// that are wider than their window, errors on the console, requests to other hosts, more than 600 kB
+// that a page loads (compressed, without pictures of scenes), and a search without results. With
+// SHOTS=FOLDER, pictures of the pages are kept there, of which one is printed.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -52,28 +53,70 @@ async function value(expression) {
 function low_contrast() {
   const channels = (color) => color.match(/[\d.]+/g).map(Number);
   const over = ([r, g, b, a = 1], [R, G, B]) => [r * a + R * (1 - a), g * a + G * (1 - a), b * a + B * (1 - a)];
+  const above = (element) => element.assignedSlot ?? element.parentElement ?? element.getRootNode().host;
   function background(element) {
     if (!element) return [255, 255, 255];
     const color = channels(getComputedStyle(element).backgroundColor);
-    return color[3] === 0 ? background(element.parentElement)
-      : color.length < 4 ? color : over(color, background(element.parentElement));
+    return color[3] === 0 ? background(above(element))
+      : color.length < 4 ? color : over(color, background(above(element)));
   }
   const linear = (x) => (x /= 255) <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
   const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
   const found = new Map();
-  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
-  for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+  const shadows = [...document.querySelectorAll("*")].flatMap((element) => element.shadowRoot ?? []);
+  const texts = [document.body, ...shadows].flatMap((root) => {
+    const walker = document.createTreeWalker(root, NodeFilter.SHOW_TEXT), all = [];
+    while (walker.nextNode()) all.push(walker.currentNode);
+    return all;
+  });
+  for (const text of texts) {
     const element = text.parentElement;
-    if (!text.data.trim() || !element.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
+    if (!text.data.trim() || !element?.checkVisibility({ visibilityProperty: true, opacityProperty: true })) continue;
     const style = getComputedStyle(element);
     const behind = background(element);
-    const [low, high] = [luminance(over(channels(style.color), behind)), luminance(behind)].sort((a, b) => a - b);
+    const color = element instanceof SVGElement ? style.fill : style.color;
+    const [low, high] = [luminance(over(channels(color), behind)), luminance(behind)].sort((a, b) => a - b);
     const size = parseFloat(style.fontSize);
     const needed = size >= 24 || (size >= 18.66 && style.fontWeight >= 700) ? 3 : 4.5;
     const ratio = (high + 0.05) / (low + 0.05);
     if (ratio < needed) found.set(element.tagName + "." + element.className, ratio.toFixed(2) + ": " + text.data.trim().slice(0, 30));
   }
   return [...found].map(([name, what]) => name + " " + what);
+}
+
+function nameless() {
+  const roots = [document, ...[...document.querySelectorAll("*")].flatMap((element) => element.shadowRoot ?? [])];
+  const all = roots.flatMap((root) => [...root.querySelectorAll(
+    "article a[href], button, input, textarea, summary, canvas, [role=slider], [role=group], [tabindex]")]);
+  const is_named = (element) => [element.ariaLabel, element.title, element.textContent, element.querySelector("img")?.alt,
+    ...Array.from(element.labels ?? [], (label) => label.textContent)].some((name) => name?.trim());
+  const found = all.filter((element) => element.checkVisibility() && !is_named(element))
+    .map((element) => `${element.tagName} ${element.className.baseVal ?? element.className} has no name`);
+  const levels = Array.from(document.querySelectorAll("article :is(h1, h2, h3, h4, h5)"), (heading) => Number(heading.tagName[1]));
+  if (levels[0] !== 1 || levels.filter((level) => level === 1).length !== 1) found.push("there is not one h1, at the beginning");
+  if (levels.some((level, i) => level > levels[i - 1] + 1)) found.push("the headings skip a level: " + levels);
+  if (!document.documentElement.lang) found.push("the language is not given");
+  return found;
+}
+
+function moving() {
+  return [...document.getAnimations().map((animation) => `${animation.effect.target.className} moves`),
+    ...Array.from(document.querySelectorAll("picture"), (picture) => picture.lastElementChild.currentSrc)
+      .filter((source) => !source.includes("still")).map((source) => source + " moves")];
+}
+
+/// Until the figures run, of which one is a picture of a scene.
+async function figures() {
+  const all = [...document.querySelectorAll("article *")].filter((element) => element.localName.startsWith("rt-"));
+  const pause = () => new Promise((done) => setTimeout(done, 10));
+  for (const figure of all) {
+    await customElements.whenDefined(figure.localName);
+    if (figure.localName !== "rt-picture") while (!figure.table?.rows.length) await pause();
+    else if (location.pathname.endsWith("step03_sphere.html")) {
+      figure.shadowRoot.querySelector("button").click();
+      while (!figure.finished) await pause();
+    }
+  }
 }
 
 function widest() {
@@ -88,7 +131,7 @@ const compressed = {};  // the bytes of each file
 async function download() {
   let all = 0;
   for (const url of requested) {
-    if (url.endsWith(".png")) continue;
+    if (/\.(png|webp)$/.test(url)) continue;
     compressed[url] ??= gzipSync(new Uint8Array(await (await fetch(url)).arrayBuffer())).length;
     all += compressed[url];
   }
@@ -126,6 +169,7 @@ try {
   const { targetId } = await ask("Target.createTarget", { url: "about:blank" });
   ({ sessionId: session } = await ask("Target.attachToTarget", { targetId, flatten: true }));
   for (const domain of ["Page", "Network", "Runtime", "Log"]) await ask(domain + ".enable");
+  await ask("Emulation.setEmulatedMedia", { features: [{ name: "prefers-reduced-motion", value: "reduce" }] });
   for (page of pages) {
     const name = page.replace(/\W/g, "_");
     requested.clear();
@@ -137,6 +181,9 @@ try {
     await value(`document.querySelectorAll("details").forEach((folded) => folded.open = true);
       document.head.append(Object.assign(document.createElement("style"), {textContent: "* { transition: none !important }"}));
       document.fonts.ready.then(() => 0)`);
+    await value(`(${figures})()`);
+    for (const lack of await value(`(${nameless})()`)) fail(lack);
+    for (const what of await value(`(${moving})()`)) fail(what);
     for (const scheme of ["default", "slate"]) {
       await value(switched(scheme));
       for (const low of await value(`(${low_contrast})()`)) fail(`${scheme}: ${low}`);
@@ -150,6 +197,10 @@ try {
     const bytes = await download();
     if (bytes > 600e3) fail(`loads ${bytes} bytes, compressed`);
     largest = Math.max(largest, bytes);
+  }
+  if (shots) {
+    const { data } = await ask("Page.printToPDF", { printBackground: true });
+    writeFileSync(`${shots}/printed.pdf`, Buffer.from(data, "base64"));
   }
   page = "all pages";
   if (await value("document.cookie") !== "") fail("a cookie is set");

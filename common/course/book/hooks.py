@@ -22,6 +22,12 @@ engine = Path(os.environ.get("RAYSTEPS_ENGINE", live))
 katex = Path("/usr/share/javascript/katex")
 source = os.environ.get("RAYSTEPS_SOURCE", "../..")
 
+widest_picture = 1000  # pixels
+meshes_in_pages = ["owl.off"]
+scenes_in_pages = set()  # that can be drawn there
+
+used_font = re.compile(r"KaTeX_(AMS|Main|Math|Size).*\.woff2")
+
 after_the_stages = ["debugging.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md"]
 
 
@@ -111,16 +117,21 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(html, page, config, files):
-    """A picture with a figure's name behind it is what is seen until the figure runs."""
+    """A picture with a figure's name behind it is what is seen until the figure runs. The figure
+    `picture` draws a scene of scenes/ with the program of the page's stage."""
     def figure(match):
-        picture, name = match.groups()
-        if not (live / f"{name}.js").exists() or not (engine / "engine_double.wasm").exists():
+        picture, name, scene = match.groups()
+        needed = "picture_double.wasm" if scene else "engine_double.wasm"
+        if not (live / f"{name}.js").exists() or not (engine / needed).exists():
             return picture
         start = "../" * page.file.src_path.count("/")
-        return (f'<rt-{name}>{picture}</rt-{name}>\n'
+        if scene:
+            scenes_in_pages.add(scene)
+        stage = f' stage="{int(page.file.name[4:6])}" scene="{scene}"' if scene else ""
+        return (f'<rt-{name}{stage}>{picture}</rt-{name}>\n'
                 f'<script type="module" src="{start}figures/{name}.js"></script>')
 
-    html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+) -->", figure, html)
+    html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+)(?: scenes/(\S+\.rt))? -->", figure, html)
     headings = page.toc.items[0].children
     for heading in [*headings, *(below for heading in headings for below in heading.children)]:
         heading.title = re.sub(r"\\\((.*?)\\\)", r"\1", heading.title)  # formulas are not set there
@@ -137,7 +148,7 @@ class Typesetter:
         require('readline').createInterface({input: process.stdin}).on('line', line => {
             try {
                 console.log(JSON.stringify(JSON.parse(line).map(([tex, displayMode]) =>
-                    katex.renderToString(text(tex), {displayMode}))));
+                    katex.renderToString(text(tex), {displayMode}).replace(/<annotation .*?<\\/annotation>/, ''))));
             } catch (error) { console.log(JSON.stringify(error.message)); }
         });
     """ % katex
@@ -186,20 +197,64 @@ def on_post_page(output, page, config):
         return f'<a href="{start}{base}/{path}{"/" if is_folder else ""}">{label}</a>'
 
     output = re.sub(r'<a href="source:([^"]*)">(.*?)</a>', link, output, flags=re.S)
-    return typesetter.typeset(output, page)
+    head, article, foot = re.fullmatch(r"(.*?<article)(.*)(</article>.*)", output, flags=re.S).groups()
+    head, foot = (re.sub(r"\n\s+", "\n", part) for part in (head, foot))  # a tenth of the page
+    return head + typesetter.typeset(article, page) + foot
+
+
+def compress_pictures(site):
+    """Pictures of scenes as WebP, a tenth as large, where Pillow is installed; those of the gallery
+    no wider than they are seen. Who wants less motion gets the first picture of an animation."""
+    try:
+        from PIL import Image
+    except ImportError:
+        return
+    still = {}
+    for file in [*site.glob("pictures/*.png"), *site.glob("gallery/*.png")]:
+        name = file.relative_to(site).as_posix()
+        still[name] = name.replace(".png", ".webp")
+        with Image.open(file) as picture:
+            if getattr(picture, "is_animated", False):
+                still[name] = name.replace(".png", "_still.webp")
+                picture.save(file.with_suffix(".webp"), save_all=True, quality=85, loop=0,
+                             duration=round(picture.info["duration"]))
+                picture.seek(0)
+            picture.thumbnail((widest_picture, widest_picture))
+            picture.convert("RGB").save(site / still[name], quality=85)
+        file.unlink()
+
+    def image(found):
+        before, start, name, behind = found.groups()
+        if name not in still:
+            return found[0]
+        whole = name.replace(".png", ".webp")
+        image = f'<img {before}src="{start}{whole}"{behind}>'
+        if still[name] == whole:
+            return image
+        media = f'<source media="(prefers-reduced-motion: reduce)" srcset="{start}{still[name]}">'
+        return f"<picture>{media}{image}</picture>"
+
+    for page in site.rglob("*.html"):
+        html = page.read_text(encoding="utf-8")
+        page.write_text(re.sub(r'<img ([^>]*)src="((?:\.\./)*)(\w+/\w+\.png)"([^>]*?) ?/?>', image, html),
+                        encoding="utf-8")
 
 
 def on_post_build(config):
     typesetter.end()
     site = Path(config["site_dir"])
+    compress_pictures(site)
     for unused in ["404.html", "sitemap.xml*", "assets/javascripts/lunr/**/*.js", "assets/**/*.map"]:
         for file in site.glob(unused):  # for a host whose name is known, other languages, debugging
             file.unlink()
     (site / "book").mkdir()
     shutil.copy(here / "book.css", site / "book")
     shutil.copytree(katex / "fonts", site / "book/katex/fonts",
-                    ignore=lambda folder, names: [n for n in names if not n.endswith(".woff2")])
+                    ignore=lambda folder, names: [n for n in names if not used_font.fullmatch(n)])
     shutil.copy(katex / "katex.min.css", site / "book/katex")
     for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
         (site / "figures").mkdir(exist_ok=True)
         shutil.copy(part, site / "figures")
+    for scene in [*scenes_in_pages, *(f"meshes/{name}" for name in meshes_in_pages)]:
+        (site / "figures/scenes" / scene).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(project / "scenes" / scene, site / "figures/scenes" / scene)
