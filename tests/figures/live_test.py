@@ -5,6 +5,7 @@ Each figure is loaded, dragged with the mouse and the keyboard through its state
 and every answer that it drew must equal the native program's, byte for byte. No console error, and
 no request to another host. Status 77 where Chromium or the engine is missing.
 """
+import contextlib
 import http.server
 import json
 import os
@@ -62,7 +63,8 @@ class Site(http.server.BaseHTTPRequestHandler):
         self.send_header("Content-Type", kind)
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
-        self.wfile.write(body)
+        with contextlib.suppress(ConnectionError):  # the page is left
+            self.wfile.write(body)
 
 
 # In the page: what has been asked and shown in the last drawing, once it is done.

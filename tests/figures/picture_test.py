@@ -7,6 +7,7 @@ A wrong scene gets the program's error, with line and column, and a scene that n
 time an error; the next scene is drawn. Status 77 where Chromium or the engine is missing.
 """
 import base64
+import contextlib
 import http.server
 import json
 import os
@@ -58,7 +59,8 @@ class Site(http.server.BaseHTTPRequestHandler):
         self.send_header("Content-Type", kind)
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
-        self.wfile.write(body)
+        with contextlib.suppress(ConnectionError):  # the page is left
+            self.wfile.write(body)
 
 
 finished = """(async () => {

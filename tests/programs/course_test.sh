@@ -282,6 +282,7 @@ if command -v curl > /dev/null; then
         [ "$(curl -s -m 100 -o out -w '%{http_code}' "${own}answer?stage=3&precision=0&question=$question")" = "$1" ] &&
             says "$2" || fail "a figure gets $1, $2"
     }
+    cp $mine loops.cpp
     answered 422 "your code gave no answer within"
     curl -s "${own}files" > before
     sed -i 's/for (volatile bool on = true; on;) continue;/std::raise(SIGSEGV);/' $mine
@@ -292,13 +293,14 @@ if command -v curl > /dev/null; then
     [ "$(od -An -tx1 out | tr -d ' \n')" = 010000000000001040 ] || fail "a figure gets 4"
     printf 'int broken(\n' >> $mine
     answered 422 "$mine:"
-    rm -r $stage/student
+    mv $stage/student away
     answered 422 "./course start 3"
+    mv away $stage/student
     [ "$(curl -s -o out -w '%{http_code}' "${own}answer?stage=3&precision=0&question=05")" = 400 ] || fail "no question"
     kill -INT $server
     wait $server
+    mv loops.cpp $mine
     rm -r fakes address before err
-    course 0 start 3
 fi
 
 # Typos.

@@ -29,7 +29,8 @@ const style = `
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
   @media (max-width: 500px) { svg { font-size: 19px; } .handle { stroke: transparent; stroke-width: 16; } }
-  @media print { form { display: none; } }`;
+  slot { display: none; }
+  @media print { slot { display: block; } svg, form, table { display: none; } }`;  // the drawn figure
 
 export const add = (a, b) => a.map((x, i) => x + b[i]);
 export const minus = (a, b) => a.map((x, i) => x - b[i]);
@@ -119,7 +120,7 @@ export class Figure extends HTMLElement {
   async connectedCallback() {
     this.engine = await open("double");  // without it, the drawn figure stays
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<style>${style}</style><form></form><table></table>`;
+    root.innerHTML = `<style>${style}</style><slot></slot><form></form><table></table>`;
     [this.form, this.table] = [root.querySelector("form"), root.querySelector("table")];
     this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.constructor.title });
     [this.back, this.front] = [element("g", {}), element("g", {})];
