@@ -28,10 +28,10 @@ define("box_slabs", class extends Figure {
     // The intervals of t, below one another; t = 0 and 1 are the ray's origin and its direction's tip.
     const number = (text) => Number(text.replace("inf", "Infinity"));
     const limits = Array.from(told.matchAll(/planes of (.) = \((.*), (.*)\)/g), ([, name, min, max]) => [name, number(min), number(max)]);
-    const place = (time) => 320 + 60 * Math.max(-4.5, Math.min(4.5, time - 1.5));
+    const place = (time) => 445 + 40 * Math.max(-4.5, Math.min(4.5, time - 1.5));
     sketch.pixels("rect", { x: 0, y: 268, width: 640, height: 82 }, { fill: color.white });
     limits.slice(0, 2).forEach(([name, min, max], i) => {
-      const y = 285 + 18 * i;
+      const y = 281 + 20 * i;
       if (min <= max) sketch.pixels("line", { x1: place(min), x2: place(max), y1: y, y2: y }, { stroke: i ? color.green : color.blue, width: 7 });
       sketch.shape("text", { x: 22, y: y + 5 }, `between the planes of ${name}`);
     });

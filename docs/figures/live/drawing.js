@@ -28,7 +28,7 @@ const style = `
   td:first-child:not([colspan]) { white-space: nowrap; }
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
-  @media (max-width: 500px) { svg { font-size: 19px; } .handle { stroke: transparent; stroke-width: 16; } }
+  @media (max-width: 500px) { svg { font-size: 19px; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke: transparent; stroke-width: 16; } }
   slot { display: none; }
   @media print { slot { display: block; } svg, form, table { display: none; } }`;  // the drawn figure
 

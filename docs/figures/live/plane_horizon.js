@@ -38,8 +38,8 @@ define("plane_horizon", class extends Figure {
         sketch.pixels("rect", { x, y: 40 + 2.5 * i, width: is_lost ? 18 : 36, height: 2.6 }, { fill: ground_is_seen ? color.green : is_lost ? color.red : color.pale_blue });
       });
     }
-    sketch.shape("text", { x: 548, y: 30, text_anchor: "middle" }, "ours");
-    sketch.shape("text", { x: 593, y: 30, text_anchor: "middle" }, "with ε");
+    sketch.shape("text", { x: 562, y: 30, text_anchor: "end" }, "ours");
+    sketch.shape("text", { x: 575, y: 30 }, "with ε");
     sketch.label([2.6, origin[1], 0], [0, -6], "to the horizon: ⟨d_r, n⟩ = 0", color.gray);
     return [await this.ask(0, "explain", ray, ground, ahead), ["intersect", t], [`refused if |⟨d_r, n⟩| < ${epsilon.toExponential()}`, printed]];
   }

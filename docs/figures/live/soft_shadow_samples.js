@@ -19,7 +19,7 @@ define("soft_shadow_samples", class extends Figure {
     const light = { position: [0, 4, 0], brightness: 1, color: [1, 1, 1], radius: this.radius.value };
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
-    for (const [kind, shift, square] of [["even", 0, 440], ["independent", 2.45, 540]]) {
+    for (const [kind, shift, square] of [["even", 0, 430], ["independent", 2.45, 544]]) {
       sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
       sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
       sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });
@@ -38,10 +38,10 @@ define("soft_shadow_samples", class extends Figure {
       }
       const rays = { sent: count, reached };
       sketch.label([shift, 0, 0], [0, -130], kind);
-      sketch.shape("text", { x: square + 44, y: 122, text_anchor: "middle" }, kind);
+      sketch.shape("text", { x: shift ? 634 : square + 44, y: 122, text_anchor: shift ? "end" : "middle" }, kind);
       rows.push([`${kind}: visibility`, await this.ask(11, "visibility", rays)], [`${kind}: visibility_error`, await this.ask(11, "visibility_error", rays)]);
     }
-    sketch.shape("text", { x: 535, y: 250, text_anchor: "middle" }, "dots arrive, crosses do not");
+    sketch.shape("text", { x: 634, y: 250, text_anchor: "end" }, "dots arrive, crosses do not");
     return rows;
   }
 });

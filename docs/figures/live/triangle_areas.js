@@ -27,8 +27,8 @@ define("triangle_areas", class extends Figure {
       sketch.label(middle, [0, 5], negative ? `−${name}` : name, negative ? color.red : color.ink);
     });
     sketch.polygon([a, b, c], { stroke: color.ink, width: 2 });
-    [["a", a], ["b", b], ["c", c]].forEach(([name, corner]) => sketch.label(corner, [-16, 5], name));
-    sketch.label(p, [16, -8], t === null ? "p: outside" : "p: hit", t === null ? color.gray : color.red, "start");
+    [["a", a], ["b", b], ["c", c]].forEach(([name, corner]) => sketch.label(corner, [corner === b ? 20 : -20, 5], name));
+    sketch.label(p, [14, 22], t === null ? "p: outside" : "p: hit", t === null ? color.gray : color.red, "start");
     return [await this.ask(0, "explain", ray, triangle, ahead), ["barycentric: α, β, γ", weights], ["intersect", t]];
   }
 });

@@ -48,8 +48,8 @@ define("triangle_shared_edge", class extends Figure {
       }
     sketch.shape("text", { x: 403, y: 60, text_anchor: "middle" }, "intersect");
     sketch.shape("text", { x: 558, y: 60, text_anchor: "middle" }, "three half-planes");
-    sketch.shape("text", { x: 480, y: 232, text_anchor: "middle" }, "blue, green: one triangle; amber: both");
-    sketch.shape("text", { x: 480, y: 252, text_anchor: "middle", style: `fill: ${color.red}` }, "red with a cross: neither, a crack");
+    ["blue, green: one triangle", "amber: both"].forEach((text, i) => sketch.shape("text", { x: 480, y: 232 + 22 * i, text_anchor: "middle" }, text));
+    sketch.shape("text", { x: 480, y: 276, text_anchor: "middle", style: `fill: ${color.red}` }, "red with a cross: neither, a crack");
     const all = (2 * reach + 1) ** 2;
     return [["cracks with intersect", `${lost} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${cracks} of ${all} rays`]];
   }
