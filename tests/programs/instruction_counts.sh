@@ -24,6 +24,17 @@ instructions() {
         sed -n 's/^==[0-9]*== Collected : *\([0-9]*\)$/\1/p' out
 }
 
+# cost STAGE SCENE PRECISION: the instructions from the first pixel on. Each is counted once.
+cost() {
+    kept=$1.$2.$3
+    [ -e "$kept" ] || {
+        picture=$(instructions "$1" "$2" "$3" 64x48)
+        start=$(instructions "$1" "$2" "$3" 1x1)
+        [ -n "$picture" ] && [ -n "$start" ] && echo $((picture - start)) > "$kept"
+    }
+    cat "$kept" 2> /dev/null
+}
+
 # same_cost SCENE STAGE…: every built stage against the first, in both precisions.
 same_cost() {
     scene=$1
@@ -32,15 +43,13 @@ same_cost() {
         base=
         for stage in "$@"; do
             [ -x "$build/$stage" ] || continue
-            picture=$(instructions "$stage" "$scene" $precision 64x48)
-            start=$(instructions "$stage" "$scene" $precision 1x1)
-            if [ -z "$picture" ] || [ -z "$start" ]; then
+            count=$(cost "$stage" "$scene" $precision)
+            if [ -z "$count" ]; then
                 echo "FAILED: $stage does not draw scenes/$scene.rt under valgrind"
                 sed 's/^/    /' out
                 failed=1
                 continue
             fi
-            count=$((picture - start))
             [ -n "$base" ] || base=$count
             awk "BEGIN {
                 more = 100 * ($count - $base) / $base

@@ -16,12 +16,14 @@ function(raysteps_link_suite program objects precision)
     target_link_libraries(${program} PRIVATE raysteps_kit_main)
 endfunction()
 
-# raysteps_suite(<name> [LABEL <label>] [PICTURE <stage> | STAGES <name>...] SOURCES <source>...)
+# raysteps_suite(<name> [SLOW] [LABEL <label>] [PICTURE <stage> | STAGES <name>...]
+#                SOURCES <source>...)
 #
 # The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
-# each, linked to STAGES: by default all references and the picture of a stage, step12_mirror.
+# each, linked to STAGES: by default all references and the picture of a stage, step12_mirror. With
+# sanitizers, a SLOW one is built in double only.
 function(raysteps_suite name)
-    cmake_parse_arguments(PARSE_ARGV 1 suite "" "LABEL;PICTURE" "STAGES;SOURCES")
+    cmake_parse_arguments(PARSE_ARGV 1 suite "SLOW" "LABEL;PICTURE" "STAGES;SOURCES")
     if(NOT suite_LABEL)
         set(suite_LABEL common)
     endif()
@@ -31,7 +33,11 @@ function(raysteps_suite name)
     if(NOT suite_STAGES)
         set(suite_STAGES raysteps_common raysteps_references ${suite_PICTURE}_picture)
     endif()
-    foreach(precision IN ITEMS f32 f64)
+    set(precisions f32 f64)
+    if(suite_SLOW AND RAYSTEPS_SANITIZE)
+        set(precisions f64)
+    endif()
+    foreach(precision IN LISTS precisions)
         set(word ${word_${precision}})
         raysteps_suite_objects(${name}_test_${word}_objects ${precision} ${suite_SOURCES})
         raysteps_link_suite(${name}_test_${word} ${name}_test_${word}_objects ${precision}
@@ -133,12 +139,19 @@ endfunction()
 
 # raysteps_answers(<suite> <folder>)
 #
-# The suite, linked to each known mistake and each other right answer in the folder.
+# The suite, linked to each known mistake and each other right answer in the folder. Float tells no
+# more about mistakes than double: only the folder's first is linked in float, too, or with
+# -DRAYSTEPS_MISTAKES=both all are.
 function(raysteps_answers suite folder)
     file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${folder}/*.cpp)
+    set(precisions f32 f64)
     foreach(file IN LISTS mistakes)
         raysteps_mistake(${suite} ${file})
+        if(NOT RAYSTEPS_MISTAKES STREQUAL "both")
+            set(precisions f64)
+        endif()
     endforeach()
+    set(precisions f32 f64)
     file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${folder}/*.cpp)
     foreach(file IN LISTS alternatives)  # all of the suite must pass
         raysteps_answer(${suite} alternative ${file})
@@ -147,13 +160,14 @@ endfunction()
 
 # raysteps_answer(<suite> <kind> <file> [<argument of the suite>...])
 #
-# The tests <kind>_<suite>_<name of the file>_float and _double: the suite, linked to an answer that
-# is not the reference.
+# The tests <kind>_<suite>_<name of the file>_float and _double, of the precisions of the variable
+# `precisions`: the suite, linked to an answer that is not the reference.
 function(raysteps_answer suite kind file)
     get_filename_component(name ${file} NAME_WE)
     raysteps_compile_twice(${suite}_${name} ${file})
     raysteps_start_from_common(${suite}_${name})
-    foreach(precision IN ITEMS f32 f64)
+    set_target_properties(${suite}_${name}_f32 ${suite}_${name}_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
+    foreach(precision IN LISTS precisions)
         # It is wrong on purpose, or renames functions of the reference.
         target_compile_options(${suite}_${name}_${precision} PRIVATE -w)
         set(word ${word_${precision}})
@@ -164,6 +178,10 @@ function(raysteps_answer suite kind file)
             RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${kind}s)
         add_test(NAME ${program} COMMAND ${program} ${ARGN})
         set_tests_properties(${program} PROPERTIES LABELS ${kind}s)
+        if(kind STREQUAL "mistake")  # by failing an assertion: a missing case, or a crash, does not count
+            set_tests_properties(${program} PROPERTIES
+                PASS_REGULAR_EXPRESSION "test cases: +1 \\| +1 failed")
+        endif()
     endforeach()
 endfunction()
 
@@ -171,7 +189,6 @@ endfunction()
 #
 # The suite, linked to a known mistake: the case that the file names must fail.
 function(raysteps_mistake suite file)
-    get_filename_component(mistake ${file} NAME_WE)
     file(STRINGS ${file} case REGEX "^// caught by: " LIMIT_COUNT 1 ENCODING UTF-8)
     string(REGEX REPLACE "^// caught by: " "" case "${case}")
     if(case STREQUAL "")
@@ -180,7 +197,4 @@ function(raysteps_mistake suite file)
     # escaped for Catch2, and no ";" for CMake
     string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")
     raysteps_answer(${suite} mistake ${file} "${case}")
-    # By failing an assertion: a missing case, or a crash, does not count.
-    set_tests_properties(mistake_${suite}_${mistake}_float mistake_${suite}_${mistake}_double
-        PROPERTIES PASS_REGULAR_EXPRESSION "test cases: +1 \\| +1 failed")
 endfunction()
