@@ -131,7 +131,7 @@ const compressed = {};  // the bytes of each file
 async function download() {
   let all = 0;
   for (const url of requested) {
-    if (/\.(png|webp)$/.test(url)) continue;
+    if (/\.(png|webp)$|picture_double/.test(url)) continue;  // the latter when a reader asks for it
     compressed[url] ??= gzipSync(new Uint8Array(await (await fetch(url)).arrayBuffer())).length;
     all += compressed[url];
   }

@@ -148,7 +148,7 @@ class Typesetter:
         require('readline').createInterface({input: process.stdin}).on('line', line => {
             try {
                 console.log(JSON.stringify(JSON.parse(line).map(([tex, displayMode]) =>
-                    katex.renderToString(text(tex), {displayMode}).replace(/<annotation .*?<\\/annotation>/, ''))));
+                    katex.renderToString(text(tex), {displayMode}).replace(/<annotation .*?<\\/annotation>/s, ''))));
             } catch (error) { console.log(JSON.stringify(error.message)); }
         });
     """ % katex
@@ -220,7 +220,7 @@ def compress_pictures(site):
                              duration=round(picture.info["duration"]))
                 picture.seek(0)
             picture.thumbnail((widest_picture, widest_picture))
-            picture.convert("RGB").save(site / still[name], quality=85)
+            picture.convert("RGB").save(site / still[name], quality=80)
         file.unlink()
 
     def image(found):

@@ -66,9 +66,9 @@ sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
     steps/step02*/pixel_rays.cpp steps/step11*/lighting.cpp steps/step12*/reflection.cpp \
     steps/step13*/mesh_instance.cpp steps/*/reference/*.cpp
 
-# The log of --pixel, which no picture has, stays undefined.
-module picture_double picture.hpp -O2 -msimd128 -Wl,--allow-undefined -Wl,--max-memory=134217728 \
-    -Wl,-z,stack-size=1048576 &
+# The log of --pixel, which no picture has, stays undefined. More inlining takes a sixth of the time.
+module picture_double picture.hpp -O2 -msimd128 -mllvm -inline-threshold=700 -Wl,--allow-undefined \
+    -Wl,--max-memory=134217728 -Wl,-z,stack-size=1048576 &
 first=$!
 module engine_float engine.hpp -Os -DRT_FLOAT
 module engine_double engine.hpp -Os
