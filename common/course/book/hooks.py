@@ -124,6 +124,8 @@ def on_page_content(html, page, config, files):
         needed = "picture_double.wasm" if scene else "engine_double.wasm"
         if not (live / f"{name}.js").exists() or not (engine / needed).exists():
             return picture
+        if scene and not (project / "scenes" / scene).exists():  # in a hand-out
+            return picture
         start = "../" * page.file.src_path.count("/")
         if scene:
             scenes_in_pages.add(scene)
@@ -255,6 +257,7 @@ def on_post_build(config):
     for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
         (site / "figures").mkdir(exist_ok=True)
         shutil.copy(part, site / "figures")
-    for scene in [*scenes_in_pages, *(f"meshes/{name}" for name in meshes_in_pages)]:
+    meshes = [f"meshes/{name}" for name in meshes_in_pages if (project / "scenes/meshes" / name).exists()]
+    for scene in [*scenes_in_pages, *(meshes if scenes_in_pages else [])]:
         (site / "figures/scenes" / scene).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(project / "scenes" / scene, site / "figures/scenes" / scene)
