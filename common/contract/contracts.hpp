@@ -136,9 +136,10 @@ template <>
 inline constexpr auto record<Number> = record_of("Number", field("stage", &Number::stage),
                                                  field("place", &Number::place));
 
-// The numbers of batch queries, whole pictures and many points of a light: after every contract's
-// functions.
+// The numbers of queries that are not of one function: whole pictures, many points of a light, and
+// the color that `trace` returns.
 inline constexpr std::uint8_t picture_place = 255;
 inline constexpr std::uint8_t light_points_place = 254;
+inline constexpr std::uint8_t trace_place = 253;
 
 }  // namespace rt::contract

@@ -17,4 +17,10 @@ Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
     return image;
 }
 
+Color traced(const Scene& scene, const RenderSettings& settings) {
+    Context context{.settings = settings};
+    return trace(scene, pixel_rays(scene.cameras.front(), scene.resolution)(context.pixel),
+                 context);
+}
+
 }  // namespace rt

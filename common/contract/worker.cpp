@@ -33,6 +33,14 @@ void answer_with_picture(Reader& question, Writer& answer) {
     put(answer, rendered(scene, settings, every).pixels);
 }
 
+void answer_with_color(Reader& question, Writer& answer) {
+    const Scene scene = get_scene(question);
+    const auto settings = get<RenderSettings>(question);
+    question.end();
+    if (scene.cameras.empty()) throw Malformed("no camera");
+    put(answer, traced(scene, settings));
+}
+
 void answer_with_light_points(Reader& question, Writer& answer) {
     const auto light = get<Light>(question);
     const auto from = get<Vec3>(question);
@@ -51,6 +59,7 @@ std::map<int, Answer> all_answers() {
     });
     answers[picture_place] = answer_with_picture;
     answers[light_points_place] = answer_with_light_points;
+    answers[trace_place] = answer_with_color;
     return answers;
 }
 

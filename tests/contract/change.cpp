@@ -48,6 +48,7 @@ Change draw(Random& random, bool exact) {
     std::swap(change.channels[1], change.channels[std::size_t(1 + random.below(2))]);
     change.finer = 3 + 2 * random.below(8);
     change.zoom = random.between(Real(0.5), 2);
+    for (int i = 0; i < 3; ++i) change.dimmed[i] = random.between(Real(0.3), 1);
     return change;
 }
 
@@ -116,6 +117,10 @@ Transform transformed(const Transform& placement, const Transform& transform) {
     return {.rotation = rt::rotated(placement.rotation, transform),
             .scale = transform.scale * placement.scale,
             .translation = rt::transformed(placement.translation, transform)};
+}
+
+MeshInstance transformed(const MeshInstance& mesh, const Transform& transform) {
+    return {.model = mesh.model, .placement = transformed(mesh.placement, transform)};
 }
 
 Mat4 matrix_of(const Transform& transform) {

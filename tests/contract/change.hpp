@@ -29,6 +29,7 @@ struct Change {
     /// [exact].
     Transform upright;
     Real length = 1;                       ///< of directions: every t is divided by it
+    Color dimmed = Color(1);               ///< factors of red, green and blue
     Real light = 1;                        ///< of brightness: every color is multiplied by it
     std::array<int, 3> channels{0, 1, 2};  ///< red, green and blue exchanged
     int finer = 1;  ///< odd: each pixel is divided into this many per axis, and the middle one is
@@ -55,6 +56,7 @@ void draw_change(const std::string& name, bool exact);
 [[nodiscard]] Mesh transformed(Mesh mesh, const Transform& transform);
 /// The placement, and the motion after it.
 [[nodiscard]] Transform transformed(const Transform& placement, const Transform& transform);
+[[nodiscard]] MeshInstance transformed(const MeshInstance& mesh, const Transform& transform);
 /// p ↦ M p, in homogeneous coordinates.
 [[nodiscard]] Mat4 matrix_of(const Transform& transform);
 

@@ -37,6 +37,20 @@ function(raysteps_contract stage)
         PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
+# raysteps_trace_contract(<stage>)
+#
+# <stage>_trace_asked_test_double: the suite of `trace` with a worker
+function(raysteps_trace_contract stage)
+    set(program ${stage}_trace_asked_test_double)
+    add_executable(${program} $<TARGET_OBJECTS:${stage}_trace_test_double_objects>)
+    raysteps_link(${program} f64 raysteps_asking raysteps_kit raysteps_common raysteps_references
+        ${stage}_picture)
+    target_link_libraries(${program} PRIVATE raysteps_kit_main)
+    add_test(NAME ${stage}_trace_asked COMMAND ${program})
+    set_tests_properties(${stage}_trace_asked PROPERTIES LABELS contract
+        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_reference_worker>)
+endfunction()
+
 # raysteps_recognition(<stage>)
 #
 # A worker of each known mistake and each other right answer; the test that the stage's probes.txt

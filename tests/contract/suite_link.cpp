@@ -14,6 +14,7 @@
 #include "common/contract/rendered.hpp"
 
 #include "common/stages/reasons.hpp"
+#include "tests/contract/change_scene.hpp"
 #include "tests/contract/stub.hpp"
 
 #include "tests/kit/catch.hpp"
@@ -168,6 +169,21 @@ Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
     const std::string question = picture_question(scene, settings, every);
     link().record(question);
     return picture_in(link().ask(question), scene.resolution);
+}
+
+Color traced(const Scene& scene, const RenderSettings& settings) {
+    using namespace contract;
+    const Change* const now = change();
+    Writer question;
+    put(question, Number{.stage = 0, .place = trace_place});
+    put_scene(question, now == nullptr ? scene : changed(scene, settings, *now));
+    put(question, settings);
+    link().record(question.bytes());
+    const std::string bytes = link().ask(question.bytes());
+    Reader reader(bytes);
+    const auto color = get<Color>(reader);
+    reader.end();
+    return now == nullptr ? color : changed_back(color, scene, settings, *now);
 }
 
 std::vector<Vec3> light_points(const Light& light, Vec3 from, std::uint32_t seed, int count) {

@@ -4,6 +4,7 @@
 //   // attack: exits with status 0 before the first query
 //   // ceiling: as a stub             or the number of cases with right answers
 //   // stage: step05_triangle         default: step03_sphere
+//   // file: main.cpp                 default: the file of the stage's functions
 //   // compiles: no                  or: perhaps
 //   // told: defines main             the student's message contains it
 //   // untold: root:                  the message does not contain it
@@ -22,6 +23,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -61,6 +63,9 @@ struct Attack {
         return lines.substr(from, lines.find('\n', from) - from);
     }
     [[nodiscard]] std::string stage() const { return said("stage", "step03_sphere"); }
+    [[nodiscard]] GradedFile file() const {
+        return {*find_stage(stage()), said("file", "") == "main.cpp"};
+    }
     /// What is handed in: the attack, and the stubs that it names.
     [[nodiscard]] std::string submission() const {
         std::string whole = text;
@@ -104,22 +109,22 @@ public:
 
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
-        const int stage = *find_stage(attack.stage());
+        const GradedFile file = attack.file();
         const std::string text = replaced(replaced(attack.submission(), "@ROOT@", RAYSTEPS_ROOT),
                                           "@RESULTS@", results());
         fs::remove(worker());
         fs::remove(report());
         Grade grade;
-        grade::Build made = grade::compile_submission(workshop_, stage, text, object());
+        grade::Build made = grade::compile_submission(workshop_, file, text, object());
         if (made.succeeded)
-            made = grade::link_worker(workshop_, stage, {{stage, object()}}, worker());
+            made = grade::link_worker(workshop_, file.stage, {{file, object()}}, worker());
         grade.compiled = made.succeeded;
         grade.told = made.words;
         if (made.succeeded) {
-            const std::string limits = grade::worker_limits(stage) + " cpu=1";
+            const std::string limits = grade::worker_limits(file.stage) + " cpu=1";
             setenv("RAYSTEPS_LIMITS", limits.c_str(), 1);
             const std::string suite =
-                std::string(RAYSTEPS_BUILD) + "/" + attack.stage() + "_asked_test_double";
+                std::string(RAYSTEPS_BUILD) + "/" + name_of(file) + "_asked_test_double";
             const auto limit =
                 std::chrono::ceil<std::chrono::seconds>(longest_grading * grade::busy());
             const ProcessResult ending = run_captured({suite}, limit);
@@ -207,6 +212,34 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
         REQUIRE(stub.compiled);
         CHECK(stub.passed.size() < right.passed.size() / 2);
     }
+}
+
+TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has not") {
+    Grader grader;
+    const TemporaryFolder folder;
+    const fs::path seed = folder.path() / "seed";
+    std::ofstream(seed) << "9d0f5a37c1e86b24\n";
+    setenv("RAYSTEPS_SEED_FILE", seed.c_str(), 1);
+    const std::string tests = RAYSTEPS_ROOT "/tests/";
+    const auto graded = [&](const std::string& stage, const std::string& file) {
+        return grader.grade(
+            {.name = file,
+             .text = "// stage: " + stage + "\n// file: main.cpp\n" + content(tests + file)});
+    };
+    for (const auto& [stage, right, wrong] :
+         {std::array{"step03_sphere", "smallest_of_all", "color_of_the_last"},
+          std::array{"step12_mirror", "own_recursion", "ray_goes_on"}}) {
+        const std::string folder_of = std::string(stage) + "/main/";
+        const Grade all = graded(stage, "alternatives/" + folder_of + right + ".cpp");
+        INFO(all.told);
+        REQUIRE(all.compiled);
+        CHECK(all.told.find("\nfailed") == std::string::npos);
+        CHECK(all.passed.size() > 6);
+        const Grade some = graded(stage, "mistakes/" + folder_of + wrong + ".cpp");
+        REQUIRE(some.compiled);
+        CHECK(some.passed.size() < all.passed.size());
+    }
+    unsetenv("RAYSTEPS_SEED_FILE");
 }
 
 TEST_CASE("headers in another folder are accessible to a compiler, if all users may read them") {

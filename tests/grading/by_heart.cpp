@@ -1,6 +1,6 @@
 // A worker that computes nothing: it looks each query up, by its bytes, in a table of queries and
 // right answers. The starter answers queries that are not in the table. Pictures and batches of
-// light points are left out: a file of 256 KiB has no room for them.
+// light points are left out: a file of 256 KiB has no room for them. Scenes of one pixel are not.
 //
 // RAYSTEPS_TABLE    the table: queries and answers, each after its size
 // RAYSTEPS_LEARNS   a right worker: its answers are written to the table, and returned
@@ -10,6 +10,7 @@
 #include "common/contract/call.hpp"
 #include "common/contract/contracts.hpp"
 #include "common/contract/frame.hpp"
+#include "common/contract/scene_bytes.hpp"
 
 #include <unistd.h>
 
@@ -69,23 +70,56 @@ std::map<std::string, std::string> read_table(const char* file) {
     return table;
 }
 
-/// The same bytes for two queries that differ only in signs, the order of numbers and powers of
-/// two.
-std::string canonical(const std::string& question) {
-    std::vector<double> numbers;
-    for (const Value& argument : call_of(question).arguments)
-        for_each_number(argument, [&](const Value& value) {
-            int exponent = 0;
-            const double fraction = std::abs(std::frexp(value.number, &exponent));
-            numbers.push_back(std::isnan(fraction) ? -1 : fraction);
-        });
-    std::sort(numbers.begin(), numbers.end());
-    return question.substr(0, 2) + std::string(reinterpret_cast<const char*>(numbers.data()),
-                                               numbers.size() * sizeof(double));
+bool is_scene(const std::string& question) {
+    return question.at(0) == 0 && std::uint8_t(question.at(1)) == trace_place;
 }
 
 bool is_for_a_table(const std::string& question) {
-    return question.at(0) != 0;
+    return question.at(0) != 0 || is_scene(question);
+}
+
+std::vector<double> numbers_in(const rt::Scene& scene) {
+    std::vector<double> numbers;
+    const auto add = [&](rt::Vec3 v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+    for (const rt::Camera& camera : scene.cameras) add(camera.position), add(camera.direction);
+    for (const rt::Light& light : scene.lights) {
+        add(light.position), add(light.color);
+        numbers.insert(numbers.end(), {light.brightness, light.radius});
+    }
+    if (scene.ambient) add(scene.ambient->ratio * scene.ambient->color);
+    for_each_kind(scene, [&](const auto& primitives) {
+        for (const auto& primitive : primitives) {
+            add(primitive.material.color);
+            if constexpr (requires { bounds(primitive.shape); })
+                add(bounds(primitive.shape).min), add(bounds(primitive.shape).max);
+        }
+    });
+    return numbers;
+}
+
+std::vector<double> numbers_in(const std::string& question) {
+    if (is_scene(question)) {
+        Reader reader(std::string_view(question).substr(2));
+        return numbers_in(get_scene(reader));
+    }
+    std::vector<double> numbers;
+    for (const Value& argument : call_of(question).arguments)
+        for_each_number(argument, [&](const Value& value) { numbers.push_back(value.number); });
+    return numbers;
+}
+
+/// The same bytes for two queries that differ only in signs, the order of numbers and powers of
+/// two.
+std::string canonical(const std::string& question) {
+    std::vector<double> numbers = numbers_in(question);
+    for (double& number : numbers) {
+        int exponent = 0;
+        number = std::abs(std::frexp(number, &exponent));
+        if (std::isnan(number)) number = -1;
+    }
+    std::sort(numbers.begin(), numbers.end());
+    return question.substr(0, 2) + std::string(reinterpret_cast<const char*>(numbers.data()),
+                                               numbers.size() * sizeof(double));
 }
 
 }  // namespace

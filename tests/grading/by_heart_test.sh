@@ -1,7 +1,7 @@
 #!/bin/sh
 # The value of a table of public answers: by_heart_test.sh BUILD PROJECT STAGE…
 #
-# For each stage, every query that its suite sends to a student's file is stored in a table, with
+# step09_phong_trace is the `trace` of that stage. For each stage, every query that its suite sends to a student's file is stored in a table, with
 # the right answer. A graded run with an unknown seed then tests a worker that has nothing but the
 # table, and one that also recognizes the numbers of its queries, except for signs, order and powers
 # of two, and then has the right answer. Neither may get more than a tenth of a stage's points,
@@ -14,7 +14,8 @@ od -An -N8 -tx8 /dev/urandom > "$folder/seed"
 
 # points REPORT STAGE: "7 21". 0 points if only the starter's cases pass.
 points() {
-    awk -v given="$project/steps/$2/starter/passes.txt" '
+    case $2 in *_trace) passes=main_passes.txt ;; *) passes=passes.txt ;; esac
+    awk -v given="$project/steps/${2%_trace}/starter/$passes" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
         /^case / { name = substr($0, 6); worth = 1 }
         /^points / { worth = $2 }
@@ -26,7 +27,7 @@ points() {
 for stage in "$@"; do
     suite=$build/${stage}_asked_test_double
     RAYSTEPS_SEED=1 RAYSTEPS_WORKER=$build/by_heart RAYSTEPS_TABLE=$folder/$stage \
-        RAYSTEPS_LEARNS=$build/${stage}_reference_worker \
+        RAYSTEPS_LEARNS=$build/${stage%_trace}_reference_worker \
         "$suite" > /dev/null || fail "$stage: the reference, while it is learned"
     # ask VARIABLE=VALUE…: the points with these.
     ask() {
@@ -38,7 +39,7 @@ for stage in "$@"; do
     again=$(ask RAYSTEPS_SEED=1)  # tests that the table is not empty
     written=$(ask RAYSTEPS_SEED=2)
     came=$(ask RAYSTEPS_SEED_FILE="$folder/seed")
-    alike=$(ask RAYSTEPS_SEED_FILE="$folder/seed" RAYSTEPS_ALIKE="$build/${stage}_reference_worker")
+    alike=$(ask RAYSTEPS_SEED_FILE="$folder/seed" RAYSTEPS_ALIKE="$build/${stage%_trace}_reference_worker")
     echo "$stage: of ${came#* }, the same again ${again% *}, as written ${written% *}," \
         "graded ${came% *}, alike ${alike% *}"
     [ "${again% *}" -gt $((${came#* } / 2)) ] || fail "$stage: the table knows less than half"

@@ -45,9 +45,10 @@ flattened() {
         { print }' "$1"
 }
 
-# stage_points REPORT STAGE: the points of a suite's report. 0 if only the starter's cases pass.
+# stage_points REPORT SUITE: the points of a suite's report. 0 if only the starter's cases pass.
 stage_points() {
-    awk -v given="$project/steps/$2/starter/passes.txt" '
+    case $2 in *_trace) passes=main_passes.txt ;; *) passes=passes.txt ;; esac
+    awk -v given="$project/steps/${2%_trace}/starter/$passes" '
         BEGIN { while ((getline line < given) > 0) free[line] = 1 }
         /^case / { name = substr($0, 6); worth = 1 }
         /^points / { worth = $2 }
@@ -55,9 +56,9 @@ stage_points() {
         END { print own ? sum : 0 }' "$1"
 }
 
-# points_of WORKER STAGE: computed once, however many students submit the same.
+# points_of WORKER SUITE: computed once, however many students submit the same.
 points_of() {
-    report=$folder/reports/$(basename "$1")
+    report=$folder/reports/$(basename "$1")_$2
     [ -e "$report" ] ||
         RAYSTEPS_SEED_FILE=$seed RAYSTEPS_REPORT=$report RAYSTEPS_WORKER=$1 \
             "$build/${2}_asked_test_double" > /dev/null 2>&1
@@ -90,6 +91,11 @@ submit() {
             right)
                 cp "$project/steps/$stage/reference/"*.cpp "$place"
                 points=$(points_of "$build/${stage}_reference_worker" "$stage")
+                right=$(pick 0 "$project/tests/alternatives/$stage/main"/*.cpp)
+                if [ -e "$right" ]; then
+                    cp "$right" "${file%.cpp}_main.cpp"
+                    points=$((points + $(points_of "$build/${stage}_reference_worker" "${stage}_trace")))
+                fi
                 ;;
             untouched) cp "$project/steps/$stage/starter/"*.cpp "$place" ;;
             mistaken)

@@ -10,8 +10,8 @@
 
 namespace rt::grade {
 
-/// The text of each file that is taken, by its stage.
-using Files = std::map<int, std::string>;
+/// The text of each file that is taken.
+using Files = std::map<GradedFile, std::string>;
 
 /// A class to be, and a workshop, in a folder of their own.
 class Ground {

@@ -35,6 +35,46 @@ TEST_CASE("a file is found by its name, wherever it is") {
           std::string::npos);
 }
 
+TEST_CASE("a main.cpp is the trace of the stage that its folder or its name gives") {
+    const Ground ground(RAYSTEPS_SEALED);
+    const GradedFile trace(3, true);
+    const auto only = [&](const std::string& name) {
+        INFO(name);
+        ground.write("ann/" + name, "trace");
+        CHECK(ground.take("ann").files == Files{{trace, "trace"}});
+        fs::remove_all(ground.place("ann"));
+    };
+    only("raysteps/steps/step03_sphere/student/main.cpp");
+    only("step03_sphere/main.cpp");
+    only("step03/main.cpp");
+    only("sphere/main.cc");
+    only("sphere_main.cpp");
+    only("step03_sphere_main.cpp");
+    only("step03_main (1).cpp");
+
+    ground.write("ben/week 1/sphere.cpp", "three");
+    ground.write("ben/week 1/main.cpp", "trace");
+    CHECK(ground.take("ben").files == Files{{3, "three"}, {trace, "trace"}});
+    ground.write("ben/week 1/plane.cpp", "four");
+    const SubmittedFiles several = ground.take("ben");
+    CHECK(several.files == Files{{3, "three"}, {4, "four"}});
+    CHECK(several.words.at({4, true}).find("would be plane_main.cpp") != std::string::npos);
+}
+
+TEST_CASE("a main.cpp of the project, and one of another program, are no trace") {
+    const Ground ground(RAYSTEPS_SEALED);
+    for (const char* name :
+         {"steps/step03_sphere/main.cpp", "steps/step03_sphere/starter/main.cpp",
+          "steps/step02_camera_basis/student/main.cpp", "common/program/main.cpp", "main.cpp"})
+        ground.write(std::string("whole/") + name, "ours");
+    const SubmittedFiles taken = ground.take("whole");
+    CHECK(taken.files.empty());
+    CHECK(taken.words.at({3, true}).find("steps/step03_sphere/main.cpp (a file of the project") !=
+          std::string::npos);
+    ground.write("whole/steps/step03_sphere/student/main.cpp", "his");
+    CHECK(ground.take("whole").files == Files{{{3, true}, "his"}});
+}
+
 TEST_CASE("links, devices and books are not collected") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("secret/passwords", "secret");

@@ -30,6 +30,14 @@ struct Class : Results {
         write_text(student_folder(folder, student) / "submitted" / (name + ".cpp"), text);
     }
 
+    void hand_in_trace(const std::string& student, const std::string& text) {
+        write_mark(
+            folder,
+            {.student = student, .stage = 10, .verdict = Verdict::judged, .trace_source = student});
+        fs::create_directories(student_folder(folder, student) / "submitted");
+        write_text(student_folder(folder, student) / "submitted/shadows_main.cpp", text);
+    }
+
     [[nodiscard]] Similarity found() const {
         return similarity(folder, project, read_marks(folder));
     }
@@ -119,6 +127,24 @@ TEST_CASE("a file stays near whatever it is renamed to, and with a line here and
     CHECK(found.near[0].percent.at(3) < 100);
 }
 
+TEST_CASE("files with trace are compared, apart from what the project gives") {
+    Class results;
+    const std::string given = text_of("steps/step10_shadows/main.cpp");
+    results.hand_in_trace("anna", given + noise(80, 1));
+    results.hand_in_trace("ben", "// mine\n" + given + noise(80, 1));
+    results.hand_in_trace("carl", given);
+    results.hand_in_trace("dora", given + "// mine");
+    for (const char* name : {"every_light_is_tried", "without_a_log"})
+        results.hand_in_trace(
+            name, text_of("tests/alternatives/step10_shadows/main/" + std::string(name) + ".cpp"));
+    const Similarity found = results.found();
+    CHECK(found.same.empty());
+    REQUIRE(found.near.size() == 1);
+    CHECK(found.near[0].one == "anna");
+    CHECK(found.near[0].other == "ben");
+    CHECK(found.near[0].percent == std::map<GradedFile, int>{{{10, true}, 100}});
+}
+
 TEST_CASE("passages of many students count little") {
     Class results;
     const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
@@ -146,7 +172,7 @@ TEST_CASE("students who are similar in most stages are first") {
     const Similarity found = results.found();
     REQUIRE(found.near.size() == 2);
     CHECK(found.near[0].one == "carl");
-    CHECK(found.near[0].percent == std::map<int, int>{{3, 100}, {4, 100}});
+    CHECK(found.near[0].percent == std::map<GradedFile, int>{{3, 100}, {4, 100}});
     CHECK(found.near[1].one == "anna");
 }
 
@@ -165,7 +191,7 @@ TEST_CASE("students with the same file are reported once, and not for the starte
     results.hand_in("hal", 3, too_short);
     const Similarity found = results.found();
     REQUIRE(found.same.size() == 1);
-    CHECK(found.same[0].stage == 3);
+    CHECK(found.same[0].file == GradedFile(3));
     CHECK(found.same[0].students == std::vector<std::string>{"anna", "ben"});
     CHECK(found.near.empty());
 }

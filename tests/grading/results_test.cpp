@@ -32,18 +32,21 @@ TEST_CASE("a mark is a file of lines: the stage's results, then one case per lin
               .key = "k",
               .verdict = Verdict::judged,
               .source = "8",
+              .trace_source = "9",
               .cases = {{.name = "edges", .points = 2, .passed = true, .given = true}},
               .picture = PictureMark{.pixels = 12, .different = 3, .file = "p.png"},
               .most = 2};
     write_mark(results.folder, mark);
     CHECK(mark_file("results", "anna", 5) == "results/students/anna/step05_triangle.jsonl");
-    CHECK(read_text(mark_file(results.folder, "anna", 5)) ==
-          R"({"raysteps":1,"student":"anna","stage":5,"key":"k","verdict":"judged","words":"",)"
-          R"("source":"8","mistake":"","smallest":"","slice":"","most":2,"cases":1,)"
-          R"("picture":{"pixels":12,"different":3,"file":"p.png"}})"
-          "\n"
-          R"({"name":"edges","points":2,"passed":true,"given":true,"place":"","words":""})"
-          "\n");
+    CHECK(
+        read_text(mark_file(results.folder, "anna", 5)) ==
+        R"({"raysteps":1,"student":"anna","stage":5,"key":"k","verdict":"judged","words":"",)"
+        R"("source":"8","trace_source":"9","mistake":"","smallest":"","slice":"","most":2,"cases":1,)"
+        R"("picture":{"pixels":12,"different":3,"file":"p.png"}})"
+        "\n"
+        R"({"name":"edges","points":2,"passed":true,"given":true,"trace":false,"place":"",)"
+        R"("words":""})"
+        "\n");
 }
 
 TEST_CASE("a mark that is read is the one that was written, but for bytes that are no UTF-8") {
@@ -129,6 +132,26 @@ TEST_CASE("a student may be called as a file of ours is") {
     CHECK(read_marks(results.folder).size() == ours.size());
     write(results.folder / "anna" / "step01_ray_generation.jsonl", "a stray folder is no student");
     CHECK(read_marks(results.folder).size() == ours.size());
+}
+
+TEST_CASE("what the starter passes counts for a file whose other cases pass, and no other") {
+    const CaseMark own{.name = "own", .points = 3, .passed = true};
+    const CaseMark given{.name = "given", .points = 2, .passed = true, .given = true};
+    CaseMark given_trace = given;
+    given_trace.of_trace = true;
+    CaseMark own_trace = own;
+    own_trace.of_trace = true;
+    Mark mark{
+        .stage = 3, .verdict = Verdict::judged, .cases = {given, own, given_trace}, .most = 10};
+    CHECK(mark.points() == 5);
+    CHECK(mark.untested_points() == 3);
+    mark.cases.push_back(own_trace);
+    CHECK(mark.points() == 10);
+    CHECK(mark.untested_points() == 0);
+    mark.cases = {given, given_trace, own_trace};
+    CHECK(mark.points() == 5);
+    mark.cases = {given, given_trace};
+    CHECK(mark.points() == 0);
 }
 
 TEST_CASE("a file that the grader did not write is not a mark") {

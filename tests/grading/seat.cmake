@@ -1,12 +1,13 @@
 # raysteps_seat(<stage>)
 #
-# The link kit of a graded worker of the stage, for the student's own file, in double:
+# The link kit of a graded worker of the stage, for the student's own files, in double. <file> is
+# <stage>, the file of its functions, or <stage>_trace, its main.cpp:
 #
-# seats/<stage>.o             everything but the thirteen stages' own files, as one object
-# seats/references/<stage>.o  the stage's reference, for grading another stage
-# seats/graded/<stage>.o      both of these for the graded file, with all other stages; the file can
-#                             call only the functions in steps/may_include.txt
-# seats/graded/<stage>.txt    the functions of all contracts, and their status for that file
+# seats/<stage>.o             everything but the stages' own files and main.cpp, as one object
+# seats/references/<file>.o   the reference of each, for grading another
+# seats/graded/<file>.o       all of these but the graded file; it can call only the functions of
+#                             the headers in steps/may_include.txt
+# seats/graded/<file>.txt     the functions of all contracts, and their status for that file
 # seats/<stage>.txt           the options for compiling a file of the stage, and for linking all of
 #                             it: one option per line
 #
@@ -14,7 +15,8 @@
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
     set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_base)
-    set(objects $<TARGET_PROPERTY:${stage}_picture_f64,INTERFACE_SOURCES>)
+    set(objects $<TARGET_PROPERTY:${stage}_picture_without_main_f64,INTERFACE_SOURCES>)
+    set(main $<TARGET_OBJECTS:${stage}_main_f64>)
     # A worker gets its meshes with the queries, and reads no file.
     set(objects "$<FILTER:${objects},EXCLUDE,raysteps_meshes_f64|raysteps_without_meshes_f64>")
     list(APPEND objects $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
@@ -23,9 +25,16 @@ function(raysteps_seat stage)
     endforeach()
     raysteps_one_object(${folder}/${stage}.o "${objects}")
     raysteps_one_object(${folder}/references/${stage}.o $<TARGET_OBJECTS:${stage}_reference_f64>)
-    raysteps_graded_seat(${stage} "${objects}")
-    add_custom_target(${stage}_seat DEPENDS
-        ${folder}/${stage}.o ${folder}/references/${stage}.o ${folder}/graded/${stage}.o)
+    raysteps_one_object(${folder}/references/${stage}_trace.o ${main})
+    raysteps_graded_seat(${stage} ${stage} $<TARGET_OBJECTS:${stage}_reference_f64>
+        "${objects};${main}")
+    set(made ${stage}.o references/${stage}.o references/${stage}_trace.o graded/${stage}.o)
+    if(TARGET ${stage}_trace_asked_test_double)
+        raysteps_graded_seat(${stage}_trace ${stage} ${main} "${objects}")
+        list(APPEND made graded/${stage}_trace.o)
+    endif()
+    list(TRANSFORM made PREPEND ${folder}/)
+    add_custom_target(${stage}_seat DEPENDS ${made})
 
     set(few_errors -fmax-errors=20)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
@@ -51,34 +60,48 @@ function(raysteps_seat stage)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
 endfunction()
 
-# raysteps_graded_seat(<stage> <objects>)
+# raysteps_graded_seat(<file> <stage> <own> <objects>)
 #
-# seats/graded/<stage>.o and .txt, from the seat's objects and all other stages' references. The
-# object with a header's functions, if there is one, has its name: todo.cpp.o for common/stages/todo.hpp.
-function(raysteps_graded_seat stage objects)
+# seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
+# the objects of the file's own reference. The object with a header's functions, if there is one, has
+# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of common/ and
+# of all stages, but not the parts of its own stage that are not listed, such as lighting.hpp.
+function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
-    file(STRINGS ${may_include} callable REGEX "^(all|${stage}) ")
+    set(whose "all|${stage}")
+    if(NOT file STREQUAL stage)
+        set(whose "trace:${stage}")
+    endif()
+    file(STRINGS ${may_include} callable REGEX "^(${whose}) ")
     list(TRANSFORM callable REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}")
     set(parts "${objects}")
     set(absent)
     set(others)
     foreach(other IN LISTS stages)
         set(reference $<TARGET_OBJECTS:${other}_reference_f64>)
-        if(other STREQUAL stage)
+        if(other STREQUAL file)
             continue()
         endif()
         list(APPEND others ${reference})
         # Stage 2's function makes the rays of every picture.
         if(other STRGREATER stage AND NOT other STREQUAL "step02_camera_basis")
             list(APPEND absent ${reference})
-        else()
-            list(APPEND parts ${reference})
+            continue()
+        endif()
+        list(APPEND parts ${reference})
+        if(NOT file STREQUAL stage)
+            list(APPEND callable "${other}_reference_f64.dir/.*")
+            if(NOT other STREQUAL stage)
+                list(APPEND callable "${other}_shared_f64.dir/.*")
+            endif()
         endif()
     endforeach()
-    set(out ${PROJECT_BINARY_DIR}/seats/graded/${stage})
+    if(NOT file STREQUAL stage)
+        list(APPEND callable "common/.*")
+    endif()
+    set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)
-    set(own $<TARGET_OBJECTS:${stage}_reference_f64>)
     add_custom_command(OUTPUT ${out}.o BYPRODUCTS ${out}.txt
         COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/seats/graded
         COMMAND sh ${script} ${out}.o ${out}.txt ${CMAKE_CXX_COMPILER} ${CMAKE_NM} ${CMAKE_OBJCOPY}

@@ -4,6 +4,7 @@
 
 #include "common/contract/rendered.hpp"
 #include "common/program/load_meshes.hpp"
+#include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -35,7 +36,12 @@ Rgb seen(const std::string& text, const RenderSettings& settings) {
     Scene scene = parse_scene(whole(text), project_file("scenes/trace.rt"), orthonormal_basis);
     load_meshes(scene);
     build_acceleration(scene);
-    return rendered(scene, settings)[{.row = 0, .column = 0}];
+    return to_rgb(traced(scene, settings));
+}
+
+std::string scene_color(Rgb color) {
+    return std::to_string(color[0]) + "," + std::to_string(color[1]) + "," +
+           std::to_string(color[2]);
 }
 
 Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& settings,

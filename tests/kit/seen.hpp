@@ -15,6 +15,9 @@ namespace rt {
 /// pixel has that direction.
 [[nodiscard]] Rgb seen(const std::string& scene, const RenderSettings& settings = {});
 
+/// A color as in a scene's text: "255,0,0".
+[[nodiscard]] std::string scene_color(Rgb color);
+
 /// The pixel has the expected color, to 1 of 255 or the given difference. The sentence contains the
 /// whole scene, which a student can save and render.
 [[nodiscard]] Verdict shows(const std::string& scene, Rgb expected,

@@ -1,6 +1,7 @@
 // One shape of every kind, for scenes of one pixel (tests/kit/seen.hpp).
 #pragma once
 
+#include "tests/kit/for_all.hpp"
 #include "tests/kit/seen.hpp"
 
 #include <span>
@@ -53,6 +54,40 @@ inline std::span<const Kind> kinds_until(int stage) {
     return {all_kinds.data(), count};
 }
 
+inline Rgb draw_color(Random& random) {
+    const auto draw = [&] { return std::uint8_t(random.below(256)); };
+    return {draw(), draw(), draw()};
+}
+
+/// The color times a factor of each channel.
+inline Rgb scaled(Rgb color, Color factor) {
+    for (glm::length_t i = 0; i < 3; ++i)
+        color[std::size_t(i)] = std::uint8_t(Real(color[std::size_t(i)]) * factor[i] + Real(0.5));
+    return color;
+}
+
+/// The closest of some shapes behind each other is seen, of random kinds, distances and colors, and
+/// in a random order.
+inline Verdict closest_of_random_shapes_is_seen(int stage, const std::string& head, bool torch) {
+    return for_all(
+        [&](Random& random) {
+            std::string lines;
+            Rgb expected{};
+            int depth = 1;
+            for (int count = 1 + random.below(4); count > 0; --count) {
+                const auto kinds = kinds_until(stage);
+                const Kind& kind = kinds[std::size_t(random.below(int(kinds.size())))];
+                const Rgb color = draw_color(random);
+                depth += 3 + random.below(6);
+                const std::string line = kind.line(depth, scene_color(color));
+                if (lines.empty()) expected = scaled(color, Color(torch ? Real(kind.torch) : 1));
+                lines = random.coin() ? lines + line : line + lines;
+            }
+            return shows(head + lines, expected);
+        },
+        40);
+}
+
 /// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
 /// `head` has the lights; `torch` says that a torch lights the scene.
 inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
@@ -67,7 +102,7 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
             }
         }
     }
-    return {};
+    return closest_of_random_shapes_is_seen(stage, head, torch);
 }
 
 }  // namespace rt

@@ -1,6 +1,6 @@
 // Stage 3, `trace`: the closest of several spheres, against M1 ("plusieurs objets") and CR §2.1.
 #include "tests/kit/picture.hpp"
-#include "tests/kit/seen.hpp"
+#include "tests/suites/kinds.hpp"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +58,7 @@ TEST_CASE(
     // Nearer by its surface, not by its center.
     CHECK(show_in_any_order(
         {"sp 0,0,-10 16 255,0,0\n", "sp 0,0,-6 2 0,255,0\n", "sp 0,0,-30 4 0,0,255\n"}, red));
+    CHECK(closest_of_random_shapes_is_seen(3, "", true));
 }
 
 TEST_CASE("a sphere behind the eye is not seen, nor does it hide another (PHY)") {

@@ -11,6 +11,26 @@ namespace {
 
 const std::string white_wall = "pl 0,0,-4 0,0,1 255,255,255\n";
 
+/// Up to five lights of random brightness and color, at the eye.
+Verdict random_lights_add_up() {
+    return for_all(
+        [](Random& random) {
+            std::string lights;
+            Color sum(0);
+            for (int count = 1 + random.below(5); count > 0; --count) {
+                const int percent = 1 + random.below(19);
+                const Rgb color = draw_color(random);
+                lights +=
+                    "L 0,0,0 " + std::to_string(percent * 0.01) + " " + scene_color(color) + "\n";
+                sum += Real(percent * 0.01) * Color(color[0], color[1], color[2]) / Real(255);
+            }
+            const Rgb wall = draw_color(random);
+            const std::string shape = "pl 0,0,-4 0,0,1 " + scene_color(wall) + "\n";
+            return shows(random.coin() ? lights + shape : shape + lights, scaled(wall, sum));
+        },
+        40);
+}
+
 }  // namespace
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)",
@@ -39,6 +59,7 @@ TEST_CASE("the light of two lights adds up (CR §3.1)") {
     std::string five;
     for (int i = 0; i < 5; ++i) five += "L 0,0,0 0.1 255,255,255\n";
     CHECK(shows(five + white_wall, {127, 127, 127}));
+    CHECK(random_lights_add_up());
 }
 
 TEST_CASE("ambient light counts once, however many lights there are (CR §3.1)") {

@@ -5,6 +5,7 @@
 // -1.5,0,-2.
 #include "tests/kit/picture.hpp"
 #include "tests/suites/kinds.hpp"
+#include "tests/suites/random_shadows.hpp"
 
 #include <array>
 
@@ -46,6 +47,7 @@ TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
         CHECK(shows(lights + white_wall + ball_on_the_left, {102, 0, 0}));
         CHECK(shows(lights + white_wall + ball_on_the_right + ball_on_the_left, {0, 0, 0}));
     }
+    CHECK(random_lights_are_blocked(""));
 }
 
 TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {

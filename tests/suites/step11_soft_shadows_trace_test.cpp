@@ -4,6 +4,7 @@
 // 0.8 there: a brightness of 0.5 gives 0.4, which is 102 of 255. A card halfway to the right one,
 // with an edge at y = 0, leaves half of it.
 #include "tests/suites/kinds.hpp"
+#include "tests/suites/random_shadows.hpp"
 
 using namespace rt;
 
@@ -34,6 +35,7 @@ TEST_CASE("an area light that is hidden altogether gives nothing (CR §3.3)") {
     CHECK(shows(red_right + white_wall + whole_card, {0, 0, 0}));
     CHECK(shows(red_right + green_left + white_wall + whole_card, {0, 102, 0}));
     CHECK(shows(green_left + red_right + white_wall + whole_card, {0, 102, 0}));
+    CHECK(random_lights_are_blocked(" radius:0.05"));
 }
 
 TEST_CASE("half of an area light gives half of its light (CR §3.3)") {

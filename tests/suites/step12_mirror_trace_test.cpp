@@ -15,6 +15,25 @@ std::string mirror(const std::string& share, const std::string& color = "255,255
     return "pl 0,0,-4 0,0,1 " + color + " mirror:" + share + "\n";
 }
 
+/// The mirror's color and its own, of random colors and shares.
+Verdict random_shares_are_mixed() {
+    return for_all(
+        [](Random& random) {
+            const int percent = random.below(101);
+            const Rgb own = draw_color(random);
+            const Rgb seen = draw_color(random);
+            const Real share = Real(percent) / 100;
+            Rgb expected;
+            for (std::size_t i = 0; i < 3; ++i)
+                expected[i] =
+                    std::uint8_t(share * Real(seen[i]) + (1 - share) * Real(own[i]) + Real(0.5));
+            return shows(bright + mirror(std::to_string(percent * 0.01), scene_color(own)) +
+                             "pl 0,0,6 0,0,-1 " + scene_color(seen) + "\n",
+                         expected);
+        },
+        40);
+}
+
 }  // namespace
 
 TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)",
@@ -29,6 +48,7 @@ TEST_CASE("a mirror's share is that of what it shows, and the rest is its own co
     CHECK(shows(bright + mirror("0.8", "0,0,255") + red_wall_behind, {204, 0, 51}));
     CHECK(shows(bright + mirror("0.25"), {191, 191, 191}));
     CHECK(shows(bright + mirror("0") + red_wall_behind, {255, 255, 255}));
+    CHECK(random_shares_are_mixed());
 }
 
 TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §5.1)") {

@@ -32,15 +32,24 @@ std::string included_by(const std::string& line) {
     return end == std::string::npos ? "" : line.substr(start + 1, end - start - 1);
 }
 
-/// The lines of steps/may_include.txt that are for the stage.
-std::vector<fs::path> listed(const fs::path& project, int stage) {
+/// True if a line for `whose`, such as "trace:step04_plane" for each main.cpp from that stage on,
+/// is for the file.
+bool is_for(const std::string& whose, GradedFile graded) {
+    const std::string trace = "trace:";
+    if (!whose.starts_with(trace))
+        return whose == "all" || (!graded.is_trace && whose == stage_name(graded.stage));
+    return graded.is_trace && whose.substr(trace.size()) <= stage_name(graded.stage);
+}
+
+/// The lines of steps/may_include.txt that are for the file.
+std::vector<fs::path> listed(const fs::path& project, GradedFile graded) {
     std::vector<fs::path> headers;
     for (const std::string& line : lines_of(read_text(project / "steps/may_include.txt"))) {
         std::istringstream words(line);
         std::string whose;
         std::string header;
         words >> whose >> header;
-        if (whose == "all" || whose == stage_name(stage)) headers.emplace_back(header);
+        if (is_for(whose, graded)) headers.emplace_back(header);
     }
     return headers;
 }
@@ -69,9 +78,10 @@ fs::path stage_header(int stage) {
     return fs::path("steps") / name / (name.substr(7) + ".hpp");
 }
 
-std::set<fs::path> allowed_headers(const fs::path& project, int stage) {
-    std::vector<fs::path> wanted = listed(project, stage);
-    wanted.push_back(stage_header(stage));
+std::set<fs::path> allowed_headers(const fs::path& project, GradedFile graded) {
+    std::vector<fs::path> wanted = listed(project, graded);
+    for (int stage = graded.is_trace ? 1 : graded.stage; stage <= graded.stage; ++stage)
+        wanted.push_back(stage_header(stage));
     std::set<fs::path> allowed;
     while (!wanted.empty()) {
         const fs::path header = wanted.back();
@@ -83,8 +93,9 @@ std::set<fs::path> allowed_headers(const fs::path& project, int stage) {
     return allowed;
 }
 
-std::vector<Include> refused_includes(const fs::path& project, int stage, const fs::path& file) {
-    const std::set<fs::path> allowed = allowed_headers(project, stage);
+std::vector<Include> refused_includes(const fs::path& project, GradedFile graded,
+                                      const fs::path& file) {
+    const std::set<fs::path> allowed = allowed_headers(project, graded);
     std::vector<Include> refused;
     for (Include& each : includes_of(file)) {
         const bool is_ours = fs::is_regular_file(project / each.header) ||

@@ -1,6 +1,8 @@
 // The project's headers that a graded file may include.
 #pragma once
 
+#include "common/stages/graded_file.hpp"
+
 #include <filesystem>
 #include <set>
 #include <string>
@@ -11,11 +13,11 @@ namespace rt {
 /// The header that a stage's file implements: "steps/step05_triangle/triangle.hpp".
 [[nodiscard]] std::filesystem::path stage_header(int stage);
 
-/// The headers that exist when a file of the stage is graded, as paths in the project: the stage's
-/// own, those listed in steps/may_include.txt, and all headers that these include. Throws
-/// InputError if one cannot be read.
+/// The headers that exist when a file is graded, as paths in the project: the stage's own (of a
+/// main.cpp, those of earlier stages too), those listed in steps/may_include.txt, and all headers
+/// that these include. Throws InputError if one cannot be read.
 [[nodiscard]] std::set<std::filesystem::path> allowed_headers(const std::filesystem::path& project,
-                                                              int stage);
+                                                              GradedFile graded);
 
 /// One #include of a file.
 struct Include {
@@ -29,7 +31,8 @@ struct Include {
 
 /// The includes of a student's file, of the project or of its own folder, that are missing when it
 /// is graded. Throws InputError.
-[[nodiscard]] std::vector<Include> refused_includes(const std::filesystem::path& project, int stage,
+[[nodiscard]] std::vector<Include> refused_includes(const std::filesystem::path& project,
+                                                    GradedFile graded,
                                                     const std::filesystem::path& file);
 
 }  // namespace rt

@@ -148,9 +148,11 @@ void report_left_over(const fs::path& results, const std::vector<std::string>& l
 }
 
 void precompile_headers(const Order& order, const Grading& grading) {
-    const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
-    parallel_for(order.jobs, stages.size(), &stop,
-                 [&](std::size_t i) { precompile_header(grading.workshop, stages[i]); });
+    std::vector<GradedFile> all;
+    for (const int stage : grading.stages)
+        for (const GradedFile each : files_of(stage)) all.push_back(each);
+    parallel_for(order.jobs, all.size(), &stop,
+                 [&](std::size_t i) { precompile_header(grading.workshop, all[i]); });
 }
 
 /// Compiles each reference alone; for few submissions only one, since a compile takes seconds: a

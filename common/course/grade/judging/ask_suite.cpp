@@ -19,9 +19,10 @@ constexpr int suite_seconds = 20;
 
 using Clock = std::chrono::steady_clock;
 
-/// The cases that the stage's starter passes.
-std::set<std::string> given_cases(const Grading& grading, int stage) {
-    const fs::path file = grading.project / "steps" / stage_name(stage) / "starter/passes.txt";
+/// The cases that the starter passes.
+std::set<std::string> given_cases(const Grading& grading, GradedFile graded) {
+    const fs::path file = grading.project / "steps" / stage_name(graded.stage) / "starter" /
+                          (graded.is_trace ? "main_passes.txt" : "passes.txt");
     if (!fs::exists(file)) return {};
     const std::vector<std::string> lines = lines_of(read_text(file));
     return {lines.begin(), lines.end()};
@@ -45,9 +46,9 @@ ProcessResult run_asking(const Grading& grading, int stage, const Command& progr
     return ending;
 }
 
-std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::path& worker,
+std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const fs::path& worker,
                                 Clock::time_point until, const Command& more_variables) {
-    const fs::path report = worker.parent_path() / (name_of(stage) + ".report");
+    const fs::path report = worker.parent_path() / (name_of(graded) + ".report");
     Command variables{"RAYSTEPS_WORKER=" + worker.string(),
                       "RAYSTEPS_REPORT=" + report.string(),
                       "RAYSTEPS_SEED_FILE=" + seed_file(grading.results).string(),
@@ -55,19 +56,20 @@ std::vector<CaseMark> ask_suite(const Grading& grading, int stage, const fs::pat
                       "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
                       "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
     variables.insert(variables.end(), more_variables.begin(), more_variables.end());
-    const ProcessResult ending =
-        run_asking(grading, stage, {name_of(stage) + "_asked_test_double", "--out", "/dev/null"},
-                   variables, until);
+    const ProcessResult ending = run_asking(
+        grading, graded.stage, {name_of(graded) + "_asked_test_double", "--out", "/dev/null"},
+        variables, until);
     std::vector<CaseMark> cases;
     if (!fs::exists(report) && ending.out_of_time) return cases;
     if (!fs::exists(report))
-        throw ProgramError("the suite of " + name_of(stage) + " does not run\n");
-    const std::set<std::string> given = given_cases(grading, stage);
+        throw ProgramError("the suite of " + name_of(graded) + " does not run\n");
+    const std::set<std::string> given = given_cases(grading, graded);
     for (const CaseResult& each : read_report(read_text(report)))
         cases.push_back({.name = each.name,
                          .points = each.points,
                          .passed = each.passed,
                          .given = given.count(each.name) == 1,
+                         .of_trace = graded.is_trace,
                          .place = each.place,
                          .words = each.failure});
     fs::remove(report);

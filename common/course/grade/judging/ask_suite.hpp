@@ -24,9 +24,9 @@ struct Grading {
                                        const Command& variables,
                                        std::chrono::steady_clock::time_point until);
 
-/// The report of the stage's suite on the worker, run with these additional variables. Contains the
+/// The report of a file's suite on the worker, run with these additional variables. Contains the
 /// cases that were reached.
-[[nodiscard]] std::vector<CaseMark> ask_suite(const Grading& grading, int stage,
+[[nodiscard]] std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded,
                                               const std::filesystem::path& worker,
                                               std::chrono::steady_clock::time_point until,
                                               const Command& more_variables = {});

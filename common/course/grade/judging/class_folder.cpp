@@ -65,7 +65,7 @@ std::set<int> stages_in(const fs::path& folder) {
     for (const fs::recursive_directory_iterator end; !failed && each != end;
          each.increment(failed)) {
         const Named named = named_for(each->path().filename());
-        if (named.fit >= Fit::near) stages.insert(named.stage);
+        if (named.fit >= Fit::near && named.stage != 0) stages.insert(named.stage);
     }
     return stages;
 }
@@ -74,7 +74,8 @@ std::set<int> stages_in(const fs::path& folder) {
 bool is_submission(const std::vector<fs::path>& entries) {
     return std::any_of(entries.begin(), entries.end(), [](const fs::path& each) {
         const std::string name = each.filename();
-        return (named_for(name).fit >= Fit::near && !label(name)) || name == "steps" ||
+        const Named named = named_for(name);
+        return (named.fit >= Fit::near && named.stage != 0 && !label(name)) || name == "steps" ||
                std::find(stage_names.begin(), stage_names.end(), name) != stage_names.end();
     });
 }

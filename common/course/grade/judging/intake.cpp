@@ -38,9 +38,20 @@ bool is_below(const fs::path& file, const std::string& folder) {
     return std::find(parent.begin(), parent.end(), folder) != parent.end();
 }
 
+/// The stage of the folder nearest to a file that names one; 0 if none does.
+int stage_around(const fs::path& file) {
+    for (fs::path folder = file.parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+        if (const std::optional<int> stage = find_stage(folder.filename().string())) return *stage;
+    return 0;
+}
+
 /// True for files of the project, which are not the student's.
-bool is_ours(const fs::path& file) {
-    return is_below(file, "reference") || is_below(file, "starter");
+bool is_ours(const fs::path& file, GradedFile graded) {
+    const fs::path folder = file.parent_path();
+    return is_below(file, "reference") || is_below(file, "starter") ||
+           (graded.is_trace && folder.filename() == stage_name(graded.stage) &&
+            folder.parent_path().filename() == "steps");
 }
 
 /// The better one first.
@@ -80,14 +91,15 @@ public:
 
     [[nodiscard]] SubmittedFiles chosen() {
         SubmittedFiles handed_in;
-        for (auto& [stage, found] : found_) choose(stage, found, handed_in);
+        for (const auto& [folder, main] : mains_) place_main(folder, main, handed_in);
+        for (auto& [graded, found] : found_) choose(graded, found, handed_in);
         std::sort(others_.begin(), others_.end());
         handed_in.words_on_all = words_;
         if (handed_in.files.empty() && !others_.empty())
             handed_in.words_on_all +=
                 "No file has a stage's name. Found: " + enumerated(others_) + ".\n";
-        for (auto& [stage, words] : handed_in.words)
-            if (handed_in.files.count(stage) == 0) words += handed_in.words_on_all;
+        for (auto& [graded, words] : handed_in.words)
+            if (handed_in.files.count(graded) == 0) words += handed_in.words_on_all;
         return handed_in;
     }
 
@@ -163,24 +175,30 @@ private:
 
     void add_file(const fs::path& name, std::optional<std::string> text, std::string why_not) {
         const std::string file = name.filename();
-        const auto [stage, fit] = named_for(file);
+        auto [stage, fit, is_trace] = named_for(file);
+        if (is_trace && stage == 0) stage = stage_around(name);
+        if (is_trace && stage != 0 && !has_trace(stage)) return;
         if (stage == 0) {
             if (!why_not.empty() && is_archive(file))
                 words_ += "The archive " + name.string() + " was not opened: " + why_not + ".\n";
             else if (is_source(file))
                 others_.push_back(name.string());
+            if (is_trace && text)
+                mains_.emplace_back(name.parent_path(),
+                                    Found{.path = name, .fit = fit, .text = std::move(text)});
             return;
         }
         // A stage's own header is in every copy of the project.
         if (fit == Fit::suspect && name.parent_path().filename() == stage_name(stage)) return;
         Found found{.path = name, .fit = fit, .why_not = std::move(why_not)};
-        if (is_ours(name))
+        const GradedFile graded(stage, is_trace);
+        if (is_ours(name, graded))
             found.why_not = "a file of the project, not yours";
         else if (fit == Fit::suspect)
             found.why_not = "its name is not a stage's";
         else
             found.text = std::move(text);
-        std::vector<Found>& all = found_[stage];
+        std::vector<Found>& all = found_[graded];
         // An archive may contain a name twice: the last entry counts, as in every unpacker.
         const auto twice = std::find_if(all.begin(), all.end(), [&](const Found& other) {
             return other.path == found.path && other.text && found.text;
@@ -191,11 +209,29 @@ private:
             all.push_back(std::move(found));
     }
 
-    static void choose(int stage, std::vector<Found>& found, SubmittedFiles& handed_in) {
+    /// A main.cpp that no folder names a stage of: it belongs to the stage with a file beside it,
+    /// if it is one.
+    void place_main(const fs::path& folder, const Found& main, SubmittedFiles& handed_in) {
+        std::vector<int> stages;
+        for (const auto& [graded, files] : found_)
+            if (!graded.is_trace && has_trace(graded.stage) &&
+                std::any_of(files.begin(), files.end(), [&](const Found& each) {
+                    return each.text && each.path.parent_path() == folder;
+                }))
+                stages.push_back(graded.stage);
+        if (stages.size() == 1) found_[{stages[0], true}].push_back(main);
+        if (stages.size() < 2) return;
+        for (const int stage : stages)
+            handed_in.words[{stage, true}] = main.path.string() +
+                                             " is beside the files of several stages: a name for "
+                                             "this one would be " +
+                                             submitted_name({stage, true}) + ".\n";
+    }
+
+    static void choose(GradedFile graded, std::vector<Found>& found, SubmittedFiles& handed_in) {
         std::sort(found.begin(), found.end(),
                   [](const Found& a, const Found& b) { return rank(a) < rank(b); });
-        const std::string name =
-            std::string(stage_name(stage).substr(std::string_view("step05_").size())) + ".cpp";
+        const std::string name = file_name(graded);
         const auto best = std::find_if(found.begin(), found.end(),
                                        [](const Found& each) { return each.text.has_value(); });
         std::string words;
@@ -203,11 +239,11 @@ private:
             std::vector<std::string> not_taken;
             for (const Found& each : found)
                 not_taken.push_back(each.path.string() + " (" + each.why_not + ")");
-            handed_in.words[stage] =
+            handed_in.words[graded] =
                 "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
             return;
         }
-        handed_in.files[stage] = *best->text;
+        handed_in.files[graded] = *best->text;
         if (best->fit != Fit::exact) words += best->path.string() + " was used as " + name + ".\n";
         std::vector<std::string> differ;
         for (const Found& each : found)
@@ -216,13 +252,14 @@ private:
             words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
                      " that differ; " + best->path.string() + " was used, and not " +
                      enumerated(differ) + ".\n";
-        if (!words.empty()) handed_in.words[stage] = words;
+        if (!words.empty()) handed_in.words[graded] = words;
     }
 
     const BuildDirectory& workshop_;
     std::list<TemporaryFolder> taken_out_;
-    std::map<int, std::vector<Found>> found_;
-    std::vector<std::string> others_;  ///< sources of no stage's name
+    std::map<GradedFile, std::vector<Found>> found_;
+    std::vector<std::pair<fs::path, Found>> mains_;  ///< by folder: the main.cpp of unknown stages
+    std::vector<std::string> others_;                ///< sources of no stage's name
     std::string words_;
     int entries_ = 0;
     int archives_ = 0;

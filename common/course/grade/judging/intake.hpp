@@ -22,18 +22,19 @@ struct Submission {
     std::vector<Piece> pieces;
 };
 
-/// The contents of a submission, by stage.
+/// The contents of a submission.
 struct SubmittedFiles {
-    std::map<int, std::string> files;
-    std::map<int, std::string> words;  ///< notes: two files for one stage, names that nearly match
-    std::string words_on_all;          ///< notes on archives that cannot be opened
+    std::map<GradedFile, std::string> files;
+    std::map<GradedFile, std::string> words;  ///< notes: two files for one, names that nearly match
+    std::string words_on_all;                 ///< notes on archives that cannot be opened
 };
 
-/// Collects the files with the thirteen names, in any folder or archive. The order of preference
-/// for several files of one stage: a file in a folder "student", then the least deep one; last,
-/// files in a folder "tests" or "build", and after them files with a similar name ("Sphere.cpp").
-/// Links are not followed, and archives are opened only in the sandbox. Throws ProgramError or
-/// filesystem_error if the grader itself fails.
+/// Collects the files with the thirteen names, in any folder or archive, and main.cpp, the `trace`
+/// of the stage that its folder names, or whose file is the only one beside it. The order of
+/// preference for several files of one stage: a file in a folder "student", then the least deep
+/// one; last, files in a folder "tests" or "build", and after them files with a similar name
+/// ("Sphere.cpp"). Links are not followed, and archives are opened only in the sandbox. Throws
+/// ProgramError or filesystem_error if the grader itself fails.
 [[nodiscard]] SubmittedFiles take_in(const BuildDirectory& workshop, const Submission& submission);
 
 }  // namespace rt::grade

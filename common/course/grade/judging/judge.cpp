@@ -34,13 +34,13 @@ bool was_waited_for(const CaseMark& each) {
 
 /// The passing cases are known. A case that also fails with the suite's own inputs is reported as
 /// by `./course check`, with inputs that a student can repeat. Returns the cases with these inputs.
-std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& grading, int stage,
-                             const fs::path& worker, Clock::time_point until) {
+std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& grading,
+                             GradedFile graded, const fs::path& worker, Clock::time_point until) {
     const auto fails = [](const CaseMark& each) { return !each.passed; };
     if (std::none_of(cases.begin(), cases.end(), fails)) return cases;
     if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return cases;  // it would be again
     std::vector<CaseMark> as_written =
-        ask_suite(grading, stage, worker, until, {"RAYSTEPS_AS_WRITTEN=1"});
+        ask_suite(grading, graded, worker, until, {"RAYSTEPS_AS_WRITTEN=1"});
     for (const CaseMark& told : as_written)
         for (CaseMark& each : cases)
             if (!each.passed && !told.passed && each.name == told.name) {
@@ -58,12 +58,32 @@ void write_report(const fs::path& file, const std::vector<CaseMark>& cases) {
     write_text(file, text);
 }
 
+/// The cases of one of a stage's files.
+std::vector<CaseMark> cases_of(const std::vector<CaseMark>& all, GradedFile graded) {
+    std::vector<CaseMark> some;
+    for (const CaseMark& each : all)
+        if (each.of_trace == graded.is_trace) some.push_back(each);
+    return some;
+}
+
+int points_of(const std::vector<CaseMark>& cases) {
+    int points = 0;
+    for (const CaseMark& each : cases) points += each.points;
+    return points;
+}
+
+bool all_pass(const std::vector<CaseMark>& cases) {
+    return std::all_of(cases.begin(), cases.end(),
+                       [](const CaseMark& each) { return each.passed; });
+}
+
 /// The same marks as if all cases had been reached.
 std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
     for (std::size_t i = cases.size(); i < all.size(); ++i)
         cases.push_back({.name = all[i].name,
                          .points = all[i].points,
                          .given = all[i].given,
+                         .of_trace = all[i].of_trace,
                          .words = not_reached});
     return cases;
 }
@@ -129,16 +149,19 @@ ReferenceResult judge_reference(const Grading& grading, int stage, const fs::pat
     const Build made = link_worker(grading.workshop, stage, {}, reference_result.worker);
     if (!made.succeeded) throw ProgramError(made.words);
     const auto start = Clock::now();
-    reference_result.cases =
-        ask_suite(grading, stage, reference_result.worker, start + longest_of_all);
+    std::string suites;
+    for (const GradedFile graded : files_of(stage)) {
+        for (CaseMark& each :
+             ask_suite(grading, graded, reference_result.worker, start + longest_of_all))
+            reference_result.cases.push_back(std::move(each));
+        suites += read_text(grading.build / (name_of(graded) + "_asked_test_double"));
+    }
     reference_result.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
     for (const CaseMark& each : reference_result.cases)
         if (!each.passed)
             throw ProgramError("error: the reference of " + name_of(stage) +
                                " itself fails: " + each.name + "\n" + each.words);
-    reference_result.key = sha256_of_all(
-        grading.seed, read_text(grading.build / (name_of(stage) + "_asked_test_double")),
-        read_text(reference_result.worker));
+    reference_result.key = sha256_of_all(grading.seed, suites, read_text(reference_result.worker));
     return reference_result;
 }
 
@@ -158,11 +181,18 @@ std::optional<PictureMark> picture_of(const Grading& grading, int stage, const f
 
 Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
     const ReferenceResult& reference_result = yardsticks_.at(stage);
-    Mark mark{.student = job.student(), .stage = stage, .words = job.words(stage)};
-    for (const CaseMark& each : reference_result.cases) mark.most += each.points;
-    if (!job.has(stage)) return mark;
-    mark.source = sha256(job.text(stage));
-    const std::string known = name_of(stage) + mark.source + mark.words;
+    Mark mark{.student = job.student(), .stage = stage, .most = points_of(reference_result.cases)};
+    std::string known = name_of(stage);
+    bool any = false;
+    for (const GradedFile each : files_of(stage)) {
+        mark.words += job.words(each);
+        known += job.source(each) + "-";
+        any = any || job.has(each);
+    }
+    if (!any) return mark;
+    mark.source = job.source(stage);
+    mark.trace_source = job.source({stage, true});
+    known += mark.words;
     {
         const std::lock_guard lock(mutex_);
         const auto found = known_.find(known);
@@ -174,38 +204,55 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
             return same;
         }
     }
-    Build made = job.compiled(stage);
-    if (made.succeeded) made = job.link(stage);
-    mark.verdict = made.succeeded ? Verdict::judged : Verdict::refused;
-    mark.words += made.words;
-    if (made.succeeded) {
-        mark.cases = ask_suite(grading_, stage, job.worker(), until);
-        const std::vector<CaseMark> as_written =
-            retell(mark.cases, grading_, stage, job.worker(), until);
-        mark.cases = completed(mark.cases, reference_result.cases);
-        if (mark.points() < mark.most && !is_written(job.text(stage))) {
-            mark.words +=
-                "Your file still contains RT_TODO: it was not compared with known mistakes.\n";
-        } else if (is_out_of_time(mark)) {
-            mark.words += "Your file took too long: it was not compared with known mistakes.\n";
-        } else if (mark.points() < mark.most) {
-            const std::string probes =
-                grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
-            const fs::path report = job.worker().parent_path() / (name_of(stage) + ".report");
-            write_report(report, as_written);
-            const ProcessResult ending = run_asking(
-                grading_, stage,
-                {"diagnose", probes, job.worker().string(), reference_result.worker.string(),
-                 report.string(), job.beside(stage, ".svg").string()},
-                {}, until);
-            fs::remove(report);
-            if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
-            if (fs::exists(job.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
-        }
+    mark.verdict = Verdict::refused;
+    for (const GradedFile each : files_of(stage)) {
+        if (job.has(each))
+            mark_file(job, each, until, mark);
+        else
+            mark.words += file_name(each) + " was not submitted: its " +
+                          std::to_string(points_of(cases_of(reference_result.cases, each))) +
+                          " points are not given.\n";
     }
     const std::lock_guard lock(mutex_);
     known_[known] = mark;
     return mark;
+}
+
+void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point until, Mark& mark) {
+    const int stage = graded.stage;
+    const ReferenceResult& reference_result = yardsticks_.at(stage);
+    Build made = job.compiled(graded);
+    if (made.succeeded) made = job.link(graded);
+    if (!made.succeeded) {
+        if (has_trace(stage)) mark.words += file_name(graded) + " cannot be graded:\n";
+        mark.words += made.words + (made.words.ends_with('\n') ? "" : "\n");
+        return;
+    }
+    mark.verdict = Verdict::judged;
+    std::vector<CaseMark> cases = ask_suite(grading_, graded, job.worker(), until);
+    const std::vector<CaseMark> as_written = retell(cases, grading_, graded, job.worker(), until);
+    cases = completed(cases, cases_of(reference_result.cases, graded));
+    mark.cases.insert(mark.cases.end(), cases.begin(), cases.end());
+    if (all_pass(cases) || graded.is_trace) return;
+    if (!is_written(job.text(graded))) {
+        mark.words +=
+            "Your file still contains RT_TODO: it was not compared with known mistakes.\n";
+    } else if (is_out_of_time(mark)) {
+        mark.words += "Your file took too long: it was not compared with known mistakes.\n";
+    } else {
+        const std::string probes =
+            grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
+        const fs::path report = job.worker().parent_path() / (name_of(stage) + ".report");
+        write_report(report, as_written);
+        const ProcessResult ending =
+            run_asking(grading_, stage,
+                       {"diagnose", probes, job.worker().string(), reference_result.worker.string(),
+                        report.string(), job.beside(stage, ".svg").string()},
+                       {}, until);
+        fs::remove(report);
+        if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
+        if (fs::exists(job.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
+    }
 }
 
 std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::time_point until) {

@@ -15,7 +15,7 @@ struct ReferenceResult {
     std::filesystem::path worker;  ///< built from the references alone
     std::string key;               ///< hash of everything that decides a mark, apart from the
                                    ///< student's files
-    std::vector<CaseMark> cases;   ///< all of them pass
+    std::vector<CaseMark> cases;   ///< of the functions, then of `trace`; all of them pass
     std::chrono::milliseconds took{0};
 };
 
@@ -47,6 +47,7 @@ private:
     void judge(SubmissionJob& job, int stage);
     // No worker gets a query after `until`.
     [[nodiscard]] Mark mark(SubmissionJob& job, int stage, Time until);
+    void mark_file(SubmissionJob& job, GradedFile graded, Time until, Mark& mark);
     [[nodiscard]] std::optional<PictureMark> picture(SubmissionJob& job, int stage, Time until);
 
     const Grading& grading_;

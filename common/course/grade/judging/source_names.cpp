@@ -1,6 +1,6 @@
 #include "common/course/grade/judging/source_names.hpp"
 
-#include "common/stages/stages.hpp"
+#include "common/stages/graded_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -81,6 +81,24 @@ bool is_slip(const std::string& name, const std::string& stem) {
     return name.size() < longest && distance(name, stem) <= (stem.size() < 6 ? 1 : 2);
 }
 
+/// The stage of "step03_main.cpp"; 0 without a number.
+int numbered_stage(const std::string& stem) {
+    const std::string name = squeezed(stem);
+    if (!name.starts_with("step")) return 0;
+    return find_stage(name.substr(4, name.find_first_not_of("0123456789", 4) - 4)).value_or(0);
+}
+
+/// The stage of a main.cpp, "sphere_main.cpp", if it is one.
+std::optional<int> trace_stage(const std::string& stem, const std::string& letters) {
+    const std::string main = "main";
+    if (!letters.ends_with(main)) return std::nullopt;
+    const std::string topic = letters.substr(0, letters.size() - main.size());
+    if (topic.empty()) return numbered_stage(stem);
+    for (int stage = shapes_stage; stage <= int(stage_names.size()); ++stage)
+        if (topic == squeezed(name_of(stage).substr(7))) return stage;
+    return std::nullopt;
+}
+
 }  // namespace
 
 Named named_for(const std::string& file_name) {
@@ -96,6 +114,15 @@ Named named_for(const std::string& file_name) {
         stem.resize(stem.size() - ending_of(lower(stem), source_endings).size());
     }
     const std::string letters = bare(stem);
+    if (const std::optional<int> stage = trace_stage(stem, letters)) {
+        const bool is_exact = file_name == "main.cpp" ||
+                              (has_trace(*stage) && file_name == submitted_name({*stage, true}));
+        return {.stage = *stage,
+                .fit = is_exact ? Fit::exact
+                       : source ? Fit::near
+                                : Fit::suspect,
+                .is_trace = true};
+    }
     Named slip;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
         const std::string topic(stage_name(stage).substr(std::string_view("step05_").size()));

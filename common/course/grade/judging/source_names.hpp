@@ -14,11 +14,12 @@ enum class Fit {
 };
 
 struct Named {
-    int stage = 0;
+    int stage = 0;  ///< 0 of "main.cpp": its folder names the stage
     Fit fit = Fit::none;
+    bool is_trace = false;  ///< "main.cpp", "sphere_main.cpp", "step03_main.cpp"
 };
 
-/// The stage that a file with this name belongs to.
+/// The stage that a file with this name belongs to, and which of its files it is.
 [[nodiscard]] Named named_for(const std::string& file_name);
 
 /// True if the name has the extension of a C++ source.

@@ -9,6 +9,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The files that draw the picture of a stage.
+std::vector<GradedFile> chain_of(int stage) {
+    std::vector<GradedFile> files;
+    for (int each = 1; each <= stage; ++each) files.emplace_back(each);
+    files.emplace_back(stage, true);
+    return files;
+}
+
 }  // namespace
 
 SubmissionJob::SubmissionJob(const Grading& grading, const Submission& submission)
@@ -16,44 +24,59 @@ SubmissionJob::SubmissionJob(const Grading& grading, const Submission& submissio
       student_(submission.student),
       handed_in_(take_in(grading.workshop, submission)),
       scratch_(grading.workshop.folder) {
+    leave_out_ours();
     // The workers in this folder are run by unprivileged users.
     fs::permissions(scratch_.path(), fs::perms(0755));
     fs::create_directories(student_folder(grading_.results, student_) / "submitted");
-    for (const auto& [stage, text] : handed_in_.files)
-        write_text(student_folder(grading_.results, student_) / "submitted" /
-                       (name_of(stage).substr(7) + ".cpp"),
+    for (const auto& [file, text] : handed_in_.files)
+        write_text(student_folder(grading_.results, student_) / "submitted" / submitted_name(file),
                    text);
 }
 
-std::string SubmissionJob::words(int stage) const {
-    const auto found = handed_in_.words.find(stage);
-    return found == handed_in_.words.end() ? handed_in_.words_on_all : found->second;
+void SubmissionJob::leave_out_ours() {
+    for (auto each = handed_in_.files.begin(); each != handed_in_.files.end();) {
+        const auto& [file, text] = *each;
+        const bool is_ours =
+            file.is_trace &&
+            text == read_text(grading_.project / "steps" / stage_name(file.stage) / "main.cpp");
+        if (is_ours) handed_in_.words[file] += "main.cpp is the project's own file.\n";
+        each = is_ours ? handed_in_.files.erase(each) : std::next(each);
+    }
+}
+
+std::string SubmissionJob::source(GradedFile file) const {
+    return has(file) ? sha256(text(file)) : "";
+}
+
+std::string SubmissionJob::words(GradedFile file) const {
+    const auto found = handed_in_.words.find(file);
+    if (found != handed_in_.words.end()) return found->second;
+    return file.is_trace ? "" : handed_in_.words_on_all;
 }
 
 std::string SubmissionJob::chain(int stage) const {
     std::string all;
-    for (int each = 1; each <= stage; ++each) all += has(each) ? sha256(text(each)) : "-";
+    for (const GradedFile each : chain_of(stage)) all += source(each) + "-";
     return sha256(all);
 }
 
 std::string SubmissionJob::key(int stage, const std::string& reference) const {
-    return sha256_of_all(reference, words(stage), chain(stage));
+    return sha256_of_all(reference, words(stage) + words({stage, true}), chain(stage));
 }
 
-const Build& SubmissionJob::compiled(int stage) {
-    const auto known = compiled_.find(stage);
+const Build& SubmissionJob::compiled(GradedFile file) {
+    const auto known = compiled_.find(file);
     if (known != compiled_.end()) return known->second;
-    return compiled_[stage] =
-               compile_submission(grading_.workshop, stage, text(stage), object(stage));
+    return compiled_[file] = compile_submission(grading_.workshop, file, text(file), object(file));
 }
 
-Build SubmissionJob::link(int stage) {
-    return link(stage, {{stage, object(stage)}});
+Build SubmissionJob::link(GradedFile file) {
+    return link(file.stage, {{file, object(file)}});
 }
 
 Build SubmissionJob::link_chain(int stage, std::chrono::steady_clock::time_point until) {
-    std::map<int, fs::path> objects;
-    for (int each = 1; each <= stage; ++each) {
+    std::map<GradedFile, fs::path> objects;
+    for (const GradedFile each : chain_of(stage)) {
         if (std::chrono::steady_clock::now() > until) return {};
         if (has(each) && compiled(each).succeeded) objects[each] = object(each);
     }
@@ -64,11 +87,11 @@ fs::path SubmissionJob::beside(int stage, const std::string& ending) const {
     return student_folder(grading_.results, student_) / (name_of(stage) + ending);
 }
 
-fs::path SubmissionJob::object(int stage) const {
-    return scratch_.path() / (name_of(stage) + ".o");
+fs::path SubmissionJob::object(GradedFile file) const {
+    return scratch_.path() / (name_of(file) + ".o");
 }
 
-Build SubmissionJob::link(int stage, const std::map<int, fs::path>& objects) {
+Build SubmissionJob::link(int stage, const std::map<GradedFile, fs::path>& objects) {
     if (linked_ == std::pair(stage, objects)) return {.succeeded = true};  // it is there
     linked_ = {};
     Build made = link_worker(grading_.workshop, stage, objects, worker());

@@ -15,12 +15,16 @@ public:
     SubmissionJob(const Grading& grading, const Submission& submission);
 
     [[nodiscard]] const std::string& student() const { return student_; }
-    [[nodiscard]] bool has(int stage) const { return handed_in_.files.count(stage) == 1; }
-    [[nodiscard]] const std::string& text(int stage) const { return handed_in_.files.at(stage); }
+    [[nodiscard]] bool has(GradedFile file) const { return handed_in_.files.count(file) == 1; }
+    [[nodiscard]] const std::string& text(GradedFile file) const {
+        return handed_in_.files.at(file);
+    }
+    /// The SHA-256 of a file; empty if it was not handed in.
+    [[nodiscard]] std::string source(GradedFile file) const;
 
-    [[nodiscard]] std::string words(int stage) const;
+    [[nodiscard]] std::string words(GradedFile file) const;
 
-    /// The hash of the student's files up to a stage.
+    /// The hash of the files that draw the picture of a stage.
     [[nodiscard]] std::string chain(int stage) const;
 
     /// The hash of everything that decides the mark of a stage; `reference` is that of its
@@ -28,12 +32,12 @@ public:
     [[nodiscard]] std::string key(int stage, const std::string& reference) const;
 
     /// Compiled once.
-    const Build& compiled(int stage);
+    const Build& compiled(GradedFile file);
 
-    /// The worker of the student's stage, among the references.
-    Build link(int stage);
+    /// The worker of the student's file, among the references.
+    Build link(GradedFile file);
 
-    /// The worker of the student's own stages up to this one.
+    /// The worker of the student's own stages up to this one, and of its `trace`.
     Build link_chain(int stage, std::chrono::steady_clock::time_point until);
 
     [[nodiscard]] std::filesystem::path worker() const { return scratch_.path() / "worker"; }
@@ -42,17 +46,20 @@ public:
     [[nodiscard]] std::filesystem::path beside(int stage, const std::string& ending) const;
 
 private:
-    [[nodiscard]] std::filesystem::path object(int stage) const;
+    /// A copy of the project's main.cpp is not the student's.
+    void leave_out_ours();
 
-    Build link(int stage, const std::map<int, std::filesystem::path>& objects);
+    [[nodiscard]] std::filesystem::path object(GradedFile file) const;
+
+    Build link(int stage, const std::map<GradedFile, std::filesystem::path>& objects);
 
     const Grading& grading_;
     std::string student_;
     SubmittedFiles handed_in_;
     TemporaryFolder scratch_;
-    std::map<int, Build> compiled_;
+    std::map<GradedFile, Build> compiled_;
     /// The stage and the objects of worker().
-    std::pair<int, std::map<int, std::filesystem::path>> linked_;
+    std::pair<int, std::map<GradedFile, std::filesystem::path>> linked_;
 };
 
 }  // namespace rt::grade

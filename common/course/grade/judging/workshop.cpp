@@ -27,8 +27,8 @@ constexpr int header_megabytes = 256;
 /// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
 using Options = std::multimap<std::string, std::string>;
 
-fs::path reference_of(const BuildDirectory& workshop, int stage) {
-    return workshop.folder / "seats/references" / (name_of(stage) + ".o");
+fs::path reference_of(const BuildDirectory& workshop, GradedFile graded) {
+    return workshop.folder / "seats/references" / (name_of(graded) + ".o");
 }
 
 Options read_options(const BuildDirectory& workshop, int stage) {
@@ -49,18 +49,20 @@ void append(Command& command, const Options& options, const std::string& name) {
     for (auto each = first; each != last; ++each) command.push_back(each->second);
 }
 
-/// The project's headers that a file of the stage may include.
-fs::path headers_of(const BuildDirectory& workshop, int stage) {
-    return workshop.folder / "headers" / name_of(stage);
+/// The project's headers that the file may include.
+fs::path headers_of(const BuildDirectory& workshop, GradedFile graded) {
+    return workshop.folder / "headers" / name_of(graded);
 }
 
-fs::path header_of(const BuildDirectory& workshop, int stage) {
-    return headers_of(workshop, stage) / stage_header(stage);
+/// The one that costs most to compile.
+fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
+    if (graded.is_trace) return headers_of(workshop, graded) / "common/render/stage.hpp";
+    return headers_of(workshop, graded) / stage_header(graded.stage);
 }
 
-StageFunctions functions_of(const BuildDirectory& workshop, int stage) {
+StageFunctions functions_of(const BuildDirectory& workshop, GradedFile graded) {
     StageFunctions functions;
-    std::ifstream in(workshop.folder / "seats/graded" / (name_of(stage) + ".txt"));
+    std::ifstream in(workshop.folder / "seats/graded" / (name_of(graded) + ".txt"));
     for (std::string kind, symbol; in >> kind >> symbol;)
         (kind == "own"        ? functions.own
          : kind == "callable" ? functions.callable
@@ -70,12 +72,12 @@ StageFunctions functions_of(const BuildDirectory& workshop, int stage) {
     return functions;
 }
 
-Command compiler(const BuildDirectory& workshop, int stage) {
-    const Options options = read_options(workshop, stage);
+Command compiler(const BuildDirectory& workshop, GradedFile graded) {
+    const Options options = read_options(workshop, graded.stage);
     Command compile;
     append(compile, options, "compiler");
     append(compile, options, "compile");
-    compile.push_back("-I" + headers_of(workshop, stage).string());
+    compile.push_back("-I" + headers_of(workshop, graded).string());
     return compile;
 }
 
@@ -91,11 +93,11 @@ bool is_bomb(const ProcessResult& ending) {
 }
 
 /// The message about a failed tool: its own output, identical in every run.
-std::string told(const ProcessResult& ending, const BuildDirectory& workshop, int stage,
+std::string told(const ProcessResult& ending, const BuildDirectory& workshop, GradedFile graded,
                  const TemporaryFolder& scratch, const std::string& otherwise) {
     if (is_bomb(ending)) return otherwise + " took too much time or memory.";
     std::string words =
-        repeatable(ending.output, {scratch.path(), headers_of(workshop, stage), workshop.folder});
+        repeatable(ending.output, {scratch.path(), headers_of(workshop, graded), workshop.folder});
     if (words.size() > longest_words) words.resize(longest_words);
     return words.empty() ? otherwise + " failed." : words;
 }
@@ -138,18 +140,18 @@ std::string refused_header(const std::string& words) {
     return "";
 }
 
-std::string told_of_compile(const ProcessResult& ending, const BuildDirectory& workshop, int stage,
-                            const TemporaryFolder& scratch) {
-    const std::string words = told(ending, workshop, stage, scratch, "The compile");
+std::string told_of_compile(const ProcessResult& ending, const BuildDirectory& workshop,
+                            GradedFile graded, const TemporaryFolder& scratch) {
+    const std::string words = told(ending, workshop, graded, scratch, "The compile");
     const std::string header = refused_header(words);
     if (header.empty()) return words;
     return "Your file includes " + header + ", which this stage must not include: docs/" +
-           name_of(stage) + ".md lists the allowed headers.\n" + words;
+           name_of(graded.stage) + ".md lists the allowed headers.\n" + words;
 }
 
-void copy_headers(const fs::path& project, const BuildDirectory& workshop, int stage) {
-    for (const fs::path& header : allowed_headers(project, stage)) {
-        const fs::path copy = headers_of(workshop, stage) / header;
+void copy_headers(const fs::path& project, const BuildDirectory& workshop, GradedFile graded) {
+    for (const fs::path& header : allowed_headers(project, graded)) {
+        const fs::path copy = headers_of(workshop, graded) / header;
         fs::create_directories(copy.parent_path());
         fs::copy_file(project / header, copy, fs::copy_options::skip_existing);
     }
@@ -172,8 +174,9 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
     fs::copy(build / "seats", folder / "seats",
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        if (fs::exists(folder / "seats" / (name_of(stage) + ".txt")))
-            copy_headers(project, workshop, stage);
+        for (const GradedFile graded : files_of(stage))
+            if (fs::exists(folder / "seats/graded" / (name_of(graded) + ".txt")))
+                copy_headers(project, workshop, graded);
     // Copied to a place that the tool's user can read, whoever owns the build folder; and before
     // threads exist, since a program that a process started meanwhile keeps open cannot be run.
     if (fs::exists(build / "unpack")) {
@@ -193,16 +196,16 @@ void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
 
-void precompile_header(const BuildDirectory& workshop, int stage) {
+void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
     const TemporaryFolder scratch(workshop.folder);
-    const std::string header = header_of(workshop, stage).string();
+    const std::string header = header_of(workshop, graded).string();
     const std::string made = scratch.path() / "header.gch";
-    Command compile = compiler(workshop, stage);
+    Command compile = compiler(workshop, graded);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
-    const ProcessResult ending = run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)},
-                                            compile, header_megabytes);
+    const ProcessResult ending = run_sealed(
+        workshop, scratch.path(), {headers_of(workshop, graded)}, compile, header_megabytes);
     if (ending.status != 0)
-        throw ProgramError("error: the headers of " + name_of(stage) +
+        throw ProgramError("error: the headers of " + name_of(graded) +
                            " do not compile in the sandbox\n" + ending.output);
     take(made, header + ".gch", fs::perms(0644));
 }
@@ -227,31 +230,32 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     return ending;
 }
 
-Build compile_submission(const BuildDirectory& workshop, int stage, const std::string& text,
+Build compile_submission(const BuildDirectory& workshop, GradedFile graded, const std::string& text,
                          const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
     // The file has the student's name for it, relative to the compiler's folder, so that messages
     // and __FILE__ are the same in every run.
-    const std::string source = name_of(stage).substr(7) + ".cpp";
+    const std::string source = file_name(graded);
     const fs::path made = scratch.path() / "submission.o";
     std::ofstream(scratch.path() / source) << text;
     fs::permissions(scratch.path() / source, fs::perms(0644));
 
     const auto compile = [&](const Command& options) {
-        Command command = compiler(workshop, stage);
+        Command command = compiler(workshop, graded);
         command.insert(command.end(), options.begin(), options.end());
         command.insert(command.end(), {"-c", source, "-o", made});
-        return run_sealed(workshop, scratch.path(), {headers_of(workshop, stage)}, command);
+        return run_sealed(workshop, scratch.path(), {headers_of(workshop, graded)}, command);
     };
     // The stage's precompiled header works only as the first include, so it is included first. A
     // file that does not compile this way is compiled unchanged.
-    ProcessResult compiled = compile({"-include", header_of(workshop, stage)});
+    ProcessResult compiled = compile({"-include", header_of(workshop, graded)});
     if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
-    if (compiled.status != 0) return {.words = told_of_compile(compiled, workshop, stage, scratch)};
+    if (compiled.status != 0)
+        return {.words = told_of_compile(compiled, workshop, graded, scratch)};
 
     take(made, object, fs::perms(0644));
     const std::optional<ObjectFile> parsed = parse_object(read_text(object));
-    std::string words = parsed ? foreign_symbol(*parsed, functions_of(workshop, stage))
+    std::string words = parsed ? foreign_symbol(*parsed, functions_of(workshop, graded))
                                : "Your object cannot be read.";
     if (!words.empty()) {
         fs::remove(object);
@@ -263,17 +267,19 @@ Build compile_submission(const BuildDirectory& workshop, int stage, const std::s
 namespace {
 
 /// A single file is linked to the functions that it may call. Several files were linked this way
-/// one by one; together, they are linked to the references of all other stages, without the
-/// references of the students' stages.
+/// one by one; together, they are linked to the references of all other files.
 std::vector<fs::path> parts_of(const BuildDirectory& workshop, int stage,
-                               const std::map<int, fs::path>& objects) {
+                               const std::map<GradedFile, fs::path>& objects) {
     const fs::path seats = workshop.folder / "seats";
-    const fs::path seat = name_of(stage) + ".o";
-    if (objects.empty()) return {seats / "graded" / seat, reference_of(workshop, stage)};
-    if (objects.size() == 1 && objects.begin()->first == stage)
-        return {seats / "graded" / seat, objects.begin()->second};
-    std::vector<fs::path> parts{seats / seat};
-    for (int each = 1; each <= int(stage_names.size()); ++each) {
+    if (objects.empty())
+        return {seats / "graded" / (name_of(stage) + ".o"), reference_of(workshop, stage)};
+    if (objects.size() == 1 && objects.begin()->first.stage == stage)
+        return {seats / "graded" / (name_of(objects.begin()->first) + ".o"),
+                objects.begin()->second};
+    std::vector<GradedFile> files{GradedFile(stage, true)};
+    for (int each = 1; each <= int(stage_names.size()); ++each) files.emplace_back(each);
+    std::vector<fs::path> parts{seats / (name_of(stage) + ".o")};
+    for (const GradedFile each : files) {
         const auto own = objects.find(each);
         const fs::path part = own == objects.end() ? reference_of(workshop, each) : own->second;
         if (fs::exists(part)) parts.push_back(part);  // stage 13's is not, without OpenMesh
@@ -283,8 +289,8 @@ std::vector<fs::path> parts_of(const BuildDirectory& workshop, int stage,
 
 }  // namespace
 
-Build link_worker(const BuildDirectory& workshop, int stage, const std::map<int, fs::path>& objects,
-                  const fs::path& worker) {
+Build link_worker(const BuildDirectory& workshop, int stage,
+                  const std::map<GradedFile, fs::path>& objects, const fs::path& worker) {
     const Options options = read_options(workshop, stage);
     const TemporaryFolder scratch(workshop.folder);
     const std::string made = scratch.path() / "worker";

@@ -1,6 +1,7 @@
 // From an untrusted submission to a worker. The compiler can read the headers, and nothing else.
 #pragma once
 
+#include "common/stages/graded_file.hpp"
 #include "common/system/process.hpp"
 
 #include <atomic>
@@ -38,9 +39,9 @@ void go_on(const BuildDirectory& workshop);
                                            const std::filesystem::path& build,
                                            const std::filesystem::path& folder);
 
-/// Precompiles a stage's header in the sandbox, which divides the compile time of each submission
-/// by three. Throws ProgramError.
-void precompile_header(const BuildDirectory& workshop, int stage);
+/// Precompiles the header of a graded file in the sandbox, which divides the compile time of each
+/// submission by three. Throws ProgramError.
+void precompile_header(const BuildDirectory& workshop, GradedFile graded);
 
 /// The result of a compile or a link.
 struct Build {
@@ -51,16 +52,14 @@ struct Build {
 // Both functions throw ProgramError or filesystem_error if the grader itself fails, and
 // Interrupted.
 
-/// Compiles a submission's files for a stage. Refuses a file that defines symbols other than its
-/// own.
-[[nodiscard]] Build compile_submission(const BuildDirectory& workshop, int stage,
+/// Compiles a file of a submission. Refuses one that defines symbols other than its own.
+[[nodiscard]] Build compile_submission(const BuildDirectory& workshop, GradedFile graded,
                                        const std::string& text,
                                        const std::filesystem::path& object);
 
-/// Links a stage's worker from the student's objects, by stage, and the references of all other
-/// stages.
+/// Links a stage's worker from the student's objects, and the references of all other files.
 [[nodiscard]] Build link_worker(const BuildDirectory& workshop, int stage,
-                                const std::map<int, std::filesystem::path>& objects,
+                                const std::map<GradedFile, std::filesystem::path>& objects,
                                 const std::filesystem::path& worker);
 
 /// The sandbox of the stage's worker: the value of RAYSTEPS_LIMITS.

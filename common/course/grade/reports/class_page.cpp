@@ -204,16 +204,15 @@ std::string names(const std::vector<std::string>& students, const PhongTerm& ter
 
 std::string near_stages(const NearFiles& near) {
     std::string all;
-    for (const auto& [stage, percent] : near.percent)
-        all +=
-            (all.empty() ? "" : ", ") + stage_title(stage) + " " + std::to_string(percent) + " %";
+    for (const auto& [file, percent] : near.percent)
+        all += (all.empty() ? "" : ", ") + file_title(file) + " " + std::to_string(percent) + " %";
     return all;
 }
 
 std::string same(const std::vector<SameFile>& found, const PhongTerm& term) {
     std::string rows;
     for (const SameFile& each : found)
-        rows += row(text_cell(stage_title(each.stage)) + text_cell(names(each.students, term)));
+        rows += row(text_cell(file_title(each.file)) + text_cell(names(each.students, term)));
     return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
 }
 

@@ -92,7 +92,12 @@ std::string judged(const Mark& mark, const fs::path& folder) {
         fails == 0 ? "Every case passes"
                    : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
     if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
-    if (!mark.words.empty()) html += folded("Messages about your file", preformatted(mark.words));
+    if (mark.untested_points() > 0)
+        html += "<h3>A file is missing, or cannot be graded: " +
+                counted(mark.untested_points(), "point") + "</h3>\n" +
+                preformatted(mark.words, "wrong");
+    else if (!mark.words.empty())
+        html += folded("Messages about your files", preformatted(mark.words));
     return html;
 }
 

@@ -33,8 +33,12 @@ void append_tests(Json& tests, const Mark& mark) {
             test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
     for (const CaseMark& each : mark.cases) {
         tests.push_back(test(title + ": " + each.name, each.passed, each.points, told(each)));
-        if (mark.points() == 0) tests.back()["score"] = 0;  // cases that the starter passes too
+        if (mark.points(each.of_trace) == 0)
+            tests.back()["score"] = 0;  // cases that the starter passes too
     }
+    if (mark.untested_points() > 0)
+        tests.push_back(test(title + ": a file is missing, or cannot be graded", false,
+                             mark.untested_points(), mark.words));
 }
 
 /// The diagnosis, which belongs to no single case.

@@ -40,13 +40,17 @@ std::string suite(const Mark& mark) {
             test_case(name, "is submitted", "<skipped" + attribute("message", mark.words) + "/>");
     if (refused)
         cases += test_case(name, "can be graded", "<error>" + escaped(mark.words) + "</error>");
+    const bool untested = mark.untested_points() > 0;
+    if (untested)
+        cases += test_case(name, "both files can be graded",
+                           "<skipped" + attribute("message", mark.words) + "/>");
     const auto count = [&](const std::string& what, std::size_t value) {
         return attribute(what, std::to_string(value));
     };
     return "  <testsuite" + attribute("name", name) +
-           count("tests", mark.cases.size() + (missing || refused ? 1 : 0)) +
+           count("tests", mark.cases.size() + (missing || refused || untested ? 1 : 0)) +
            count("failures", failures) + count("errors", refused ? 1 : 0) +
-           count("skipped", missing ? 1 : 0) + ">\n" + cases + "  </testsuite>\n";
+           count("skipped", missing || untested ? 1 : 0) + ">\n" + cases + "  </testsuite>\n";
 }
 
 }  // namespace

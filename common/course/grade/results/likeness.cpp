@@ -2,7 +2,6 @@
 
 #include "common/course/grade/results/submissions.hpp"
 #include "common/course/grade/results/winnowing.hpp"
-#include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 
 #include <algorithm>
@@ -25,9 +24,10 @@ struct Passage {
     double weight = 0;
 };
 
-/// A file of a stage, without passages of the starter.
+/// A file of a stage, without passages of the project.
 struct Text {
-    const Mark* mark = nullptr;
+    std::string student;
+    std::string source;             ///< its SHA-256
     std::vector<Passage> passages;  ///< sorted by hash
     double weight = 0;
 };
@@ -40,11 +40,12 @@ std::string source_text(const fs::path& file) {
     return size > 0 && size <= largest_source ? read_text(file) : "";
 }
 
-Text read(const Mark& mark, const fs::path& file, const std::vector<std::uint64_t>& starter) {
-    Text text{.mark = &mark};
+Text read(const Mark& mark, GradedFile graded, const fs::path& file,
+          const std::vector<std::uint64_t>& given) {
+    Text text{.student = mark.student, .source = graded.is_trace ? mark.trace_source : mark.source};
     for (const std::uint64_t hash : fingerprints(normalised(source_text(file))))
         if (text.passages.size() < most_passages &&
-            !std::binary_search(starter.begin(), starter.end(), hash))
+            !std::binary_search(given.begin(), given.end(), hash))
             text.passages.push_back({.hash = hash});
     return text;
 }
@@ -61,18 +62,30 @@ void weigh(std::vector<Text>& texts) {
         }
 }
 
+/// The passages that the project gives to every student.
+std::vector<std::uint64_t> given_passages(const fs::path& project, GradedFile graded) {
+    const fs::path stage = project / "steps" / name_of(graded.stage);
+    std::vector<std::uint64_t> given;
+    for (const fs::path& file : {stage / "starter" / file_name(graded), stage / "main.cpp"}) {
+        if (!fs::exists(file) || (file.filename() == "main.cpp" && !graded.is_trace)) continue;
+        const std::vector<std::uint64_t> more = passages(normalised(read_text(file)));
+        given.insert(given.end(), more.begin(), more.end());
+    }
+    std::sort(given.begin(), given.end());
+    return given;
+}
+
 std::vector<Text> texts_of(const fs::path& results, const fs::path& project,
-                           const std::vector<Mark>& marks, int stage) {
-    const std::string name(stage_name(stage));
-    const std::string graded = name.substr(7) + ".cpp";
-    const fs::path starter_file = project / "steps" / name / "starter" / graded;
-    if (!fs::exists(starter_file)) return {};
-    const std::vector<std::uint64_t> starter = passages(normalised(read_text(starter_file)));
+                           const std::vector<Mark>& marks, GradedFile graded) {
+    const std::vector<std::uint64_t> given = given_passages(project, graded);
+    if (given.empty()) return {};
     std::vector<Text> texts;
     for (const Mark& mark : marks)
-        if (mark.stage == stage && mark.verdict != Verdict::missing)
+        if (mark.stage == graded.stage && mark.verdict != Verdict::missing)
             texts.push_back(
-                read(mark, student_folder(results, mark.student) / "submitted" / graded, starter));
+                read(mark, graded,
+                     student_folder(results, mark.student) / "submitted" / submitted_name(graded),
+                     given));
     weigh(texts);
     return texts;
 }
@@ -88,16 +101,16 @@ int percent_alike(const Text& one, const Text& other) {
 }
 
 bool are_same(const Text& one, const Text& other) {
-    return !one.mark->source.empty() && one.mark->source == other.mark->source;
+    return !one.source.empty() && one.source == other.source;
 }
 
-std::vector<SameFile> same_files(const std::vector<Text>& texts, int stage) {
+std::vector<SameFile> same_files(const std::vector<Text>& texts, GradedFile graded) {
     std::map<std::string, SameFile> by_source;
     for (const Text& text : texts) {
-        if (text.mark->source.empty() || text.passages.empty()) continue;
-        SameFile& same = by_source[text.mark->source];
-        same.stage = stage;
-        same.students.push_back(text.mark->student);
+        if (text.source.empty() || text.passages.empty()) continue;
+        SameFile& same = by_source[text.source];
+        same.file = graded;
+        same.students.push_back(text.student);
     }
     std::vector<SameFile> all;
     for (auto& [source, same] : by_source)
@@ -107,25 +120,25 @@ std::vector<SameFile> same_files(const std::vector<Text>& texts, int stage) {
 
 using Pairs = std::map<std::pair<std::string, std::string>, NearFiles>;
 
-void compare_all(const std::vector<Text>& texts, int stage, Pairs& pairs) {
+void compare_all(const std::vector<Text>& texts, GradedFile graded, Pairs& pairs) {
     for (auto one = texts.begin(); one != texts.end(); ++one) {
         if (one->passages.size() < fewest_passages) continue;
         for (auto other = one + 1; other != texts.end(); ++other) {
             if (other->passages.size() < fewest_passages || are_same(*one, *other)) continue;
             const int percent = percent_alike(*one, *other);
             if (percent < near_percent) continue;
-            NearFiles& near = pairs[{one->mark->student, other->mark->student}];
-            near.one = one->mark->student;
-            near.other = other->mark->student;
-            near.percent[stage] = percent;
+            NearFiles& near = pairs[{one->student, other->student}];
+            near.one = one->student;
+            near.other = other->student;
+            near.percent[graded] = percent;
         }
     }
 }
 
-/// The strength of the evidence: the number of stages, and the total.
+/// The strength of the evidence: the number of files, and the total.
 std::pair<std::size_t, int> strength(const NearFiles& near) {
     int sum = 0;
-    for (const auto& [stage, percent] : near.percent) sum += percent;
+    for (const auto& [file, percent] : near.percent) sum += percent;
     return {near.percent.size(), sum};
 }
 
@@ -136,9 +149,11 @@ Similarity similarity(const fs::path& results, const fs::path& project,
     Similarity all;
     Pairs pairs;
     for (const auto& [stage, most] : graded_stages(marks)) {
-        const std::vector<Text> texts = texts_of(results, project, marks, stage);
-        for (SameFile& same : same_files(texts, stage)) all.same.push_back(std::move(same));
-        compare_all(texts, stage, pairs);
+        for (const GradedFile graded : files_of(stage)) {
+            const std::vector<Text> texts = texts_of(results, project, marks, graded);
+            for (SameFile& same : same_files(texts, graded)) all.same.push_back(std::move(same));
+            compare_all(texts, graded, pairs);
+        }
     }
     for (auto& [names, near] : pairs) all.near.push_back(std::move(near));
     std::stable_sort(all.near.begin(), all.near.end(), [](const auto& one, const auto& other) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/course/grade/results/results.hpp"
+#include "common/stages/graded_file.hpp"
 
 #include <map>
 #include <string>
@@ -11,7 +12,7 @@ namespace rt::grade {
 
 /// Students with the same file.
 struct SameFile {
-    int stage = 1;
+    GradedFile file;
     std::vector<std::string> students;
 };
 
@@ -19,13 +20,13 @@ struct SameFile {
 struct NearFiles {
     std::string one;
     std::string other;
-    std::map<int, int> percent;  ///< by stage: the percentage of the shorter file that the longer
-                                 ///< one contains
+    std::map<GradedFile, int> percent;  ///< the percentage of the shorter file that the longer one
+                                        ///< contains
 };
 
 struct Similarity {
     std::vector<SameFile> same;   ///< by stage
-    std::vector<NearFiles> near;  ///< most stages first
+    std::vector<NearFiles> near;  ///< most files first
 };
 
 /// The threshold of similarity. Independent right answers (the references and those in
@@ -34,8 +35,8 @@ struct Similarity {
 inline constexpr int near_percent = 60;
 
 /// Compares the files in results/students/<student>/submitted/, stage by stage. Passages of the
-/// project's starter do not count, and passages of many students count little. Files that are too
-/// short to compare are not reported.
+/// project's starter, and of its main.cpp, do not count, and passages of many students count
+/// little. Files that are too short to compare are not reported.
 [[nodiscard]] Similarity similarity(const std::filesystem::path& results,
                                     const std::filesystem::path& project,
                                     const std::vector<Mark>& marks);

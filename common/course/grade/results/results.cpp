@@ -34,6 +34,7 @@ Json head(const Mark& mark) {
               {"verdict", verdicts.at(std::size_t(mark.verdict))},
               {"words", mark.words},
               {"source", mark.source},
+              {"trace_source", mark.trace_source},
               {"mistake", mark.mistake},
               {"smallest", mark.smallest},
               {"slice", mark.slice},
@@ -47,8 +48,9 @@ Json head(const Mark& mark) {
 }
 
 Json to_json(const CaseMark& each) {
-    return {{"name", each.name},   {"points", each.points}, {"passed", each.passed},
-            {"given", each.given}, {"place", each.place},   {"words", each.words}};
+    return {{"name", each.name},   {"points", each.points},  {"passed", each.passed},
+            {"given", each.given}, {"trace", each.of_trace}, {"place", each.place},
+            {"words", each.words}};
 }
 
 Verdict verdict(const std::string& name) {
@@ -64,6 +66,7 @@ Mark read_head(const Json& json) {
               .verdict = verdict(json.at("verdict")),
               .words = json.at("words"),
               .source = json.at("source"),
+              .trace_source = json.at("trace_source"),
               .mistake = json.at("mistake"),
               .smallest = json.at("smallest"),
               .slice = json.at("slice"),
@@ -80,6 +83,7 @@ CaseMark read_case(const Json& json) {
             .points = json.at("points"),
             .passed = json.at("passed"),
             .given = json.at("given"),
+            .of_trace = json.at("trace"),
             .place = json.at("place"),
             .words = json.at("words")};
 }
@@ -100,10 +104,21 @@ Mark read_lines(const std::string& text, const fs::path& file) {
 }  // namespace
 
 int Mark::points() const {
+    return points(false) + points(true);
+}
+
+int Mark::untested_points() const {
+    if (verdict != Verdict::judged) return 0;
+    int points = most;
+    for (const CaseMark& each : cases) points -= each.points;
+    return points;
+}
+
+int Mark::points(bool of_trace) const {
     int sum = 0;
     bool any_is_own = false;
     for (const CaseMark& each : cases) {
-        if (!each.passed) continue;
+        if (!each.passed || each.of_trace != of_trace) continue;
         sum += each.points;
         any_is_own = any_is_own || !each.given;
     }

@@ -11,16 +11,17 @@ namespace rt::grade {
 /// The last step of grading that a stage reached.
 enum class Verdict {
     missing,  ///< no file was submitted
-    refused,  ///< it does not compile, or its compile was refused: `words` contains the reason
-    judged,
+    refused,  ///< none compiles, or their compile was refused: `words` contains the reason
+    judged,   ///< at least one of the stage's two files
 };
 
-/// A case of the stage's suite.
+/// A case of one of the stage's suites.
 struct CaseMark {
     std::string name;  ///< as in the suite: "edges belong to the triangle (MRT §5)"
     int points = 1;    ///< its points if it passes
     bool passed = false;
-    bool given = false;  ///< the starter passes it: "behind the origin, nothing is met"
+    bool given = false;     ///< the starter passes it: "behind the origin, nothing is met"
+    bool of_trace = false;  ///< a case of `trace`, not of the stage's functions
     std::string
         place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"
     std::string words;  ///< the suite's message for that failure, several lines
@@ -43,17 +44,21 @@ struct Mark {
     std::string key;  ///< hash of everything that decides the rest: the file, the suite, the seed
     Verdict verdict = Verdict::missing;
     std::string words;            ///< from the compiler or the grader
-    std::string source;           ///< the file's SHA-256
+    std::string source;           ///< the SHA-256 of the functions' file; empty without one
+    std::string trace_source;     ///< the same of `main.cpp`
     std::string mistake;          ///< the sentence of the recognized known mistake, if there is one
     std::string smallest;         ///< the smallest failing input, several lines, if one was found
     std::string slice;            ///< its drawing, in the same folder: an SVG
-    std::vector<CaseMark> cases;  ///< in the suite's order; empty if nothing was tested
+    std::vector<CaseMark> cases;  ///< in the suites' order; none of a file that was not tested
     std::optional<PictureMark> picture;
     int most = 0;  ///< the points of all the stage's cases, tested or not
 
-    /// The points of the passed cases. 0 if the starter passes these too: then the student wrote
-    /// nothing.
+    /// The points of the passed cases. Of each file, 0 if the starter passes these too: then the
+    /// student wrote nothing.
     [[nodiscard]] int points() const;
+    [[nodiscard]] int points(bool of_trace) const;
+    /// The points of a file that was not submitted, or refused; of no file, if nothing was tested.
+    [[nodiscard]] int untested_points() const;
 };
 
 /// In the results: the files of the class's folder that belong to no submission, with the reasons,

@@ -103,6 +103,10 @@ std::string stage_title(int stage) {
     return std::to_string(stage) + " " + title;
 }
 
+std::string file_title(GradedFile file) {
+    return stage_title(file.stage) + (file.is_trace ? ", " + file_name(file) : "");
+}
+
 std::string number(double value) {
     char text[64];
     std::snprintf(text, sizeof text, "%.2f", value);

@@ -3,6 +3,7 @@
 
 #include "common/course/grade/results/results.hpp"
 #include "common/course/grade/results/term.hpp"
+#include "common/stages/graded_file.hpp"
 
 #include <map>
 #include <string>
@@ -34,6 +35,9 @@ struct StudentMarks {
 
 /// "5 triangle"
 [[nodiscard]] std::string stage_title(int stage);
+
+/// "5 triangle", "5 triangle, main.cpp"
+[[nodiscard]] std::string file_title(GradedFile file);
 
 /// "3", "2.5", "0.33": at most two decimals.
 [[nodiscard]] std::string number(double value);

@@ -1,0 +1,50 @@
+// The files that a student hands in for a stage.
+#pragma once
+
+#include "common/stages/stages.hpp"
+
+#include <compare>
+#include <vector>
+
+namespace rt {
+
+/// Whether a stage has a `trace` of the student's, in its main.cpp.
+[[nodiscard]] constexpr bool has_trace(int stage) {
+    return stage >= shapes_stage;
+}
+
+/// The file of a stage's functions, or its main.cpp with `trace`. Each has a suite of its own.
+struct GradedFile {
+    int stage = 1;
+    bool is_trace = false;
+
+    constexpr GradedFile() = default;
+    // NOLINTNEXTLINE: the number of a stage means its functions
+    constexpr GradedFile(int of_stage, bool of_trace = false)
+        : stage(of_stage), is_trace(of_trace) {}
+    auto operator<=>(const GradedFile&) const = default;
+};
+
+/// "step03_sphere", "step03_sphere_trace": as in the names of suites and link kits.
+[[nodiscard]] inline std::string name_of(GradedFile file) {
+    return name_of(file.stage) + (file.is_trace ? "_trace" : "");
+}
+
+/// The files of a stage.
+[[nodiscard]] inline std::vector<GradedFile> files_of(int stage) {
+    std::vector<GradedFile> files{GradedFile(stage)};
+    if (has_trace(stage)) files.emplace_back(stage, true);
+    return files;
+}
+
+/// The student's name for it: "sphere.cpp", "main.cpp".
+[[nodiscard]] inline std::string file_name(GradedFile file) {
+    return file.is_trace ? "main.cpp" : name_of(file.stage).substr(7) + ".cpp";
+}
+
+/// A name that no other file of a submission has: "sphere.cpp", "sphere_main.cpp".
+[[nodiscard]] inline std::string submitted_name(GradedFile file) {
+    return name_of(file.stage).substr(7) + (file.is_trace ? "_main.cpp" : ".cpp");
+}
+
+}  // namespace rt
