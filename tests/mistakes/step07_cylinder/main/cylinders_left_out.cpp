@@ -20,7 +20,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     closest.test(scene.triangles);
     closest.test(scene.squares);
     const std::optional<Hit> hit = closest.hit();
-    if (!hit) return Color(0);
+    if (!hit) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
     return hit->material->color *
            torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);

@@ -22,7 +22,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     closest.test(scene.squares);
     closest.test(scene.cylinders);
     const std::optional<Hit> hit = closest.hit();
-    if (!hit) return Color(0);
+    if (!hit) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
     return hit->material->color *
            torch(hit->point, face_forward(hit->normal, ray.direction), ray.origin);

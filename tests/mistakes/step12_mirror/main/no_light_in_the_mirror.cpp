@@ -22,7 +22,7 @@ Color reflected_color(const Scene& scene, const Ray& ray, const ShadingPoint& su
     ClosestHit closest(next, there);
     visit_shapes(closest, scene);
     const std::optional<Hit> hit = closest.hit();
-    const Color color = hit ? hit->material->color : Color(0);
+    const Color color = hit ? hit->material->color : background(scene, next);
     context.rays = there.rays;
     return color;
 }
@@ -33,7 +33,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     ClosestHit closest(ray, context);
     visit_shapes(closest, scene);
     const std::optional<Hit> hit = closest.hit();
-    if (!hit) return Color(0);
+    if (!hit) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
     const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };

@@ -29,7 +29,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     ClosestHit closest(ray, context);
     visit_shapes(closest, scene);
     const std::optional<Hit> hit = closest.hit();
-    if (!hit) return Color(0);
+    if (!hit) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
     const auto obstacles = [&](auto& query) { visit_shapes(query, scene); };

@@ -25,7 +25,7 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     ClosestHit meshes(ray, context);
     meshes.test(scene.meshes);
     if (meshes.hit()) hit.emplace(*meshes.hit());
-    if (!hit) return Color(0);
+    if (!hit) return background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
     const ShadingPoint surface = shading_point(*hit, ray);
