@@ -19,6 +19,9 @@ struct LogDiff {
     std::vector<LogRow> rows;  ///< at most the first 2000 lines of each explanation
     std::string first;         ///< "t, of Sphere{…}": the first difference; empty without one
     std::vector<std::string> unwritten;  ///< the messages about functions that are not written yet
+    /// The student's `trace` logs no shape: it has a loop of its own, without ClosestHit. The
+    /// reference's sections about shapes are left out.
+    bool has_own_loop = false;
 };
 
 /// Two explanations, line by line. Numbers that differ by rounding alone are equal.

@@ -22,6 +22,10 @@ std::string lines(const LogRow& row) {
 std::string text(const LogDiff& diff) {
     std::string all;
     for (const std::string& message : diff.unwritten) all += message + "\n";
+    if (diff.has_own_loop)
+        all +=
+            "Your trace tests shapes in a loop of its own, which logs nothing: the reference's "
+            "numbers for them are left out.\n";
     if (diff.first.empty()) return all + "Nothing differs.\n";
     int equal = 0;
     for (auto row = diff.rows.begin(); row != diff.rows.end();) {

@@ -39,6 +39,24 @@ TEST_CASE("a function that is not written yet is reported once, and is no differ
     CHECK(text(diff) == message + "\nNothing differs.\n");
 }
 
+TEST_CASE("a trace with a loop of its own logs no shapes: only its color can differ") {
+    const std::string start = "The ray\n  t = 4\n";
+    const std::string shapes =
+        "Sphere{.radius = 1}\n  A = 1\n  → hit\nThe closest hit\n  n = (0, 0, 1)\n";
+    const auto pixel = [](const char* color) {
+        return "The pixel\n  color = " + std::string(color) + "\n";
+    };
+    const LogDiff same = compare_logs(start + pixel("1"), start + shapes + pixel("1"));
+    CHECK(same.has_own_loop);
+    CHECK(same.first.empty());
+    const LogDiff other = compare_logs(start + pixel("0"), start + shapes + pixel("1"));
+    CHECK(other.first == "color, of The pixel");
+    CHECK(text(other).starts_with("Your trace tests shapes in a loop of its own"));
+    // Nothing to hit: both log nothing.
+    CHECK_FALSE(compare_logs(start + pixel("0"), start + pixel("1")).has_own_loop);
+    CHECK_FALSE(compare_logs(start + shapes, start + shapes).has_own_loop);
+}
+
 TEST_CASE("equal sections are left out, and the first difference has a name") {
     CHECK(text(compare_logs("A\n  t = 1\nB\n  t = 2\n  → hit\nC\n  k = 1\n",
                             "A\n  t = 1\nB\n  t = 3\nC\n")) ==
