@@ -40,9 +40,9 @@ std::string of_points(int points, int most) {
 }
 
 std::string failed_case(const CaseMark& each) {
-    return "<h3>" + escaped(each.name) + " <small>" + counted(each.points, "point") +
-           "</small></h3>\n" + preformatted(each.words, "wrong") + "<small>" + escaped(each.place) +
-           "</small>\n";
+    return "<h3>" + escaped(each.name) + " <small>" + (each.of_trace ? "main.cpp, " : "") +
+           counted(each.points, "point") + "</small></h3>\n" + preformatted(each.words, "wrong") +
+           "<small>" + escaped(each.place) + "</small>\n";
 }
 
 std::string diagnosis(const Mark& mark, const fs::path& folder) {
@@ -89,8 +89,9 @@ std::string judged(const Mark& mark, const fs::path& folder) {
     if (mark.picture && !differs)
         html += folded("Your picture is right", picture(*mark.picture, folder));
     const std::string what_passes =
-        fails == 0 ? "Every case passes"
-                   : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
+        fails == 0 && mark.untested_points() == 0
+            ? "Every case passes"
+            : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
     if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
     if (mark.untested_points() > 0)
         html += "<h3>A file is missing, or cannot be graded: " +

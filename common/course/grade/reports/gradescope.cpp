@@ -32,7 +32,8 @@ void append_tests(Json& tests, const Mark& mark) {
         tests.push_back(
             test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
     for (const CaseMark& each : mark.cases) {
-        tests.push_back(test(title + ": " + each.name, each.passed, each.points, told(each)));
+        tests.push_back(test(file_title({mark.stage, each.of_trace}) + ": " + each.name,
+                             each.passed, each.points, told(each)));
         if (mark.points(each.of_trace) == 0)
             tests.back()["score"] = 0;  // cases that the starter passes too
     }
