@@ -8,12 +8,14 @@
 
 namespace rt {
 
-/// Whether a stage has a `trace` of the student's, in its main.cpp.
+/// Whether a stage has a main.cpp of the student's: with the loop over the pixels in stage 1, with
+/// `trace` from stage 3 on.
 [[nodiscard]] constexpr bool has_trace(int stage) {
-    return stage >= shapes_stage;
+    return stage == 1 || stage >= shapes_stage;
 }
 
-/// The file of a stage's functions, or its main.cpp with `trace`. Each has a suite of its own.
+/// The file of a stage's functions, or its main.cpp, which is called its trace in stage 1, too.
+/// Each has a suite of its own.
 struct GradedFile {
     int stage = 1;
     bool is_trace = false;

@@ -49,6 +49,7 @@ Change draw(Random& random, bool exact) {
     change.finer = 3 + 2 * random.below(8);
     change.zoom = random.between(Real(0.5), 2);
     for (int i = 0; i < 3; ++i) change.dimmed[i] = random.between(Real(0.3), 1);
+    change.margin = {.row = 1 + random.below(12), .column = 1 + random.below(12)};
     return change;
 }
 

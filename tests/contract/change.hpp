@@ -35,6 +35,7 @@ struct Change {
     int finer = 1;  ///< odd: each pixel is divided into this many per axis, and the middle one is
                     ///< queried
     Real zoom = 1;  ///< of the tangent of half the field of view
+    Pixel margin;   ///< of a picture: pixels that are added at each side
 };
 
 /// The change of the running case; null if queries are sent unchanged.

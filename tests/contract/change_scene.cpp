@@ -1,5 +1,7 @@
 #include "tests/contract/change_scene.hpp"
 
+#include <cmath>
+
 namespace rt::contract {
 
 namespace {
@@ -57,6 +59,34 @@ Color changed_back(Color color, const Scene& scene, const RenderSettings& settin
     if (settings.shading == Shading::normal)
         return abs(turned_back(color, motion_of(scene, settings, change)));
     return exchanged_back(color / change.dimmed, change);
+}
+
+Scene enlarged(const Scene& scene, const Change& change) {
+    bool has_shapes = !scene.meshes.empty();
+    for_each_kind(scene, [&](const auto& primitives) { has_shapes |= !primitives.empty(); });
+    if (has_shapes) return scene;
+    Scene other = scene;
+    const auto [width, height] = scene.resolution;
+    other.resolution = {.width = width + 2 * change.margin.column,
+                        .height = height + 2 * change.margin.row};
+    const Real larger = Real(other.resolution.height) / Real(height);
+    for (Camera& camera : other.cameras) {
+        const Real fov = vertical_fov(camera, scene.resolution);
+        camera.fov = 2 * std::atan(larger * std::tan(fov / 2));
+        camera.fov_axis = FovAxis::vertical;
+    }
+    return other;
+}
+
+Image middle_of(const Image& picture, Resolution size) {
+    const Pixel first{.row = (picture.resolution.height - size.height) / 2,
+                      .column = (picture.resolution.width - size.width) / 2};
+    Image middle(size);
+    for (Pixel pixel; pixel.row < size.height; ++pixel.row)
+        for (pixel.column = 0; pixel.column < size.width; ++pixel.column)
+            middle[pixel] =
+                picture[{.row = first.row + pixel.row, .column = first.column + pixel.column}];
+    return middle;
 }
 
 }  // namespace rt::contract

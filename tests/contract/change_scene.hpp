@@ -1,6 +1,8 @@
-// The change of a scene of one pixel, and of the color that `trace` returns for it.
+// The change of a scene of one pixel, and of the color that `trace` returns for it; and that of a
+// picture without shapes.
 #pragma once
 
+#include "common/image/image.hpp"
 #include "common/math/real.hpp"
 #include "common/render/render_settings.hpp"
 
@@ -17,5 +19,12 @@ namespace rt::contract {
 /// The color for the scene, from that for the changed scene.
 [[nodiscard]] Color changed_back(Color color, const Scene& scene, const RenderSettings& settings,
                                  const Change& change);
+
+/// The scene of a larger picture, whose middle is that of the scene. With shapes the scene itself:
+/// there, random numbers of a pixel depend on its place in the picture.
+[[nodiscard]] Scene enlarged(const Scene& scene, const Change& change);
+
+/// The scene's picture, from that of the enlarged scene.
+[[nodiscard]] Image middle_of(const Image& picture, Resolution size);
 
 }  // namespace rt::contract

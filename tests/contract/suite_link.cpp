@@ -80,6 +80,12 @@ public:
     std::string words_on_change() {
         const std::lock_guard lock(mutex_);
         if (changed_.empty()) return "";
+        if (changed_[0] == 0)  // not of one function
+            return std::uint8_t(changed_[1]) == trace_place
+                       ? "  changed:  the whole scene was rotated, moved and scaled, and its "
+                         "colors "
+                         "were\n            exchanged and dimmed; the answer is changed back\n"
+                       : "  changed:  a larger picture was drawn, and its middle is tested\n";
         const std::string question = code(call_of(changed_));
         if (question.size() > longest_question) return "";
         return "  changed:  everything was rotated, moved and scaled, which keeps the answer; at "
@@ -166,9 +172,12 @@ namespace rt {
 
 Image rendered(const Scene& scene, const RenderSettings& settings, int every) {
     using namespace contract;
-    const std::string question = picture_question(scene, settings, every);
+    const Change* const now = every == 1 ? change() : nullptr;
+    const Scene asked = now == nullptr ? scene : enlarged(scene, *now);
+    const std::string question = picture_question(asked, settings, every);
     link().record(question);
-    return picture_in(link().ask(question), scene.resolution);
+    if (asked.resolution.width != scene.resolution.width) link().keep_changed(question);
+    return middle_of(picture_in(link().ask(question), asked.resolution), scene.resolution);
 }
 
 Color traced(const Scene& scene, const RenderSettings& settings) {
@@ -179,6 +188,7 @@ Color traced(const Scene& scene, const RenderSettings& settings) {
     put_scene(question, now == nullptr ? scene : changed(scene, settings, *now));
     put(question, settings);
     link().record(question.bytes());
+    if (now != nullptr) link().keep_changed(question.bytes());
     const std::string bytes = link().ask(question.bytes());
     Reader reader(bytes);
     const auto color = get<Color>(reader);

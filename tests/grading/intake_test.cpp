@@ -52,6 +52,14 @@ TEST_CASE("a main.cpp is the trace of the stage that its folder or its name give
     only("step03_sphere_main.cpp");
     only("step03_main (1).cpp");
 
+    // Stage 1's has the loop over the pixels; stage 2 has none.
+    ground.write("cid/step01_ray_generation/main.cpp", "loop");
+    ground.write("cid/camera_basis_main.cpp", "of no stage");
+    CHECK(ground.take("cid").files == Files{{{1, true}, "loop"}});
+    fs::remove(ground.place("cid/step01_ray_generation/main.cpp"));
+    ground.write("cid/ray_generation_main.cpp", "loop");
+    CHECK(ground.take("cid").files == Files{{{1, true}, "loop"}});
+
     ground.write("ben/week 1/sphere.cpp", "three");
     ground.write("ben/week 1/main.cpp", "trace");
     CHECK(ground.take("ben").files == Files{{3, "three"}, {trace, "trace"}});

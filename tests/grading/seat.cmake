@@ -65,7 +65,8 @@ endfunction()
 # seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
 # the objects of the file's own reference. The object with a header's functions, if there is one, has
 # its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of common/ and
-# of all stages, but not the parts of its own stage that are not listed, such as lighting.hpp.
+# of all stages, but not the loop over the pixels in common/render/render.cpp, and not the parts of
+# its own stage that are not listed, such as lighting.hpp.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -98,7 +99,7 @@ function(raysteps_graded_seat file stage own objects)
         endif()
     endforeach()
     if(NOT file STREQUAL stage)
-        list(APPEND callable "common/.*")
+        list(APPEND callable "raysteps_base.dir/.*" "raysteps_common_f64.dir/.*")
     endif()
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)

@@ -94,8 +94,8 @@ std::optional<int> trace_stage(const std::string& stem, const std::string& lette
     if (!letters.ends_with(main)) return std::nullopt;
     const std::string topic = letters.substr(0, letters.size() - main.size());
     if (topic.empty()) return numbered_stage(stem);
-    for (int stage = shapes_stage; stage <= int(stage_names.size()); ++stage)
-        if (topic == squeezed(name_of(stage).substr(7))) return stage;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (has_trace(stage) && topic == squeezed(name_of(stage).substr(7))) return stage;
     return std::nullopt;
 }
 

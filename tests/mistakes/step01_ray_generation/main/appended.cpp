@@ -1,7 +1,8 @@
 // origin: push_back after the constructor
 // caught by: a picture of one pixel shows the ray through its center (MRT §1)
 // sentence: Image(resolution) already has all pixels. push_back adds as many behind them.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: a loop as while, with one counter that is not reset
 // caught by: in a picture of one column, each row has its own ray (MRT §1, i)
 // sentence: The column starts at 0 in the first row only: set it to 0 in each row.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: common, from languages that count from 1
 // caught by: a picture of one pixel shows the ray through its center (MRT §1)
 // sentence: Rows and columns count from 0: the first row and the first column stay black.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: one loop for both
 // caught by: every pixel of a square picture has its own ray (M1)
 // sentence: One variable counts rows and columns: only the diagonal is drawn.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

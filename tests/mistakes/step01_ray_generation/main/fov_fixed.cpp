@@ -1,7 +1,8 @@
 // origin: the angle of the first scene is written down
 // caught by: the field of view is the one that is given (MRT §1)
 // sentence: The field of view is a constant, not the vertical_fov that render receives.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

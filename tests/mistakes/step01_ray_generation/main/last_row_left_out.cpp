@@ -1,7 +1,8 @@
 // origin: common
 // caught by: in a picture of one column, each row has its own ray (MRT §1, i)
 // sentence: The loop ends one row too early: the last row has the number height - 1, and it stays black.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

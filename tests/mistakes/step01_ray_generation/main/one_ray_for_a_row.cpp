@@ -1,7 +1,8 @@
 // origin: the ray is made outside of the inner loop
 // caught by: in a picture of one row, each column has its own ray (MRT §1, j)
 // sentence: The ray is made once for each row: every pixel needs a ray of its own.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

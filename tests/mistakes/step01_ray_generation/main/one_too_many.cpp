@@ -1,7 +1,8 @@
 // origin: common
 // caught by: a picture of one pixel shows the ray through its center (MRT §1)
 // sentence: The loop ends one too late: the last row has the number height - 1, the last column width - 1.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: common
 // caught by: rows and columns are counted apart: a picture wider than high (M1)
 // sentence: camera_ray receives the height as the width.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

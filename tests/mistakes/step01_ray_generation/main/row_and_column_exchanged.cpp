@@ -1,7 +1,8 @@
 // origin: seen in student repositories
 // caught by: in a picture of one row, each column has its own ray (MRT §1, j)
 // sentence: The pixel of the ray has its row and its column exchanged: the row goes down, the column goes to the right.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

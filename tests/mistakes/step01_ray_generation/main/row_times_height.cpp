@@ -1,7 +1,8 @@
 // origin: common in code that computes the index by hand
 // caught by: rows and columns are counted apart: a picture wider than high (M1)
 // sentence: The index of a pixel is row * width + column: a row is as long as the picture is wide.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: the size of the first picture is written down
 // caught by: a picture of one pixel shows the ray through its center (MRT §1)
 // sentence: The image always has 640 x 480 pixels: its size must be the resolution that render receives.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

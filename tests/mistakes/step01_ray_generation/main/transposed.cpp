@@ -1,7 +1,8 @@
 // origin: the image is indexed as image(x, y)
 // caught by: in a picture of one row, each column has its own ray (MRT §1, j)
 // sentence: You write to row "column" of the image: the rows of the picture become its columns.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

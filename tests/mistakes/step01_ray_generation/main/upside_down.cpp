@@ -1,7 +1,8 @@
 // origin: common where the y axis points upwards
 // caught by: in a picture of one column, each row has its own ray (MRT §1, i)
 // sentence: Row 0 is the top row of the image. You write the rows from the bottom.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,7 +1,8 @@
 // origin: common
 // caught by: in a picture of one row, each column has its own ray (MRT §1, j)
 // sentence: Both loops run to the width: the rows end at the height.
-#include "common/render/render.hpp"
+#include "common/image/to_rgb.hpp"
+#include "common/render/stage.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"
