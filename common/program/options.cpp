@@ -112,8 +112,10 @@ void check_precision(const Program& program, Precision precision) {
 /// Adds the options for automatic settings.
 void add_goals(CLI::App& app, Options& options) {
     add_number(app, "--tolerance", least_error, brightest,
-               "choose the cheapest settings with at most this error of a pixel, of 255", "E",
-               [&options](double steps) { options.tolerance = steps; });
+               "choose the cheapest settings with at most this error of a pixel, of 255: beside "
+               "the mean of "
+               "many rays, or of --samples N if given",
+               "E", [&options](double steps) { options.tolerance = steps; });
     add_number(app, "--time", least_time, most_time,
                "choose the most accurate settings that take at most this many seconds", "S",
                [&options](double seconds) { options.time = seconds; });
@@ -280,11 +282,12 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         options.settings.shadow_samples = most_shadow_samples;
     if (is_given("--pixel-error") && (options.tolerance || options.time))
         throw InputError({},
-                         "--pixel-error must be given without --tolerance and --time, whose "
-                         "trials are of pixels with the same number of rays");
+                         "--pixel-error must be given without --tolerance and --time, which "
+                         "choose it");
     if (is_given("--pixel-error") && !is_given("--samples")) options.settings.pixel_samples = 1024;
     options.precision_given = is_given("--precision");
-    options.given = {.shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
+    options.given = {.pixel_samples = is_given("--samples"),
+                     .shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),
                      .depth = is_given("--depth")};
     for (const char* file : {"scene", "--output"})
         if (is_given(file) && app.get_option(file)->as<std::string>().empty())

@@ -149,6 +149,37 @@ private:
     std::array<Part, 3> parts_{};
 };
 
+/// The least number of rays through a pixel with --pixel-error. If fewer agree, they may have
+/// missed a corner of the pixel that changes its color by more than the error.
+[[nodiscard]] inline int first_pixel_samples(double error) {
+    constexpr int fewest = 8;
+    constexpr int most = 128;
+    int count = fewest;
+    while (count < most && count * error < 32) count *= 2;
+    return count;
+}
+
+/// The settings of each ray through a pixel with --pixel-error: shared as by a typical number.
+[[nodiscard]] inline RenderSettings adaptive_settings(RenderSettings settings) {
+    constexpr int typical = 16;
+    settings.pixel_samples = typical;
+    return shared_settings(settings);
+}
+
+/// Traces rays through a pixel, so many at least, until the estimated error is that of the
+/// settings. Returns whether they differ.
+inline bool trace_to_error(PixelSamples& samples, const RenderSettings& settings,
+                           int at_least = 0) {
+    const int most = settings.pixel_samples;
+    int count = std::min(std::max(at_least, first_pixel_samples(settings.pixel_error)), most);
+    samples.trace_to(count);
+    while (count < most && samples.error(settings.gamma) > settings.pixel_error) {
+        count = count > most / 2 ? most : 2 * count;  // at powers of two the points are most even
+        samples.trace_to(count);
+    }
+    return samples.range(settings.gamma) > 2 * settings.pixel_error;
+}
+
 /// The mean color of `context.settings.pixel_samples` rays through the pixel. The settings are
 /// shared ones.
 [[nodiscard]] inline Color mean_color(const Scene& scene, const FinerRays& rays, Pixel pixel,

@@ -91,45 +91,26 @@ Rendering with_statistics(Image image) {
     return result;
 }
 
-/// Fewer rays may agree by chance.
-constexpr int first_samples = 8;
-/// The number of rays through a pixel for which the settings are shared: a typical one.
-constexpr int typical_samples = 16;
-
-/// Traces rays through a pixel until the estimated error is small enough. Returns whether they
-/// differ.
-bool refine(PixelSamples& samples, const RenderSettings& settings) {
-    const int most = settings.pixel_samples;
-    int count = std::min(first_samples, most);
-    samples.trace_to(count);
-    while (count < most && samples.error(settings.gamma) > settings.pixel_error) {
-        count = count > most / 2 ? most : 2 * count;  // at powers of two the points are most even
-        samples.trace_to(count);
-    }
-    return samples.range(settings.gamma) > 2 * settings.pixel_error;
-}
-
 /// Renders more rays through the pixels of a picture of one ray a pixel where it has edges.
 /// Returns false if it was stopped.
 bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::vector<Row>& rows) {
     const RenderSettings& settings = job.settings;
     const FinerRays rays(scene.cameras.front(), scene.resolution);
-    RenderSettings typical = settings;
-    typical.pixel_samples = typical_samples;
-    const Context fresh{.settings = shared_settings(typical)};
     // A ray through the center is at most half a difference off what lies beside an edge.
     Refinement refinement(image.resolution, 2 * settings.pixel_error);
     parallel_for(job.threads, rows.size(), job.stop,
                  [&](std::size_t row) { refinement.compare(image, int(row)); });
     const auto refine_row = [&](std::size_t row) {
-        Context context = fresh;
+        const RenderSettings own = job.next_look ? job.next_look() : settings;
+        const bool no_time = own.pixel_error >= 255;  // which no error exceeds
+        Context context{.settings = adaptive_settings(own)};
         refinement.take(int(row), [&](Pixel pixel) {
-            if (job.stop != nullptr && *job.stop) return false;
+            if (no_time || (job.stop != nullptr && *job.stop)) return false;
             // A pixel that is not a number, and counted, stays so.
             if (rows[row].not_a_number > 0 && image[pixel] == not_a_color) return false;
             context.pixel = pixel;
             PixelSamples samples(scene, rays, pixel, context);
-            const bool differ = refine(samples, settings);
+            const bool differ = trace_to_error(samples, own);
             const Color color = samples.mean();
             if (!is_number(color) && rows[row].not_a_number++ == 0)
                 rows[row].first_not_a_number = pixel.column;
@@ -140,18 +121,17 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
         rows[row].sized_light_rays += context.sized_light_rays;
     };
     bool first = true;
-    std::vector<std::size_t> pending(rows.size());
-    std::iota(pending.begin(), pending.end(), std::size_t(0));
+    std::vector<int> pending = order_of(int(rows.size()), job.next_look != nullptr);
     while (!pending.empty()) {
         parallel_for(job.threads, pending.size(), job.stop, [&](std::size_t i) {
-            refine_row(pending[i]);
+            refine_row(std::size_t(pending[i]));
             if (first && job.row_done) job.row_done();
         });
         if (job.stop != nullptr && *job.stop) return false;
         first = false;
         pending.clear();
-        for (std::size_t row = 0; row < rows.size(); ++row)
-            if (refinement.is_pending(int(row))) pending.push_back(row);
+        for (int row = 0; row < image.resolution.height; ++row)
+            if (refinement.is_pending(row)) pending.push_back(row);
     }
     return true;
 }
@@ -173,7 +153,8 @@ std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const bool adaptive = job.settings.pixel_error > 0;
     parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
         const int row = order[i];
-        const RenderSettings settings = job.next_look ? job.next_look() : job.settings;
+        const bool paced = job.next_look && !adaptive;
+        const RenderSettings settings = paced ? job.next_look() : job.settings;
         rows[std::size_t(row)] = settings.pixel_samples > 1 && !adaptive
                                      ? render_fine_row(scene, job, settings, row, image)
                                      : render_row(scene, pixel_ray, settings, row, image);

@@ -2,6 +2,7 @@
 
 #include "common/tuning/choose_depth.hpp"
 #include "common/tuning/choose_hierarchy.hpp"
+#include "common/tuning/choose_pixels.hpp"
 #include "common/tuning/choose_precision.hpp"
 #include "common/tuning/choose_samples.hpp"
 #include "common/tuning/trial_runner.hpp"
@@ -26,7 +27,10 @@ public:
     AutoSettings choose(const OpenFloat& open_float) {
         hierarchy();
         depth();
-        samples();
+        if (aim_.given.pixel_samples)
+            samples();
+        else
+            pixels();
         precision(open_float);
         report();
         return std::move(choice_);
@@ -62,6 +66,31 @@ private:
         say("shadow samples", samples_in_words(choice_.expected.settings));
     }
 
+    /// Chooses the rays through pixels, and those to lights with them.
+    void pixels() {
+        if (aim_.time)
+            pixels_for_time();
+        else
+            choice_.expected = keep_tolerance_of_pixels(runner_, trials_, settings_);
+        const bool chosen = traits_.sized_lights && !aim_.given.shadow_samples;
+        const RenderSettings& settings = choice_.expected.settings;
+        say("shadow samples", chosen ? samples_in_words(settings) : why_no_samples());
+        say("pixel samples", pixels_in_words(settings));
+    }
+
+    void pixels_for_time() {
+        const QualityLadder ladder = measure_pixel_ladder(runner_, trials_, settings_);
+        choice_.expected = ladder.within_time(*aim_.time);
+        if (aim_.tolerance && !runner_.no_time_left()) {
+            const Trial enough = keep_tolerance_of_pixels(runner_, trials_, settings_);
+            if (enough.seconds <= *aim_.time) {
+                choice_.expected = enough;
+                return;
+            }
+        }
+        set_pace(ladder);
+    }
+
     void no_samples() {
         const std::vector<Pixel> all = runner_.spread().pixels();
         const std::vector<Pixel> some = some_of(all, std::max<std::size_t>(all.size() / 32, 128));
@@ -69,7 +98,11 @@ private:
         choice_.expected = {.settings = settings_,
                             .seconds = runner_.picture_seconds(shot.seconds),
                             .rays = shot.rays};
-        say("shadow samples", aim_.given.shadow_samples ? "as given" : "one: no light has a size");
+        say("shadow samples", why_no_samples());
+    }
+
+    [[nodiscard]] std::string why_no_samples() const {
+        return aim_.given.shadow_samples ? "as given" : "one: no light has a size";
     }
 
     void samples_for_time() {
@@ -81,8 +114,13 @@ private:
         }
         if (choice_.expected.seconds > *aim_.time)
             choice_.expected = ladder.within_time(*aim_.time);
+        set_pace(ladder);
+    }
+
+    void set_pace(const QualityLadder& ladder) {
         RenderSettings& settings = choice_.expected.settings;
         if (settings.shadow_error > 0) settings.shadow_error = two_digits(settings.shadow_error);
+        if (settings.pixel_error > 0) settings.pixel_error = two_digits(settings.pixel_error);
         const auto time = std::chrono::duration<double>(*aim_.time);
         choice_.pace = std::make_unique<TimeBudget>(
             ladder, runner_.size().height,
@@ -107,6 +145,10 @@ private:
 
     /// The expected error and its confidence, never below the tolerance of the trials.
     [[nodiscard]] std::string expected_error() const {
+        if (!aim_.given.pixel_samples)
+            return ", and 99 of 100 pixels within " +
+                   steps(std::max(choice_.expected.error, runner_.limit())) +
+                   " of the mean of many rays, with 95 % confidence";
         const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
         if (traits_.sized_lights && !sampled) return "";
         const double error = std::max(choice_.expected.error, runner_.limit());

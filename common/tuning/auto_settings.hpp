@@ -15,6 +15,7 @@ namespace rt {
 
 /// The settings that the command line fixes, and that are therefore not chosen.
 struct Given {
+    bool pixel_samples = false;   ///< then the error is that of a picture with so many rays
     bool shadow_samples = false;  ///< also set if the criterion to stop sampling is fixed
     bool depth = false;
 };
@@ -43,9 +44,10 @@ struct AutoSettings {
 using OpenFloat = std::function<Trials&()>;
 
 /// Renders a few pixels of the scene with different settings, and chooses hierarchy, reflection
-/// depth, shadow samples and precision, as far as the aim does not fix them and the scene has a use
-/// for them. The hierarchies of the chosen trials are built on return. Without `open_float` the
-/// precision does not change. A time budget counts from `start`. Returns nothing if `stop` was set.
+/// depth, shadow samples, pixel samples and precision, as far as the aim does not fix them and the
+/// scene has a use for them. The hierarchies of the chosen trials are built on return. Without
+/// `open_float` the precision does not change. A time budget counts from `start`. Returns nothing
+/// if `stop` was set.
 [[nodiscard]] std::optional<AutoSettings> choose(Trials& trials, const OpenFloat& open_float,
                                                  const Aim& aim, Clock::time_point start,
                                                  const std::atomic<bool>& stop);

@@ -84,7 +84,11 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
 
     Trials& in_float = open_float();
     if (chosen.hierarchy_from) in_float.build_acceleration(*chosen.hierarchy_from);
-    const RenderSettings settings = with_one_shadow_ray(chosen.expected.settings, runner.aim());
+    RenderSettings settings = with_one_shadow_ray(chosen.expected.settings, runner.aim());
+    if (!runner.aim().given.pixel_samples) {
+        settings.pixel_samples = 1;
+        settings.pixel_error = 0;
+    }
     const std::vector<Pixel> others = other_pixels(runner, trials, in_float, settings, pixels);
     const std::string found =
         std::to_string(others.size()) + " of " + std::to_string(pixels.size()) +

@@ -13,12 +13,12 @@ double seconds(Clock::duration time) {
 
 }  // namespace
 
-TimeBudget::TimeBudget(QualityLadder ladder, int rows, Clock::time_point end,
-                       Clock::time_point start)
-    : ladder_(std::move(ladder)), rows_(rows), start_(start), end_(end) {}
+TimeBudget::TimeBudget(QualityLadder ladder, int rows, Clock::time_point end)
+    : ladder_(std::move(ladder)), rows_(rows), start_(end), end_(end) {}
 
 RenderSettings TimeBudget::next(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
+    if (given_ == 0) start_ = now;  // before are the rays through the centers (--pixel-error)
     // The measured slowdown compared to the expected times, damped because the first rows alone are
     // not representative.
     const double doubt = 0.02 * seconds(end_ - start_);

@@ -14,10 +14,9 @@ using Clock = std::chrono::steady_clock;
 /// Distributes a time budget over the rows of a picture.
 class TimeBudget {
 public:
-    /// A budget for `rows` rows of about equal cost, until `end`. The times in the ladder are for
-    /// all rows together, and may be wrong by a factor.
-    TimeBudget(QualityLadder ladder, int rows, Clock::time_point end,
-               Clock::time_point start = Clock::now());
+    /// A budget for `rows` rows of about equal cost, from the first call of `next` until `end`. The
+    /// times in the ladder are for all rows together, and may be wrong by a factor.
+    TimeBudget(QualityLadder ladder, int rows, Clock::time_point end);
 
     /// Returns the settings for the next row. Thread-safe.
     [[nodiscard]] RenderSettings next(Clock::time_point now = Clock::now());

@@ -14,7 +14,12 @@ Trial between(const Trial& cheap, const Trial& good, double share) {
         return std::pow(std::max(a, tiny), 1 - share) * std::pow(std::max(b, tiny), share);
     };
     Trial trial = good;
-    trial.settings.shadow_error = mean(cheap.settings.shadow_error, good.settings.shadow_error);
+    if (cheap.settings.shadow_error > 0 && good.settings.shadow_error > 0)
+        trial.settings.shadow_error = mean(cheap.settings.shadow_error, good.settings.shadow_error);
+    if (cheap.settings.pixel_error > 0 && good.settings.pixel_error > 0)
+        trial.settings.pixel_error = mean(cheap.settings.pixel_error, good.settings.pixel_error);
+    trial.settings.pixel_samples =
+        int(std::lround(mean(cheap.settings.pixel_samples, good.settings.pixel_samples)));
     if (cheap.settings.shadow_agree > 0 && good.settings.shadow_agree > 0)
         trial.settings.shadow_agree =
             int(std::lround(mean(cheap.settings.shadow_agree, good.settings.shadow_agree)));
@@ -30,8 +35,15 @@ double place_between(double a, double b, double x) {
     return all == 0 ? 0 : std::clamp(std::log(std::max(x, tiny) / std::max(a, tiny)) / all, 0., 1.);
 }
 
-bool stop_at_errors(const Trial& a, const Trial& b) {
-    return a.settings.shadow_error > 0 && b.settings.shadow_error > 0;
+/// Returns whether settings between the two are reasonable: they differ in thresholds, or in the
+/// number of rays through a pixel.
+bool have_a_middle(const Trial& a, const Trial& b) {
+    const bool to_shadow_error = a.settings.shadow_error > 0;
+    const bool to_pixel_error = a.settings.pixel_error > 0;
+    if (to_shadow_error != (b.settings.shadow_error > 0)) return false;
+    if (to_pixel_error != (b.settings.pixel_error > 0)) return false;
+    return to_shadow_error || to_pixel_error ||
+           a.settings.pixel_samples != b.settings.pixel_samples;
 }
 
 }  // namespace
@@ -64,7 +76,7 @@ Trial QualityLadder::within_time(double seconds) const {
         std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.seconds > seconds; });
     if (dearer == trials_.begin()) return trials_.front();
     const Trial& fits = *std::prev(dearer);
-    if (dearer == trials_.end() || !stop_at_errors(fits, *dearer)) return fits;
+    if (dearer == trials_.end() || !have_a_middle(fits, *dearer)) return fits;
     return between(fits, *dearer, place_between(fits.seconds, dearer->seconds, seconds));
 }
 
@@ -72,7 +84,7 @@ Trial QualityLadder::within_error(double error) const {
     const auto good =
         std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.error <= error; });
     if (good == trials_.end()) return trials_.back();
-    if (good == trials_.begin() || !stop_at_errors(*std::prev(good), *good)) return *good;
+    if (good == trials_.begin() || !have_a_middle(*std::prev(good), *good)) return *good;
     const Trial& worse = *std::prev(good);
     return between(worse, *good, place_between(worse.error, good->error, error));
 }

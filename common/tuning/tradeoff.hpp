@@ -18,7 +18,7 @@ struct Trial {
 /// Settings sorted by cost. Clocks are noisy: a trial that seems faster than a cheaper one counts
 /// as taking the same time, so that no time is negative and none decreases. A query beyond either
 /// end returns that end. Between two settings that stop sampling at an error, or once rays agree,
-/// it interpolates their thresholds.
+/// it interpolates their thresholds, and between two numbers of rays through a pixel these.
 class QualityLadder {
 public:
     void add(Trial trial);

@@ -34,7 +34,9 @@ using DisplayColor = std::array<double, 3>;
 /// The pixels of a sample, and the way to render them.
 struct SampleRequest {
     std::span<const Pixel> pixels;
-    int round = 0;  ///< each round uses its own random samples
+    int round = 0;     ///< each round uses its own random samples
+    int at_least = 0;  ///< with a pixel_error: at least so many rays through every pixel; 0 for one
+                       ///< ray, and more where rays through the centers around it find an edge
     int threads = 1;
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null

@@ -8,9 +8,12 @@ double TrialRunner::limit() const {
 }
 
 PixelSample TrialRunner::shot(const Trials& trials, const RenderSettings& settings,
-                              std::span<const Pixel> pixels, int round) {
-    PixelSample shot = trials.shot(
-        settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
+                              std::span<const Pixel> pixels, int round, int at_least) {
+    PixelSample shot = trials.shot(settings, {.pixels = pixels,
+                                              .round = round,
+                                              .at_least = at_least,
+                                              .threads = aim_.threads,
+                                              .stop = &stop_});
     if (stop_) throw Stopped();
     drawn_ += pixels.size();
     return shot;

@@ -26,10 +26,10 @@ public:
     /// The largest error that is not significant.
     [[nodiscard]] double limit() const;
 
-    /// Renders the pixels with these settings. Another `round` uses other random samples. Throws
-    /// Stopped if the program is to stop.
+    /// Renders the pixels with these settings. Another `round` uses other random samples, and
+    /// `at_least` is that of a SampleRequest. Throws Stopped if the program is to stop.
     [[nodiscard]] PixelSample shot(const Trials& trials, const RenderSettings& settings,
-                                   std::span<const Pixel> pixels, int round);
+                                   std::span<const Pixel> pixels, int round, int at_least = 0);
 
     /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
     /// `of_a_pixel` seconds of CPU time.

@@ -159,7 +159,7 @@ few=$(rays)
 
 # The choices of --tolerance and --time are printed, and the printed options can be used.
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --precision double --tolerance 4 > out
-for words in hierarchy depth precision expected trials; do
+for words in hierarchy depth "pixel samples" precision expected trials; do
     grep -q "^  $words  " out || fail "--tolerance tells of the $words"
 done
 # The same choice gives the same bytes: again, and by the equivalent options that it printed.
@@ -173,6 +173,9 @@ for scene in "$soft" "$gap"; do
     "$build/step11_soft_shadows" "$scene" -o 2.png --size 80x60 --tolerance 4 --quiet
     cmp -s 1.png 2.png || fail "--tolerance chooses the same again"
 done
+# A given number of rays through a pixel stays.
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 --samples 2 > out
+grep -q "^  equivalent .* --samples 2 --shadow-samples" out || fail "--tolerance keeps --samples"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
 grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out

@@ -222,6 +222,69 @@ TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance")
           Approx(enough.seconds / 3).epsilon(0.03));
 }
 
+TEST_CASE("rays through pixels keep the tolerance beside edges, at about the least cost") {
+    for (const double edges : {0.02, 0.1, 0.4})
+        for (const double allowed : {1.0, 2.0, 8.0}) {
+            ModelScene model = plain();
+            model.edges = edges;
+            const RenderSettings settings = chosen(model, {.tolerance = allowed}).expected.settings;
+            INFO(edges << " of the pixels on edges, tolerance " << allowed);
+            REQUIRE(settings.pixel_error > 0);
+            const auto off = [&](double error) {
+                const double rays = pixel_rays({.pixel_samples = 1024, .pixel_error = error}, true);
+                return edges * beyond(one_center_error / 2 * std::pow(rays, -0.75), allowed);
+            };
+            CHECK(off(settings.pixel_error) <= 0.01);
+            double cheapest = settings.pixel_error;
+            while (off(1.01 * cheapest) <= 0.01 && cheapest < 2 * allowed) cheapest *= 1.01;
+            CHECK(settings.pixel_error >= cheapest / 2);
+        }
+}
+
+TEST_CASE("one ray through a pixel is enough where there are hardly any edges") {
+    ModelScene model = plain();
+    model.edges = 0.002;
+    const RenderSettings settings = chosen(model, {.tolerance = 2}).expected.settings;
+    CHECK(settings.pixel_samples == 1);
+    CHECK(settings.pixel_error == 0);
+}
+
+TEST_CASE("all pixels get rays if edges are lost beside which no ray through a center finds them") {
+    ModelScene model = plain();
+    model.edges = 0.2;
+    model.lost = 0.5;
+    const RenderSettings settings = chosen(model, {.tolerance = 2}).expected.settings;
+    CHECK(settings.pixel_samples >= 64);
+    CHECK(settings.pixel_error == 0);
+}
+
+TEST_CASE("a given number of rays through a pixel stays") {
+    ModelScene model = plain();
+    model.edges = 0.2;
+    for (const Aim& aim : {Aim{.tolerance = 2}, Aim{.time = 1}}) {
+        Aim fixed = aim;
+        fixed.settings.pixel_samples = 4;
+        fixed.given.pixel_samples = true;
+        CHECK(chosen(model, fixed).expected.settings.pixel_samples == 4);
+        CHECK(chosen(model, fixed).expected.settings.pixel_error == 0);
+    }
+}
+
+TEST_CASE("a time is filled by rays through pixels, beside edges first") {
+    ModelScene model = plain();
+    model.edges = 0.2;
+    model.ray_cost = 1e-5;  // 3 s for one ray through each pixel
+    const AutoSettings little = chosen(model, {.time = 30});
+    CHECK(little.expected.settings.pixel_error > 0);
+    CHECK(little.expected.seconds == Approx(30).epsilon(0.1));
+    CHECK(little.pace != nullptr);
+    model.lost = 0.5;
+    const AutoSettings much = chosen(model, {.time = 1000});
+    CHECK(much.expected.settings.pixel_error == 0);
+    CHECK(much.expected.settings.pixel_samples > 64);
+    CHECK(much.expected.seconds == Approx(1000).epsilon(0.1));
+}
+
 TEST_CASE("trials can be stopped") {
     ModelScene model = soft(0.5);
     const std::atomic<bool> stopped = true;
@@ -241,7 +304,7 @@ TEST_CASE("a pace takes its time on a machine that is slower or faster than expe
                 return start + std::chrono::duration_cast<Clock::duration>(
                                    std::chrono::duration<double>(seconds));
             };
-            TimeBudget pace(ladder, rows, at(wanted), start);
+            TimeBudget pace(ladder, rows, at(wanted));
             double now = 0;
             for (int row = 0; row < rows; ++row) {
                 // The cost of a row varies with the golden ratio, between 0 and 2 times the mean.

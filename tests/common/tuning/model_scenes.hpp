@@ -18,6 +18,8 @@ struct ModelScene {
     SceneTraits traits;
     Resolution size{.width = 640, .height = 480};
     double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
+    double edges = 0;     ///< the share of the pixels on an edge: those farthest to the right
+    double lost = 0;      ///< the share of these that no ray through a center leads to
     bool thin_shadow =
         false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
     double ray_cost = 1e-7;
@@ -45,6 +47,16 @@ inline double error_of(const RenderSettings& settings) {
     return settings.shadow_error > 0
                ? std::min(2 * settings.shadow_error / 3, one_ray_error * std::pow(8, -0.75))
                : one_ray_error * std::pow(settings.shadow_samples, -0.75);
+}
+
+/// A pixel on an edge: the error of one ray, of which n rays leave n^(−3/4).
+inline constexpr double one_center_error = 60;
+
+/// The rays through a pixel on an edge.
+inline double pixel_rays(const RenderSettings& settings, bool is_found) {
+    if (settings.pixel_error == 0) return settings.pixel_samples;
+    const double enough = std::pow(one_center_error / settings.pixel_error, 4.0 / 3);
+    return is_found ? std::clamp(enough, 8., double(settings.pixel_samples)) : 1;
 }
 
 /// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
@@ -82,11 +94,13 @@ public:
         PixelSample shot;
         for (const Pixel pixel : request.pixels) {
             const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
-            const double shade = shade_of(pixel, settings, request.round, in_penumbra);
+            const double edge = edge_rays(pixel, settings, request);
+            const double shade = shade_of(pixel, settings, request.round, in_penumbra) +
+                                 edge_error(pixel, edge, request.round);
             shot.shades.push_back({shade, shade, shade});
             shot.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
-            shot.rays += 1 + light_rays(settings, in_penumbra);
-            shot.seconds += cost_of(model_, settings, in_penumbra);
+            shot.rays += edge + light_rays(settings, in_penumbra);
+            shot.seconds += cost_of(model_, settings, in_penumbra) + (edge - 1) * model_.ray_cost;
         }
         const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
         model_.asked += request.pixels.size();
@@ -97,6 +111,26 @@ public:
     }
 
 private:
+    [[nodiscard]] bool is_on_edge(Pixel pixel) const {
+        return model_.size.width - pixel.column <= model_.edges * model_.size.width;
+    }
+    [[nodiscard]] double edge_rays(Pixel pixel, const RenderSettings& settings,
+                                   const SampleRequest& request) const {
+        // The lost ones are the same at any round.
+        const auto place = double(pixel.row * model_.size.width + pixel.column);
+        const bool is_lost = std::fmod(0.618033988749895 * place, 1) < model_.lost;
+        const double found = pixel_rays(settings, !is_lost || request.at_least > 0);
+        return is_on_edge(pixel) || settings.pixel_error == 0
+                   ? found
+                   : std::max(1., double(request.at_least));
+    }
+    [[nodiscard]] double edge_error(Pixel pixel, double rays, int round) const {
+        if (!is_on_edge(pixel)) return 0;
+        const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
+        std::mt19937 random(place * 7907 + unsigned(round) * 104'723 + 1);
+        const double error = one_center_error * std::pow(rays, -0.75);
+        return error * std::normal_distribution<double>(0, 0.5)(random);
+    }
     [[nodiscard]] double shade_of(Pixel pixel, const RenderSettings& settings, int round,
                                   bool in_penumbra) const {
         const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
@@ -122,7 +156,9 @@ private:
 
 inline constexpr std::atomic<bool> going_on = false;
 
-inline AutoSettings chosen(ModelScene& model, const Aim& aim, const OpenFloat& open_float = {}) {
+/// The choice for a model. The number of rays through a pixel is fixed if it has no edges.
+inline AutoSettings chosen(ModelScene& model, Aim aim, const OpenFloat& open_float = {}) {
+    if (model.edges == 0) aim.given.pixel_samples = true;
     ModelTrials known(model);
     auto choice = choose(known, open_float, aim, Clock::now(), going_on);
     REQUIRE(choice);

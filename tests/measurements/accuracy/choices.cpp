@@ -184,6 +184,7 @@ void measure_tolerances(const std::filesystem::path& scene,
     const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
     Options options{};
     options.scene = scene.string();
+    options.given.pixel_samples = true;
     const Truth truth = truth_of(*f64::make_renderer(program, options), right);
     const std::vector<Found> found = cheapest(program, options, truth);
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -214,7 +215,7 @@ void measure_times(const std::filesystem::path& scene, const std::filesystem::pa
     for (const double seconds : times) {
         const auto usage = measurements::run(
             {(programs / "step13_meshes_reference_program").string(), scene.string(), "-o",
-             picture.string(), "--quiet", "--time", std::to_string(seconds)});
+             picture.string(), "--quiet", "--samples", "1", "--time", std::to_string(seconds)});
         std::printf("%s,time,%g,0,%.4f,0,0,none,0\n", scene.stem().c_str(), seconds, usage.wall);
     }
     std::filesystem::remove(picture);

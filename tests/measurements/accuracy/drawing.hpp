@@ -16,14 +16,20 @@ struct Drawing {
     double seconds = 0;
 };
 
+// drawn draws once; rendered takes the shortest time of several runs. A hierarchy is built from so
+// many shapes of a kind on, or where it is the default for 0.
 inline namespace f32 {
+[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size,
+                            const RenderSettings& settings, std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,
                                const RenderSettings& settings);
-}
+}  // namespace f32
 inline namespace f64 {
+[[nodiscard]] Drawing drawn(const std::string& scene, Resolution size,
+                            const RenderSettings& settings, std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,
                                const RenderSettings& settings);
-}
+}  // namespace f64
 
 /// The project's scenes, by name.
 [[nodiscard]] std::vector<std::filesystem::path> all_scenes();

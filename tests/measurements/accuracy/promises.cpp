@@ -81,6 +81,7 @@ public:
     Subject(const std::filesystem::path& scene, Resolution size) {
         options_.scene = scene.string();
         options_.size = size;
+        options_.given.pixel_samples = true;  // one: the error is that of lights
         in_double_ = f64::make_renderer(program, options_);
         pixels_ = all_pixels(size);
         const RenderSettings settings = to_error(RenderSettings(), 1.0 / 8, 0);
