@@ -34,6 +34,7 @@ const std::vector<File> files = {
     {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
     {"meshes", "decimation", {"decimation"}, 1, 4, true},
     {"pixels", "pixels", {"pixels"}, 1, 80, true},
+    {"front", "front", {"front"}, 1, 60, true},
     {"pictures", "pictures", {"pictures"}, 1, 18, true},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"choices", "choices", {"choices"}, 1, 120, true},

@@ -24,6 +24,21 @@ def different(rows, column):
     return list(dict.fromkeys(row[column] for row in rows))
 
 
+def number(row, column):
+    return float(row[column])
+
+
+def front(rows):
+    """The settings that no other beats in time and error, from the cheapest on."""
+    best, found = float("inf"), []
+    cells = where(rows, what="cell")
+    for row in sorted(cells, key=lambda row: (number(row, "time"), number(row, "error"))):
+        if number(row, "error") < best:
+            best = number(row, "error")
+            found.append(row)
+    return found
+
+
 def middle(rows, column):
     """The median over several turns."""
     return median_high(float(row[column]) for row in rows)

@@ -20,7 +20,7 @@ from data import FOLDER  # noqa: E402
 from tables import tables  # noqa: E402
 
 PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hierarchy", "decimation",
-         "pixels", "input_rounding"]
+         "pixels", "input_rounding", "front"]
 MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
 SYSTEM = "/usr/bin/python3"  # which has the system's packages; the first in the PATH may have none
 

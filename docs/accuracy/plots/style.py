@@ -47,6 +47,7 @@ pyplot.rcParams.update({
     "grid.linewidth": 0.6, "axes.spines.top": False, "axes.spines.right": False,
     "axes.axisbelow": True, "lines.linewidth": 1.6, "lines.markersize": 5,
     "legend.frameon": True, "legend.framealpha": 1, "legend.facecolor": CARD,
+    "figure.max_open_warning": 0,  # draw.py check-plots opens all
     "legend.edgecolor": FAINT, "legend.handlelength": 3.5, "axes.unicode_minus": True,
 })
 

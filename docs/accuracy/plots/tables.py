@@ -1,7 +1,7 @@
 """The tables of accuracy.md, in Markdown."""
 import math
 
-from data import CHANGES, STAGES, decade, different, middle, nanoseconds, read, where
+from data import CHANGES, STAGES, decade, different, front, middle, nanoseconds, number, read, where
 from words import exponent, power, thousands, two_digits
 
 
@@ -132,6 +132,63 @@ def input_rounding():
     return "\n".join(parts)
 
 
+def options_of(row, rows):
+    """As a user types them; those of which the scene has no use are left out."""
+    words = []
+    if row["pixel_error"] != "0":
+        words.append(f"--pixel-error {row['pixel_error']}")
+    elif row["samples"] != "1":
+        words.append(f"--samples {row['samples']}")
+    if len(different(rows, "shadow_samples")) > 1:
+        if row["shadow_samples"] != "0":
+            words.append(f"--shadow-samples {row['shadow_samples']}")
+        else:
+            words.append(f"--shadow-error {row['shadow_error']}"
+                         f" --shadow-agree {row['shadow_agree']}")
+    if len(different(rows, "depth")) > 1:
+        words.append(f"--depth {row['depth']}")
+    if row["hierarchy_from"] != "0":
+        words.append(f"--hierarchy-from {row['hierarchy_from']}")
+    if row["precision"] == "float":
+        words.append("--precision float")
+    return f"`{' '.join(words)}`" if words else "one ray"
+
+
+def front_table():
+    rows, lines = read("front"), []
+    for scene in different(rows, "scene"):
+        own = where(rows, scene=scene)
+        cells, line = where(own, what="cell"), [f"`{scene}`"]
+        for asked in (8, 4, 2, 1):
+            enough = [row for row in front(own) if number(row, "error") <= asked]
+            line.append(f"{two_digits(number(enough[0], 'time'))}: {options_of(enough[0], cells)}"
+                        if enough else "none found")
+        lines.append(line)
+    return table(["scene", *(f"error {asked}" for asked in (8, 4, 2, 1))], lines)
+
+
+KNOBS = {"pixels": ("samples", "pixel_error"),
+         "shadows": ("shadow_samples", "shadow_error", "shadow_agree"), "depth": ("depth",)}
+
+
+def spending():
+    """Which settings change along the front, from the cheapest picture on."""
+    rows, lines = read("front"), []
+    for scene in different(rows, "scene"):
+        own = front(where(rows, scene=scene, precision="double", hierarchy_from="0"))
+        steps = []
+        for before, after in zip(own, own[1:]):
+            changed = " and ".join(knob for knob, columns in KNOBS.items()
+                                   if any(before[column] != after[column] for column in columns))
+            if changed and (not steps or steps[-1][0] != changed):
+                steps.append([changed, ""])
+            if changed:
+                steps[-1][1] = two_digits(number(after, "error"))
+        lines.append([f"`{scene}`", two_digits(number(own[0], "error")),
+                      ", then ".join(f"{knob} to {error}" for knob, error in steps)])
+    return table(["scene", "the cheapest picture's error", "spend on, until the error is"], lines)
+
+
 def choices():
     rows, lines = read("choices"), []
     for scene in different(rows, "scene"):
@@ -151,4 +208,5 @@ def tables():
     """The page's markers, and what belongs between them."""
     return {**dict(shape_tables()), "contact": contact(), "penumbra": penumbra(),
             "mirrors": mirrors(), "hierarchy": hierarchy(), "decimation": decimation(),
-            "pictures": pictures(), "input rounding": input_rounding(), "choices": choices()}
+            "pictures": pictures(), "input rounding": input_rounding(), "front": front_table(),
+            "spending": spending(), "choices": choices()}
