@@ -1,6 +1,7 @@
 #include "common/bvh/bvh.hpp"
 
 #include "common/bvh/binned_sah.hpp"
+#include "common/system/huge_pages.hpp"
 
 #include <future>
 
@@ -126,8 +127,8 @@ Bvh BvhBuilder::tree() {
 Bvh BvhBuilder::with_room_for(const PrimitiveRange& range) const {
     Bvh tree;
     const std::size_t leaves = range.size() / leaf_size_ + 1;
-    tree.leaves_.reserve(leaves + leaves / 4);
-    tree.nodes_.reserve(leaves / 4);
+    reserve_huge(tree.leaves_, leaves + leaves / 4);
+    reserve_huge(tree.nodes_, leaves / 4);
     return tree;
 }
 

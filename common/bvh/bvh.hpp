@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace rt {
@@ -63,10 +64,29 @@ public:
     /// inside the interval, roughly near to far, until a call returns true. Returns whether one
     /// did. A visit may lower interval.max.
     template <class Visit>
-    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
+    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+        return visit_leaves(ray, interval, visit, ExpectNothing());
+    }
+
+    /// As above. Calls expect(leaf) for each leaf that will probably be visited: the processor can
+    /// fetch its content from memory while it tests others.
+    template <class Visit, class Expect>
+    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit,
+                      Expect expect) const;
 
 private:
     friend class BvhBuilder;
+    struct ExpectNothing {};
+
+    /// Prefetches a node, or announces a leaf.
+    template <class Expect>
+    [[gnu::always_inline]] void fetch(std::uint32_t child, Expect expect) const {
+        if ((child & Node::leaf_bit) != 0)
+            expect(child & ~Node::leaf_bit);
+        else
+            prefetch(nodes_[child]);
+    }
+
     static constexpr std::size_t max_depth = 64;
 
     BoundingBox bounds_;
@@ -76,8 +96,9 @@ private:
     std::vector<Leaf> leaves_;
 };
 
-template <class Visit>
-bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+template <class Visit, class Expect>
+bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit,
+                       [[maybe_unused]] Expect expect) const {
     if (empty() || !(interval.min < interval.max)) return false;
     const RayBoxTest& slabs = ray.in(frame_);
     if (!slabs.is_reliable()) {
@@ -104,6 +125,9 @@ bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit vis
             const auto answer = slabs(node, limit);
             if (unsigned hits = answer.hits; hits != 0) {
                 const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
+                if constexpr (!std::is_same_v<Expect, ExpectNothing>)
+                    for (unsigned soon = hits; soon != 0;)
+                        fetch(node.children[pop_lowest_bit(soon)], expect);
                 std::size_t nearest = pop_lowest_bit(hits);
                 const std::size_t first = waiting;
                 while (hits != 0) {

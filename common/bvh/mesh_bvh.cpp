@@ -1,7 +1,9 @@
 #include "common/bvh/mesh_bvh.hpp"
 
 #include "common/geometry/bounds.hpp"
+#include "common/system/huge_pages.hpp"
 
+#include <algorithm>
 #include <future>
 #include <span>
 
@@ -21,26 +23,41 @@ Real scale_for(const BoundingBox& bounds) {
     return std::ldexp(Real(1), std::clamp(-std::ilogb(largest), -most, most));
 }
 
-Triangle4 packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
+/// Returns whether float packets of the mesh have the same coordinates as those of a wider Real.
+bool fits_in_floats(const Mesh& mesh, Real scale) {
+    const auto is_float = [](Real value) { return Real(float(value)) == value; };
+    return sizeof(Real) > sizeof(float) &&
+           std::ranges::all_of(mesh.vertices, [&](const Vec3& vertex) {
+               const Vec3 point = scale * vertex;
+               return is_float(point.x) && is_float(point.y) && is_float(point.z);
+           });
+}
+
+template <class Number>
+Triangle4<Number> packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-    std::array<std::array<std::array<Real, lane_count>, 3>, 3> lanes;
+    std::array<std::array<std::array<Number, lane_count>, 3>, 3> lanes;
     for (std::size_t i = 0; i < lane_count; ++i)
         for (std::size_t vertex = 0; vertex < 3; ++vertex) {
             Vec3 point(nan);
             if (leaf.indices[i] != Leaf::none)
                 point = scale * mesh.vertices[mesh.triangles[leaf.indices[i]][vertex]];
-            lanes[vertex][0][i] = point.x;
-            lanes[vertex][1][i] = point.y;
-            lanes[vertex][2][i] = point.z;
+            lanes[vertex][0][i] = Number(point.x);
+            lanes[vertex][1][i] = Number(point.y);
+            lanes[vertex][2][i] = Number(point.z);
         }
-    return std::bit_cast<Triangle4>(lanes);
+    return std::bit_cast<Triangle4<Number>>(lanes);
 }
 
 /// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one.
-std::vector<Triangle4> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
-    std::vector<Triangle4> packets(leaves.size());
+template <class Number>
+std::vector<Triangle4<Number>> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
+    std::vector<Triangle4<Number>> packets;
+    reserve_huge(packets, leaves.size());
+    packets.resize(leaves.size());
     const auto fill = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) packets[i] = packed(mesh, leaves[i], scale);
+        for (std::size_t i = begin; i < end; ++i)
+            packets[i] = packed<Number>(mesh, leaves[i], scale);
     };
     const auto half = std::async([&] { fill(0, leaves.size() / 2); });
     fill(leaves.size() / 2, leaves.size());
@@ -57,14 +74,14 @@ Real finer(Real size) {
     return std::ldexp(Real(1), std::min(-std::ilogb(size), most));
 }
 
-Real size(const Triangle4& packet, std::size_t lane) {
+Real size(const Triangle4<Real>& packet, std::size_t lane) {
     BoundingBox box;
     for (const auto& [x, y, z] : packet.vertices)
         box = merged(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
     return largest_component(box.max - box.min);
 }
 
-std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4>& packets) {
+std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4<Real>>& packets) {
     std::vector<std::array<Real, lane_count>> scales(packets.size());
     bool any = false;
     for (std::size_t leaf = 0; leaf < packets.size(); ++leaf)
@@ -76,7 +93,7 @@ std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4>& pa
     return scales;
 }
 
-Triangle4 enlarged(Triangle4 packet, Real scale) {
+Triangle4<Real> enlarged(Triangle4<Real> packet, Real scale) {
     for (auto& vertex : packet.vertices)
         for (RealX4& coordinate : vertex) coordinate = broadcast(scale) * coordinate;
     return packet;
@@ -96,8 +113,13 @@ MeshBvh::MeshBvh(const Mesh& mesh) {
                            .max = scale_ * glm::max(a, glm::max(b, c))};
     };
     hierarchy_ = Bvh(mesh.triangles.size(), box, Bvh::Leaves::packed);
-    packets_ = packed(mesh, hierarchy_.leaves(), scale_);
-    finer_ = finer(packets_);
+    if (fits_in_floats(mesh, scale_)) {
+        // None is too small for the test: the smallest float is 2^-149.
+        float_packets_ = packed<float>(mesh, hierarchy_.leaves(), scale_);
+    } else {
+        packets_ = packed<Real>(mesh, hierarchy_.leaves(), scale_);
+        finer_ = finer(packets_);
+    }
 }
 
 Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size_t leaf,
@@ -131,19 +153,22 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
     const std::uint32_t* triangle = nullptr;
     Vec3 areas;
     RayBoxTestCache slabs(seen);
-    hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        const Crossings found = crossings(test, seen, leaf, left);
-        for (unsigned hits = found.hits; hits != 0;) {
-            const std::size_t lane = pop_lowest_bit(hits);
-            const Real t = values(found.t)[lane];
-            if (!(t < left.max)) continue;
-            left.max = t;
-            triangle = &hierarchy_.leaves()[leaf].indices[lane];
-            areas = {values(found.areas[0])[lane], values(found.areas[1])[lane],
-                     values(found.areas[2])[lane]};
-        }
-        return false;
-    });
+    hierarchy_.visit_leaves(
+        slabs, left,
+        [&](std::size_t leaf) {
+            const Crossings found = crossings(test, seen, leaf, left);
+            for (unsigned hits = found.hits; hits != 0;) {
+                const std::size_t lane = pop_lowest_bit(hits);
+                const Real t = values(found.t)[lane];
+                if (!(t < left.max)) continue;
+                left.max = t;
+                triangle = &hierarchy_.leaves()[leaf].indices[lane];
+                areas = {values(found.areas[0])[lane], values(found.areas[1])[lane],
+                         values(found.areas[2])[lane]};
+            }
+            return false;
+        },
+        [this](std::size_t leaf) { expect(leaf); });
     if (triangle == nullptr) return std::nullopt;
     return MeshHit{.t = left.max / scale_,
                    .triangle = *triangle,
@@ -156,7 +181,8 @@ bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Interval left = scaled(interval);
     RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(
-        slabs, left, [&](std::size_t leaf) { return crossings(test, seen, leaf, left).hits != 0; });
+        slabs, left, [&](std::size_t leaf) { return crossings(test, seen, leaf, left).hits != 0; },
+        [this](std::size_t leaf) { expect(leaf); });
 }
 #endif
 

@@ -41,8 +41,26 @@ private:
     /// The hits on the triangles of a leaf.
     [[nodiscard]] Crossings crossings(const WatertightTest& test, const Ray& seen, std::size_t leaf,
                                       const Interval& interval) const {
+        if (has_float_packets()) return test(float_packets_[leaf], interval);
         if (finer_.empty()) return test(packets_[leaf], interval);
         return finely(test, seen, leaf, interval);
+    }
+
+    /// The packet of a leaf as Real, for one triangle after the other.
+    [[nodiscard]] Triangle4<Real> packet(std::size_t leaf) const {
+        return has_float_packets() ? real_of(float_packets_[leaf]) : packets_[leaf];
+    }
+
+    /// Prefetches the packet of a leaf.
+    [[gnu::always_inline]] void expect(std::size_t leaf) const {
+        if (has_float_packets())
+            prefetch(float_packets_[leaf]);
+        else
+            prefetch(packets_[leaf]);
+    }
+
+    [[nodiscard]] bool has_float_packets() const {
+        return sizeof(Real) > sizeof(float) && !float_packets_.empty();
     }
 
     /// As crossings, with each triangle that is too small for the test scaled separately.
@@ -52,7 +70,10 @@ private:
     BoundingBox bounds_;
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
     Bvh hierarchy_;
-    std::vector<Triangle4> packets_;  ///< one packet for each leaf
+    std::vector<Triangle4<Real>> packets_;  ///< one packet for each leaf
+    /// In place of them, if Real is wider than float and every coordinate is a float, as those of
+    /// files are.
+    std::vector<Triangle4<float>> float_packets_;
     /// For each leaf, the factors by which its triangles must be enlarged for the test: powers of
     /// two. Empty if all triangles are large enough.
     std::vector<std::array<Real, lane_count>> finer_;

@@ -11,10 +11,24 @@ inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
-/// Four triangles, one in each lane. NaN in the unused lanes makes them miss.
+/// Four triangles, one in each lane. NaN in the unused lanes makes them miss. `Number` is float, in
+/// either precision, if no coordinate requires more: the packet is half as large, and rays wait
+/// less for the memory.
+template <class Number>
 struct Triangle4 {
-    std::array<std::array<RealX4, 3>, 3> vertices;  ///< x, y and z of each vertex
+    /// x, y and z of each vertex
+    std::array<std::array<LanesOf<Number, lane_count>, 3>, 3> vertices;
 };
+
+/// The same triangles as Real.
+template <class Number>
+[[nodiscard]] inline Triangle4<Real> real_of(const Triangle4<Number>& packet) {
+    Triangle4<Real> result;
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            result.vertices[vertex][axis] = real_of(packet.vertices[vertex][axis]);
+    return result;
+}
 
 /// The intersections of a ray with the planes of four triangles.
 struct Crossings {
@@ -52,7 +66,8 @@ public:
 
     /// Returns the triangles that the ray hits strictly inside the interval, edges and vertices
     /// included.
-    [[nodiscard, gnu::always_inline]] Crossings operator()(const Triangle4& packet,
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] Crossings operator()(const Triangle4<Number>& packet,
                                                            const Interval& interval) const {
         const Sheared a = sheared(packet.vertices[0]);
         const Sheared b = sheared(packet.vertices[1]);
@@ -79,10 +94,12 @@ private:
         RealX4 z;
     };
 
-    [[nodiscard, gnu::always_inline]] Sheared sheared(const std::array<RealX4, 3>& vertex) const {
-        const RealX4 z = vertex[z_] - origin_z_;
-        return {.x = vertex[x_] - origin_x_ - shear_x_ * z,
-                .y = vertex[y_] - origin_y_ - shear_y_ * z,
+    template <class Number>
+    [[nodiscard, gnu::always_inline]] Sheared sheared(
+        const std::array<LanesOf<Number, lane_count>, 3>& vertex) const {
+        const RealX4 z = real_of(vertex[z_]) - origin_z_;
+        return {.x = real_of(vertex[x_]) - origin_x_ - shear_x_ * z,
+                .y = real_of(vertex[y_]) - origin_y_ - shear_y_ * z,
                 .z = z};
     }
 

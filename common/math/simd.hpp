@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -42,7 +43,8 @@ struct scalar_lanes {
 #ifdef __GNUC__
 template <class Number, std::size_t count>
 struct vector_lanes {
-    typedef Number Part __attribute__((vector_size(16)));
+    static constexpr std::size_t size = std::min(count * sizeof(Number), std::size_t(16));
+    typedef Number Part __attribute__((vector_size(size)));
     using Mask = decltype(Part{} < Part{});
 };
 template <class Number, std::size_t count>
@@ -73,6 +75,17 @@ template <class Number, std::size_t count, template <class, std::size_t> class R
     if constexpr (parts == 1) return {{op(0)}};
     if constexpr (parts == 2) return {{op(0), op(1)}};
     if constexpr (parts == 4) return {{op(0), op(1), op(2), op(3)}};
+}
+
+/// The numbers of a part in another type.
+template <class To, class From>
+[[nodiscard]] inline To converted(From part) {
+#ifdef __GNUC__
+    if constexpr (!std::is_arithmetic_v<From>)
+        return __builtin_convertvector(part, To);
+    else
+#endif
+        return To(part);
 }
 
 /// The result of a comparison in each lane.
@@ -148,6 +161,16 @@ template <class Number, std::size_t count>
         [&](std::size_t i) { return a.parts[i] / b.parts[i]; });
 }
 
+/// The same numbers as Real.
+template <class Number>
+[[nodiscard]] inline RealX4 real_of(LanesOf<Number, lane_count> lanes) {
+    constexpr std::size_t count = lane_part_count<Real, lane_count>;
+    using Part = LanePart<Number, lane_count / count>;
+    const auto parts = std::bit_cast<std::array<Part, count>>(lanes);
+    return each_part<Real, lane_count, LanesOf>(
+        [&](std::size_t i) { return converted<LanePart<Real, lane_count>>(parts[i]); });
+}
+
 /// The smaller of each pair; b's, where either is NaN.
 template <class Number, std::size_t count>
 [[nodiscard]] inline LanesOf<Number, count> min(LanesOf<Number, count> a,
@@ -189,6 +212,20 @@ template <class Number, std::size_t count>
                                                      MaskOf<Number, count> b) {
     return each_part<Number, count, MaskOf>(
         [&](std::size_t i) { return LaneMask<Number, count>(a.parts[i] | b.parts[i]); });
+}
+
+/// Requests an object that is read soon, up to four cache lines of it: the processor fetches them
+/// from memory while it does other work.
+template <class T>
+[[gnu::always_inline]] inline void prefetch([[maybe_unused]] const T& object) {
+#ifdef __GNUC__
+    const auto* bytes = reinterpret_cast<const std::byte*>(&object);
+    __builtin_prefetch(bytes);  // not in a loop, which g++ does not unroll
+    if constexpr (sizeof object > 64) __builtin_prefetch(bytes + 64);
+    if constexpr (sizeof object > 128) __builtin_prefetch(bytes + 128);
+    if constexpr (sizeof object > 192) __builtin_prefetch(bytes + 192);
+    asm volatile("");  // g++ removes calls of a function that only prefetches
+#endif
 }
 
 /// One bit for each lane; the first lane's is the lowest.

@@ -25,8 +25,8 @@ struct MetTriangle {
 /// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
 /// a call returns true. Returns whether one did.
 template <class Visit>
-bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf, const Triangle4& packet,
-               Visit visit) {
+bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
+               const Triangle4<Real>& packet, Visit visit) {
     for (std::size_t lane = 0; lane < lane_count && leaf.indices[lane] != Leaf::none; ++lane) {
         const auto corner = [&](std::size_t vertex) {
             const auto& [x, y, z] = packet.vertices[vertex];
@@ -51,7 +51,7 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
     ClosestSoFar<MetTriangle> leader;
     RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
+        return visit_met(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
                          [&](const MetTriangle& met, Real t) {
                              leader.accepts(t, met, root_of, left);
                              return false;
@@ -69,7 +69,7 @@ bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Interval left = scaled(interval);
     RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_met(seen, left, hierarchy_.leaves()[leaf], packets_[leaf],
+        return visit_met(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
                          [](const MetTriangle& /*met*/, Real /*t*/) { return true; });
     });
 }

@@ -16,6 +16,12 @@ Mesh placed(Mesh mesh, Real scale, Vec3 translation) {
     return mesh;
 }
 
+/// The mesh with the coordinates of a file.
+Mesh of_floats(Mesh mesh) {
+    for (Vec3& vertex : mesh.vertices) vertex = Vec3(glm::vec3(vertex));
+    return mesh;
+}
+
 Verdict keeps_every_ray(const Mesh& mesh, Real scale, Vec3 center, int rays) {
     const MeshBvh packed(mesh);
     return for_all(
@@ -87,12 +93,35 @@ Verdict agrees_with_wider_arithmetic(Random& random) {
                        "\n  expected: " + text(Real(*expected)));
 }
 
+/// The lanes of vectors have the results of lanes that are taken one after the other.
+void check_other_lanes(const Mesh& ball) {
+    const MeshBvh packed(ball);
+    std::vector<Ray> rays;
+    Random random(1);
+    for (int i = 0; i < 20'000; ++i)
+        rays.push_back(i % 2 == 0 ? draw_shot(random, ball, 1, Vec3(0))
+                                  : Ray{.origin = random.point(3), .direction = random.point(1)});
+    const auto expected = hits_without_vectors(ball, rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const auto got = packed.nearest(rays[i], {});
+        INFO(code(rays[i]));
+        REQUIRE(got.has_value() == expected[i].has_value());
+        if (!got) continue;
+        CHECK(got->t == expected[i]->t);
+        CHECK(got->triangle == expected[i]->triangle);
+        CHECK(got->weights == expected[i]->weights);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("no ray is lost at an edge or a vertex of a closed mesh (Woop 2013)") {
     const Mesh ball = bumpy_ball(5);
     CHECK(keeps_every_ray(ball, 1, Vec3(0), 200'000));
 
+    SECTION("nor if all coordinates are floats") {
+        CHECK(keeps_every_ray(of_floats(ball), 1, Vec3(0), 50'000));
+    }
     SECTION("nor far from 0") {
         const Vec3 far(1000, -2000, 500);
         CHECK(keeps_every_ray(placed(ball, 1, far), 1, far, 50'000));
@@ -160,6 +189,28 @@ TEST_CASE("a scale changes no bit, however large or small (contract)") {
     }
 }
 
+TEST_CASE("a mesh of floats has the hits of one that requires Real (contract)") {
+    const Mesh ball = of_floats(bumpy_ball(4));
+    // Three equal points have no area, and no ray hits them. They are not floats.
+    Mesh wider = ball;
+    const auto point = std::uint32_t(ball.vertices.size());
+    wider.vertices.emplace_back(Real(1) / 3);
+    wider.triangles.push_back({point, point, point});
+    const MeshBvh packed(ball);
+    const MeshBvh expected(wider);
+    CHECK(for_all([&](Random& random) {
+        const Ray ray = random.coin()
+                            ? draw_shot(random, ball, 1, Vec3(0))
+                            : Ray{.origin = random.point(3), .direction = random.point(1)};
+        const auto a = packed.nearest(ray, {});
+        const auto b = expected.nearest(ray, {});
+        // At an edge, the two may report different triangles at the same t.
+        return verdict(a.has_value() == b.has_value() && (!a || a->t == b->t) &&
+                           packed.occludes(ray, {}) == expected.occludes(ray, {}),
+                       code(ray));
+    }));
+}
+
 TEST_CASE("an interval is open for a mesh too (contract)") {
     const MeshBvh packed(grid(4));
     const Ray ray{.origin = {Real(1.25), Real(1.5), 2}, .direction = {0, 0, -1}};
@@ -172,21 +223,6 @@ TEST_CASE("an interval is open for a mesh too (contract)") {
 }
 
 TEST_CASE("lanes one after the other give the same bits (contract)") {
-    const Mesh ball = bumpy_ball(4);
-    const MeshBvh packed(ball);
-    std::vector<Ray> rays;
-    Random random(1);
-    for (int i = 0; i < 20'000; ++i)
-        rays.push_back(i % 2 == 0 ? draw_shot(random, ball, 1, Vec3(0))
-                                  : Ray{.origin = random.point(3), .direction = random.point(1)});
-    const auto expected = hits_without_vectors(ball, rays);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const auto got = packed.nearest(rays[i], {});
-        INFO(code(rays[i]));
-        REQUIRE(got.has_value() == expected[i].has_value());
-        if (!got) continue;
-        CHECK(got->t == expected[i]->t);
-        CHECK(got->triangle == expected[i]->triangle);
-        CHECK(got->weights == expected[i]->weights);
-    }
+    check_other_lanes(bumpy_ball(4));
+    check_other_lanes(of_floats(bumpy_ball(4)));
 }
