@@ -3,6 +3,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/parse_floating.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -14,6 +15,7 @@
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <thread>
 
 namespace rt {
@@ -51,10 +53,11 @@ Resolution parse_size(const std::string& text) {
     return {.width = (*size)[0], .height = (*size)[1]};
 }
 
-Pixel parse_pixel(const std::string& text) {
+Pixel parse_pixel(const std::string& option, const std::string& text) {
     const auto pixel = two_numbers(text, ',');
     if (!pixel || (*pixel)[0] < 0 || (*pixel)[1] < 0)
-        throw InputError({}, "--pixel must be ROW,COLUMN, counted from 0, not " + rt::quoted(text));
+        throw InputError({},
+                         option + " must be ROW,COLUMN, counted from 0, not " + rt::quoted(text));
     return {.row = (*pixel)[0], .column = (*pixel)[1]};
 }
 
@@ -141,6 +144,100 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
         ->type_name("srgb|linear");
 }
 
+/// The shadings that a stage's program has, the default first.
+std::vector<Shading> shadings(int stage) {
+    std::vector<Shading> all = {Shading::color};
+    if (stage >= shapes_stage)
+        all.insert(all.end(), {Shading::normal, Shading::depth, Shading::id, Shading::t});
+    if (stage >= mirror_stage) all.push_back(Shading::bounces);
+    all.push_back(Shading::samples);
+    if (stage >= shapes_stage) all.push_back(Shading::cost);
+    return all;
+}
+
+std::array<double, 2> parse_range(const std::string& text) {
+    std::array<double, 2> ends{};
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto is_number = [](std::string_view part, double& number) {
+        const auto [end, error] = parse_floating(part, number);
+        return error == std::errc() && end == part.data() + part.size();
+    };
+    const std::string_view low = std::string_view(text).substr(0, comma);
+    const std::string_view high = std::string_view(text).substr(std::min(comma + 1, text.size()));
+    if (!is_number(low, ends[0]) || !is_number(high, ends[1]) ||
+        !(0 < ends[0] && ends[0] < ends[1] && std::isfinite(ends[1])))
+        throw InputError({},
+                         "--shade-range must be two numbers LOW,HIGH with 0 < LOW < HIGH, not " +
+                             rt::quoted(text));
+    return ends;
+}
+
+/// Adds the options of what a pixel shows.
+void add_shades(CLI::App& app, int stage, Options& options) {
+    const std::vector<Shading> all = shadings(stage);
+    std::vector<std::string> words;
+    std::string list;
+    for (const Shading shading : all) {
+        words.push_back(shade_word(stage, shading));
+        list += (list.empty() ? "" : "|") + words.back();
+    }
+    const std::string shapes =
+        stage < shapes_stage
+            ? ""
+            : "abs(normal), or by a number, whose legend is printed: the distance to the hit, the "
+              "shape, t, " +
+                  std::string(stage >= mirror_stage ? "reflections, " : "") +
+                  "intersection tests, or ";
+    const std::string by = stage >= light_stage    ? "the scene's lights, "
+                           : stage >= shapes_stage ? "a torch at the eye, "
+                                                   : "direction (torch), or by ";
+    app.add_option_function<std::string>(
+           "--shade",
+           [&options, all, stage](const std::string& word) {
+               for (const Shading shading : all)
+                   if (shade_word(stage, shading) == word) options.settings.shading = shading;
+           },
+           "color by " + by + shapes + "the rays of --pixel-error; " + words.front() +
+               " if not given")
+        ->check(CLI::IsMember(words).description(""))
+        ->type_name(list);
+    app.add_option_function<std::string>(
+           "--shade-range",
+           [&options](const std::string& text) { options.shade_range = parse_range(text); },
+           "the ends of the scale of " +
+               std::string(stage >= shapes_stage ? "--shade depth, t, samples and cost"
+                                                 : "--shade samples") +
+               "; the picture's smallest and largest number if not given")
+        ->type_name("LOW,HIGH");
+}
+
+/// Throws InputError for options that have no meaning together with a picture of numbers.
+template <class IsGiven>
+void check_shade(int stage, const Options& options, const IsGiven& is_given) {
+    const Shading shading = options.settings.shading;
+    const bool has_scale =
+        shows_number(shading) && shading != Shading::id && shading != Shading::bounces;
+    if (options.shade_range && !has_scale)
+        throw InputError({},
+                         "--shade-range must be given with a --shade that has a scale of "
+                         "numbers (--help lists them)");
+    if (!shows_number(shading)) return;
+    const std::string shade = "--shade " + shade_word(stage, shading);
+    const bool counts_samples = shading == Shading::samples;
+    if (counts_samples && !is_given("--pixel-error") && options.makes_picture())
+        throw InputError({}, shade +
+                                 " shows where --pixel-error traces more rays, and must be "
+                                 "given with it");
+    for (const char* other : {"--tolerance", "--time", "--turn"})
+        if (is_given(other)) throw InputError({}, shade + " must be given without " + other);
+    for (const char* other : {"--samples", "--pixel-error", "--gamma"})
+        if (!counts_samples && is_given(other))
+            throw InputError({}, shade +
+                                     " shows a number of the ray through each pixel's center, "
+                                     "and must be given without " +
+                                     other);
+}
+
 /// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
@@ -193,13 +290,33 @@ std::string default_output(const Program& program, const std::string& scene) {
 
 }  // namespace
 
+std::string shade_word(int stage, Shading shading) {
+    switch (shading) {
+        case Shading::color:
+            return stage >= light_stage ? "phong" : "torch";
+        case Shading::normal:
+            return "normal";
+        case Shading::depth:
+            return "depth";
+        case Shading::id:
+            return "id";
+        case Shading::t:
+            return "t";
+        case Shading::bounces:
+            return "bounces";
+        case Shading::samples:
+            return "samples";
+        default:
+            return "cost";
+    }
+}
+
 std::optional<Options> parse_options(const Program& program, int argc, const char* const* argv) {
     const std::string name(stage_name(program.stage));
     Options options;
     const bool own_loop = program.stage == 1;  // common/render/stage.hpp
     options.threads = own_loop ? 1 : std::max(1, int(std::thread::hardware_concurrency()));
     bool horizontal = false;
-    bool normal = false;
 
     CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
     app.option_defaults()->take_last();
@@ -219,15 +336,19 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         ->check(CLI::Range(1, max_threads).description(""))
         ->type_name("N");
     app.add_option_function<std::string>(
-           "--pixel", [&](const std::string& text) { options.pixel = parse_pixel(text); },
+           "--pixel",
+           [&](const std::string& text) { options.pixel = parse_pixel("--pixel", text); },
            "print the log of one pixel's ray, and make no picture")
         ->type_name("ROW,COLUMN");
-    if (program.stage >= light_stage)
-        add_choice(app, "--shade", normal, {"phong", "normal"},
-                   "color by the scene's lights, or by abs(normal)");
-    else if (program.stage >= shapes_stage)
-        add_choice(app, "--shade", normal, {"torch", "normal"},
-                   "color by a torch at the eye, or by abs(normal)");
+    if (program.stage >= shapes_stage)
+        app.add_option_function<std::string>(
+               "--rays",
+               [&](const std::string& text) { options.rays = parse_pixel("--rays", text); },
+               "print the rays of one pixel and the outlines of the shapes as JSON, for ./course "
+               "view, and make no picture")
+            ->type_name("ROW,COLUMN")
+            ->excludes("--pixel");
+    add_shades(app, program.stage, options);
     add_light_options(app, program.stage, options.settings);
     app.add_option(
            "--hierarchy-from", options.hierarchy_from,
@@ -262,6 +383,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
         for (const char* other :
              {"--pixel", "--requirements", "--preview", "--tolerance", "--time"})
             turn->excludes(other);
+        if (program.stage >= shapes_stage) turn->excludes("--rays");
     }
     try {
         app.parse(argc, argv);
@@ -273,7 +395,6 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     }
     if (horizontal) options.reading.fov_axis = FovAxis::horizontal;
     check_precision(program, options.precision);
-    if (normal) options.settings.shading = Shading::normal;
     const auto is_given = [&app](const std::string& option) {
         const CLI::Option* const known = app.get_option_no_throw(option);
         return known != nullptr && !known->empty();
@@ -285,6 +406,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
                          "--pixel-error must be given without --tolerance and --time, which "
                          "choose it");
     if (is_given("--pixel-error") && !is_given("--samples")) options.settings.pixel_samples = 1024;
+    check_shade(program.stage, options, is_given);
     options.precision_given = is_given("--precision");
     options.given = {.pixel_samples = is_given("--samples"),
                      .shadow_samples = is_given("--shadow-samples") || is_given("--shadow-error"),

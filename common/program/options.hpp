@@ -5,6 +5,7 @@
 #include "common/scene_file/reader.hpp"
 #include "common/tuning/auto_settings.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -29,14 +30,19 @@ struct Options : Aim {
     int camera = 1;                  ///< number of the scene's camera, from 1
     std::optional<int> turn;         ///< frames of an animation in which the camera goes around
     std::optional<Pixel> pixel;      ///< print the log of this pixel, and make no picture
+    std::optional<Pixel> rays;       ///< print the drawing of its rays, and make no picture
+    std::optional<std::array<double, 2>> shade_range;  ///< ends of the scale of colors of --shade
     Precision precision = Precision::f64;
     bool precision_given = false;
     bool requirements = false;  ///< print the scene's requirements, and make no picture
     bool preview = false;
     bool quiet = false;
 
-    [[nodiscard]] bool makes_picture() const { return !requirements && !pixel; }
+    [[nodiscard]] bool makes_picture() const { return !requirements && !pixel && !rays; }
 };
+
+/// The word of `--shade` for a shading in a stage's program.
+[[nodiscard]] std::string shade_word(int stage, Shading shading);
 
 /// Parses the command line. Returns nothing if it only requested help, which has then been printed.
 /// Throws InputError for an unknown option or an invalid value.

@@ -6,7 +6,9 @@
 #include "common/image/preview.hpp"
 #include "common/program/blank_picture.hpp"
 #include "common/program/load_meshes.hpp"
+#include "common/program/ray_drawing.hpp"
 #include "common/program/requirements.hpp"
+#include "common/program/shade_picture.hpp"
 #include "common/program/turntable.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/pixel_samples.hpp"
@@ -116,6 +118,19 @@ void report(const Rendering& rendering, const Options& options, const TimeBudget
                 first.row, first.column);
 }
 
+/// Renders the picture, or that of the numbers of --shade, whose legend is added.
+std::optional<Rendering> rendering_of(const Scene& scene, const Options& options,
+                                      const RenderJob& job, std::vector<std::string>& legend) {
+    if (!shows_number(options.settings.shading)) return render(scene, job);
+    const auto values = pixel_values(scene, job);
+    if (!values) return std::nullopt;
+    ShadePicture picture = shade_picture(*values, options, scene);
+    legend = std::move(picture.legend);
+    Rendering rendering{.rays = values->rays, .sized_light_rays = values->sized_light_rays};
+    rendering.image = std::move(picture.image);
+    return rendering;
+}
+
 /// Warns if the picture has a single color, with the reason.
 void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
                    const Image& image) {
@@ -128,6 +143,7 @@ void warn_if_blank(const Scene& scene, const Program& program, const Options& op
 bool make_picture(const Program& program, const Options& options, const Scene& scene,
                   TimeBudget* pace, const std::atomic<bool>& stop) {
     const auto start = std::chrono::steady_clock::now();
+    std::vector<std::string> legend;
     std::optional<Rendering> rendering;
     {
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
@@ -136,15 +152,19 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
                           .row_done = [&progress] { progress.advance(); },
                           .stop = &stop};
         if (pace != nullptr) request.next_look = [pace] { return pace->next(); };
-        rendering = render(scene, request);
+        rendering = rendering_of(scene, options, request, legend);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
-    write_png(options.output, rendering->image, texts(program, options, scene.resolution),
-              options.settings.gamma);
+    std::vector<PngText> metadata = texts(program, options, scene.resolution);
+    for (const std::string& line : legend) metadata.push_back({"Legend", line});
+    write_png(options.output, rendering->image, metadata,
+              legend.empty() ? options.settings.gamma : Gamma::unstated);
     if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
-    if (!options.quiet) warn_if_blank(scene, program, options, rendering->image);
-    if (!options.quiet) report(*rendering, options, pace, seconds.count());
+    if (!options.quiet && legend.empty()) warn_if_blank(scene, program, options, rendering->image);
+    if (options.quiet) return true;
+    report(*rendering, options, pace, seconds.count());
+    for (const std::string& line : legend) std::printf("  %s\n", line.c_str());
     return true;
 }
 
@@ -197,12 +217,16 @@ void log_mean(PixelLog& log, const RenderSettings& settings, const Scene& scene,
     log.line("8-bit", bytes_text(to_rgb(mean, settings.gamma)));
 }
 
-void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
-    const Resolution size = scene.resolution;
+void check_pixel(const std::string& option, Pixel pixel, Resolution size) {
     if (pixel.row >= size.height || pixel.column >= size.width)
-        throw InputError({}, "--pixel " + std::to_string(pixel.row) + "," +
+        throw InputError({}, option + " " + std::to_string(pixel.row) + "," +
                                  std::to_string(pixel.column) +
                                  " is outside the picture, which is " + size_text(size));
+}
+
+void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
+    const Resolution size = scene.resolution;
+    check_pixel("--pixel", pixel, size);
     const Camera& camera = scene.cameras.front();
     PixelLog log(std::cout);
     log.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
@@ -213,7 +237,8 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
     log.heading("The ray");
     log.line("o_r", text(ray.origin));
     log.line("d_r", text(ray.direction));
-    Context context{.settings = options.settings, .pixel = pixel, .log = &log};
+    const Watch watch{.log = &log};
+    Context context{.settings = options.settings, .pixel = pixel, .log = &log, .watch = &watch};
     const Color color = trace(scene, ray, context);
     if (log.misses_left_out() > 0)
         log.remark(std::to_string(log.misses_left_out()) + " more shapes were missed");
@@ -257,6 +282,9 @@ public:
             std::cout << options.scene << explanation(scene_);
         } else if (options.pixel) {
             tell_pixel(program_, options, scene_, *options.pixel);
+        } else if (options.rays) {
+            check_pixel("--rays", *options.rays, scene_.resolution);
+            std::cout << ray_drawing(scene_, settings_, *options.rays) << '\n';
         } else if (options.turn) {
             return make_animation(program_, options, scene_, stop);
         } else {

@@ -23,9 +23,9 @@ const char* name(Precision precision) {
 
 std::string used_options(const Program& program, const Options& options) {
     const RenderSettings& settings = options.settings;
-    std::string used = settings.shading == Shading::normal ? "--shade normal"
-                       : program.stage >= light_stage      ? "--shade phong"
-                                                           : "--shade torch";
+    std::string used = "--shade " + shade_word(program.stage, settings.shading);
+    if (const auto& range = options.shade_range)
+        used += " --shade-range " + shortest((*range)[0]) + "," + shortest((*range)[1]);
     if (settings.term == PhongTerm::ambient) used += " --term ambient";
     if (settings.term == PhongTerm::diffuse) used += " --term diffuse";
     if (settings.term == PhongTerm::specular) used += " --term specular";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/explain/pixel_log.hpp"
+#include "common/explain/ray_records.hpp"
 #include "common/geometry/projection.hpp"
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"
@@ -68,8 +69,10 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
 /// of its own stage. The ray must outlive the query.
 class ClosestHit {
 public:
-    ClosestHit(const Ray& ray, Context& context) : ray_(ray), slabs_(ray), log_(context.log) {
+    ClosestHit(const Ray& ray, Context& context) : ray_(ray), slabs_(ray), watch_(context.watch) {
         ++context.rays;
+        if (watch_ != nullptr) [[unlikely]]
+            begin_record(context.bounces);
     }
 
     template <class Shape>
@@ -78,21 +81,28 @@ public:
         // function everything is inlined, `intersect` included, in a unity build
         // (common/cmake/stage.cmake).
         if (primitives.empty()) return;
-        if (log_ == nullptr)
+        if (watch_ == nullptr) [[likely]]
             test_list(primitives);
         else
-            log_list(primitives);
+            watch_list(primitives);
     }
 
     /// The closest hit in the lists tested so far, or nothing.
     [[nodiscard]] std::optional<Hit> hit() const {
         if (winner_ == nullptr) return std::nullopt;
         const std::optional<Hit> hit = describe_(*this);
-        if (log_ != nullptr) explain_hit(*log_, hit->point, hit->normal);
+        if (watch_ != nullptr) [[unlikely]]
+            watch_hit(*hit);
         return hit;
     }
 
 private:
+    [[gnu::noinline]] void begin_record(int bounces) const {
+        if (RayRecords* const records = watch_->records)
+            begin(*records, bounces == 0 ? RayKind::eye : RayKind::mirrored, bounces, ray_,
+                  infinity);
+    }
+
     template <class Shape>
     [[gnu::noinline, gnu::flatten]] void test_list(const PrimitiveList<Shape>& primitives) {
         primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
@@ -100,14 +110,41 @@ private:
         });
     }
 
+    template <class Shape>
+    [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
+        if (watch_->log != nullptr)
+            log_list(primitives, *watch_->log);
+        else
+            record_list(primitives, *watch_->records);
+    }
+
     /// Logs the misses too, which a hierarchy would skip.
     template <class Shape>
-    [[gnu::noinline]] void log_list(const PrimitiveList<Shape>& primitives) {
+    void log_list(const PrimitiveList<Shape>& primitives, PixelLog& log) {
         for (const Primitive<Shape>& primitive : primitives) {
             const auto answer = intersect(ray_, primitive.shape, interval_);
-            explain_candidate(*log_, ray_, primitive.shape, interval_, t_of(answer));
+            explain_candidate(log, ray_, primitive.shape, interval_, t_of(answer));
             keep(primitive, answer);
         }
+    }
+
+    /// As test_list, and records the tests and the closest shape.
+    template <class Shape>
+    void record_list(const PrimitiveList<Shape>& primitives, RayRecords& records) {
+        RayRecord& record = closest_record(records, ray_);
+        primitives.traverse(slabs_, interval_, [&](const Primitive<Shape>& primitive) {
+            ++record.tests;
+            keep(primitive, intersect(ray_, primitive.shape, interval_));
+            if (winner_ == &primitive) record.shape = &primitive;
+        });
+    }
+
+    [[gnu::noinline]] void watch_hit(const Hit& hit) const {
+        if (watch_->log != nullptr) return explain_hit(*watch_->log, hit.point, hit.normal);
+        RayRecord& record = closest_record(*watch_->records, ray_);
+        record.t = double(hit.t);
+        record.point = numbers(hit.point);
+        record.normal = numbers(hit.normal);
     }
 
     template <class Shape, class Answer>
@@ -153,7 +190,7 @@ private:
 
     const Ray& ray_;
     RayBoxTestCache slabs_;
-    PixelLog* log_;
+    const Watch* watch_;
     Interval interval_;
     std::optional<MeshHit> in_mesh_;  ///< set if the closest hit is on a mesh
     const void* winner_ = nullptr;
@@ -172,50 +209,99 @@ bool occludes(const Ray& ray, const Shape& shape, Interval interval) {
 class AnyHit {
 public:
     AnyHit(const Ray& ray, Interval interval, Context& context)
-        : ray_(ray), slabs_(ray), interval_(interval), log_(context.log) {
+        : ray_(ray),
+          slabs_(ray),
+          interval_(interval),
+          context_(context),
+          state_(context.watch == nullptr ? open : watched) {
         ++context.rays;
     }
 
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives) {
-        if (!primitives.empty() && !found_) found_ = test_list(primitives);
+        if (primitives.empty()) return;
+        if (state_ == open) [[likely]]
+            state_ = test_list(primitives) ? hit : open;
+        else if (state_ == watched)
+            watch_list(primitives);
     }
 
     /// Tests only the primitives of a short list whose bit in `chosen` is set.
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives, std::uint64_t chosen) {
         if (!primitives.is_short_list()) return test(primitives);
-        while (chosen != 0 && !found_) found_ = is_in_the_way(primitives[pop_lowest_bit(chosen)]);
+        if (state_ == watched) [[unlikely]]
+            return watch_some(primitives, chosen);
+        while (chosen != 0 && state_ == open) {
+            const Primitive<Shape>& primitive = primitives[pop_lowest_bit(chosen)];
+            state_ = occludes(ray_, primitive.shape, interval_) ? hit : open;
+        }
     }
 
-    [[nodiscard]] bool found() const { return found_; }
+    [[nodiscard]] bool found() const { return state_ == hit || state_ == watched_hit; }
 
 private:
+    // The states of a query. A single comparison tells whether it goes on, and is not watched.
+    static constexpr std::uint8_t open = 0;
+    static constexpr std::uint8_t hit = 1;
+    static constexpr std::uint8_t watched = 2;
+    static constexpr std::uint8_t watched_hit = 3;
+
     template <class Shape>
     [[nodiscard, gnu::noinline, gnu::flatten]] bool test_list(
         const PrimitiveList<Shape>& primitives) {
-        return primitives.traverse_any(
-            slabs_, interval_,
-            [this](const Primitive<Shape>& primitive) { return is_in_the_way(primitive); });
+        return primitives.traverse_any(slabs_, interval_,
+                                       [this](const Primitive<Shape>& primitive) {
+                                           return occludes(ray_, primitive.shape, interval_);
+                                       });
     }
 
     template <class Shape>
-    [[nodiscard]] bool is_in_the_way(const Primitive<Shape>& primitive) {
-        const bool in_the_way = occludes(ray_, primitive.shape, interval_);
-        if (in_the_way && log_ != nullptr) explain(primitive.shape);
-        return in_the_way;
+    [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
+        begin_record();
+        if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
+                return watched_test(primitive);
+            }))
+            state_ = watched_hit;
     }
 
     template <class Shape>
-    [[gnu::noinline]] void explain(const Shape& shape) {
-        log_->remark("in the way: " + code(shape));
+    [[gnu::noinline]] void watch_some(const PrimitiveList<Shape>& primitives,
+                                      std::uint64_t chosen) {
+        begin_record();
+        while (chosen != 0 && state_ == watched)
+            if (watched_test(primitives[pop_lowest_bit(chosen)])) state_ = watched_hit;
+    }
+
+    /// Starts the record of the ray with its first test.
+    void begin_record() {
+        RayRecords* const records = context_.watch->records;
+        if (records != nullptr && !is_recorded_)
+            begin(*records, RayKind::shadow, context_.bounces, ray_, interval_.max);
+        is_recorded_ = true;
+    }
+
+    template <class Shape>
+    [[nodiscard]] bool watched_test(const Primitive<Shape>& primitive) {
+        const auto& [log, records] = *context_.watch;
+        const Shape& shape = primitive.shape;
+        const bool in_the_way = occludes(ray_, shape, interval_);
+        if (log != nullptr && in_the_way) log->remark("in the way: " + code(shape));
+        if (records == nullptr) return in_the_way;
+        RayRecord& record = records->rays.back();
+        ++record.tests;
+        if (!in_the_way) return false;
+        record.shape = &primitive;
+        if (const auto t = t_of(intersect(ray_, shape, interval_))) record.t = double(*t);
+        return true;
     }
 
     const Ray& ray_;
     RayBoxTestCache slabs_;
     Interval interval_;
-    PixelLog* log_;
-    bool found_ = false;
+    const Context& context_;
+    std::uint8_t state_;
+    bool is_recorded_ = false;
 };
 
 }  // namespace RT_PRECISION

@@ -9,6 +9,13 @@
 namespace rt {
 
 class PixelLog;
+struct RayRecords;
+
+/// What closest-hit and any-hit queries report to.
+struct Watch {
+    PixelLog* log = nullptr;        ///< of `--pixel`, or null
+    RayRecords* records = nullptr;  ///< or null
+};
 
 /// The settings, the state and the counters of the rays of one pixel.
 struct Context {
@@ -19,6 +26,7 @@ struct Context {
     int bounces = 0;    ///< reflections off mirrors since the camera
     double weight = 1;  ///< weight of the ray's color in the pixel's color
     PixelLog* log = nullptr;            ///< the log of `--pixel`, or null
+    const Watch* watch = nullptr;       ///< with the same log; null for most pictures
     std::int64_t rays = 0;              ///< number of rays traced
     std::int64_t sized_light_rays = 0;  ///< of these, rays to area lights
 };

@@ -115,6 +115,7 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
             if (!is_number(color) && rows[row].not_a_number++ == 0)
                 rows[row].first_not_a_number = pixel.column;
             image[pixel] = to_rgb(color, settings.gamma);
+            if (job.refined) job.refined(pixel, samples.count());
             return differ;
         });
         rows[row].rays += context.rays;

@@ -21,6 +21,9 @@ struct RenderJob {
     /// If set, returns the job of the next row; used with a time budget. Any thread calls it.
     std::function<RenderSettings()> next_look = nullptr;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
+    /// With pixel_error, called for each pixel that is the mean of several rays, with their number;
+    /// by any thread.
+    std::function<void(Pixel, int)> refined = nullptr;
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null
 };

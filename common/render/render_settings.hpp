@@ -9,7 +9,19 @@ namespace rt {
 enum class Shading {
     color,   ///< as the stage defines it: by a torch at the eye (M1), from stage 9 on by the lights
     normal,  ///< abs(normal)
+    // Numbers of the pixel, on a scale of colors (pixel_values.hpp):
+    depth,    ///< distance from the eye to the closest hit
+    id,       ///< the shape that is hit
+    t,        ///< t of the closest hit
+    bounces,  ///< the most reflections off mirrors before a ray of the pixel
+    samples,  ///< number of rays whose mean the pixel is, with pixel_error
+    cost,     ///< number of intersection tests
 };
+
+/// Returns whether the shading shows a number of each pixel, and no color.
+[[nodiscard]] constexpr bool shows_number(Shading shading) {
+    return shading >= Shading::depth;
+}
 
 /// The terms of Phong's model to show.
 enum class PhongTerm { all, ambient, diffuse, specular };

@@ -22,7 +22,6 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t most_output = 64 * 1024;
 constexpr int signalled = 128;
 constexpr int milliseconds_between_looks = 10;
 constexpr int milliseconds_to_end = 200;
@@ -157,7 +156,7 @@ int run_heard(const Command& command, Streams streams,
 }
 
 ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
-                           const std::atomic<bool>* cancelled) {
+                           const std::atomic<bool>* cancelled, std::size_t most_output) {
     const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
     const auto [process, ear] = start_heard(command, {.signal = SIGKILL, .group = group});
     const auto deadline = std::chrono::steady_clock::now() + limit;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -39,7 +40,7 @@ struct ProcessResult {
     std::string crash;         ///< the name of the signal that ended it, "Segmentation fault"; or
                                ///< empty
     bool out_of_time = false;  ///< stopped after the time limit
-    std::string output;        ///< both streams, at most the first 64 KiB
+    std::string output;        ///< both streams, at most the first most_output bytes
 };
 
 /// Runs a program with its output captured, and stops it after `limit`. Throws InputError if it
@@ -47,7 +48,8 @@ struct ProcessResult {
 /// Ctrl-C is handled by the caller instead of the program. To stop it, SIGTERM is sent, and SIGKILL
 /// a fifth of a second later. The program is also stopped when the calling thread ends.
 [[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
-                                         const std::atomic<bool>* cancelled = nullptr);
+                                         const std::atomic<bool>* cancelled = nullptr,
+                                         std::size_t most_output = 64 * 1024);
 
 /// The exit status in a result of waitpid; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);

@@ -57,6 +57,20 @@ refused "a hierarchy of one" "--hierarchy-from" step11_soft_shadows --hierarchy-
 refused "agreement about nothing" "--shadow-error" step11_soft_shadows --shadow-agree 8
 refused "a negative depth" "--depth" step12_mirror --depth=-1
 refused "a torch among lights" "--shade" step09_phong --shade torch
+refused "reflections before mirrors" "bounces not in {phong,normal,depth,id,t,samples,cost}" step11_soft_shadows --shade bounces
+refused "depth before there are shapes" "depth not in {torch,samples}" step02_camera_basis --shade depth
+refused "a depth of several rays" "without --samples" step03_sphere --shade depth --samples 4
+refused "depths with a gamma" "without --gamma" step03_sphere --shade depth --gamma srgb
+refused "costs with a tolerance" "without --tolerance" step03_sphere --shade cost --tolerance 2
+refused "samples that are all one" "--pixel-error" step03_sphere --shade samples
+refused "a scale of names" "--shade-range" step03_sphere --shade id --shade-range 1,2
+refused "a scale without numbers" "--shade-range" step03_sphere --shade-range 1,2
+refused "a scale backwards" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 3,2
+refused "a scale from nothing" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 0,2
+refused "half a scale" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 2
+refused "rays before there are shapes" "--rays" step02_camera_basis --rays 1,1
+refused "rays of a pixel outside" "--rays 480,0 is outside" step03_sphere --rays 480,0
+refused "rays of no pixel" "--rays must be" step03_sphere --rays 1
 refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step11_soft_shadows.rt"
 refused "a mirror" "step12_mirror" step11_soft_shadows "$scenes/step12_mirror.rt"
 refused "a mesh" "step13_meshes" step12_mirror "$scenes/step13_meshes.rt"
@@ -94,6 +108,31 @@ cmp -s 1.png 2.png || fail "the loop of stage 1 and the program's make the same 
 "$build/step08_cone" -o f.png --precision float --size 160x120 > out
 grep -q ', float, ' out || fail "--precision float is told"
 grep -aq 'float' f.png || fail "the picture says its precision"
+
+# Numbers of pixels: the same file on any number of threads, and its legend in it and in the terminal.
+for shade in depth id t cost "samples --pixel-error 4"; do
+    for threads in 1 5; do
+        "$build/step08_cone" -o $threads.png --threads $threads --size 80x60 --shade $shade > out
+    done
+    cmp -s 1.png 5.png || fail "threads change --shade $shade"
+    grep -q "^  ${shade%% *}: " out || fail "the legend of --shade $shade"
+    [ "$(grep -c '^  #[0-9a-f]\{6\}  ' out)" -gt 1 ] || fail "the colors of --shade $shade"
+    grep -aq "Legend.${shade%% *}: " 1.png || fail "the legend of --shade $shade in its file"
+done
+for precision in double float; do
+    "$build/step03_sphere" "$scenes/one_sphere.rt" -o a.png --shade depth --precision $precision \
+        --shade-range 2,8 > out 2> err
+    [ "$(grep -c '^  #.* %  ' out)" -ge 4 ] && grep -q '^  #[0-9a-f]*    0 %  2$' out &&
+        grep -q '^  #[0-9a-f]*  100 %  8$' out || fail "a scale has the ends that are given"
+done
+grep -aq -- '--shade depth --shade-range 2,8' a.png || fail "the file says its scale"
+
+# The rays of a pixel have the numbers of its log.
+"$build/step03_sphere" "$scenes/one_sphere.rt" --pixel 240,240 > out
+t=$(sed -n 's/.*hit at t = //p' out)
+"$build/step03_sphere" "$scenes/one_sphere.rt" --rays 240,240 -o rays.png > out
+[ -n "$t" ] && grep -qF "hits sphere 1 at t = $t, p = (" out || fail "rays have the numbers of the log"
+[ "$(wc -l < out)" = 1 ] && [ ! -e rays.png ] || fail "rays are one line, and no picture"
 
 # Several rays for a pixel: as many as given, from stage 1 on, and the file says so.
 "$build/step01_ray_generation" -o a.png --size 40x30 --samples 5 > out

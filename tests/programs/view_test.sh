@@ -234,6 +234,19 @@ shows "one first line that differs, the colour" "document.querySelectorAll('.fir
 shows "the first difference" "/^The first difference: .*color, of /.test(
     document.getElementById('told').textContent)"
 
+# Its rays in three dimensions, with the numbers of the story; the keyboard turns them.
+shows "the pixel's rays" "(space.drawn()?.rays ?? []).length > 0 &&
+    space.drawn().rays.every(ray => document.getElementById('story').textContent.includes(
+        'hit at t = ' + /at t = ([^,]*)/.exec(ray.words)[1])) &&
+    document.querySelectorAll('#rays-list li').length === space.drawn().rays.length"
+shows "the shapes' outlines" "space.drawn().outlines.some(one => one.hit) &&
+    document.getElementById('rays').width > 100"
+value "space.turned().join()"
+before=$value
+ask Runtime.evaluate '"expression":"document.getElementById(`rays`).focus()"'
+ask Input.dispatchKeyEvent '"type":"rawKeyDown","key":"ArrowRight","windowsVirtualKeyCode":39'
+shows "turned rays" "space.turned().join() !== '$before'"
+
 # A compiler error, and then a right program: reported, and rendered again, without a click.
 echo "triangle.cpp:7:3: error: expected ';'" > project/compiler_says
 echo "a line" >> project/steps/step05_triangle/student/triangle.cpp
@@ -245,6 +258,21 @@ echo "another" >> project/steps/step05_triangle/student/triangle.cpp
 shows "no difference once it is right" "$caption.startsWith('The same picture as ')"
 shows "no error any more" "document.querySelector('[data-of=mine] pre').hidden"
 told="document.getElementById('told').textContent"
+
+# Depths: both on one scale, whose legend has numbers.
+colors() {
+    ask Runtime.evaluate "\"expression\":\"shade.value = $1; shade.onchange()\""
+}
+colors 2
+shows "a legend" "/^depth: .*in units of the scene/.test(document.querySelector('#legend p').textContent) &&
+    document.querySelectorAll('#legend .scale span').length > 2"
+shows "depths that are the same" "$caption.startsWith('The same picture as ')"
+colors 3
+shows "the names of shapes" "/triangle [0-9]+, .* of the pixels/.test(
+    document.querySelector('#legend div').textContent)"
+colors 0
+shows "no legend for colors" "document.getElementById('legend').hidden &&
+    $caption.startsWith('The same picture as ')"
 shows "the same story" "$told === 'Nothing differs.'"
 
 # Numbers are compared, not texts; a function that is not written is reported, and no difference.

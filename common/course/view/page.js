@@ -37,8 +37,8 @@ function decode(text) {
   return new TextDecoder().decode(Uint8Array.from(bytes));
 }
 
-async function fetchPicture(whose, shrink, mine) {
-  const query = parameters({order: mine, shrink, whose: both.indexOf(whose)});
+async function fetchPicture(whose, shrink, mine, range = {}) {
+  const query = parameters({order: mine, shrink, whose: both.indexOf(whose), ...range});
   const answer = await fetch("picture?" + query).catch(() => null);
   if (mine !== order || !answer || answer.status === 409) return;
   if (!answer.ok) return showError(whose, await answer.text());
@@ -53,8 +53,34 @@ async function fetchPicture(whose, shrink, mine) {
   canvas.classList.toggle("draft", shrink > 1);
   canvas.classList.remove("old");
   figure(whose).querySelector("pre").hidden = true;
-  figure(whose).querySelector("figcaption").textContent = report.trim();
+  const lines = report.trim().split("\n");
+  const legend = lines.findIndex((line) => /^  [a-z]+: /.test(line));
+  figure(whose).querySelector("figcaption").textContent =
+    (legend < 0 ? lines : lines.slice(0, legend)).join("\n");
   compare();
+  return legend < 0 ? null : showLegend(lines.slice(legend).map((line) => line.trim()));
+}
+
+/// Shows the legend that a program printed. Returns the ends of its scale, if it has one.
+function showLegend([title, ...lines]) {
+  const parts = lines.map((line) => /^(#[0-9a-f]{6}) +(?:(\d+) % +)?(.*)$/.exec(line));
+  const isScale = parts.some((part) => part?.[2]);
+  const bar = $("legend").querySelector("div");
+  $("legend").hidden = false;
+  $("legend").querySelector("p").textContent = title;
+  bar.className = isScale ? "scale" : "";
+  bar.style.background = isScale && parts.length > 1 ? "linear-gradient(in oklab to right, " +
+    parts.map(([, color, share]) => `${color} ${share}%`).join(", ") + ")" : "";
+  bar.replaceChildren(...parts.map((part, index) => {
+    const label = document.createElement("span");
+    label.textContent = part ? part[3] : lines[index];
+    if (isScale) label.style.left = part[2] + "%";
+    const patch = document.createElement("i");
+    patch.style.background = part?.[1] ?? "none";
+    if (!isScale && part) label.prepend(patch);
+    return label;
+  }));
+  return isScale && parts.length > 1 ? {low: parseFloat(parts[0][3]), high: parseFloat(parts.at(-1)[3])} : null;
 }
 
 function showError(whose, text) {
@@ -69,8 +95,12 @@ function showError(whose, text) {
 async function draw(shrink = 1) {
   const mine = ++order;
   if (shrink === 1) { say("drawing…"); if (pixel) tell(); }
-  await Promise.all(both.map((whose) => whose === "mine" && broken
-    ? showError(whose, broken) : fetchPicture(whose, shrink, mine)));
+  $("legend").hidden = true;
+  const reference = fetchPicture("reference", shrink, mine);
+  // Both pictures have one scale of colors, that of the reference's.
+  const range = +$("shade").value > 1 ? await reference : null;
+  await Promise.all([reference, broken ? showError("mine", broken)
+                                       : fetchPicture("mine", shrink, mine, range ?? {})]);
   if (mine === order && shrink === 1) say(broken ? "it does not build" : "");
 }
 
@@ -180,7 +210,9 @@ function choose(row, column) {
 
 async function tell() {
   const mine = ++asked;
-  const answer = await fetch("story?" + parameters({order: mine, ...pixel})).catch(() => null);
+  const query = parameters({order: mine, ...pixel});
+  if (stage >= 3) space.show(query, () => mine === asked);
+  const answer = await fetch("story?" + query).catch(() => null);
   if (mine !== asked || !answer || answer.status === 409) return;
   if (!answer.ok) { $("told").textContent = await answer.text(); return; }
   const {rows, first, unwritten} = await answer.json();
@@ -258,10 +290,12 @@ async function follow(chosen) {
   history.replaceState(null, "", "#" + stage);
   for (const row of document.querySelectorAll("[data-from]")) {
     row.hidden = stage < +row.dataset.from;
-    if (row.hidden) row.querySelector("select").value = 0;
+    if (!row.hidden) continue;
+    if (row.tagName !== "OPTION") row.querySelector("select").value = 0;
+    else if (row.selected) row.parentElement.value = 0;
   }
   for (const mark of document.querySelectorAll(".mark")) mark.hidden = true;
-  $("story").hidden = true;
+  $("story").hidden = $("space").hidden = true;
   while (stage === chosen) {
     const news = await fetch(`news?page=${page}&stage=${chosen}&seen=${seen}`)
       .then((answer) => answer.json()).catch(() => null);
@@ -293,7 +327,7 @@ async function start() {
 }
 
 const moves = {ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1]};
-for (const canvas of document.querySelectorAll("canvas")) {
+for (const canvas of document.querySelectorAll(".picture canvas")) {
   canvas.setAttribute("aria-label", canvas.id + ": arrow keys choose a pixel");
   canvas.onclick = (event) => {
     const box = canvas.getBoundingClientRect();

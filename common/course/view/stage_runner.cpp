@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t most_output = 4 << 20;  // the drawing of a scene with meshes
 constexpr double degree = std::numbers::pi / 180;
 
 bool is_camera(const std::string& line) {
@@ -112,7 +113,7 @@ ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose
                            std::to_string(std::max(1, view.height / picture_request.shrink))};
     command.insert(command.end(), picture_request.options.begin(), picture_request.options.end());
     command.insert(command.end(), rest.begin(), rest.end());
-    ProcessResult ending = run_captured(command, settings_.render_limit, &cancelled);
+    ProcessResult ending = run_captured(command, settings_.render_limit, &cancelled, most_output);
     if (ending.out_of_time)
         ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
                          " s: does a loop never end?\n";
@@ -138,24 +139,24 @@ Picture StageRunner::draw(const RenderRequest& picture_request, Whose whose,
     return picture;
 }
 
-std::vector<std::string> StageRunner::stories(const RenderRequest& picture_request, int row,
-                                              int column, const std::atomic<bool>& cancelled) {
+std::vector<std::string> StageRunner::about_pixel(const RenderRequest& picture_request,
+                                                  const std::string& option, int row, int column,
+                                                  const std::atomic<bool>& cancelled) {
     const fs::path scene = scene_of(picture_request);
     const std::string pixel = std::to_string(row) + "," + std::to_string(column);
-    const auto explain = [&](Whose whose) {
+    const auto ask = [&](Whose whose) {
         try {
-            return run(picture_request, whose, scene.string(), {"--pixel", pixel}, cancelled)
-                .output;
+            return run(picture_request, whose, scene.string(), {option, pixel}, cancelled).output;
         } catch (const InputError& not_built) {
             return std::string(not_built.what()) + "\n";
         }
     };
-    auto reference = std::async(std::launch::async, explain, Whose::reference);
-    std::vector<std::string> stories = {explain(Whose::mine)};
-    stories.push_back(reference.get());
+    auto reference = std::async(std::launch::async, ask, Whose::reference);
+    std::vector<std::string> printed = {ask(Whose::mine)};
+    printed.push_back(reference.get());
     std::error_code none;
     if (picture_request.camera) fs::remove(scene, none);
-    return stories;
+    return printed;
 }
 
 }  // namespace rt

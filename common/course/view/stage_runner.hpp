@@ -60,9 +60,12 @@ public:
 
     [[nodiscard]] Picture draw(const RenderRequest& picture_request, Whose whose,
                                const std::atomic<bool>& cancelled);
-    /// The explanations of a pixel by the student's and the reference's program.
-    [[nodiscard]] std::vector<std::string> stories(const RenderRequest& picture_request, int row,
-                                                   int column, const std::atomic<bool>& cancelled);
+    /// What the student's and the reference's program print about a pixel: with `--pixel` its
+    /// explanation, with `--rays` the drawing of its rays.
+    [[nodiscard]] std::vector<std::string> about_pixel(const RenderRequest& picture_request,
+                                                       const std::string& option, int row,
+                                                       int column,
+                                                       const std::atomic<bool>& cancelled);
 
 private:
     /// The scene with the drawing's camera.

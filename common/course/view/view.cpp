@@ -21,6 +21,7 @@ constexpr int most = 1'000'000'000;  // pages, which call themselves by a number
 constexpr double farthest = 10'000;  // the largest coordinate of a camera
 constexpr int most_shrunk = 16;
 constexpr std::size_t longest_report = 4096;
+constexpr const char* pixel_error = "4";  // of the picture whose samples are shown
 
 constexpr const char* json_type = "application/json";
 
@@ -30,6 +31,19 @@ void add_choice(Command& options, const Request& request, const std::string& nam
     const int choice = whole_number(request, name, 0, int(words.size()) - 1);
     if (choice > 0)
         options.insert(options.end(), {"--" + name, words[static_cast<std::size_t>(choice)]});
+}
+
+/// What the pixels show. A scale's ends are those of another picture, if they are given.
+void add_shade(Command& options, const Request& request) {
+    add_choice(options, request, "shade",
+               {"", "normal", "depth", "id", "t", "bounces", "cost", "samples"});
+    if (!options.empty() && options.back() == "samples")
+        options.insert(options.end(), {"--pixel-error", pixel_error});
+    if (!request.parameters.contains("low")) return;
+    std::array<char, 64> range{};
+    std::snprintf(range.data(), range.size(), "%.9g,%.9g", number(request, "low", 1e-30, 1e30),
+                  number(request, "high", 1e-30, 1e30));
+    options.insert(options.end(), {"--shade-range", range.data()});
 }
 
 int parse_stage(const Request& request) {
@@ -56,8 +70,7 @@ RenderRequest parse_request(const Request& request) {
                                   .pitch = number(request, "pitch", -90, 90),
                                   .fov = number(request, "fov", 1, 179)};
     add_choice(picture_request.options, request, "precision", {"double", "float"});
-    if (picture_request.stage >= shapes_stage)
-        add_choice(picture_request.options, request, "shade", {"", "normal"});
+    if (picture_request.stage >= shapes_stage) add_shade(picture_request.options, request);
     if (picture_request.stage >= light_stage)
         add_choice(picture_request.options, request, "term",
                    {"", "ambient", "diffuse", "specular"});
@@ -90,22 +103,25 @@ public:
         const std::string& route = request.path;
         if (route.empty()) return part("page.html", "text/html; charset=utf-8");
         if (route == "page.css") return part(route, "text/css; charset=utf-8");
-        if (route == "page.js") return part(route, "text/javascript; charset=utf-8");
+        if (route == "page.js" || route == "rays.js")
+            return part(route, "text/javascript; charset=utf-8");
         if (route == "stages") return stages();
         if (route == "news") return news(request);
         if (route == "picture") return picture(request);
         if (route == "story") return log(request);
+        if (route == "rays") return rays(request);
         throw Refusal{404, "there is no such page"};
     }
 
     void stop() {
         for (RenderQueue& turns : pictures_) turns.cancel_all();
         stories_.cancel_all();
+        drawings_.cancel_all();
         watcher_.stop();
     }
 
 private:
-    /// One of the three files of the page.
+    /// One of the files of the page.
     [[nodiscard]] Response part(const std::string& name, const std::string& type) const {
         return {.body = read_text(settings_.project / "common/course/view" / name), .type = type};
     }
@@ -166,22 +182,36 @@ private:
             .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
     }
 
-    Response log(const Request& request) {
+    /// What both programs print about the requested pixel.
+    std::vector<std::string> about_pixel(const Request& request, const std::string& option,
+                                         RenderQueue& queue) {
         const RenderRequest picture_request = parse_request(request);
         const int row = whole_number(request, "row", 0, largest_side);
         const int column = whole_number(request, "column", 0, largest_side);
         std::vector<std::string> told;
-        const bool finished = stories_.take(
+        const bool finished = queue.take(
             parse_page(request), parse_number(request), [&](const std::atomic<bool>& cancelled) {
-                told = runner_.stories(picture_request, row, column, cancelled);
+                told = runner_.about_pixel(picture_request, option, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was requested"};
+        return told;
+    }
+
+    Response log(const Request& request) {
+        const std::vector<std::string> told = about_pixel(request, "--pixel", stories_);
         return {.body = json_rows(compare_logs(told[0], told[1])), .type = json_type};
+    }
+
+    /// The drawings are texts in the response: a student's program may print anything.
+    Response rays(const Request& request) {
+        const std::vector<std::string> told = about_pixel(request, "--rays", drawings_);
+        return {.body = "[" + json(told[0]) + "," + json(told[1]) + "]", .type = json_type};
     }
 
     const ViewSettings& settings_;
     std::array<RenderQueue, 2> pictures_;  // mine never waits for the reference's
     RenderQueue stories_;
+    RenderQueue drawings_;
     StageRunner runner_{settings_};
     Watcher watcher_{settings_};
 };

@@ -250,7 +250,8 @@ TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays w
 TEST_CASE("the story contains each tested shape, and counts the misses that it leaves out") {
     std::ostringstream out;
     PixelLog log(out);
-    Context context{.log = &log};
+    const Watch watch{.log = &log};
+    Context context{.log = &log, .watch = &watch};
     ClosestHit closest(along_x, context);
     closest.test(PrimitiveList<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
     closest.test(
