@@ -1,6 +1,6 @@
 #include "common/system/huge_pages.hpp"
 
-#if __has_include(<sys/mman.h>)
+#ifdef __linux__
 #include <sys/mman.h>  // madvise, which standard C++ does not have
 #endif
 

@@ -1,6 +1,7 @@
 // The numbers of the pages on rays, shapes, meshes and debugging.
 #include "common/explain/pixel_log.hpp"
 #include "common/program/load_meshes.hpp"
+#include "common/render/pixel_values.hpp"
 #include "common/render/stage.hpp"
 #include "common/scene_file/reader.hpp"
 
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 namespace rt {
@@ -120,6 +122,32 @@ Knowledge stage13() {
             {"half-way between normals at right angles", length(Vec3(1, 1, 0) / Real(2))}};
 }
 
+namespace {
+
+/// The legend of --shade depth in stage 8: from the smallest distance to the largest, without the
+/// farthest twentieth of the pixels.
+Knowledge depth_legend() {
+    const Scene scene = load_scene(project_file("scenes/step08_cone.rt"), orthonormal_basis);
+    const RenderJob job{.settings = {.shading = Shading::depth}};
+    std::vector<double> depths;
+    for (const auto& depth : pixel_values(scene, job)->numbers)
+        if (depth) depths.push_back(*depth);
+    std::sort(depths.begin(), depths.end());
+    const double nearest = std::floor(1000 * depths.front()) / 1000;
+    const double farthest = std::ceil(100 * depths[depths.size() * 95 / 100]) / 100;
+    Knowledge all = {{"the nearest", nearest},
+                     {"the nearest's color", 0, "%"},
+                     {"the farthest on the scale", farthest},
+                     {"the farthest's color", 100, "%"},
+                     {"what is left out of the scale", 5, "%"}};
+    for (const double depth : {5, 10, 20, 50})
+        all.push_back({"the color of " + std::to_string(int(depth)),
+                       100 * std::log(depth / nearest) / std::log(farthest / nearest), "%"});
+    return all;
+}
+
+}  // namespace
+
 Knowledge debugging() {
     const Triangle triangle{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4, 0}};
     const Vec3 weights = barycentric(triangle, {3, 3, 0});
@@ -144,6 +172,8 @@ Knowledge debugging() {
     explain(teller, ray, seen);
     for (const Printed& number : numbers_in(log.str()))
         all.push_back({"the story of pixel 231,398", number.value});
+    const Knowledge legend = depth_legend();
+    all.insert(all.end(), legend.begin(), legend.end());
     return all;
 }
 

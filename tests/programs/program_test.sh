@@ -117,7 +117,7 @@ for shade in depth id t cost "samples --pixel-error 4"; do
     cmp -s 1.png 5.png || fail "threads change --shade $shade"
     grep -q "^  ${shade%% *}: " out || fail "the legend of --shade $shade"
     grep -q '^  #[0-9a-f]\{6\}  ' out || fail "the colors of --shade $shade"
-    grep -aq "Legend.${shade%% *}: " 1.png || fail "the legend of --shade $shade in its file"
+    tr '\0' '\n' < 1.png | grep -aq "^${shade%% *}: " || fail "the legend of --shade $shade in its file"
 done
 for precision in double float; do
     "$build/step03_sphere" "$scenes/one_sphere.rt" -o a.png --shade depth --precision $precision \
