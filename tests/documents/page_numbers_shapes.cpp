@@ -129,8 +129,9 @@ namespace {
 Knowledge depth_legend() {
     const Scene scene = load_scene(project_file("scenes/step08_cone.rt"), orthonormal_basis);
     const RenderJob job{.settings = {.shading = Shading::depth}};
+    const PixelValues values = pixel_values(scene, job).value();
     std::vector<double> depths;
-    for (const auto& depth : pixel_values(scene, job)->numbers)
+    for (const auto& depth : values.numbers)
         if (depth) depths.push_back(*depth);
     std::sort(depths.begin(), depths.end());
     const double nearest = std::floor(1000 * depths.front()) / 1000;
