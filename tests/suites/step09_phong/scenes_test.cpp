@@ -1,4 +1,6 @@
 // Stage 9, pictures with several lights, against CR §3.1.
+#include "steps/step02_camera_basis/camera_basis.hpp"
+
 #include "tests/kit/light.hpp"
 #include "tests/kit/picture.hpp"
 
