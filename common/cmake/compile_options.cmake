@@ -96,6 +96,29 @@ function(raysteps_compile_twice name)
     target_compile_definitions(${name}_f32 PRIVATE RT_FLOAT)
 endfunction()
 
+# raysteps_compile_by_folder(<target>...)
+#
+# Compiles each folder's sources as one (CMake's unity build), so that the headers that they share are
+# read once: a first build takes half the time. Two sources of a folder cannot give a helper the same
+# name. -DCMAKE_UNITY_BUILD=OFF compiles each source alone.
+function(raysteps_compile_by_folder)
+    if(NOT DEFINED CMAKE_UNITY_BUILD)
+        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
+    endif()
+    foreach(target IN LISTS ARGN)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+        get_target_property(sources ${target} SOURCES)
+        foreach(source IN LISTS sources)
+            cmake_path(GET source PARENT_PATH folder)
+            cmake_path(GET folder FILENAME folder)
+            if(source MATCHES "/story.cpp$")
+                set(folder stories)
+            endif()
+            set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder})
+        endforeach()
+    endforeach()
+endfunction()
+
 # raysteps_start_from_common(<name>)
 #
 # Compiles <name>_f32 and <name>_f64 in half the time with the precompiled headers of

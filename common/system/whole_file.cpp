@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 constexpr std::string_view part_start = ".raysteps-";
 constexpr std::string_view part_end = ".part";
 constexpr std::size_t part_digits = 16;
-constexpr std::string_view hexadecimal = "0123456789abcdef";
+constexpr std::string_view hex_digits = "0123456789abcdef";
 
 /// The name does not depend on the target's name, which may already have the maximum length.
 std::string part_name() {
     std::random_device random;
     std::string name(part_start);
-    for (std::size_t i = 0; i < part_digits; ++i) name += hexadecimal[random() % 16];
+    for (std::size_t i = 0; i < part_digits; ++i) name += hex_digits[random() % 16];
     return name.append(part_end);
 }
 
@@ -108,7 +108,7 @@ bool is_part_file(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.size() == part_start.size() + part_digits + part_end.size() &&
            name.starts_with(part_start) && name.ends_with(part_end) &&
-           name.find_first_not_of(hexadecimal, part_start.size()) ==
+           name.find_first_not_of(hex_digits, part_start.size()) ==
                part_start.size() + part_digits;
 }
 

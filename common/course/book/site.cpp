@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::minutes time_limit{5};
+constexpr std::chrono::minutes build_time_limit{5};
 constexpr const char* list_of_files = "book.txt";
 
 /// A line for each file of the site: its fingerprint and its path.
@@ -63,7 +63,7 @@ void run_mkdocs(const fs::path& project, const fs::path& site, const std::string
         run_captured({"env", "PYTHONDONTWRITEBYTECODE=1", "RAYSTEPS_SOURCE=" + source,
                       "RAYSTEPS_ENGINE=" + (build_folder / "engine").string(), "mkdocs", "build",
                       "--quiet", "--config-file", pages.string(), "--site-dir", site.string()},
-                     time_limit);
+                     build_time_limit);
     const bool has_parts = ending.output.find("Unrecognised theme name") == std::string::npos &&
                            ending.output.find("katex.js") == std::string::npos;
     if (ending.status == 127 || !has_parts)
@@ -97,7 +97,7 @@ std::string address_on_github(const fs::path& project) {
     const ProcessResult remote =
         run_captured({"env", "git", "-C", project.string(), "-c",
                       "safe.directory=" + project.string(), "remote", "get-url", "origin"},
-                     time_limit);
+                     build_time_limit);
     static const std::regex name(
         R"(^(?:https://|git@)github\.com[/:]([\w.-]+/[\w.-]+?)(\.git)?\s*$)");
     std::smatch found;

@@ -9,7 +9,7 @@ namespace rt {
 
 namespace {
 
-constexpr std::chrono::seconds time_limit{10};  // the slowest suite takes one
+constexpr std::chrono::seconds suite_time_limit{10};  // the slowest suite takes one
 
 /// What usually causes the signal.
 std::string meaning_of(const std::string& crash) {
@@ -39,12 +39,12 @@ SuiteResult run_suite(const std::string& program) {
     const ProcessResult ending =
         run_captured({"env", "RAYSTEPS_REPORT=" + report.string(),
                       (build_folder / program).string(), "--out", "/dev/null"},
-                     time_limit);
+                     suite_time_limit);
     SuiteResult result{.output = ending.output};
     if (std::filesystem::exists(report)) result.cases = read_report(read_text(report));
     if (ending.out_of_time)
         result.ended =
-            "does not end: it was stopped after " + std::to_string(time_limit.count()) + " s";
+            "does not end: it was stopped after " + std::to_string(suite_time_limit.count()) + " s";
     else if (!ending.crash.empty())
         result.ended = "crashed: " + ending.crash + meaning_of(ending.crash);
     return result;

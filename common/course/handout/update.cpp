@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::minutes time_limit{5};
+constexpr std::chrono::minutes update_time_limit{5};
 constexpr const char* under_way = "Raysteps, half updated: run ./course update again";
 
 /// Places that are never a hand-out's.
@@ -52,7 +52,7 @@ fs::path unpacked(const fs::path& newer) {
     fs::create_directories(folder);
     const ProcessResult ending = run_captured(
         {"tar", "-xf", fs::absolute(newer).string(), "-C", folder.string(), "--no-same-owner"},
-        time_limit);
+        update_time_limit);
     if (ending.status != 0) throw InputError({newer.string()}, "cannot be unpacked");
     for (const auto& entry : fs::directory_iterator(folder))
         if (is_handout(entry.path())) return entry.path();
