@@ -19,7 +19,7 @@ namespace {
 constexpr double largest_pixel_error = 255;
 
 /// The factor from one error that is tried to the next.
-constexpr double step = 1.5;
+constexpr double error_step = 1.5;
 
 /// The settings with shadow rays that suit an error of a pixel. Their number is fixed: rays that
 /// stop once a few agree would make the mean of a pixel wrong, however many rays go through it.
@@ -140,12 +140,12 @@ Trial keep_tolerance_of_pixels(TrialRunner& runner, const Trials& trials,
     const RenderSettings fine = with_shadows(settings, choose_shadows, error);
     if (keeps(with_pixel_samples(fine, 1))) return best;
     if (keeps(with_error(error))) {
-        for (error *= step; error < 2 * allowed; error *= step)
+        for (error *= error_step; error < 2 * allowed; error *= error_step)
             if (!keeps(with_error(error))) break;
         return best;
     }
     // An edge of which the rays around it show nothing is not found by a smaller error either.
-    for (error /= step; error > allowed / 8; error /= step)
+    for (error /= error_step; error > allowed / 8; error /= error_step)
         if (keeps(with_error(error))) return best;
     for (int count = 64; count <= right_pixel_samples; count *= 2)
         if (keeps(with_pixel_samples(fine, count))) return best;

@@ -12,8 +12,8 @@ namespace rt {
 
 namespace {
 
-constexpr std::size_t samples = 64;  ///< sample points on a surface
-constexpr std::size_t twentieth = samples / 20;
+constexpr std::size_t surface_samples = 64;  ///< sample points on a surface
+constexpr std::size_t twentieth = surface_samples / 20;
 
 /// Limits on the number of tested pairs of shapes, so that no scene takes long: a second for
 /// testing boxes, or for testing surfaces.
@@ -50,8 +50,8 @@ void take_in(InputRounding& scene, const auto& primitives) {
 
 /// The largest distance from `surface`'s nearest twentieth to the other surface.
 Real gap(const Surface& surface, const std::function<Real(Vec3)>& distance) {
-    std::array<Real, samples> distances;
-    for (std::size_t i = 0; i < samples; ++i)
+    std::array<Real, surface_samples> distances;
+    for (std::size_t i = 0; i < surface_samples; ++i)
         distances[i] = distance(surface.point(spread_sample(std::uint32_t(i), 0)));
     std::nth_element(distances.begin(), distances.begin() + twentieth, distances.end());
     return distances[twentieth];
