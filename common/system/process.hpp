@@ -54,4 +54,8 @@ struct ProcessResult {
 /// The exit status in a result of waitpid; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
 
+/// True for the exit status of a program that an external signal told to stop: Ctrl-C, SIGTERM, or
+/// the end of the terminal.
+[[nodiscard]] bool is_told_to_stop(int status);
+
 }  // namespace rt

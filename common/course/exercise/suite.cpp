@@ -3,6 +3,7 @@
 #include "common/course/build/project.hpp"
 
 #include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 
 namespace rt {
@@ -18,6 +19,7 @@ std::string meaning_of(const std::string& crash) {
                "function that calls itself without end";
     if (crash == "Aborted") return ". An assertion failed, or std::abort was called";
     if (crash == "Floating point exception") return ". A whole number was divided by 0";
+    if (crash == "Killed") return ". The system does so when memory runs out";
     return "";
 }
 
@@ -40,6 +42,9 @@ SuiteResult run_suite(const std::string& program) {
         run_captured({"env", "RAYSTEPS_REPORT=" + report.string(),
                       (build_folder / program).string(), "--out", "/dev/null"},
                      suite_time_limit);
+    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+        throw InputError({}, program + " was told to stop before its end (" + ending.crash +
+                                 "), which says nothing about your code: check it again");
     SuiteResult result{.output = ending.output};
     if (std::filesystem::exists(report)) result.cases = read_report(read_text(report));
     if (ending.out_of_time)

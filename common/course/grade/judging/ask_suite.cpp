@@ -60,6 +60,9 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
         grading, graded.stage, {name_of(graded) + "_asked_test_double", "--out", "/dev/null"},
         variables, until);
     std::vector<CaseMark> cases;
+    // No submission can end the suite; a system without memory can.
+    if (!ending.out_of_time && !ending.crash.empty())
+        throw ProgramError("the suite of " + name_of(graded) + " was ended: " + ending.crash);
     if (!fs::exists(report) && ending.out_of_time) return cases;
     if (!fs::exists(report))
         throw ProgramError("the suite of " + name_of(graded) + " does not run\n");

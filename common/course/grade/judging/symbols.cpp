@@ -10,11 +10,22 @@ namespace rt::grade {
 
 namespace {
 
+// Each part of a mangled name may stand for the whole before it, twice and more: 400 characters may
+// expand to gigabytes, these to a few megabytes.
+constexpr std::size_t longest_demangled = 160;
+constexpr std::size_t longest_shown = 400;
+
+/// The name as a student reads it: without an end that is too long for a sentence.
+std::string shown(const std::string& name) {
+    return name.size() <= longest_shown ? name : name.substr(0, longest_shown) + "…";
+}
+
 std::string demangled(const std::string& symbol) {
+    if (symbol.size() > longest_demangled) return shown(symbol);
     int status = 0;
     const std::unique_ptr<char, void (*)(void*)> name(
         abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), std::free);
-    return status == 0 ? name.get() : symbol;
+    return shown(status == 0 ? name.get() : symbol);
 }
 
 bool starts_with_one_of(std::string_view symbol, std::initializer_list<std::string_view> starts) {
@@ -23,21 +34,19 @@ bool starts_with_one_of(std::string_view symbol, std::initializer_list<std::stri
     return false;
 }
 
-/// True if the name of a function or of one of its types is in the project's namespace.
-bool is_of_project(const std::string& name) {
-    for (std::size_t at = name.find("rt::"); at != std::string::npos;
-         at = name.find("rt::", at + 1))
-        if (at == 0 || (std::isalnum(static_cast<unsigned char>(name[at - 1])) == 0 &&
-                        name[at - 1] != '_' && name[at - 1] != ':'))
-            return true;
+/// True if the mangled name of a function or of one of its types is in the project's namespace.
+bool is_of_project(const std::string& symbol) {
+    const std::string rt = "2rt";  // the length of the name, and the name
+    for (std::size_t at = symbol.find(rt); at != std::string::npos; at = symbol.find(rt, at + 1))
+        if (at > 0 && std::isdigit(static_cast<unsigned char>(symbol[at - 1])) == 0)
+            return symbol.starts_with("_Z");
     return false;
 }
 
 std::string complaint_of_use(const std::string& symbol, const StageFunctions& functions) {
     if (functions.own.count(symbol) == 1 || functions.callable.count(symbol) == 1) return "";
-    const std::string name = demangled(symbol);
-    if (!is_of_project(name)) return "";
-    return "Your file calls " + name +
+    if (!is_of_project(symbol)) return "";
+    return "Your file calls " + demangled(symbol) +
            ", which it does not define itself, and which this stage may not call: the stage's page "
            "lists the allowed functions.";
 }
@@ -51,7 +60,7 @@ std::string complaint_of_definition(const ObjectSymbol& symbol, const StageFunct
     if (starts_with_one_of(name, {"_Znw", "_Zna", "_Zdl", "_Zda"}))
         return "Your file replaces " + demangled(name) + ", which all programs share.";
     if (!name.starts_with("_Z"))
-        return "Your file defines " + name +
+        return "Your file defines " + shown(name) +
                " as a C function, which may replace the library's: put it into the anonymous "
                "namespace.";
     const bool is_of_library =
@@ -81,7 +90,7 @@ std::string foreign_symbol(const ObjectFile& object, const StageFunctions& funct
                "here.";
     for (const ObjectSymbol& symbol : object.symbols) {
         if (symbol.name.find('@') != std::string::npos)
-            return "Your file has a version of a symbol: " + symbol.name + ".";
+            return "Your file has a version of a symbol: " + shown(symbol.name) + ".";
         std::string sentence = symbol.is_defined ? complaint_of_definition(symbol, functions)
                                                  : complaint_of_use(symbol.name, functions);
         if (!sentence.empty()) return sentence;

@@ -188,10 +188,6 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
     return workshop;
 }
 
-bool is_told_to_stop(int status) {
-    return status == 128 + SIGTERM || status == 128 + SIGINT || status == 128 + SIGHUP;
-}
-
 void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
@@ -225,6 +221,8 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     // The launcher enforces the time limit; this one is a fallback.
     ProcessResult ending = run_captured(sealed, std::chrono::seconds(wall + 10), workshop.stop);
     go_on(workshop);
+    // Slurm signals all processes of a task, possibly the grader last; what it did to the others is
+    // no submission's mark.
     if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     return ending;

@@ -30,10 +30,6 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted if the workshop is stopped.
 void go_on(const BuildDirectory& workshop);
 
-/// True for the exit status of a program that an external signal ended. Slurm signals all processes
-/// of a task, possibly the grader last; what it did to the others is no submission's mark.
-[[nodiscard]] bool is_told_to_stop(int status);
-
 /// Fills the folder from the project and its build. Throws filesystem_error.
 [[nodiscard]] BuildDirectory open_workshop(const std::filesystem::path& project,
                                            const std::filesystem::path& build,
