@@ -64,9 +64,10 @@ endfunction()
 #
 # seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
 # the objects of the file's own reference. The object with a header's functions, if there is one, has
-# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of common/ and
-# of all stages, but not the loop over the pixels in common/render/render.cpp, and not the parts of
-# its own stage that are not listed, such as lighting.hpp.
+# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of
+# all stages and of the parts of common/ whose headers it may include, but nothing that loops over
+# pixels, in common/render, program and tuning, and not the parts of its own stage that are not
+# listed, such as lighting.hpp.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -99,7 +100,10 @@ function(raysteps_graded_seat file stage own objects)
         endif()
     endforeach()
     if(NOT file STREQUAL stage)
-        list(APPEND callable "raysteps_base.dir/.*" "raysteps_common_f64.dir/.*")
+        foreach(part IN ITEMS bvh/ explain/ geometry/ image/image scene/ render/sampling render/shaft
+                render/surface system/input_error __/steps/)
+            list(APPEND callable "raysteps_base.dir/${part}.*" "raysteps_common_f64.dir/${part}.*")
+        endforeach()
     endif()
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)
