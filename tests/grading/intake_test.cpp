@@ -219,6 +219,24 @@ TEST_CASE("names in archives are names, and no patterns") {
     CHECK(taken.words.empty());
 }
 
+TEST_CASE("a name in no encoding is reported, and the other files are read") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("work/aXb/sphere.cpp", "three");
+    ground.write("work/plane.cpp", "four");
+    ground.zip("work", "a.zip");
+    std::string bytes = read_text(ground.place("a.zip"));
+    for (std::size_t at = 0; (at = bytes.find("aXb/", at)) != std::string::npos; ++at) {
+        bytes[at + 1] = '\xff';
+        for (const auto& [start, flags] : {std::pair("PK\3\4", 7), std::pair("PK\1\2", 9)})
+            if (at >= 46 && bytes.rfind(start, at) + (flags == 7 ? 30 : 46) == at)
+                bytes[bytes.rfind(start, at) + std::size_t(flags)] |= 8;  // marks UTF-8
+    }
+    write_text(ground.place("a.zip"), bytes);
+    const SubmittedFiles taken = ground.take("a.zip");
+    CHECK(taken.files == Files{{4, "four"}});
+    CHECK(taken.words_on_all == "The archive a.zip contains a file whose name cannot be read.\n");
+}
+
 TEST_CASE("a link among an archive's names spoils nothing, and is never followed") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/code/sphere.cpp", "three");
@@ -248,6 +266,18 @@ TEST_CASE("the total size of an archive's files is limited") {
     ground.pack("large.tar.gz", "work", {"--gzip", "sphere.cpp"});
     CHECK(ground.take("large.tar.gz").words.at(3).find("sphere.cpp (too large)") !=
           std::string::npos);
+}
+
+TEST_CASE("a part of many problems is reported, and the end of a very long name") {
+    const Ground ground(RAYSTEPS_SEALED);
+    std::string folder = "work/";
+    for (int i = 0; i < 20; ++i) folder += std::string(100, 'x') + "/";
+    ground.write(folder + "ball.cpp", "");
+    for (int i = 0; i < 100; ++i) ground.write("work/" + std::to_string(i) + ".zip", "");
+    ground.pack("a.tar", "work", {"."});
+    const std::string words = ground.take("a.tar").words_on_all;
+    CHECK(words.find("xxx/ball.cpp.\n") != std::string::npos);
+    CHECK(words.size() < 2500);
 }
 
 TEST_CASE("a Mac's archive has twice the names, and one student's files") {

@@ -20,8 +20,8 @@ constexpr std::size_t largest_source = 256 * 1024;
 constexpr std::size_t largest_list = 32 << 20;
 
 /// The names in unpack.cpp.
-constexpr std::array kinds = {"folder", "other",  "source", "archive",
-                              "link",   "locked", "large",  "damaged"};
+constexpr std::array kinds = {"folder", "other", "source",  "archive", "link",
+                              "locked", "large", "damaged", "nameless"};
 
 /// The bytes of a plain file that has no more than that.
 std::optional<std::string> plain_bytes(const fs::path& file, std::size_t largest) {

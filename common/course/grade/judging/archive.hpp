@@ -12,7 +12,7 @@ namespace rt::grade {
 
 /// One entry of an archive.
 struct Entry {
-    enum class Kind { folder, other, source, archive, link, locked, large, damaged };
+    enum class Kind { folder, other, source, archive, link, locked, large, damaged, nameless };
     Kind kind = Kind::other;
     std::string name;
     std::filesystem::path file;  ///< an unpacked file: a source or an archive

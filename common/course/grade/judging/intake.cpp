@@ -23,6 +23,8 @@ constexpr int most_archives = 10;
 constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
 constexpr int deepest_archive = 3;
 constexpr std::size_t most_told = 6;
+constexpr std::size_t longest_told = 200;  // of a name
+constexpr int most_problems = 20;
 
 /// A student's file whose name is a stage's, or nearly.
 struct Found {
@@ -60,6 +62,15 @@ auto rank(const Found& found) {
                       is_below(found.path, "tests") || is_below(found.path, "build"),
                       !is_below(found.path, "student"),
                       std::distance(found.path.begin(), found.path.end()), found.path.string());
+}
+
+/// The name as the student reads it; of a very long one, as archives may contain, the end.
+std::string told(const fs::path& file) {
+    const std::string name = file.string();
+    if (name.size() <= longest_told) return name;
+    std::size_t start = name.size() - longest_told;
+    while (start < name.size() && (static_cast<unsigned char>(name[start]) & 0xc0) == 0x80) ++start;
+    return "…" + name.substr(start);
 }
 
 std::string enumerated(const std::vector<std::string>& names) {
@@ -113,37 +124,34 @@ private:
             const bool is_folder = each->symlink_status(failed).type() == fs::file_type::directory;
             const bool litter = is_litter(each->path().filename());
             if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
-            if (is_folder && each.depth() >= deepest) words_ += "Folders are too deep.\n";
+            if (is_folder && each.depth() >= deepest) problem("Folders are too deep.");
             if (!is_folder && !litter) files.push_back(each->path());
             if (++entries_ > most_entries) {
-                words_ += "There are more than a million files; not all were searched.\n";
+                problem("There are more than a million files; not all were searched.");
                 break;
             }
         }
-        if (failed) words_ += name.string() + ": part of it cannot be read.\n";
+        if (failed) problem(told(name) + ": part of it cannot be read.");
         std::sort(files.begin(), files.end());
         for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
     }
 
     void add_archive(const fs::path& archive, const fs::path& name, int depth) {
-        const std::string called = name.string();
+        const std::string called = told(name);
         // One that takes too long is enough.
         if (depth == deepest_archive || ++archives_ > most_archives || !all_whole_) {
-            words_ += called + " was not opened: too many archives, or one too large.\n";
-            return;
+            return problem(called + " was not opened: too many archives, or one too large.");
         }
         taken_out_.emplace_back(workshop_.folder);
         const std::optional<Unpacked> unpacked =
             unpack(workshop_, archive, taken_out_.back().path(), most_megabytes);
-        if (!unpacked) {
-            words_ += "The archive " + called +
-                      " cannot be opened: it is damaged, or not of a supported kind (zip, tar, "
-                      "7z).\n";
-            return;
-        }
+        if (!unpacked)
+            return problem("The archive " + called +
+                           " cannot be opened: it is damaged, or not of a supported kind (zip, "
+                           "tar, 7z).");
         all_whole_ = unpacked->whole;
         if (!unpacked->whole)
-            words_ += "The archive " + called + " is damaged, or too large: not all was read.\n";
+            problem("The archive " + called + " is damaged, or too large: not all was read.");
         for (const Entry& entry : unpacked->entries) add_entry(entry, name, depth);
     }
 
@@ -170,6 +178,9 @@ private:
                 return add_file(name, {}, "too large");
             case Entry::Kind::damaged:
                 return add_file(name, {}, "damaged");
+            case Entry::Kind::nameless:
+                return problem("The archive " + told(archive) +
+                               " contains a file whose name cannot be read.");
         }
     }
 
@@ -180,9 +191,9 @@ private:
         if (is_trace && stage != 0 && !has_trace(stage)) return;
         if (stage == 0) {
             if (!why_not.empty() && is_archive(file))
-                words_ += "The archive " + name.string() + " was not opened: " + why_not + ".\n";
+                problem("The archive " + told(name) + " was not opened: " + why_not + ".");
             else if (is_source(file))
-                others_.push_back(name.string());
+                others_.push_back(told(name));
             if (is_trace && text)
                 mains_.emplace_back(name.parent_path(),
                                     Found{.path = name, .fit = fit, .text = std::move(text)});
@@ -222,10 +233,17 @@ private:
         if (stages.size() == 1) found_[{stages[0], true}].push_back(main);
         if (stages.size() < 2) return;
         for (const int stage : stages)
-            handed_in.words[{stage, true}] = main.path.string() +
+            handed_in.words[{stage, true}] = told(main.path) +
                                              " is beside the files of several stages: a name for "
                                              "this one would be " +
                                              submitted_name({stage, true}) + ".\n";
+    }
+
+    /// Adds a sentence for the student. A hostile archive would cause thousands.
+    void problem(const std::string& sentence) {
+        ++problems_;
+        if (problems_ <= most_problems) words_ += sentence + "\n";
+        if (problems_ == most_problems + 1) words_ += "There were more problems like these.\n";
     }
 
     static void choose(GradedFile graded, std::vector<Found>& found, SubmittedFiles& handed_in) {
@@ -238,19 +256,19 @@ private:
         if (best == found.end()) {
             std::vector<std::string> not_taken;
             for (const Found& each : found)
-                not_taken.push_back(each.path.string() + " (" + each.why_not + ")");
+                not_taken.push_back(told(each.path) + " (" + each.why_not + ")");
             handed_in.words[graded] =
                 "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
             return;
         }
         handed_in.files[graded] = *best->text;
-        if (best->fit != Fit::exact) words += best->path.string() + " was used as " + name + ".\n";
+        if (best->fit != Fit::exact) words += told(best->path) + " was used as " + name + ".\n";
         std::vector<std::string> differ;
         for (const Found& each : found)
-            if (each.text && each.text != best->text) differ.push_back(each.path.string());
+            if (each.text && each.text != best->text) differ.push_back(told(each.path));
         if (!differ.empty())
             words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
-                     " that differ; " + best->path.string() + " was used, and not " +
+                     " that differ; " + told(best->path) + " was used, and not " +
                      enumerated(differ) + ".\n";
         if (!words.empty()) handed_in.words[graded] = words;
     }
@@ -261,6 +279,7 @@ private:
     std::vector<std::pair<fs::path, Found>> mains_;  ///< by folder: the main.cpp of unknown stages
     std::vector<std::string> others_;                ///< sources of no stage's name
     std::string words_;
+    int problems_ = 0;
     int entries_ = 0;
     int archives_ = 0;
     bool all_whole_ = true;

@@ -51,6 +51,8 @@ int Csv::column(const std::vector<std::string>& headings) const {
 Csv read_csv(const std::filesystem::path& file) {
     std::string text = read_text(file);
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+    // In a text without LF, CR ends the lines.
+    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
     Csv csv{.file = file, .separator = separator_of(text)};
     std::vector<Csv::Row> rows;
     Csv::Row row{.line = 1};

@@ -34,11 +34,13 @@ public:
     void take(archive* from, archive_entry* entry) {
         const char* text = archive_entry_pathname(entry);
         if (text == nullptr) text = archive_entry_pathname_utf8(entry);
-        const std::string name = text == nullptr ? "?" : text;
+        const auto type = archive_entry_filetype(entry);
+        if (text == nullptr && type == AE_IFDIR) return;
+        if (text == nullptr) return list("nameless", "");  // not UTF-8, though marked as that
+        const std::string name = text;
         const fs::path path = name;
         for (const fs::path& part : path)
             if (rt::grade::is_litter(part.string())) return;
-        const auto type = archive_entry_filetype(entry);
         if (type == AE_IFDIR) return list("folder", name);
         const std::string file = path.filename().string();
         const bool archived = rt::grade::is_archive(file);
