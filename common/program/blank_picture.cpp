@@ -71,7 +71,11 @@ Vec3 rounded(Vec3 v) {
 std::string why_nothing_is_met(const Scene& scene, const RenderSettings& settings) {
     const std::string start = "no ray of the camera hits a shape: ";
     const Camera& camera = scene.cameras.front();
-    if (camera.fov == 0) return start + "its field of view is 0; try one of 60";
+    constexpr Real widest =
+        Real(3.14);  // almost all rays of a wider one are parallel to the screen
+    if (camera.fov == 0 || camera.fov > widest)
+        return start + "its field of view is " + (camera.fov == 0 ? "0" : "180") +
+               "; try one of 60";
     const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
     for (std::size_t i = 1; i < cameras; ++i)
         if (hits(scene, scene.cameras[i], settings) > 0)

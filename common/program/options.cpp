@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -29,6 +28,8 @@ constexpr int most_frames = 360;  // an animation is in memory until it is writt
 constexpr int max_cameras = 1'000'000;
 
 constexpr double brightest = 255;  ///< in 8-bit levels
+constexpr double least_shown = 1e-30;
+constexpr double most_shown = 1e30;
 constexpr double least_error = 1e-3;
 constexpr double least_time = 1e-3;  ///< seconds
 constexpr double most_time = 1e6;
@@ -165,9 +166,10 @@ std::array<double, 2> parse_range(const std::string& text) {
     const std::string_view low = std::string_view(text).substr(0, comma);
     const std::string_view high = std::string_view(text).substr(std::min(comma + 1, text.size()));
     if (!is_number(low, ends[0]) || !is_number(high, ends[1]) ||
-        !(0 < ends[0] && ends[0] < ends[1] && std::isfinite(ends[1])))
+        !(least_shown <= ends[0] && ends[0] < ends[1] && ends[1] <= most_shown))
         throw InputError({},
-                         "--shade-range must be two numbers LOW,HIGH with 0 < LOW < HIGH, not " +
+                         "--shade-range must be two numbers LOW,HIGH with 1e-30 <= LOW < HIGH <= "
+                         "1e30, not " +
                              rt::quoted(text));
     return ends;
 }
@@ -385,6 +387,11 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
             turn->excludes(other);
         if (program.stage >= shapes_stage) turn->excludes("--rays");
     }
+    // Their output contains nothing else.
+    for (const char* one : {"--pixel", "--rays"})
+        if (CLI::Option* const told = app.get_option_no_throw(one))
+            for (const char* other : {"--requirements", "--preview", "--tolerance", "--time"})
+                told->excludes(other);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

@@ -91,12 +91,17 @@ std::vector<double> round_numbers(const Scale& scale) {
         const double wanted = (scale.high - scale.low) / 5;
         const double power = std::pow(10, std::floor(std::log10(wanted)));
         const double step = power * (wanted > 5 * power ? 10 : wanted > 2 * power ? 5 : 2);
-        for (double number = std::ceil(scale.low / step); number * step < scale.high; ++number)
-            round.push_back(number * step);
+        // Counted: in a very narrow scale, a step may be below the digits of its numbers.
+        constexpr int most = 5;
+        const double first = std::ceil(scale.low / step);
+        for (int i = 0; i <= most && (first + i) * step < scale.high; ++i)
+            round.push_back((first + i) * step);
     } else {
         const bool all = ratio < 3000;
+        constexpr double most = 20;  // powers of ten
+        const double apart = std::pow(10, 1 + std::floor(std::log10(ratio) / most));
         for (double power = std::pow(10, std::floor(std::log10(scale.low))); power < scale.high;
-             power *= 10)
+             power *= apart)
             for (const int factor : {1, 2, 5})
                 if (all || factor == 1) round.push_back(factor * power);
     }

@@ -41,7 +41,8 @@ std::size_t directive_start(std::string_view line, std::size_t comment) {
 
 }  // namespace
 
-Lines::Lines(std::string_view text) : rest_(text) {
+Lines::Lines(std::string_view text)
+    : rest_(text), end_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {
     if (!rest_.starts_with(byte_order_mark)) return;
     rest_.remove_prefix(byte_order_mark.size());
     skipped_ = static_cast<int>(byte_order_mark.size());
@@ -49,7 +50,7 @@ Lines::Lines(std::string_view text) : rest_(text) {
 
 std::optional<Line> Lines::next() {
     if (rest_.empty()) return std::nullopt;
-    const std::string_view line = rest_.substr(0, rest_.find('\n'));
+    const std::string_view line = rest_.substr(0, rest_.find(end_));
     rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
     const int column = 1 + skipped_;
     skipped_ = 0;

@@ -29,11 +29,12 @@ public:
 
     /// Returns the next line; nothing after the last. A comment starts at any '#', and at a word
     /// that starts with "//". CR, tab, vertical tab and form feed are blanks; a byte order mark is
-    /// skipped.
+    /// skipped. In a text without LF, CR ends the lines.
     [[nodiscard]] std::optional<Line> next();
 
 private:
     std::string_view rest_;
+    char end_;  ///< of each line
     int number_ = 0;
     int skipped_ = 0;  ///< length in bytes of a byte order mark before rest_, in the first line
 };

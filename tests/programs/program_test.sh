@@ -65,12 +65,20 @@ refused "costs with a tolerance" "without --tolerance" step03_sphere --shade cos
 refused "samples that are all one" "--pixel-error" step03_sphere --shade samples
 refused "a scale of names" "--shade-range" step03_sphere --shade id --shade-range 1,2
 refused "a scale without numbers" "--shade-range" step03_sphere --shade-range 1,2
-refused "a scale backwards" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 3,2
-refused "a scale from nothing" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 0,2
-refused "half a scale" "0 < LOW < HIGH" step03_sphere --shade depth --shade-range 2
+refused "a scale backwards" "1e-30 <= LOW < HIGH <= 1e30" step03_sphere --shade depth --shade-range 3,2
+refused "a scale from nothing" "1e-30 <= LOW < HIGH <= 1e30" step03_sphere --shade depth --shade-range 0,2
+refused "a scale from nearly nothing" "1e-30 <= LOW" step03_sphere --shade depth --shade-range 5e-324,1
+refused "a scale without end" "1e-30 <= LOW" step03_sphere --shade depth --shade-range 1,1e308
+refused "half a scale" "1e-30 <= LOW < HIGH <= 1e30" step03_sphere --shade depth --shade-range 2
 refused "rays before there are shapes" "--rays" step02_camera_basis --rays 1,1
 refused "rays of a pixel outside" "--rays 480,0 is outside" step03_sphere --rays 480,0
 refused "rays of no pixel" "--rays must be" step03_sphere --rays 1
+for other in --requirements --preview "--tolerance 2" "--time 1"; do
+    # shellcheck disable=SC2086
+    refused "rays and $other" "${other% *}" step03_sphere --rays 1,1 $other
+    # shellcheck disable=SC2086
+    refused "a pixel and $other" "${other% *}" step03_sphere --pixel 1,1 $other
+done
 refused "a light with a size" "step11_soft_shadows" step10_shadows "$scenes/step11_soft_shadows.rt"
 refused "a mirror" "step12_mirror" step11_soft_shadows "$scenes/step12_mirror.rt"
 refused "a mesh" "step13_meshes" step12_mirror "$scenes/step13_meshes.rt"
@@ -124,6 +132,11 @@ for precision in double float; do
         --shade-range 2,8 > out 2> err
     [ "$(grep -c '^  #.* %  ' out)" -ge 4 ] && grep -q '^  #[0-9a-f]*    0 %  2$' out &&
         grep -q '^  #[0-9a-f]*  100 %  8$' out || fail "a scale has the ends that are given"
+done
+# The narrowest scale, and the widest: no label is drawn over another.
+for ends in 1,1.0000000000000002 1e-30,1e30; do
+    timeout 10 "$build/step03_sphere" "$scenes/one_sphere.rt" -o b.png --size 8x6 --shade depth --shade-range $ends > out
+    holds "the scale $ends ends" [ "$(grep -c '^  #.* %  ' out)" -le 22 ] && grep -q '100 %' out || fail "the scale $ends"
 done
 grep -aq -- '--shade depth --shade-range 2,8' a.png || fail "the file says its scale"
 

@@ -46,6 +46,7 @@ shows "C 4,6,-3 $direction 60\n$light$ball"
 blank "try --camera 2" "c 0,0,0 0,0,1 60\nc 0,0,0 0,0,-1 60\n$light$ball"
 shows "c 0,0,0 0,0,1 60\nc 0,0,0 0,0,-1 60\n$light$ball" --camera 2
 blank "field of view is 0" "C 0,0,0 0,0,1 0\n$light$ball"
+blank "field of view is 180" "C 0,0,0 0,0,-1 180\n$light$ball"
 blank "there is no light" "C 0,0,0 0,0,-1 60\n$ball"
 shows "C 0,0,0 0,0,-1 60\n$ball" --shade normal
 blank "no light reaches" "C 0,0,0 0,0,-1 60\nL 0,0,-9 1 255,255,255\n$ball"
