@@ -56,11 +56,15 @@ Response file_of(const fs::path& project, const std::string& path) {
     const bool is_hidden = std::any_of(wanted.begin(), wanted.end(), [](const fs::path& part) {
         return part.string().rfind('.', 0) == 0;
     });
-    const bool is_built = path.rfind("build/", 0) == 0 && path.rfind(site_of_clone, 0) != 0;
+    const std::string name = wanted.string();
+    const bool is_built = name.rfind("build/", 0) == 0 && name.rfind(site_of_clone, 0) != 0;
     const fs::path file = project / wanted;
-    if (wanted.is_absolute() || is_hidden || is_built || !fs::exists(file))
+    std::error_code none;  // a name may be too long
+    const fs::file_type type = fs::status(file, none).type();
+    const bool is_page = type == fs::file_type::regular || type == fs::file_type::directory;
+    if (wanted.is_absolute() || is_hidden || is_built || !is_page)
         throw Refusal{404, "there is no such page, or this hand-out does not contain the file"};
-    if (!fs::is_directory(file))
+    if (type == fs::file_type::regular)
         return {.body = read_text(file), .type = type_of(file), .policy = policy};
     if (path.empty() || path.back() != '/') throw Refusal{404, "a folder's address ends with /"};
     return {.body = listing(file), .type = "text/html; charset=utf-8"};
