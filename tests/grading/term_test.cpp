@@ -36,7 +36,7 @@ struct Small : Results {
         write_text(folder / file, text);
     }
 
-    [[nodiscard]] PhongTerm term() const { return read_term(folder, marks); }
+    [[nodiscard]] Term term() const { return read_term(folder, marks); }
 
     [[nodiscard]] std::string book() const {
         write_grade_book(folder, marks, term());
@@ -187,7 +187,7 @@ TEST_CASE("Canvas's gradebook is returned with one column, and the points possib
 TEST_CASE("anonymous students have no name in public reports") {
     const Small two;
     two.write("term.txt", "anonymous: yes\n");
-    PhongTerm term = two.term();
+    Term term = two.term();
     term.key = 7;
     const std::string ann = term.called("ann_1");
     CHECK(ann.size() == 10);
@@ -229,6 +229,13 @@ TEST_CASE("an error in the settings is reported with its place") {
           table + ":3: error: \"Ann_1\" is ann_1, who is listed already");
     two.write("a.csv", "");
     CHECK(says("roster: a.csv\n") == table + ": error: is empty");
+}
+
+TEST_CASE("a table's lines may end with CR, as some spreadsheets write them") {
+    const Small two;
+    two.write("a.csv", "student;days\rann_1;\"1\"\rben_2;2\r");
+    two.write("term.txt", "late: a.csv\n");
+    CHECK(two.term().days_late == std::map<std::string, double>{{"ann_1", 1}, {"ben_2", 2}});
 }
 
 }  // namespace rt::grade

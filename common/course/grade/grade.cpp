@@ -262,7 +262,7 @@ std::string edition_of(const fs::path& results, const fs::path& project) {
 void write_reports(const fs::path& results, const fs::path& project) {
     const std::vector<Mark> marks = read_marks(results);
     if (marks.empty()) throw InputError({results}, "contains no marks");
-    PhongTerm term = read_term(results, marks);
+    Term term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());
     write_grade_book(results, marks, term);

@@ -60,7 +60,7 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
 }
 
 /// A lecturer's points take the place of the grader's.
-std::string stage_cell(const StudentMarks& submission, int stage, int most, const PhongTerm& term) {
+std::string stage_cell(const StudentMarks& submission, int stage, int most, const Term& term) {
     if (const auto given = term.overrides.find({submission.student, stage});
         given != term.overrides.end())
         return points_cell(int(given->second.points), most);
@@ -69,7 +69,7 @@ std::string stage_cell(const StudentMarks& submission, int stage, int most, cons
 }
 
 std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages,
-                   const PhongTerm& term) {
+                   const Term& term) {
     std::string head = "<th class=\"student\"></th>";
     for (const auto& [stage, most] : stages)
         head += "<th class=\"stage\"><span>" + stage_title(stage) +
@@ -89,7 +89,7 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
 }
 
 /// The changes by the lecturer's settings, and the students without a submission.
-std::string remarks(const std::vector<Mark>& marks, const PhongTerm& term) {
+std::string remarks(const std::vector<Mark>& marks, const Term& term) {
     std::string rows;
     for (const StudentMarks& submission : submissions(marks, term))
         for (const std::string& line : lines_of(submission.remarks))
@@ -98,7 +98,7 @@ std::string remarks(const std::vector<Mark>& marks, const PhongTerm& term) {
 }
 
 /// The files that belong to no submission, and the names in the term's files that match no student.
-std::string left_over(const std::filesystem::path& results, const PhongTerm& term) {
+std::string left_over(const std::filesystem::path& results, const Term& term) {
     const std::filesystem::path file = results / left_over_file;
     std::string rows;
     if (std::filesystem::exists(file))
@@ -112,7 +112,7 @@ std::string first_line(const std::string& words) {
 }
 
 /// The students whose code was stopped at a forbidden operation, and those whose code was not run.
-std::string trials(const std::vector<Mark>& marks, const PhongTerm& term) {
+std::string trials(const std::vector<Mark>& marks, const Term& term) {
     std::vector<std::string> tried;
     std::vector<std::string> refused;
     for (const Mark& mark : marks) {
@@ -195,7 +195,7 @@ std::string cases(const std::vector<Mark>& marks) {
                       rows);
 }
 
-std::string names(const std::vector<std::string>& students, const PhongTerm& term) {
+std::string names(const std::vector<std::string>& students, const Term& term) {
     std::string all;
     for (const std::string& student : students)
         all += (all.empty() ? "" : ", ") + term.called(student);
@@ -209,14 +209,14 @@ std::string near_stages(const NearFiles& near) {
     return all;
 }
 
-std::string same(const std::vector<SameFile>& found, const PhongTerm& term) {
+std::string same(const std::vector<SameFile>& found, const Term& term) {
     std::string rows;
     for (const SameFile& each : found)
         rows += row(text_cell(file_title(each.file)) + text_cell(names(each.students, term)));
     return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
 }
 
-std::string near(const std::vector<NearFiles>& found, const PhongTerm& term) {
+std::string near(const std::vector<NearFiles>& found, const Term& term) {
     if (found.empty()) return "";
     std::vector<std::string> rows;
     for (const NearFiles& each : found)
@@ -232,7 +232,7 @@ std::string near(const std::vector<NearFiles>& found, const PhongTerm& term) {
            first_rows("", rows);
 }
 
-std::string alike(const Similarity& found, const PhongTerm& term) {
+std::string alike(const Similarity& found, const Term& term) {
     const std::string html =
         "<p class=\"hint\">Similarity is no proof. Students who worked together, or from the same "
         "page, write similar code, and a short stage leaves little choice: read the files, and "
@@ -246,7 +246,7 @@ std::string alike(const Similarity& found, const PhongTerm& term) {
 }  // namespace
 
 void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
-                        const std::vector<Mark>& marks, const PhongTerm& term,
+                        const std::vector<Mark>& marks, const Term& term,
                         const std::string& edition) {
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);

@@ -11,7 +11,7 @@ namespace rt::grade {
 /// the starters in the project's folder). The edition is the date and the version on the page.
 /// Throws InputError.
 void write_class_report(const std::filesystem::path& results, const std::filesystem::path& project,
-                        const std::vector<Mark>& marks, const PhongTerm& term = {},
+                        const std::vector<Mark>& marks, const Term& term = {},
                         const std::string& edition = "");
 
 }  // namespace rt::grade

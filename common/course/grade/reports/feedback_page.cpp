@@ -132,8 +132,7 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
 
 }  // namespace
 
-void write_feedback(const fs::path& results, const std::vector<Mark>& marks,
-                    const PhongTerm& term) {
+void write_feedback(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);
     for (const StudentMarks& submission : submissions(marks, term)) {

@@ -9,6 +9,6 @@ namespace rt::grade {
 /// Writes results/students/<student>/feedback.html for each student with a submission: one file
 /// that contains its pictures. Throws InputError.
 void write_feedback(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                    const PhongTerm& term = {});
+                    const Term& term = {});
 
 }  // namespace rt::grade

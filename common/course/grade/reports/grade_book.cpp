@@ -16,7 +16,7 @@ constexpr const char* end_of_line = "\r\n";  // required by RFC 4180
 }  // namespace
 
 void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                      const PhongTerm& term) {
+                      const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
     const std::vector<StudentMarks> all = submissions(marks, term);
     const bool remarks =

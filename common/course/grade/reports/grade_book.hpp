@@ -9,6 +9,6 @@ namespace rt::grade {
 /// Writes results/grades.csv: student, the points of each stage, total, maximum, and the term's
 /// remarks on the student. Throws InputError.
 void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                      const PhongTerm& term = {});
+                      const Term& term = {});
 
 }  // namespace rt::grade

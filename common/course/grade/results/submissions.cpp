@@ -13,7 +13,7 @@ void add_remark(StudentMarks& submission, const std::string& words) {
     submission.remarks += (submission.remarks.empty() ? "" : "\n") + words;
 }
 
-const Override* override_of(const StudentMarks& submission, int stage, const PhongTerm& term) {
+const Override* override_of(const StudentMarks& submission, int stage, const Term& term) {
     const auto found = term.overrides.find({submission.student, stage});
     return found == term.overrides.end() ? nullptr : &found->second;
 }
@@ -33,7 +33,7 @@ std::string why_nothing(const StudentMarks& submission) {
 }
 
 /// Computes the points of the marks in this term.
-void count(StudentMarks& submission, const std::map<int, int>& graded, const PhongTerm& term) {
+void count(StudentMarks& submission, const std::map<int, int>& graded, const Term& term) {
     for (const auto& [stage, most] : graded) {
         const auto mark = submission.marks.find(stage);
         double points = mark == submission.marks.end() ? 0 : mark->second->points();
@@ -52,7 +52,7 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Pho
                                    " % of " + number(submission.points) + " points");
         submission.points *= 1 - lost / 100;
     }
-    if (const Override* given = override_of(submission, PhongTerm::total, term)) {
+    if (const Override* given = override_of(submission, Term::total, term)) {
         add_remark(submission, "in all: " + number(given->points) + " instead of " +
                                    number(submission.points) + reason(*given));
         submission.points = given->points;
@@ -61,7 +61,7 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Pho
 
 }  // namespace
 
-std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const PhongTerm& term) {
+std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const Term& term) {
     std::map<std::string, StudentMarks> by_name;
     for (const Mark& mark : marks) by_name[mark.student].marks[mark.stage] = &mark;
     if (term.roster)
@@ -90,7 +90,7 @@ std::map<int, int> graded_stages(const std::vector<Mark>& marks) {
     return stages;
 }
 
-double most_points(const std::map<int, int>& stages, const PhongTerm& term) {
+double most_points(const std::map<int, int>& stages, const Term& term) {
     double sum = 0;
     for (const auto& [stage, most] : stages)
         if (term.bonus.count(stage) == 0) sum += most * term.weight(stage);

@@ -25,13 +25,13 @@ struct StudentMarks {
 /// Sorted by name, with the students of the roster without a submission. The result refers to the
 /// marks, which must outlive it.
 [[nodiscard]] std::vector<StudentMarks> submissions(const std::vector<Mark>& marks,
-                                                    const PhongTerm& term = {});
+                                                    const Term& term = {});
 
 /// The graded stages, with the maximal points of each.
 [[nodiscard]] std::map<int, int> graded_stages(const std::vector<Mark>& marks);
 
 /// The maximal weighted points of all stages, without the bonus stages.
-[[nodiscard]] double most_points(const std::map<int, int>& stages, const PhongTerm& term = {});
+[[nodiscard]] double most_points(const std::map<int, int>& stages, const Term& term = {});
 
 /// "5 triangle"
 [[nodiscard]] std::string stage_title(int stage);

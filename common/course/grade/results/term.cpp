@@ -114,7 +114,7 @@ public:
         read_overrides();
     }
 
-    [[nodiscard]] PhongTerm term() { return std::move(term_); }
+    [[nodiscard]] Term term() { return std::move(term_); }
 
 private:
     [[nodiscard]] FileLocation place() const { return {file_.string(), line_}; }
@@ -256,7 +256,7 @@ private:
         for (const Csv::Row& row : csv->rows) {
             const FileLocation place{csv->file.string(), row.line};
             const bool all = lower(trimmed(row.at(stage))) == "total";
-            const int of = all ? PhongTerm::total : read_stage(row.at(stage), place);
+            const int of = all ? Term::total : read_stage(row.at(stage), place);
             const Override given{read_number(row.at(points), place, most), row.at(comment)};
             if (const auto student = student_of(*csv, row, who))
                 term_.overrides[{*student, of}] = given;
@@ -280,17 +280,17 @@ private:
     std::map<std::string, std::pair<std::string, int>> settings_;
     Names names_;
     std::set<std::string> on_roster_;
-    PhongTerm term_;
+    Term term_;
 };
 
 }  // namespace
 
-double PhongTerm::weight(int stage) const {
+double Term::weight(int stage) const {
     const auto found = weights.find(stage);
     return found == weights.end() ? 1 : found->second;
 }
 
-std::string PhongTerm::called(const std::string& student) const {
+std::string Term::called(const std::string& student) const {
     if (!anonymous) return student;
     char text[16];
     std::snprintf(text, sizeof text, "s-%08x",
@@ -298,7 +298,7 @@ std::string PhongTerm::called(const std::string& student) const {
     return text;
 }
 
-PhongTerm read_term(const fs::path& results, const std::vector<Mark>& marks) {
+Term read_term(const fs::path& results, const std::vector<Mark>& marks) {
     const fs::path file = results / "term.txt";
     if (!fs::exists(file)) return {};
     Reading reading(file, marks);
@@ -306,7 +306,7 @@ PhongTerm read_term(const fs::path& results, const std::vector<Mark>& marks) {
     return reading.term();
 }
 
-void write_upload(const fs::path& results, const std::vector<Mark>& marks, const PhongTerm& term) {
+void write_upload(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
     if (term.anonymous) {
         std::string names = std::string("called,student") + end_of_line;
         for (const StudentMarks& each : submissions(marks, term))

@@ -29,7 +29,7 @@ struct Roster {
     std::vector<std::string> students;  ///< by row: the names in the results
 };
 
-struct PhongTerm {
+struct Term {
     static constexpr int total = 0;  ///< the key of the total among the stages of overrides
 
     std::optional<Roster> roster;
@@ -51,12 +51,12 @@ struct PhongTerm {
 /// Reads results/term.txt and the files that it names; returns a term without settings if it does
 /// not exist. A student is identified by the name in the results, or by the number or name on the
 /// roster. Throws InputError.
-[[nodiscard]] PhongTerm read_term(const std::filesystem::path& results,
+[[nodiscard]] Term read_term(const std::filesystem::path& results,
                                   const std::vector<Mark>& marks);
 
 /// Writes results/upload.csv, the roster with grades, in the platform's import format, and, if the
 /// term is anonymous, results/names.csv. Throws InputError.
 void write_upload(const std::filesystem::path& results, const std::vector<Mark>& marks,
-                  const PhongTerm& term);
+                  const Term& term);
 
 }  // namespace rt::grade
