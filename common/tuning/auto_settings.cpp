@@ -124,7 +124,7 @@ private:
         const auto time = std::chrono::duration<double>(*aim_.time);
         choice_.pace = std::make_unique<TimeBudget>(
             ladder, runner_.size().height,
-            start_ + std::chrono::duration_cast<Clock::duration>(time));
+            start_ + std::chrono::duration_cast<Clock::duration>(time), runner_.limit());
     }
 
     void precision(const OpenFloat& open_float) {

@@ -13,8 +13,8 @@ double seconds(Clock::duration time) {
 
 }  // namespace
 
-TimeBudget::TimeBudget(QualityLadder ladder, int rows, Clock::time_point end)
-    : ladder_(std::move(ladder)), rows_(rows), start_(end), end_(end) {}
+TimeBudget::TimeBudget(QualityLadder ladder, int rows, Clock::time_point end, double least_error)
+    : ladder_(std::move(ladder)), rows_(rows), least_error_(least_error), start_(end), end_(end) {}
 
 RenderSettings TimeBudget::next(Clock::time_point now) {
     const std::lock_guard lock(mutex_);

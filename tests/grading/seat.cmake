@@ -64,10 +64,11 @@ endfunction()
 #
 # seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
 # the objects of the file's own reference. The object with a header's functions, if there is one, has
-# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of
-# all stages and of the parts of common/ whose headers it may include, but nothing that loops over
-# pixels, in common/render, program and tuning, and not the parts of its own stage that are not
-# listed, such as lighting.hpp.
+# its name, or that of its folder, whose sources are compiled as one: todo.cpp.o or
+# unity_stages_cxx.cxx.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
+# and of those folders of common/ whose headers it may include, but not the loop over the pixels in
+# common/render/render.cpp, and not the parts of its own stage that are not listed, such as
+# lighting.hpp.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -75,8 +76,13 @@ function(raysteps_graded_seat file stage own objects)
     if(NOT file STREQUAL stage)
         set(whose "trace:${stage}")
     endif()
-    file(STRINGS ${may_include} callable REGEX "^(${whose}) ")
-    list(TRANSFORM callable REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}")
+    file(STRINGS ${may_include} headers REGEX "^(${whose}) ")
+    list(TRANSFORM headers REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}"
+        OUTPUT_VARIABLE callable)
+    list(FILTER headers INCLUDE REGEX " common/")
+    list(TRANSFORM headers REPLACE "^.* common/(.*)/.*$"
+        "Unity/unity_\\1_cxx.cxx${CMAKE_CXX_OUTPUT_EXTENSION}")
+    list(APPEND callable ${headers})
     set(parts "${objects}")
     set(absent)
     set(others)
@@ -100,10 +106,11 @@ function(raysteps_graded_seat file stage own objects)
         endif()
     endforeach()
     if(NOT file STREQUAL stage)
-        foreach(part IN ITEMS bvh/ explain/ geometry/ image/image scene/ render/sampling render/shaft
-                render/surface system/input_error __/steps/)
-            list(APPEND callable "raysteps_base.dir/${part}.*" "raysteps_common_f64.dir/${part}.*")
+        foreach(room IN ITEMS bvh explain geometry image render scene stories system)
+            list(APPEND callable "Unity/unity_${room}_cxx.cxx${CMAKE_CXX_OUTPUT_EXTENSION}"
+                "raysteps_base.dir/${room}/.*" "raysteps_common_f64.dir/${room}/.*")
         endforeach()
+        list(APPEND callable "raysteps_common_f64.dir/__/steps/.*")  # the stories
     endif()
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)

@@ -230,6 +230,11 @@ done
 grep -q "^  equivalent .* --samples 2 --shadow-samples" out || fail "--tolerance keeps --samples"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
 grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
+# No smaller one than its trials can show.
+printf 'C 0,0,5 0,0,-1 60\nL 0,9,0 0.5 255,255,255 radius:1\nsp 0,0,0 2 255,0,0\n' > lone.rt
+"$build/step11_soft_shadows" lone.rt -o 1.png --size 40x30 --time 0.1 --samples 1 > out
+bound=$(sed -n 's/.*pixels within \([0-9.e+-]*\) of 255.*/\1/p' out)
+awk "BEGIN { exit !($bound >= 0.5) }" || fail "--time promises an error of $bound"
 "$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out
 [ ! -s out ] || fail "--quiet is quiet about choices"
 
