@@ -252,7 +252,7 @@ printf '#!/bin/sh\nkill -TERM $$\n' > build/step03_sphere_test_double
 chmod +x build/step03_sphere_test_double
 course 2 check 3
 says "step03_sphere_test_double was told to stop before its end"
-says_not "your code"
+says_not "your code crashed"
 mv kept build/step03_sphere_test_double
 touch build/step03_sphere_test_double
 

@@ -1,6 +1,5 @@
 // attack: leaves the processor to others without end, and uses little time of its own
 // ceiling: as a stub
-// told: gave no answer
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -51,8 +51,7 @@ struct Term {
 /// Reads results/term.txt and the files that it names; returns a term without settings if it does
 /// not exist. A student is identified by the name in the results, or by the number or name on the
 /// roster. Throws InputError.
-[[nodiscard]] Term read_term(const std::filesystem::path& results,
-                                  const std::vector<Mark>& marks);
+[[nodiscard]] Term read_term(const std::filesystem::path& results, const std::vector<Mark>& marks);
 
 /// Writes results/upload.csv, the roster with grades, in the platform's import format, and, if the
 /// term is anonymous, results/names.csv. Throws InputError.
