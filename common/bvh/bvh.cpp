@@ -39,6 +39,11 @@ void set_lane(Node::Row& row, std::size_t i, float value) {
     row = std::bit_cast<Node::Row>(all);
 }
 
+/// Whether child i of the node is one, and not a lane that is left over.
+bool has_child(const Node& node, std::size_t i) {
+    return std::bit_cast<std::array<float, Node::width>>(node.planes[0])[i] < Box4::end;
+}
+
 BoundingBox around(std::size_t count, const BoxOf& box) {
     BoundingBox all;
     for (std::size_t i = 0; i < count; ++i) all = merged(all, box(i));
@@ -213,6 +218,25 @@ void BvhBuilder::set_child(Node& node, std::size_t i, const Box4& box, std::uint
 
 Bvh::Bvh(std::size_t count, const BoxOf& box, Leaves leaves, const BoundingBox& scene)
     : Bvh(BvhBuilder(count, box, leaves, scene).tree()) {}
+
+std::vector<Bvh::Part> Bvh::parts() const {
+    if (empty()) return {};
+    std::vector<std::uint32_t> children = {root_};
+    std::vector<Part> parts(1);
+    for (std::size_t place = 0; place < parts.size(); ++place) {
+        const std::uint32_t child = children[place];
+        if ((child & Node::leaf_bit) != 0) {
+            parts[place].leaf = child & ~Node::leaf_bit;
+            continue;
+        }
+        for (std::size_t i = 0; i < Node::width; ++i) {
+            if (!has_child(nodes_[child], i)) continue;
+            parts.push_back({.parent = place, .leaf = {}});
+            children.push_back(nodes_[child].children[i]);
+        }
+    }
+    return parts;
+}
 
 }  // namespace RT_LANES
 

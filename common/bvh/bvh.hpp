@@ -7,6 +7,7 @@
 #include "common/math/vector.hpp"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -49,6 +50,15 @@ public:
     [[nodiscard]] bool empty() const { return leaves_.empty(); }
     [[nodiscard]] BoundingBox bounds() const { return bounds_; }
     [[nodiscard]] std::span<const Leaf> leaves() const { return leaves_; }
+
+    /// One of the boxes in the hierarchy, by what it contains: boxes, or a leaf.
+    struct Part {
+        std::size_t parent = 0;           ///< the place in parts() of the box around it
+        std::optional<std::size_t> leaf;  ///< an index in leaves()
+    };
+    /// All boxes, for pictures of the hierarchy: first the one around everything, and each behind
+    /// its parent.
+    [[nodiscard]] std::vector<Part> parts() const;
 
     /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
     /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.

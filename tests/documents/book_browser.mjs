@@ -5,14 +5,17 @@
 // screen reader, headings that skip a level, what moves though the reader wants less motion, pages
 // that are wider than their window, errors on the console, requests to other hosts, more than 600 kB
 // that a page loads (compressed, without pictures of scenes), and a search without results. With
-// SHOTS=FOLDER, pictures of the pages are kept there, of which one is printed.
+// AXE=axe.min.js, of axe-core, its findings too. With SHOTS=FOLDER, pictures of the pages are kept
+// there, of which one is printed.
 import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { gzipSync } from "node:zlib";
 
 const [browser, address, ...pages] = process.argv.slice(2);
 const shots = process.env.SHOTS;
+const axe = process.env.AXE && readFileSync(process.env.AXE, "utf8");
+if (!axe) console.log("skipped: the checks of axe-core, which is not installed");
 const profile = mkdtempSync(tmpdir() + "/book");
 const chromium = spawn(browser, ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
   "--hide-scrollbars", "--user-data-dir=" + profile, "--remote-debugging-pipe"],
@@ -97,6 +100,16 @@ function nameless() {
   if (levels.some((level, i) => level > levels[i - 1] + 1)) found.push("the headings skip a level: " + levels);
   if (!document.documentElement.lang) found.push("the language is not given");
   return found;
+}
+
+/// What axe-core finds: the rule, and the element. Browsers move the focus to what scrolls by
+/// themselves, and it takes a formula in a header for nothing.
+async function violations() {
+  const runOnly = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+  const rules = { "scrollable-region-focusable": { enabled: false } };
+  const found = (await axe.run("article", { runOnly, rules, elementRef: true, resultTypes: ["violations"] })).violations;
+  return found.flatMap(({ id, nodes }) => nodes.filter(({ element }) => !element?.querySelector(".katex"))
+    .map(({ target }) => `axe: ${id}: ${target.flat().join(" ")}`)).slice(0, 9);
 }
 
 function moving() {
@@ -184,6 +197,8 @@ try {
     await value(`(${figures})()`);
     for (const lack of await value(`(${nameless})()`)) fail(lack);
     for (const what of await value(`(${moving})()`)) fail(what);
+    if (axe) await value(axe + "; 0");
+    if (axe) for (const what of await value(`(${violations})()`)) fail(what);
     for (const scheme of ["default", "slate"]) {
       await value(switched(scheme));
       for (const low of await value(`(${low_contrast})()`)) fail(`${scheme}: ${low}`);

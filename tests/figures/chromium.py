@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import threading
 
-browser = next(filter(None, map(shutil.which, ["chromium", "chromium-browser", "google-chrome"])), None)
+program = next(filter(None, map(shutil.which, ["chromium", "chromium-browser", "google-chrome"])), None)
 
 
 def serve(site):
@@ -16,7 +16,7 @@ def serve(site):
     return server, f"http://127.0.0.1:{server.server_port}"
 
 
-class Browser:
+class Chromium:
     """Chromium, and its answers on a pipe."""
 
     def __init__(self, folder):
@@ -30,7 +30,7 @@ class Browser:
             os.dup2(write, 4)
 
         self.process = subprocess.Popen(
-            [browser, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+            [program, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
              "--disable-background-networking", "--disable-component-update", "--remote-debugging-pipe",
              "--window-size=700,900", f"--user-data-dir={folder}", "about:blank"],
             preexec_fn=as_three_and_four, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -67,6 +67,9 @@ class Browser:
             self.buffer += piece
         message, self.buffer = self.buffer.split(b"\0", 1)
         return json.loads(message)
+
+    def open(self, url):
+        self.call("Page.navigate", url=url)
 
     def run(self, script):
         result = self.call("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)

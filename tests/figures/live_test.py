@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""The live figures in Chromium: live_test.py BUILD PROJECT [FIGURE...]
+"""The live figures in Chromium, and in Firefox where that is installed: live_test.py BUILD PROJECT [FIGURE...]
 
 Each figure is loaded, dragged with the mouse and the keyboard through its states in both precisions,
 and every answer that it drew must equal the native program's, byte for byte. No console error, and
 no request to another host. Status 77 where Chromium or the engine is missing.
 """
+import base64
 import contextlib
 import http.server
 import json
@@ -16,14 +17,15 @@ import sys
 import tempfile
 import time
 
-from chromium import Browser, browser, serve
+import chromium
+import firefox
 
 build, project = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 live = project / "docs/figures/live"
 shared = {"drawing", "engine", "mine", "picture", "picture_worker"}
 figures = sys.argv[3:] or sorted(file.stem for file in live.glob("*.js") if file.stem not in shared)
 engines = {precision: build / f"engine_{precision}" for precision in ["double", "float"]}
-for needed in [browser, build / "engine/engine_float.wasm", build / "call_once", *engines.values()]:
+for needed in [chromium.program, build / "engine/engine_float.wasm", build / "call_once", *engines.values()]:
     if needed is None or not pathlib.Path(needed).exists():
         print(f"skipped: {needed or 'chromium'} is missing")
         sys.exit(77)
@@ -84,36 +86,38 @@ def part(name, script):
     return f'document.querySelector("rt-{name}").shadowRoot.querySelector{script}'
 
 
-def drag(chromium, name, by):
+def drag(browser, name, by):
     """Drags the figure's last handle by these pixels, in steps."""
-    chromium.run(f'document.querySelector("rt-{name}").scrollIntoView()')
-    box = chromium.run(f"(({{x, y, width, height}}) => [x + width / 2, y + height / 2])({part(name, 'All')}('.handle')"
+    browser.run(f'document.querySelector("rt-{name}").scrollIntoView()')
+    box = browser.run(f"(({{x, y, width, height}}) => [x + width / 2, y + height / 2])({part(name, 'All')}('.handle')"
                        ".item(0).getBoundingClientRect())")
-    chromium.mouse("mousePressed", *box)
+    browser.mouse("mousePressed", *box)
     for share in (0.5, 1):
-        chromium.mouse("mouseMoved", box[0] + share * by[0], box[1] + share * by[1])
-    chromium.mouse("mouseReleased", box[0] + by[0], box[1] + by[1])
+        browser.mouse("mouseMoved", box[0] + share * by[0], box[1] + share * by[1])
+    browser.mouse("mouseReleased", box[0] + by[0], box[1] + by[1])
 
 
-def press(chromium, name, selector, key, times):
+def press(browser, name, selector, key, times):
     """Presses a key on each element, of which some are disabled or already at their end."""
-    chromium.run(f"{part(name, f'({json.dumps(selector)})')}.focus()")
+    browser.run(f"{part(name, f'({json.dumps(selector)})')}.focus()")
     for _ in range(times):
-        chromium.key(key)
+        browser.key(key)
 
 
-def states_of(chromium, name):
-    """The figure in five states or more: as loaded, and after each change."""
-    has_slider = chromium.run(f"{part(name, 'All')}('input[type=range]').length > 0")
+def states_of(browser, name):
+    """The figure in six states, and in three in a second browser: as loaded, and after each change."""
+    has_slider = browser.run(f"{part(name, 'All')}('input[type=range]').length > 0")
     changes = [lambda: None,
-               lambda: drag(chromium, name, (31, -23)),
-               lambda: press(chromium, name, ".handle", "ArrowDown", 7),
-               lambda: press(chromium, name, "input[type=range]" if has_slider else ".handle", "ArrowRight", 3),
-               lambda: press(chromium, name, "input[value=double]", "ArrowRight", 1),
-               lambda: drag(chromium, name, (-17, 29))]
+               lambda: drag(browser, name, (31, -23)),
+               lambda: press(browser, name, ".handle", "ArrowDown", 7),
+               lambda: press(browser, name, "input[type=range]" if has_slider else ".handle", "ArrowRight", 3),
+               lambda: press(browser, name, "input[value=double]", "ArrowRight", 1),
+               lambda: drag(browser, name, (-17, 29))]
+    if not isinstance(browser, chromium.Chromium):
+        changes = [changes[0], changes[1], changes[4]]  # which a second browser could do otherwise
     for change in changes:
         change()
-        yield chromium.run(state % name)
+        yield browser.run(state % name)
 
 
 def native(precision, questions):
@@ -135,14 +139,14 @@ def nearly_same(precision, answer, right):
     return all(abs(a - b) <= 4 * unit * max(map(abs, points[1])) for a, b in zip(*points))
 
 
-def check(chromium, origin, name):
+def check(browser, origin, name):
     """Errors of one figure, and the number of answers that were compared."""
     errors, seen, count = [], [], {"double": 0, "float": 0}
-    chromium.events.clear()
-    chromium.call("Page.navigate", url=f"{origin}/page/{name}")
-    chromium.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
-    chromium.run(state % name)
-    for number, shown in enumerate(states_of(chromium, name)):
+    browser.events.clear()
+    browser.open(f"{origin}/page/{name}")
+    browser.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
+    browser.run(state % name)
+    for number, shown in enumerate(states_of(browser, name)):
         if not shown["asked"] or shown["shapes"] < 3:
             errors.append(f"state {number} asks or draws nothing")
         seen.append(json.dumps([shown["asked"], shown["table"]]))
@@ -161,11 +165,11 @@ def check(chromium, origin, name):
                     errors.append(f"state {number}, {precision}: the table lacks {line.strip()}")
     errors += [f"state {i} is the same as the one before" for i in range(1, len(seen)) if seen[i] == seen[i - 1]]
     errors += [f"nothing was asked in {precision}" for precision in count if count[precision] == 0]
-    errors += chromium.complaints(origin)
+    errors += browser.complaints(origin)
     return errors, count
 
 
-def check_own_answers(chromium, origin):
+def check_own_answers(browser, origin):
     """Errors of the figure of stage 3 with a student's file, right, wrong and worse."""
     errors = []
     for worker, expected in [("step03_sphere_reference_worker", None), ("wrong/flattened", "≠"),
@@ -174,17 +178,17 @@ def check_own_answers(chromium, origin):
         if not (build / worker).exists():
             continue
         Site.worker = worker
-        chromium.call("Page.navigate", url=f"{origin}/page/sphere_roots")
-        chromium.run("customElements.whenDefined('rt-sphere_roots').then(() => 0)")
-        chromium.run(state % "sphere_roots")
-        press(chromium, "sphere_roots", "input[value=reference]", "ArrowLeft", 1)  # from the first to the last: both
-        shown = chromium.run(state % "sphere_roots")["table"]
+        browser.open(f"{origin}/page/sphere_roots")
+        browser.run("customElements.whenDefined('rt-sphere_roots').then(() => 0)")
+        browser.run(state % "sphere_roots")
+        press(browser, "sphere_roots", "input[value=reference]", "ArrowLeft", 1)  # from the first to the last: both
+        shown = browser.run(state % "sphere_roots")["table"]
         if (expected or "≠") not in shown if expected else "≠" in shown:
             errors.append(f"{worker}: expected {expected or 'no difference'} in {shown}")
     # The page draws again when a file is saved, without being asked.
     Site.worker = "step03_sphere_reference_worker"
     try:
-        chromium.run("""(async () => {
+        browser.run("""(async () => {
           for (let i = 0; document.querySelector("rt-sphere_roots").table.innerText.includes("≠"); ++i) {
             if (i === 400) throw Error("a saved file is not drawn");
             await new Promise((resolve) => setTimeout(resolve, 20));
@@ -196,33 +200,53 @@ def check_own_answers(chromium, origin):
     return errors
 
 
+def take_shots(browser, name):
+    """The figure as it stands, in light and dark, in the folder SHOTS."""
+    for scheme in ["light", "dark"] if "SHOTS" in os.environ and isinstance(browser, chromium.Chromium) else []:
+        browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+        shot = browser.call("Page.captureScreenshot", format="png")["data"]
+        pathlib.Path(os.environ["SHOTS"], f"{name}_{scheme}.png").write_bytes(base64.b64decode(shot))
+
+
+def check_all(browser, origin):
+    """Whether all figures passed in this browser."""
+    passed = True
+
+    def report(errors, what):
+        nonlocal passed
+        passed = passed and not errors
+        print(f"{'FAILED' if errors else 'passed'}  {type(browser).__name__}, {what}", *errors[:8], sep="\n    ")
+
+    for name in figures:
+        begin = time.monotonic()
+        errors, count = check(browser, origin, name)
+        report(errors, f"{name}: {count['double']} answers in double, {count['float']} in float, {time.monotonic() - begin:.1f} s")
+        take_shots(browser, name)
+    if (build / "step03_sphere_reference_worker").exists():
+        report(check_own_answers(browser, origin), "answers of a student's file")
+    else:
+        print("skipped: answers of a student's file, as step03_sphere_reference_worker is not built")
+    return passed
+
+
 def main():
-    server, origin = serve(Site)
-    failed = False
-    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        chromium = Browser(folder)
-        try:
-            for name in figures:
-                begin = time.monotonic()
-                errors, count = check(chromium, origin, name)
-                failed = failed or bool(errors)
-                print(f"{'FAILED' if errors else 'passed'}  {name}: {count['double']} answers in double, {count['float']} in float, "
-                      f"{time.monotonic() - begin:.1f} s", *errors[:8], sep="\n    " if errors else "")
-                shots = os.environ.get("SHOTS")
-                if shots:
-                    import base64
-                    for scheme in ["light", "dark"]:
-                        chromium.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
-                        shot = chromium.call("Page.captureScreenshot", format="png")["data"]
-                        (pathlib.Path(shots) / f"{name}_{scheme}.png").write_bytes(base64.b64decode(shot))
-            errors = check_own_answers(chromium, origin)
-            failed = failed or bool(errors)
-            print("FAILED" if errors else "passed", " answers of a student's file", *errors, sep="\n    " if errors else "")
-        finally:
-            chromium.process.terminate()
-            chromium.process.wait()
+    server, origin = chromium.serve(Site)
+    browsers = [chromium.Chromium]
+    if firefox.missing:
+        print(f"skipped: in Firefox, as {firefox.missing} is missing")
+    else:
+        browsers.append(firefox.Firefox)
+    passed = True
+    for kind in browsers:
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+            browser = kind(folder)
+            try:
+                passed = check_all(browser, origin) and passed
+            finally:
+                browser.process.terminate()
+                browser.process.wait()
     server.shutdown()
-    sys.exit(failed)
+    sys.exit(not passed)
 
 
 main()

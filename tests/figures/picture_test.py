@@ -18,11 +18,11 @@ import sys
 import tempfile
 import time
 
-from chromium import Browser, browser, serve
+from chromium import Chromium, program, serve
 
 build, project = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 live = project / "docs/figures/live"
-for needed in [browser, build / "engine/picture_double.wasm"]:
+for needed in [program, build / "engine/picture_double.wasm"]:
     if needed is None or not pathlib.Path(needed).exists():
         print(f"skipped: {needed or 'chromium'} is missing")
         sys.exit(77)
@@ -110,7 +110,7 @@ def edit(chromium, scene):
 
 
 def open_page(chromium, origin, stage):
-    chromium.call("Page.navigate", url=f"{origin}/page/{stage}")
+    chromium.open(f"{origin}/page/{stage}")
     chromium.run("customElements.whenDefined('rt-picture').then((picture) => { picture.widths = [%d]; })" % width)
     return show(chromium, "figure.shadowRoot.querySelector('button').click();")
 
@@ -207,7 +207,7 @@ def main():
     server, origin = serve(Site)
     failed = False
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        chromium = Browser(folder)
+        chromium = Chromium(folder)
         checks = [(f"stage {stage}", lambda stage=stage: check(chromium, origin, pathlib.Path(folder), stage)) for stage in stages]
         checks.append(("wrong scenes", lambda: check_wrong_scenes(chromium, origin, pathlib.Path(folder))))
         try:

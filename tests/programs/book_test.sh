@@ -103,8 +103,10 @@ is "a page that is not there" "${root}build/book/none.html" 404
 python3 "$project/tests/documents/book_pages.py" "$project/build/book" "$project" > out 2>&1 ||
     fail "links, anchors, formulas, alternative texts, contracts, hints, errata"
 pages=$(cd "$project/build/book" && find . -name '*.html' | sort)
+axe=$build/axe/node_modules/axe-core/axe.min.js  # where .ci/run puts it
+[ ! -e "$axe" ] || export AXE="$axe"
 node "$project/tests/documents/book_browser.mjs" "$browser" "$address" $pages > out 2>&1 ||
-    fail "in a browser: contrast, a phone's width, other hosts, errors"
+    fail "in a browser: contrast, axe-core, a phone's width, other hosts, errors"
 kill -INT "$server"
 wait "$server"
 [ $? = 0 ] || fail "Ctrl-C is a good end"

@@ -187,6 +187,25 @@ def on_pre_build(config):
     typesetter = Typesetter()
 
 
+def with_breaks(html):
+    """Where lines may end: not within an option or before a %, but within long names of inline code."""
+    def code(found):
+        if found[1] is None:
+            return found[0].replace(" %", "&nbsp;%") if found[0].endswith(" %") else found[0]
+        text = re.sub(r"(?<![\w-])--?[a-z][\w-]*", r'<span class="whole">\g<0></span>', found[1])
+        if len(found[1]) > 12:
+            text = re.sub(r"(?<=\w)[_/](?=\w)", r"\g<0><wbr>", text)
+        return f"<code>{text}</code>"
+
+    return re.sub(r"<pre.*?</pre>|<code>([^<]*)</code>|\d %", code, html, flags=re.S)
+
+
+def without_empty_headers(html):
+    """An empty cell is no header: a screen reader would call it one."""
+    html = re.sub(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>", "", html)
+    return re.sub(r"<th([^>]*)></th>", r"<td\1></td>", html)
+
+
 def on_post_page(output, page, config):
     """Formulas are set here, after the index for searching is made, which has their text."""
     def link(match):
@@ -201,7 +220,7 @@ def on_post_page(output, page, config):
     output = re.sub(r'<a href="source:([^"]*)">(.*?)</a>', link, output, flags=re.S)
     head, article, foot = re.fullmatch(r"(.*?<article)(.*)(</article>.*)", output, flags=re.S).groups()
     head, foot = (re.sub(r"\n\s+", "\n", part) for part in (head, foot))  # a tenth of the page
-    return head + typesetter.typeset(article, page) + foot
+    return head + typesetter.typeset(without_empty_headers(with_breaks(article)), page) + foot
 
 
 def compress_pictures(site):

@@ -57,8 +57,9 @@ const space = (() => {
     context.globalAlpha = 1;
   }
 
-  /// A line of a kind of ray between two points of the canvas, with its end.
-  function way(context, [x0, y0], [x1, y1], kind, thick) {
+  /// A line of a kind of ray between two points of the canvas, with its end, on a border in the
+  /// background's color.
+  function way(context, [x0, y0], [x1, y1], kind, thick, background = "--paper") {
     const {dash, end} = kinds[kind];
     const style = color(kinds[kind].color);
     const [dx, dy] = [x1 - x0, y1 - y0];
@@ -67,7 +68,7 @@ const space = (() => {
     const line = () => { context.beginPath(); context.moveTo(x0, y0); context.lineTo(x1, y1);
                          context.stroke(); };
     context.setLineDash([]);
-    Object.assign(context, {strokeStyle: color("--paper"), lineWidth: thick + 3, globalAlpha: .75});
+    Object.assign(context, {strokeStyle: color(background), lineWidth: thick + 3, globalAlpha: .75});
     line();
     Object.assign(context, {strokeStyle: style, fillStyle: style, lineWidth: thick, globalAlpha: 1});
     context.setLineDash(dash);
@@ -180,7 +181,7 @@ const space = (() => {
       item.append(sample, text);
       const context = sample.getContext("2d");
       prepare(context, 64, 16);
-      way(context, [2, 8], [54, 8], kind, 2);
+      way(context, [2, 8], [54, 8], kind, 2, "--card");
       return item;
     }));
   }

@@ -23,7 +23,7 @@ builtins=$(find /usr/lib/llvm-*/lib/clang -name libclang_rt.builtins-wasm32.a 2>
 [ -n "$builtins" ] || missing libclang-rt-16-dev-wasm32
 
 if [ -e "$out/built" ]; then
-    newer=$(find common steps docs/figures/engine -name '*.?pp' -newer "$out/built" | head -n 1)
+    newer=$(find common steps docs/figures/engine scenes/meshes -name '*.?pp' -newer "$out/built" | head -n 1)
     [ -n "$newer" ] || exit 0
 fi
 
@@ -54,7 +54,9 @@ sources() {
 
 sources engine docs/figures/engine/engine.cpp docs/figures/engine/questions.cpp \
     docs/figures/engine/thrown.cpp common/explain/*.cpp common/render/sampling.cpp \
-    common/render/surface.cpp steps/*/reference/*.cpp steps/*/story.cpp
+    common/render/surface.cpp common/bvh/b*.cpp common/mesh_file/triangulate.cpp \
+    common/system/huge_pages.cpp scenes/meshes/owl.cpp scenes/meshes/polygons.cpp \
+    steps/*/reference/*.cpp steps/*/story.cpp
 # scene_file before render, whose shaft.cpp has Axes of its own.
 sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
     docs/figures/engine/thrown.cpp docs/figures/engine/one_thread.cpp common/scene_file/*.cpp \
@@ -70,8 +72,8 @@ sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
 module picture_double picture.hpp -O2 -msimd128 -mllvm -inline-threshold=700 -Wl,--allow-undefined \
     -Wl,--max-memory=134217728 -Wl,-z,stack-size=1048576 &
 first=$!
-module engine_float engine.hpp -Os -DRT_FLOAT
-module engine_double engine.hpp -Os
+module engine_float engine.hpp -Oz -Wl,-O2 -DRT_FLOAT
+module engine_double engine.hpp -Oz -Wl,-O2
 wait $first
 for name in engine_float engine_double picture_double; do
     mv "$out/new_$name" "$out/$name.wasm"

@@ -1,10 +1,14 @@
 #include "docs/figures/engine/questions.hpp"
 
+#include "scenes/meshes/owl.hpp"
+
+#include "common/bvh/bvh.hpp"
 #include "common/explain/pixel_log.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
 #include "common/render/sampling.hpp"
 
+#include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -101,6 +105,42 @@ Vec2 even_sample(std::uint32_t index, std::uint32_t seed) {
 Vec2 independent_sample(std::uint32_t index, std::uint32_t seed) {
     // Each point is the first one of a sequence of its own.
     return spread_sample(0, sample_seed({.row = int(index), .column = int(seed)}, 1, 0));
+}
+
+Mesh owl() {
+    const Polygons cage = cut_up(owl_cage());
+    Mesh mesh;
+    // To four digits, as in the file: C libraries differ in the last bit of a cosine.
+    for (const glm::dvec3& vertex : cage.vertices)
+        mesh.vertices.emplace_back(glm::round(vertex * 1e4) / 1e4);
+    for (const std::vector<int>& face : cage.faces)
+        mesh.triangles.push_back(
+            {std::uint32_t(face[0]), std::uint32_t(face[1]), std::uint32_t(face[2])});
+    return mesh;
+}
+
+std::vector<HierarchyBox> owl_hierarchy() {
+    const Mesh mesh = owl();
+    const auto box_of = [&mesh](std::size_t triangle) {
+        BoundingBox box;
+        for (const std::uint32_t corner : mesh.triangles[triangle])
+            box = merged(box, mesh.vertices[corner]);
+        return box;
+    };
+    const Bvh hierarchy(mesh.triangles.size(), box_of, Bvh::Leaves::packed);
+    std::vector<HierarchyBox> boxes;
+    for (const Bvh::Part& part : hierarchy.parts()) {
+        boxes.push_back({.box = {}, .parent = std::uint32_t(part.parent), .triangles = {}});
+        if (!part.leaf) continue;
+        for (const std::uint32_t triangle : hierarchy.leaves()[*part.leaf].indices)
+            if (triangle != Leaf::none) boxes.back().triangles.push_back(triangle);
+    }
+    for (std::size_t place = boxes.size(); place-- > 0;) {
+        auto& [box, parent, triangles] = boxes[place];
+        for (const std::uint32_t triangle : triangles) box = merged(box, box_of(triangle));
+        if (place > 0) boxes[parent].box = merged(boxes[parent].box, box);
+    }
+    return boxes;
 }
 
 }  // namespace rt::book

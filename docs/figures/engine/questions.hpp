@@ -41,9 +41,28 @@ template <class Shape>
 [[nodiscard]] Vec2 even_sample(std::uint32_t index, std::uint32_t seed);
 [[nodiscard]] Vec2 independent_sample(std::uint32_t index, std::uint32_t seed);
 
+/// The owl of paper: that of scenes/meshes/owl_cage.obj, in triangles.
+[[nodiscard]] Mesh owl();
+
+/// A box of the hierarchy over a mesh. It contains boxes, or triangles.
+struct HierarchyBox {
+    BoundingBox box;
+    std::uint32_t parent = 0;  ///< the place in the list of the box around it
+    std::vector<std::uint32_t> triangles;
+};
+
+/// The boxes of the owl's hierarchy, each behind its parent.
+[[nodiscard]] std::vector<HierarchyBox> owl_hierarchy();
+
 }  // namespace rt::book
 
 namespace rt::contract {
+
+template <>
+inline constexpr auto record<book::HierarchyBox> =
+    record_of("HierarchyBox", field("box", &book::HierarchyBox::box),
+              field("parent", &book::HierarchyBox::parent),
+              field("triangles", &book::HierarchyBox::triangles));
 
 /// Stage 0 are the figures' own functions.
 template <>
@@ -53,24 +72,26 @@ struct Contract<0> {
     template <class Shape>
     using Shade = std::optional<ShadingPoint> (*)(const Ray&, const Shape&);
 
-    using Functions = std::tuple<Function<"explain", Explain<Sphere>(book::explain_shape)>,
-                                 Function<"explain", Explain<Plane>(book::explain_shape)>,
-                                 Function<"explain", Explain<Triangle>(book::explain_shape)>,
-                                 Function<"explain", Explain<Square>(book::explain_shape)>,
-                                 Function<"explain", Explain<Cylinder>(book::explain_shape)>,
-                                 Function<"explain", Explain<Cone>(book::explain_shape)>,
-                                 Function<"explain", Explain<OrientedBox>(book::explain_shape)>,
-                                 Function<"explain_screen", book::explain_screen>,
-                                 Function<"explain_light", book::explain_light>,
-                                 Function<"image_to_world", book::image_to_world>,
-                                 Function<"printed_basis", book::printed_basis>,
-                                 Function<"intersect_with_epsilon", book::intersect_with_epsilon>,
-                                 Function<"shade", Shade<Sphere>(book::shade)>,
-                                 Function<"shade", Shade<Plane>(book::shade)>,
-                                 Function<"shade", Shade<Triangle>(book::shade)>,
-                                 Function<"printed_shadow_ray", book::printed_shadow_ray>,
-                                 Function<"even_sample", book::even_sample>,
-                                 Function<"independent_sample", book::independent_sample>>;
+    using Functions =
+        std::tuple<Function<"explain", Explain<Sphere>(book::explain_shape)>,
+                   Function<"explain", Explain<Plane>(book::explain_shape)>,
+                   Function<"explain", Explain<Triangle>(book::explain_shape)>,
+                   Function<"explain", Explain<Square>(book::explain_shape)>,
+                   Function<"explain", Explain<Cylinder>(book::explain_shape)>,
+                   Function<"explain", Explain<Cone>(book::explain_shape)>,
+                   Function<"explain", Explain<OrientedBox>(book::explain_shape)>,
+                   Function<"explain_screen", book::explain_screen>,
+                   Function<"explain_light", book::explain_light>,
+                   Function<"image_to_world", book::image_to_world>,
+                   Function<"printed_basis", book::printed_basis>,
+                   Function<"intersect_with_epsilon", book::intersect_with_epsilon>,
+                   Function<"shade", Shade<Sphere>(book::shade)>,
+                   Function<"shade", Shade<Plane>(book::shade)>,
+                   Function<"shade", Shade<Triangle>(book::shade)>,
+                   Function<"printed_shadow_ray", book::printed_shadow_ray>,
+                   Function<"even_sample", book::even_sample>,
+                   Function<"independent_sample", book::independent_sample>,
+                   Function<"owl", book::owl>, Function<"owl_hierarchy", book::owl_hierarchy>>;
 };
 
 }  // namespace rt::contract

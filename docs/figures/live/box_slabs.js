@@ -1,5 +1,5 @@
 // Stage 13: a box as the common part of its slabs. Drag the ray: it is inside where all intervals are.
-import { Figure, ahead, at, color, define, minus } from "./drawing.js";
+import { Figure, add, ahead, at, color, define, minus, times } from "./drawing.js";
 
 const box = { min: [-1.2, -0.8, -1], max: [1.2, 0.8, 1] };
 const oriented = { center: [0, 0, 0], basis: { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }, half_size: [1.2, 0.8, 1] };
@@ -7,7 +7,7 @@ const oriented = { center: [0, 0, 0], basis: { x: [1, 0, 0], y: [0, 1, 0], z: [0
 define("box_slabs", class extends Figure {
   static title = "A box between two pairs of planes, and a ray: drag its origin, or its direction";
   view = { place: [320, 150], scale: 80 };
-  static height = 350;
+  static height = 366;
 
   setup() {
     this.origin = this.handle("origin", [-2.6, -0.9, 0]);
@@ -24,21 +24,25 @@ define("box_slabs", class extends Figure {
     sketch.polygon([[-1.2, -0.8, 0], [1.2, -0.8, 0], [1.2, 0.8, 0], [-1.2, 0.8, 0]], { fill: color.tint, stroke: color.ink, width: 2 });
     sketch.ray(ray);
     if (inside !== null) sketch.line(at(ray, inside.min), at(ray, inside.max), { stroke: color.red, width: 4 });
-    if (t !== null) sketch.mark(at(ray, t), "hit");
+    const n = t === null ? null : await this.ask(13, "normal", oriented, at(ray, t));
+    if (t !== null) {
+      sketch.arrow(at(ray, t), add(at(ray, t), times(0.5, n)), { stroke: color.green, width: 2 });
+      sketch.mark(at(ray, t), "hit");
+    }
     // The intervals of t, below one another; t = 0 and 1 are the ray's origin and its direction's tip.
     const number = (text) => Number(text.replace("inf", "Infinity"));
     const limits = Array.from(told.matchAll(/planes of (.) = \((.*), (.*)\)/g), ([, name, min, max]) => [name, number(min), number(max)]);
     const place = (time) => 445 + 40 * Math.max(-4.5, Math.min(4.5, time - 1.5));
-    sketch.pixels("rect", { x: 0, y: 268, width: 640, height: 82 }, { fill: color.white });
+    sketch.pixels("rect", { x: 0, y: 268, width: 640, height: 98 }, { fill: color.white });
     limits.slice(0, 2).forEach(([name, min, max], i) => {
-      const y = 281 + 20 * i;
+      const y = 283 + 24 * i;
       if (min <= max) sketch.pixels("line", { x1: place(min), x2: place(max), y1: y, y2: y }, { stroke: i ? color.green : color.blue, width: 7 });
       sketch.shape("text", { x: 22, y: y + 5 }, `between the planes of ${name}`);
     });
-    if (inside !== null) sketch.pixels("line", { x1: place(inside.min), x2: place(inside.max), y1: 321, y2: 321 }, { stroke: color.red, width: 7 });
-    sketch.shape("text", { x: 22, y: 326 }, "in the box");
-    sketch.pixels("line", { x1: place(0), x2: place(0), y1: 275, y2: 335 }, { stroke: color.gray, dashes: "3 3" });
-    sketch.shape("text", { x: place(0), y: 347, text_anchor: "middle" }, "t = 0");
-    return [told, ["overlap", inside], ["intersect", t]];
+    if (inside !== null) sketch.pixels("line", { x1: place(inside.min), x2: place(inside.max), y1: 331, y2: 331 }, { stroke: color.red, width: 7 });
+    sketch.shape("text", { x: 22, y: 336 }, "in the box");
+    sketch.pixels("line", { x1: place(0), x2: place(0), y1: 275, y2: 345 }, { stroke: color.gray, dashes: "3 3" });
+    sketch.shape("text", { x: place(0), y: 361, text_anchor: "middle" }, "t = 0");
+    return [told, ["overlap", inside], ["intersect", t], ["normal", n]];
   }
 });

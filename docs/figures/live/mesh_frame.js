@@ -1,7 +1,16 @@
 // Stage 13: the ray goes to the mesh, not the mesh to the ray: the same t in both frames. Drag the ray.
 import { Figure, add, ahead, at, color, define, minus, times } from "./drawing.js";
 
-const mesh = { a: [-0.8, -0.6, 0], b: [0.9, -0.5, 0], c: [0, 0.9, 0] };  // in its own frame
+const outline = [[-0.8, -0.6, 0], [0.9, -0.5, 0], [0, 0.9, 0]];  // of the mesh, in its own frame
+const middle = [1 / 30, -1 / 15, 0];
+const outward = (p) => times(1 / Math.hypot(...minus(p, middle)), minus(p, middle));
+// The mesh: a wall over each edge, a triangle that reaches far out of the page, and the normals of its corners.
+const walls = outline.map((from, i) => {
+  const to = outline[(i + 1) % 3], half = times(0.5, add(from, to));
+  return [[...from.slice(0, 2), -1], [...to.slice(0, 2), -1], [...half.slice(0, 2), 999]];
+});
+const mesh = { vertices: walls.flat(), normals: [], triangles: [[0, 1, 2], [3, 4, 5], [6, 7, 8]] };
+const normals = walls.map((corners) => corners.map(([x, y]) => outward([x, y, 0])));
 
 define("mesh_frame", class extends Figure {
   static title = "A ray in the scene and in the frame of a mesh: drag its origin, or its direction; turn and scale the mesh";
@@ -23,20 +32,22 @@ define("mesh_frame", class extends Figure {
     const own = await this.ask(13, "to_object_space", ray, placement);
     const placed = ([x, y]) => add(placement.translation, times(placement.scale, add(times(x, rotation.x), times(y, rotation.y))));
     const right = [5.2, 0, 0];  // where the mesh's own frame is drawn
-    const edges = [[mesh.a, mesh.b], [mesh.b, mesh.c], [mesh.c, mesh.a]];
-    sketch.polygon([mesh.a, mesh.b, mesh.c].map(placed), { fill: color.tint, stroke: color.ink });
-    sketch.polygon([mesh.a, mesh.b, mesh.c].map((p) => add(p, right)), { fill: color.tint, stroke: color.ink });
+    sketch.polygon(outline.map(placed), { fill: color.tint, stroke: color.ink });
+    sketch.polygon(outline.map((p) => add(p, right)), { fill: color.tint, stroke: color.ink });
     sketch.ray(ray, 4);
     sketch.ray({ ...own, origin: add(own.origin, right) }, 4);
-    // Where the rays pass through the walls over the edges: boxes of no width, met at the same t.
-    const rows = [];
-    for (const [from, to] of edges) {
-      const wall = { a: [...from.slice(0, 2), -1], b: [...to.slice(0, 2), -1], c: from.map((x, i) => (x + to[i]) / 2 + (i === 2 ? 4 : 0)) };
-      const t = await this.ask(5, "intersect", own, wall, ahead);
-      if (t === null) continue;
-      sketch.mark(at(ray, t), "hit");
-      sketch.mark(add(at(own, t), right), "hit");
-      rows.push(["an edge is passed at t", t]);
+    // The nearest triangle, and then those behind it.
+    const rows = [], nearest = await this.ask(13, "intersect", own, mesh, ahead);
+    for (let hit = nearest; hit !== null && rows.length < 4;) {
+      for (const p of [at(ray, hit.t), add(at(own, hit.t), right)]) sketch.mark(p, hit === nearest ? "hit" : "refused");
+      rows.push([hit === nearest ? "intersect: the nearest triangle" : "behind it", hit]);
+      hit = await this.ask(13, "intersect", own, mesh, { min: hit.t, max: Infinity });
+    }
+    for (const [i, corner] of outline.entries()) sketch.arrow(add(corner, right), add(add(corner, right), times(0.5, normals[i][0])), { stroke: color.gray });
+    if (nearest !== null && nearest.triangle in normals) {
+      const n = await this.ask(13, "interpolated_normal", normals[nearest.triangle], nearest.weights), p = add(at(own, nearest.t), right);
+      sketch.arrow(p, add(p, times(0.8, n)), { stroke: color.green, width: 2 });
+      rows.push(["interpolated_normal", n]);
     }
     sketch.label([0, 0, 0], [0, -150], "in the scene");
     sketch.label(right, [0, -150], "in the mesh's frame");

@@ -21,13 +21,15 @@ define("sphere_roots", class extends Figure {
     sketch.circle(sphere.center, sphere.radius);
     sketch.ray(near);
     for (const root of await this.roots(3, ray, sphere)) if (root !== t) sketch.mark(at(ray, root), "refused");
+    const shown = [];
     if (t !== null) {
       const p = at(ray, t), n = await this.ask(3, "normal", sphere, p);
+      shown.push(["normal", n], ["color_from_normal", await this.ask(3, "color_from_normal", n)], ["torch at the ray's origin", await this.ask(3, "torch", p, n, ray.origin)]);
       sketch.arrow(p, [0, 1, 2].map((i) => p[i] + n[i] / 2), { stroke: color.green });
       sketch.mark(p, "hit");
     }
     sketch.label(near.origin, [0, -14], "o_r");
     sketch.label(at(near, 0.5), [0, -10], "d_r", color.blue);
-    return [await this.ask(0, "explain", ray, sphere, ahead), ["intersect", t]];
+    return [await this.ask(0, "explain", ray, sphere, ahead), ["intersect", t], ...shown];
   }
 });

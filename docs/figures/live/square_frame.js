@@ -36,6 +36,6 @@ define("square_frame", class extends Figure {
     sketch.line(along, p, { stroke: color.amber, width: 2, dashes: "5 4" });
     sketch.mark(p, t === null ? "refused" : "hit");
     sketch.label(p, [14, -8], t === null ? "missed" : "hit", t === null ? color.gray : color.red, "start");
-    return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t]];
+    return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["normal", await this.ask(6, "normal", square, p)]];
   }
 });

@@ -29,6 +29,6 @@ define("triangle_areas", class extends Figure {
     sketch.polygon([a, b, c], { stroke: color.ink, width: 2 });
     [["a", a], ["b", b], ["c", c]].forEach(([name, corner]) => sketch.label(corner, [corner === b ? 20 : -20, 5], name));
     sketch.label(p, [14, 22], t === null ? "p: outside" : "p: hit", t === null ? color.gray : color.red, "start");
-    return [await this.ask(0, "explain", ray, triangle, ahead), ["barycentric: α, β, γ", weights], ["intersect", t]];
+    return [await this.ask(0, "explain", ray, triangle, ahead), ["barycentric: α, β, γ", weights], ["intersect", t], ["normal", await this.ask(5, "normal", triangle, p)]];
   }
 });

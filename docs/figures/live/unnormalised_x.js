@@ -47,6 +47,14 @@ define("unnormalised_x", class extends Figure {
     sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
     sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalised (solid)");
     sketch.shape("text", { x: 475, y: 225, text_anchor: "middle", style: `fill: ${color.amber}` }, "as printed (dashed)");
-    return [["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y]];
+    // Into the world, and back.
+    const position = [1, 2, 3], ray = { origin: [0.5, 0, 0], direction: [0, 0, -1] };
+    const in_world = await this.ask(2, "to_world", ray, basis, position);
+    const columns = await this.ask(2, "view_matrix", basis, position);
+    return [
+      ["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y],
+      [`to_world: from (0.5, 0, 0) along −z; camera at (${position.join(", ")})`, in_world],
+      ...["1", "2", "3"].map((row, i) => [`row ${row} of view_matrix`, columns.map((column) => column[i])]),
+    ];
   }
 });

@@ -238,17 +238,21 @@ void draw_box(Sketch& sketch, const BoundingBox& box, const Pen& pen) {
                    none, pen);
 }
 
-/// The boxes of each run of `size` leaves.
-std::vector<BoundingBox> boxes_of_leaves(const Bvh& hierarchy,
-                                         const std::vector<BoundingBox>& boxes, std::size_t run) {
-    std::vector<BoundingBox> around;
-    std::size_t place = 0;
-    for (const Leaf& leaf : hierarchy.leaves()) {
-        if (place++ % run == 0) around.emplace_back();
-        for (const std::uint32_t index : leaf.indices)
-            if (index != Leaf::none) around.back() = merged(around.back(), boxes[index]);
+/// The boxes in the one around everything.
+std::vector<BoundingBox> first_boxes(const Bvh& hierarchy, const std::vector<BoundingBox>& boxes) {
+    const std::vector<Bvh::Part> parts = hierarchy.parts();
+    std::vector<BoundingBox> around(parts.size());
+    for (std::size_t place = parts.size(); place-- > 1;) {
+        if (const auto leaf = parts[place].leaf)
+            for (const std::uint32_t index : hierarchy.leaves()[*leaf].indices)
+                if (index != Leaf::none) around[place] = merged(around[place], boxes[index]);
+        BoundingBox& parent = around[parts[place].parent];
+        parent = merged(parent, around[place]);
     }
-    return around;
+    std::vector<BoundingBox> first;
+    for (std::size_t place = 1; place < parts.size() && parts[place].parent == 0; ++place)
+        first.push_back(around[place]);
+    return first;
 }
 
 }  // namespace
@@ -266,11 +270,8 @@ std::string mesh_hierarchy() {
     draw_box(whole, hierarchy.bounds(), {.color = blue, .width = 2});
     Sketch parts(svg, view(322));
     draw_polygons(parts, polygons);
-    const std::size_t leaves = hierarchy.leaves().size();
-    for (const BoundingBox& box : boxes_of_leaves(hierarchy, boxes, (leaves + 7) / 8))
-        draw_box(parts, box, {.color = amber, .width = Real(1.2), .dashes = "4 3"});
-    for (const BoundingBox& box : boxes_of_leaves(hierarchy, boxes, (leaves + 1) / 2))
-        draw_box(parts, box, {.color = blue, .width = 2});
+    for (const BoundingBox& box : first_boxes(hierarchy, boxes))
+        draw_box(parts, box, {.color = blue, .width = Real(1.5)});
 
     Sketch asked(svg, view(534));
     draw_polygons(asked, polygons);
@@ -294,7 +295,7 @@ std::string mesh_hierarchy() {
 
     const TextStyle note{.size = 13};
     svg.text({110, 284}, "one box around a coarse owl", note);
-    svg.text({322, 284}, "two of its parts, eight of theirs", note);
+    svg.text({322, 284}, "around its parts, eight boxes", note);
     svg.text({534, 284},
              "a ray tests " + std::to_string(met.size()) + " of its " +
                  std::to_string(polygons.size()) + " polygons",

@@ -249,3 +249,27 @@ TEST_CASE("two builds of a mesh large enough for threads are the same (contract)
     CHECK(std::ranges::equal(first.leaves(), second.leaves(),
                              [](const Leaf& a, const Leaf& b) { return a.indices == b.indices; }));
 }
+
+TEST_CASE("the parts of a hierarchy: eight at most in each, and every leaf once (contract)") {
+    for (const int count : {0, 1, 2, 9, 1000}) {
+        std::vector<BoundingBox> boxes;
+        for (int i = 0; i < count; ++i)
+            boxes.push_back({.min = Vec3(Real(i)), .max = Vec3(Real(i + 1))});
+        const Bvh hierarchy = hierarchy_of(boxes);
+        const std::vector<Bvh::Part> parts = hierarchy.parts();
+        CHECK(parts.empty() == (count == 0));
+        std::vector<int> leaves(hierarchy.leaves().size()), children(parts.size());
+        for (std::size_t place = 0; place < parts.size(); ++place) {
+            if (parts[place].leaf) ++leaves.at(*parts[place].leaf);
+            if (place == 0) continue;
+            REQUIRE(parts[place].parent < place);
+            CHECK_FALSE(parts[parts[place].parent].leaf);
+            ++children[parts[place].parent];
+        }
+        CHECK(std::ranges::all_of(leaves, [](int times) { return times == 1; }));
+        for (std::size_t place = 0; place < parts.size(); ++place) {
+            const int fewest = parts[place].leaf ? 0 : 2;
+            CHECK((children[place] >= fewest && children[place] <= (parts[place].leaf ? 0 : 8)));
+        }
+    }
+}

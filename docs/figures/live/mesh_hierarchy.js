@@ -1,0 +1,110 @@
+// Stage 13: boxes in boxes around an owl. A ray tests the boxes in a box only if it meets that box.
+// Drag the ray.
+import { Figure, Sketch, color, define, minus } from "./drawing.js";
+
+const pens = {
+  opened: [{ stroke: color.blue, width: 2 }, "met, opened"],
+  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "met, but behind the hit"],
+  missed: [{ stroke: color.amber, width: 1.2, dashes: "3 3" }, "tested, missed"],
+  untested: [{ stroke: color.gray, width: 0.6 }, "not tested"],
+};
+
+define("mesh_hierarchy", class extends Figure {
+  static title = "An owl of paper from the front and from the side, the boxes around it, and a ray: drag its origin, or the point to which it goes";
+  static height = 380;
+  static most_of_mine = 200;
+  view = { place: [185, 300], scale: 104 };
+  side = { place: [492, 300], scale: 104, right: [0, 0, 1] };
+
+  setup() {
+    this.origin = this.handle("origin", [-1.5, 1.9, 0]);
+    this.target = this.handle("direction", [0.1, 1.3, 0], { fill: color.blue });
+    this.depth = this.slider("z of the origin", { min: 0, max: 1.3, step: 0.05, value: 1.1 });
+    this.level = this.slider("level", { min: 0, max: 3, step: 1, value: 1 });
+  }
+
+  /// Tests the boxes in a box, or the triangles in it; the nearest boxes first.
+  async open(box, ray) {
+    box.state = "opened";
+    if (box.triangles.length > 0) {
+      this.tested.push(...box.triangles);
+      const vertices = box.triangles.flatMap((triangle) => this.corners(triangle));
+      const triangles = box.triangles.map((_, i) => [3 * i, 3 * i + 1, 3 * i + 2]);
+      const hit = await this.ask(13, "intersect", ray, { vertices, normals: [], triangles }, { min: 0, max: this.t });
+      if (hit !== null) [this.t, this.hit] = [hit.t, box.triangles[hit.triangle]];
+    }
+    const met = [];
+    for (const part of box.parts) {
+      const inside = await this.meets(part, ray);
+      if (inside !== null) met.push([inside.min, part]);
+    }
+    for (const [near, part] of met.sort(([a], [b]) => a - b)) {
+      if (near < this.t) await this.open(part, ray);
+      else part.state = "behind";
+    }
+  }
+
+  corners(triangle) {
+    return this.owl.triangles[triangle].map((corner) => this.owl.vertices[corner]);
+  }
+
+  async meets(box, ray) {
+    box.state = "missed";
+    return this.ask(13, "overlap", ray, box.box, { min: 0, max: this.t });
+  }
+
+  async draw(sketch) {
+    const { place: origin } = this.origin, { place: target } = this.target;
+    const from = [origin[0], origin[1], this.depth.value];
+    const ray = { origin: from, direction: minus(target, from) };
+    this.owl = await this.ask(0, "owl");
+    const boxes = await this.ask(0, "owl_hierarchy");
+    boxes.forEach((box, i) => {
+      Object.assign(box, { parts: [], state: "untested", level: i ? boxes[box.parent].level + 1 : 0 });
+      if (i) boxes[box.parent].parts.push(box);
+    });
+    [this.t, this.hit, this.tested] = [Infinity, null, []];
+    if ((await this.meets(boxes[0], ray)) !== null) await this.open(boxes[0], ray);
+
+    const shown = boxes.filter(({ level }) => level === this.level.value);
+    for (const view of [sketch, new Sketch(sketch.group, this.side)]) {
+      this.draw_owl(view);
+      for (const state of Object.keys(pens).reverse())
+        for (const { box: { min, max } } of shown.filter((box) => box.state === state)) {
+          const [[left, bottom], [right, top]] = [view.screen(min), view.screen(max)];
+          view.pixels("rect", { x: left, y: top, width: right - left, height: bottom - top }, pens[state][0]);
+        }
+      view.ray(ray, 3);
+      if (this.hit !== null) view.mark(ray.origin.map((x, i) => x + this.t * ray.direction[i]), "hit");
+    }
+    sketch.shape("text", { x: 185, y: 24, text_anchor: "middle" }, "from the front");
+    sketch.shape("text", { x: 492, y: 24, text_anchor: "middle" }, "from the side");
+    Object.values(pens).forEach(([pen, text], i) => {
+      const x = i % 2 ? 330 : 20, y = 336 + 26 * (i >> 1);
+      sketch.pixels("rect", { x, y, width: 26, height: 14 }, pen);
+      sketch.shape("text", { x: x + 36, y: y + 13 }, text);
+    });
+    const count = (states, all) => all.filter(({ state }) => states.includes(state)).length;
+    const sums = (all) => `${all.length} ${all.length === 1 ? "box" : "boxes"}, ${count(["opened", "behind", "missed"], all)} tested, ${count(["opened"], all)} opened`;
+    return [
+      ...[0, 1, 2, 3].map((k) => [`level ${k}`, sums(boxes.filter(({ level }) => level === k))]),
+      ["all", sums(boxes)],
+      ["triangles", `${this.tested.length} of ${this.owl.triangles.length} tested`],
+      ["t", this.hit === null ? null : this.t],
+    ];
+  }
+
+  /// The triangles that face the viewer, the far ones first.
+  draw_owl(view) {
+    const toward = view.view.right[0] ? [0, 0, 1] : [-1, 0, 0];
+    const along = (p) => p.reduce((sum, x, i) => sum + x * toward[i], 0);
+    const triangles = this.owl.triangles.map((_, i) => [i, this.corners(i)]);
+    triangles.sort(([, a], [, b]) => Math.max(...a.map(along)) - Math.max(...b.map(along)));
+    for (const [i, triangle] of triangles) {
+      const [a, b, c] = triangle.map((p) => view.screen(p));
+      const is_tested = this.tested.includes(i);
+      const faces = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;  // y points down
+      if (faces || is_tested) view.polygon(triangle, { fill: i === this.hit ? color.red : is_tested ? color.pale_amber : color.tint, stroke: is_tested ? color.amber : color.faint, width: is_tested ? 1 : 0.6 });
+    }
+  }
+});
