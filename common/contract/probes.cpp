@@ -116,8 +116,8 @@ bool errs_in_open(const Probes& probes, std::size_t mistake) {
 
 using Functions = std::set<const Callee*>;
 
-/// True if the answers of the function are the mistake's. Of an open function, most are of the
-/// mistake's kind: where a formula cancels, others of the same kind are not.
+/// True if the answers of the function are the mistake's. In an open function, most must be of the
+/// mistake's kind: where a formula cancels, other answers are of another kind.
 bool answers_like(const Probes& probes, std::size_t mistake, const Callee& callee,
                   const std::vector<Answer>& answers) {
     constexpr double most = 0.7;
@@ -185,7 +185,7 @@ bool is_recognised(const Probes& probes, std::size_t mistake, const std::vector<
     if (!results.empty() && !fails_like(probes, mistake, also, spared, results)) return false;
     if (std::ranges::any_of(made, [&](const Callee* callee) { return wrong.contains(callee); }))
         return true;
-    // Of an open function, the answers may be of a right kind.
+    // The answers of an open function may be of a right kind.
     const std::vector<bool>& fails = probes.mistakes[mistake].fails;
     return !results.empty() && std::ranges::find(fails, true) != fails.end() &&
            std::ranges::any_of(made,

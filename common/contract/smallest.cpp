@@ -11,9 +11,9 @@ namespace rt::contract {
 
 namespace {
 
-constexpr int neighbours_of_each = 8;  ///< calls like a probe
-constexpr int most_starts = 6;         ///< from which the search for a plain call starts
-constexpr int most_questions = 4000;   ///< for each start
+constexpr int neighbors_of_each = 8;  ///< calls like a probe
+constexpr int most_starts = 6;        ///< from which the search for a plain call starts
+constexpr int most_questions = 4000;  ///< for each start
 
 /// Searches for a difference, by sending each call to both workers.
 class Search {
@@ -112,7 +112,7 @@ std::vector<Difference> failed_probes(const Probes& probes, const std::vector<An
     for (std::size_t i = 0; i < probes.probes.size(); ++i) {
         const auto& [call, right, mistaken] = probes.probes[i];
         if (!answers[i].asked()) continue;
-        // Of an open function, no answer is wrong for certain but none.
+        // In an open function only a missing answer is certainly wrong.
         if (is_open(probes, *call.callee) ? !answers[i].value
                                           : !same(answers[i], right, right_tolerance))
             failed.push_back({.call = call, .got = answers[i], .expected = right});
@@ -121,13 +121,13 @@ std::vector<Difference> failed_probes(const Probes& probes, const std::vector<An
 }
 
 /// Calls near the probes, for whoever answers all these right.
-std::vector<Difference> failed_neighbours(const Probes& probes, Search& search) {
+std::vector<Difference> failed_neighbors(const Probes& probes, Search& search) {
     std::vector<Difference> failed;
     std::mt19937 random(2021);
     for (const Probe& probe : probes.probes) {
         if (is_open(probes, *probe.call.callee) || !is_free(*probe.call.callee)) continue;
         const Conditions conditions(probe.call);
-        for (int i = 0; i < neighbours_of_each; ++i) {
+        for (int i = 0; i < neighbors_of_each; ++i) {
             const Call other = Search::moved_about(probe.call, 0.25, random);
             if (!conditions.hold(other)) continue;
             if (auto found = search.certain_difference(other)) failed.push_back(*found);
@@ -143,7 +143,7 @@ std::optional<Difference> smallest_difference(const Probes& probes,
                                               Asked& reference) {
     Search search(student, reference);
     std::vector<Difference> failed = failed_probes(probes, answers);
-    if (failed.empty()) failed = failed_neighbours(probes, search);
+    if (failed.empty()) failed = failed_neighbors(probes, search);
     if (failed.empty()) return std::nullopt;
     std::ranges::sort(failed, plainer);
     Difference smallest = failed.front();

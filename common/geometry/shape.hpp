@@ -1,5 +1,6 @@
-// What the program needs of each kind of shape. The kind has a file of its own, such as sphere.hpp,
-// with its struct and these functions; README.md lists the other places that a new kind needs.
+// The functions that the program needs of each kind of shape. The kind has a file of its own, such
+// as sphere.hpp, with its struct and these functions; README.md lists the other places that a new
+// kind needs.
 #pragma once
 
 #include "common/geometry/bounding_box.hpp"

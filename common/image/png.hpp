@@ -17,7 +17,7 @@ struct PngText {
 
 /// Writes the picture completely or not at all: it is a WholeFile. Creates the folder if needed.
 /// Throws InputError if that fails, or if the existing file is neither a PNG nor empty. `gamma` is
-/// that of the image's colors: a chunk gAMA says linear, and a chunk sRGB says srgb.
+/// that of the image's colors: linear is stored as a chunk gAMA, and srgb as a chunk sRGB.
 void write_png(const std::string& file, const Image& image, const std::vector<PngText>& texts,
                Gamma gamma = Gamma::unstated);
 

@@ -20,8 +20,8 @@ void read_off(std::string content, const std::string& file, MeshImporter& import
 /// Reads an OBJ file: lines v, vn and f; other lines are skipped.
 void read_obj(std::string content, const std::string& file, MeshImporter& importer);
 
-/// Reads a PLY file, text or binary of either byte order. Of its properties, positions, normals and
-/// corners are kept.
+/// Reads a PLY file, text or binary of either byte order. Positions, normals and corners are kept,
+/// and other properties skipped.
 void read_ply(std::string content, const std::string& file, MeshImporter& importer);
 
 /// Reads an STL file, text or binary.

@@ -1,4 +1,4 @@
-// Receives vertices and faces from OpenMesh's readers and from ours. Only the formats and
+// Receives vertices and faces from OpenMesh's readers and from the project's. Only the formats and
 // mesh_file.cpp include this file, so that OpenMesh's headers and half-edges are used nowhere else.
 #pragma once
 

@@ -41,9 +41,6 @@ struct Options : Aim {
     [[nodiscard]] bool makes_picture() const { return !requirements && !pixel && !rays; }
 };
 
-/// The word of `--shade` for a shading in a stage's program.
-[[nodiscard]] std::string shade_word(int stage, Shading shading);
-
 /// Parses the command line. Returns nothing if it only requested help, which has then been printed.
 /// Throws InputError for an unknown option or an invalid value.
 [[nodiscard]] std::optional<Options> parse_options(const Program& program, int argc,

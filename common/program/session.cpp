@@ -147,12 +147,12 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     std::optional<Rendering> rendering;
     {
         Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
-        RenderJob request{.threads = options.threads,
-                          .settings = options.settings,
-                          .row_done = [&progress] { progress.advance(); },
-                          .stop = &stop};
-        if (pace != nullptr) request.next_look = [pace] { return pace->next(); };
-        rendering = rendering_of(scene, options, request, legend);
+        RenderJob job{.threads = options.threads,
+                      .settings = options.settings,
+                      .row_done = [&progress] { progress.advance(); },
+                      .stop = &stop};
+        if (pace != nullptr) job.next_settings = [pace] { return pace->next(); };
+        rendering = rendering_of(scene, options, job, legend);
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
@@ -224,7 +224,8 @@ void check_pixel(const std::string& option, Pixel pixel, Resolution size) {
                                  " is outside the picture, which is " + size_text(size));
 }
 
-void tell_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel) {
+void explain_pixel(const Program& program, const Options& options, const Scene& scene,
+                   Pixel pixel) {
     const Resolution size = scene.resolution;
     check_pixel("--pixel", pixel, size);
     const Camera& camera = scene.cameras.front();
@@ -251,9 +252,9 @@ void tell_pixel(const Program& program, const Options& options, const Scene& sce
         log_mean(log, options.settings, scene, pixel);
 }
 
-class SceneReader : public Renderer {
+class SceneRenderer : public Renderer {
 public:
-    SceneReader(const Program& program, const Options& options)
+    SceneRenderer(const Program& program, const Options& options)
         : program_(program),
           settings_(options.settings),
           arrangement_(arrangement(program, options)),
@@ -271,9 +272,9 @@ public:
         rt::build_acceleration(scene_, how);
     }
 
-    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
-                                   const SampleRequest& request) const override {
-        return shot_of(scene_, settings, request);
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        return rt::render_pixels(scene_, settings, request);
     }
 
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
@@ -281,7 +282,7 @@ public:
         if (options.requirements) {
             std::cout << options.scene << explanation(scene_);
         } else if (options.pixel) {
-            tell_pixel(program_, options, scene_, *options.pixel);
+            explain_pixel(program_, options, scene_, *options.pixel);
         } else if (options.rays) {
             check_pixel("--rays", *options.rays, scene_.resolution);
             std::cout << ray_drawing(scene_, settings_, *options.rays) << '\n';
@@ -304,7 +305,7 @@ private:
 
 std::unique_ptr<Renderer> RT_PRECISION::make_renderer(const Program& program,
                                                       const Options& options) {
-    return std::make_unique<SceneReader>(program, options);
+    return std::make_unique<SceneRenderer>(program, options);
 }
 
 #ifndef RT_FLOAT

@@ -13,11 +13,11 @@ namespace rt {
 
 class TimeBudget;
 
-/// A loaded scene. The automatic request are tuned on it.
+/// A loaded scene. The automatic settings are measured on it.
 class Renderer : public Trials {
 public:
     /// Renders the picture, or prints the log of one pixel, and reports the result. A time budget
-    /// `pace`, if not null, changes the request from row to row. Returns false, and leaves no
+    /// `pace`, if not null, changes the settings from row to row. Returns false, and leaves no
     /// file, if it was stopped.
     [[nodiscard]] virtual bool run(const Options& options, TimeBudget* pace,
                                    const std::atomic<bool>& stop) const = 0;

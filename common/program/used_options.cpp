@@ -1,5 +1,6 @@
 #include "common/program/used_options.hpp"
 
+#include "common/program/shade_options.hpp"
 #include "common/stages/stages.hpp"
 
 #include <charconv>

@@ -241,7 +241,7 @@ public:
     [[nodiscard]] bool found() const { return state_ == hit || state_ == watched_hit; }
 
 private:
-    // The states of a query. A single comparison tells whether it goes on, and is not watched.
+    // The states of a query. A single comparison shows that it goes on, and is not watched.
     static constexpr std::uint8_t open = 0;
     static constexpr std::uint8_t hit = 1;
     static constexpr std::uint8_t watched = 2;

@@ -129,7 +129,7 @@ private:
         /// points represent, and each of these has an error of about d / n of either sign:
         /// d / n^(3/4) in total, less if the edge cuts off only little (Mitchell 1996;
         /// visibility_error of stage 11 is the same for a light). The deviation, at most d / 2,
-        /// says how little.
+        /// shows how little.
         [[nodiscard]] double error(int count) const {
             constexpr double factor = 0.7;
             const double mean = sum / count;
@@ -166,8 +166,8 @@ private:
     return shared_settings(settings);
 }
 
-/// Traces rays through a pixel, so many at least, until the estimated error is that of the
-/// settings. Returns whether they differ.
+/// Traces `at_least` rays or more through a pixel, until the estimated error is that of the
+/// settings. Returns whether their colors differ.
 inline bool trace_to_error(PixelSamples& samples, const RenderSettings& settings,
                            int at_least = 0) {
     const int most = settings.pixel_samples;

@@ -104,7 +104,7 @@ std::optional<PixelValues> pixel_values(const Scene& scene, const RenderJob& job
     const auto height = std::size_t(scene.resolution.height);
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     RenderSettings settings = job.settings;
-    // Of these only the first ray counts, and with this shading a stage traces no other.
+    // Only the first ray counts for these, and a stage traces no other with this shading.
     if (shading == Shading::depth || shading == Shading::id || shading == Shading::t)
         settings.shading = Shading::normal;
     PixelValues values{.resolution = scene.resolution};

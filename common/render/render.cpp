@@ -101,7 +101,7 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
     parallel_for(job.threads, rows.size(), job.stop,
                  [&](std::size_t row) { refinement.compare(image, int(row)); });
     const auto refine_row = [&](std::size_t row) {
-        const RenderSettings own = job.next_look ? job.next_look() : settings;
+        const RenderSettings own = job.next_settings ? job.next_settings() : settings;
         const bool no_time = own.pixel_error >= 255;  // which no error exceeds
         Context context{.settings = adaptive_settings(own)};
         refinement.take(int(row), [&](Pixel pixel) {
@@ -122,7 +122,7 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
         rows[row].sized_light_rays += context.sized_light_rays;
     };
     bool first = true;
-    std::vector<int> pending = order_of(int(rows.size()), job.next_look != nullptr);
+    std::vector<int> pending = order_of(int(rows.size()), job.next_settings != nullptr);
     while (!pending.empty()) {
         parallel_for(job.threads, pending.size(), job.stop, [&](std::size_t i) {
             refine_row(std::size_t(pending[i]));
@@ -141,7 +141,7 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
 
 std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const bool is_plain = job.settings.pixel_samples == 1 && job.settings.pixel_error == 0 &&
-                          job.settings.gamma != Gamma::srgb && !job.next_look;
+                          job.settings.gamma != Gamma::srgb && !job.next_settings;
     if (job.threads == 1 && is_plain)
         if (auto own = picture_by_own_loop(scene)) {
             if (job.stop != nullptr && *job.stop) return std::nullopt;
@@ -150,12 +150,12 @@ std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const std::vector<int> order = order_of(scene.resolution.height, job.next_look != nullptr);
+    const std::vector<int> order = order_of(scene.resolution.height, job.next_settings != nullptr);
     const bool adaptive = job.settings.pixel_error > 0;
     parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
         const int row = order[i];
-        const bool paced = job.next_look && !adaptive;
-        const RenderSettings settings = paced ? job.next_look() : job.settings;
+        const bool paced = job.next_settings && !adaptive;
+        const RenderSettings settings = paced ? job.next_settings() : job.settings;
         rows[std::size_t(row)] = settings.pixel_samples > 1 && !adaptive
                                      ? render_fine_row(scene, job, settings, row, image)
                                      : render_row(scene, pixel_ray, settings, row, image);

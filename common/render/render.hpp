@@ -14,12 +14,12 @@
 
 namespace rt {
 
-/// The job of one call of render.
+/// What one call of render is to do.
 struct RenderJob {
     int threads = 1;
     RenderSettings settings;
-    /// If set, returns the job of the next row; used with a time budget. Any thread calls it.
-    std::function<RenderSettings()> next_look = nullptr;
+    /// If set, returns the settings of the next row; used with a time budget. Any thread calls it.
+    std::function<RenderSettings()> next_settings = nullptr;
     std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
     /// With pixel_error, called for each pixel that is the mean of several rays, with their number;
     /// by any thread.
@@ -38,8 +38,8 @@ struct Rendering {
 };
 
 /// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the
-/// same bits for any number of threads, because no pixel depends on another, unless job differ
-/// from row to row.
+/// same bits for any number of threads, because no pixel depends on another, unless settings
+/// differ from row to row.
 [[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderJob& job);
 
 }  // namespace rt

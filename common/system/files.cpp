@@ -50,6 +50,12 @@ fs::path make_folder(const fs::path& parent, const std::string& start) {
     return name;
 }
 
+bool is_free_for_folder(const fs::path& path) {
+    const fs::file_type type = fs::symlink_status(path).type();
+    return type == fs::file_type::not_found ||
+           (type == fs::file_type::directory && fs::is_empty(path));
+}
+
 TemporaryFolder::TemporaryFolder(const fs::path& parent)
     : path_(make_folder(parent, "raysteps.")) {}
 

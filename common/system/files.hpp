@@ -29,6 +29,9 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 [[nodiscard]] std::filesystem::path make_folder(const std::filesystem::path& parent,
                                                 const std::string& start);
 
+/// True if the path is free for a new folder: there is nothing, or an empty folder and no link.
+[[nodiscard]] bool is_free_for_folder(const std::filesystem::path& path);
+
 /// A new folder with a unique name, removed at the end of its scope.
 class TemporaryFolder {
 public:

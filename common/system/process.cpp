@@ -26,13 +26,13 @@ constexpr int signalled = 128;
 constexpr int milliseconds_between_looks = 10;
 constexpr int milliseconds_to_end = 200;
 
-enum class Group { ours, its_own };
+enum class Group { callers, its_own };
 
 /// How a program is started.
 struct Launch {
     Streams streams = Streams::both;  ///< those that `output` takes
     int signal = SIGTERM;             ///< what it gets when its caller ends
-    Group group = Group::ours;
+    Group group = Group::callers;
     int output = -1;  ///< a descriptor; -1 for the caller's streams, also for its input
 };
 
@@ -157,7 +157,7 @@ int run_heard(const Command& command, Streams streams,
 
 ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                            const std::atomic<bool>* cancelled, std::size_t most_output) {
-    const Group group = cancelled == nullptr ? Group::ours : Group::its_own;
+    const Group group = cancelled == nullptr ? Group::callers : Group::its_own;
     const auto [process, ear] = start_heard(command, {.signal = SIGKILL, .group = group});
     const auto deadline = std::chrono::steady_clock::now() + limit;
     ProcessResult ending;
@@ -174,7 +174,7 @@ ProcessResult run_captured(const Command& command, std::chrono::milliseconds lim
     for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {
         // It may have to end its own children first.
         if (given_up())
-            kill(group == Group::ours ? process : -process,
+            kill(group == Group::callers ? process : -process,
                  ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -94,10 +94,10 @@ private:
     void no_samples() {
         const std::vector<Pixel> all = runner_.spread().pixels();
         const std::vector<Pixel> some = some_of(all, std::max<std::size_t>(all.size() / 32, 128));
-        const PixelSample shot = runner_.shot(trials_, settings_, some, 1);
+        const TrialSample sample = runner_.render_pixels(trials_, settings_, some, 1);
         choice_.expected = {.settings = settings_,
-                            .seconds = runner_.picture_seconds(shot.seconds),
-                            .rays = shot.rays};
+                            .seconds = runner_.picture_seconds(sample.seconds),
+                            .rays = sample.rays};
         say("shadow samples", why_no_samples());
     }
 
@@ -147,12 +147,12 @@ private:
     [[nodiscard]] std::string expected_error() const {
         if (!aim_.given.pixel_samples)
             return ", and 99 of 100 pixels within " +
-                   steps(std::max(choice_.expected.error, runner_.limit())) +
+                   levels(std::max(choice_.expected.error, runner_.limit())) +
                    " of the mean of many rays, with 95 % confidence";
         const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
         if (traits_.sized_lights && !sampled) return "";
         const double error = std::max(choice_.expected.error, runner_.limit());
-        std::string text = ", and 99 of 100 pixels within " + steps(error);
+        std::string text = ", and 99 of 100 pixels within " + levels(error);
         if (!sampled) return text;
         if (aim_.tolerance && !aim_.time) text += ", 9 of 10 in penumbrae and in any tile";
         return text + ", with 95 % confidence";

@@ -15,7 +15,7 @@ namespace rt {
 
 /// The settings that the command line fixes, and that are therefore not chosen.
 struct Given {
-    bool pixel_samples = false;   ///< then the error is that of a picture with so many rays
+    bool pixel_samples = false;   ///< then the error is that of a picture with this number
     bool shadow_samples = false;  ///< also set if the criterion to stop sampling is fixed
     bool depth = false;
 };

@@ -18,7 +18,7 @@ int depth_within_time(TrialRunner& runner, const Trials& trials, RenderSettings 
     const std::vector<Pixel> all = runner.spread().pixels();
     const std::vector<Pixel> pixels = some_of(all, std::max<std::size_t>(all.size() / 8, 512));
     const auto takes_too_long = [&] {
-        const double seconds = runner.shot(trials, settings, pixels, 0).seconds;
+        const double seconds = runner.render_pixels(trials, settings, pixels, 0).seconds;
         return runner.picture_seconds(seconds) > *runner.aim().time;
     };
     while (settings.depth > 0 && takes_too_long()) settings.depth /= 2;

@@ -62,18 +62,18 @@ public:
 
     /// Adds trial pixels.
     void add(const std::vector<Pixel>& pixels) {
-        const PixelSample right = runner_.shot(trials_, reference_, pixels, 1, at_least_);
+        const TrialSample right = runner_.render_pixels(trials_, reference_, pixels, 1, at_least_);
         pixels_.insert(pixels_.end(), pixels.begin(), pixels.end());
         right_.shades.insert(right_.shades.end(), right.shades.begin(), right.shades.end());
     }
 
     /// Measures settings. Their error is that which one pixel in a hundred exceeds.
     Trial measured(const RenderSettings& settings) {
-        const PixelSample shot = runner_.shot(trials_, settings, pixels_, ++round_);
-        off_ = distances(shot, right_);
+        const TrialSample sample = runner_.render_pixels(trials_, settings, pixels_, ++round_);
+        off_ = distances(sample, right_);
         return {.settings = settings,
-                .seconds = runner_.picture_seconds(shot.seconds),
-                .rays = shot.rays,
+                .seconds = runner_.picture_seconds(sample.seconds),
+                .rays = sample.rays,
                 .error = error_but_for_share(few_pixels, off_)};
     }
 
@@ -99,7 +99,7 @@ private:
     int at_least_ = 0;
     int round_ = 1;
     std::vector<Pixel> pixels_;
-    PixelSample right_;
+    TrialSample right_;
     std::vector<double> off_;  ///< of the last measurement
 };
 
@@ -194,7 +194,7 @@ QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,
 std::string pixels_in_words(const RenderSettings& settings) {
     if (settings.pixel_error > 0 && settings.pixel_error < largest_pixel_error)
         return "more than one beside edges, until the estimated error is below " +
-               steps(settings.pixel_error);
+               levels(settings.pixel_error);
     return settings.pixel_samples == 1 || settings.pixel_error > 0
                ? "1, through the center"
                : std::to_string(settings.pixel_samples);

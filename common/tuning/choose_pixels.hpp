@@ -9,7 +9,7 @@
 namespace rt {
 
 /// The number of rays through a pixel of a right picture: the error of a picture is its difference
-/// from the picture with so many.
+/// from the right one. Also the largest number with --pixel-error, if none is given.
 inline constexpr int right_pixel_samples = 1024;
 
 /// Returns the settings that keep the tolerance with few rays, or the most accurate ones found:

@@ -39,8 +39,9 @@ bool loses_gaps(const SceneTraits& traits, double unit_roundoff) {
 /// The pixels whose color differs in float by more than half of the tolerance.
 std::vector<Pixel> other_pixels(TrialRunner& runner, const Trials& trials, const Trials& in_float,
                                 const RenderSettings& settings, const std::vector<Pixel>& pixels) {
-    const std::vector<double> apart = distances(runner.shot(trials, settings, pixels, 0),
-                                                runner.shot(in_float, settings, pixels, 0));
+    const std::vector<double> apart =
+        distances(runner.render_pixels(trials, settings, pixels, 0),
+                  runner.render_pixels(in_float, settings, pixels, 0));
     std::vector<Pixel> others;
     for (std::size_t i = 0; i < apart.size(); ++i)
         if (apart[i] > runner.limit() / 2) others.push_back(pixels[i]);
@@ -92,7 +93,7 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
     const std::vector<Pixel> others = other_pixels(runner, trials, in_float, settings, pixels);
     const std::string found =
         std::to_string(others.size()) + " of " + std::to_string(pixels.size()) +
-        " pixels differ from double's by more than " + steps(runner.limit() / 2);
+        " pixels differ from double's by more than " + levels(runner.limit() / 2);
     if (!are_on_edges(others, pixels.size(), runner.size()))
         return in_double(": in float " + found);
     return {.in_float = true, .why = "float: " + found};

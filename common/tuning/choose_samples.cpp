@@ -30,8 +30,8 @@ public:
           settings_(settings),
           reference_(reference_settings(settings, allowed_)),
           penumbrae_(find_penumbrae(runner, trials, settings)) {
-        const PixelSample clear =
-            shot(with_rays(settings, 1), some_of(penumbrae_.clear, 128), ++round_);
+        const TrialSample clear =
+            render_pixels(with_rays(settings, 1), some_of(penumbrae_.clear, 128), ++round_);
         without_light_rays_ = clear.rays - mean(clear.light_rays);
         seconds_of_a_ray_ = clear.rays > 0 ? clear.seconds / clear.rays : 0;
         sort_doubtful();
@@ -56,9 +56,9 @@ private:
     void sort_doubtful() {
         const double wanted = std::clamp(penumbrae_.share * all_pixels() / 64, 128., 1000.);
         const std::vector<Pixel> doubtful = some_of(penumbrae_.doubtful, std::size_t(wanted));
-        const PixelSample right = shot(reference_, doubtful, ++round_);
+        const TrialSample right = render_pixels(reference_, doubtful, ++round_);
         const std::vector<double> off =
-            distances(shot(with_rays(settings_, 1), doubtful, ++round_), right);
+            distances(render_pixels(with_rays(settings_, 1), doubtful, ++round_), right);
         std::vector<Pixel> calm = penumbrae_.asked;
         for (std::size_t i = 0; i < doubtful.size(); ++i)
             if (off[i] > allowed_) {
@@ -78,10 +78,11 @@ private:
         calm_ = some_of(calm, 32);
     }
 
-    PixelSample shot(const RenderSettings& settings, const std::vector<Pixel>& pixels, int round) {
-        PixelSample shot = runner_.shot(trials_, settings, pixels, round);
-        rays_spent_ += shot.rays * double(pixels.size());
-        return shot;
+    TrialSample render_pixels(const RenderSettings& settings, const std::vector<Pixel>& pixels,
+                              int round) {
+        TrialSample sample = runner_.render_pixels(trials_, settings, pixels, round);
+        rays_spent_ += sample.rays * double(pixels.size());
+        return sample;
     }
 
     /// Returns whether better settings would save less than more trials cost.
@@ -128,24 +129,24 @@ private:
         return result;
     }
 
-    /// Adds samples, one at least, until so many distances are known, to the measured cost and
-    /// error of the settings.
+    /// Adds samples, one at least, until `distances_known` errors of pixels are known, and measures
+    /// the cost and the error of the settings.
     void judge(Judged& judged, std::size_t distances_known, int& round) {
         const RenderSettings& settings = judged.trial.settings;
-        PixelSample next;
+        TrialSample next;
         do {
-            next = shot(settings, pixels_, ++round);
+            next = render_pixels(settings, pixels_, ++round);
             for (const double off : distances(next, right_))
                 judged.off.push_back(off / reference_bias(settings, reference_));
         } while (!pixels_.empty() && judged.off.size() < distances_known);
         judged.trial.error = error_but_for_share(few(), judged.off);
-        tell_costs(judged.trial, next);
+        set_cost(judged.trial, next);
     }
 
     /// Computes the cost of the settings from the pixels in penumbras and the others.
-    void tell_costs(Trial& trial, const PixelSample& in_penumbrae) {
+    void set_cost(Trial& trial, const TrialSample& in_penumbrae) {
         const double light_rays =
-            calm_share_ * mean(shot(trial.settings, calm_, first_round).light_rays);
+            calm_share_ * mean(render_pixels(trial.settings, calm_, first_round).light_rays);
         const double elsewhere = light_rays + (1 - share_) * without_light_rays_;
         trial.rays = share_ * in_penumbrae.rays + elsewhere;
         // Outside penumbras, rays to a light take about as long as inside.
@@ -174,7 +175,7 @@ private:
         return int(std::bit_floor(unsigned(std::clamp(32 / std::sqrt(allowed_), 4., 1024.))));
     }
 
-    /// Settings for penumbras with so few pixels that their rays cost less than trials would.
+    /// Settings for penumbras whose rays cost less than trials would, because they have few pixels.
     [[nodiscard]] Trial untried() {
         return judged(to_error(settings_, least_error(), 2 * usual_agree()), 1).trial;
     }
@@ -251,8 +252,8 @@ private:
             few_in_a_tile * (double(pixels.size()) + clear * penumbrae_.draws);
         if (double(pixels.size()) <= most_beyond) return true;
         const RenderSettings& settings = judged.trial.settings;
-        const PixelSample right = shot(reference_, pixels, ++round_);
-        const std::vector<double> off = distances(shot(settings, pixels, ++round_), right);
+        const TrialSample right = render_pixels(reference_, pixels, ++round_);
+        const std::vector<double> off = distances(render_pixels(settings, pixels, ++round_), right);
         const double allowed = allowed_ * reference_bias(settings, reference_);
         return double(std::ranges::count_if(off, [=](double d) { return d > allowed; })) <=
                most_beyond;
@@ -270,7 +271,7 @@ private:
     RenderSettings reference_;
     Penumbrae penumbrae_;
     std::vector<Pixel> pixels_;  ///< pixels in penumbras, for trials of settings
-    PixelSample right_;          ///< those pixels rendered with the reference settings
+    TrialSample right_;          ///< those pixels rendered with the reference settings
     double share_ = 0;           ///< fraction of the picture that they represent
     std::vector<Pixel> calm_;    ///< other pixels that send rays to an area light
     double calm_share_ = 0;
@@ -292,10 +293,10 @@ QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
     const std::vector<RenderSettings> candidates = sampling_candidates(settings);
     const double time = *runner.aim().time;
     QualityLadder ladder;
-    PixelSample finest = runner.shot(trials, candidates[0], pixels, 1);
+    TrialSample finest = runner.render_pixels(trials, candidates[0], pixels, 1);
     for (std::size_t i = 1; i < candidates.size(); ++i) {
-        const PixelSample before =
-            std::exchange(finest, runner.shot(trials, candidates[i], pixels, int(i) + 1));
+        const TrialSample before =
+            std::exchange(finest, runner.render_pixels(trials, candidates[i], pixels, int(i) + 1));
         ladder.add({.settings = candidates[i - 1],
                     .seconds = runner.picture_seconds(before.seconds),
                     .rays = before.rays,
@@ -313,7 +314,7 @@ QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
 std::string samples_in_words(const RenderSettings& settings) {
     if (settings.shadow_error == 0)
         return std::to_string(settings.shadow_samples) + " to a light with a size";
-    return "until the estimated error of a light is below " + steps(settings.shadow_error) +
+    return "until the estimated error of a light is below " + levels(settings.shadow_error) +
            (settings.shadow_agree > 0
                 ? ", or " + std::to_string(settings.shadow_agree) + " rays agree"
                 : "");

@@ -25,7 +25,7 @@ public:
 
     Penumbrae penumbrae() {
         std::vector<bool> in_penumbra(pixels_.size());
-        const PixelSample one = runner_.shot(trials_, with_rays(settings_, 1), pixels_, 1);
+        const TrialSample one = runner_.render_pixels(trials_, with_rays(settings_, 1), pixels_, 1);
         for (const int rays : one.light_rays) asked_.push_back(rays > 0);
         mark(in_penumbra, asked_, 0);
         if (std::size_t(std::ranges::count(in_penumbra, true)) < fewest / 2) {
@@ -47,8 +47,8 @@ private:
                 places.push_back(i);
             }
         const double visible = runner_.limit() / 8;
-        const PixelSample one = runner_.shot(trials_, with_rays(settings_, 1), some, 1);
-        const PixelSample four = runner_.shot(trials_, with_rays(settings_, 4), some, 2);
+        const TrialSample one = runner_.render_pixels(trials_, with_rays(settings_, 1), some, 1);
+        const TrialSample four = runner_.render_pixels(trials_, with_rays(settings_, 4), some, 2);
         const std::vector<double> apart = distances(one, four);
         for (std::size_t i = 0; i < places.size(); ++i)
             if (apart[i] > visible) in_penumbra[places[i]] = true;
@@ -56,10 +56,10 @@ private:
 
     /// The cells that touch one of a different color where a shape may occlude a light: only there
     /// can a thin penumbra be.
-    [[nodiscard]] std::vector<bool> shadow_borders(const PixelSample& shot) const {
+    [[nodiscard]] std::vector<bool> shadow_borders(const TrialSample& sample) const {
         return runner_.spread().differing_neighbors([&](std::size_t a, std::size_t b) {
             return (asked_[a] || asked_[b]) &&
-                   distance(shot.shades[a], shot.shades[b]) > runner_.limit();
+                   distance(sample.shades[a], sample.shades[b]) > runner_.limit();
         });
     }
 

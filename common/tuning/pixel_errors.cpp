@@ -14,7 +14,7 @@ double distance(const DisplayColor& a, const DisplayColor& b) {
     return most;
 }
 
-std::vector<double> distances(const PixelSample& a, const PixelSample& b) {
+std::vector<double> distances(const TrialSample& a, const TrialSample& b) {
     std::vector<double> all;
     for (std::size_t i = 0; i < a.shades.size(); ++i)
         all.push_back(distance(a.shades[i], b.shades[i]));

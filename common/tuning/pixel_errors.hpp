@@ -9,7 +9,7 @@ namespace rt {
 [[nodiscard]] double distance(const DisplayColor& a, const DisplayColor& b);
 
 /// The differences between the pixels of two samples, in 8-bit levels.
-[[nodiscard]] std::vector<double> distances(const PixelSample& a, const PixelSample& b);
+[[nodiscard]] std::vector<double> distances(const TrialSample& a, const TrialSample& b);
 
 /// The number of trial pixels that may exceed the tolerance, such that with 95 % confidence at most
 /// the fraction `share` of all pixels does.

@@ -48,7 +48,7 @@ Pixel seed_pixel(Pixel pixel, Resolution size, int round) {
 /// The colors of single pixels of a picture.
 class PixelTrial {
 public:
-    PixelTrial(const Scene& scene, const RenderSettings& settings, const SampleRequest& request)
+    PixelTrial(const Scene& scene, const RenderSettings& settings, const TrialRequest& request)
         : scene_(scene),
           settings_(settings),
           request_(request),
@@ -126,7 +126,7 @@ private:
 
     const Scene& scene_;
     const RenderSettings& settings_;
-    const SampleRequest& request_;
+    const TrialRequest& request_;
     PixelRays pixel_ray_;
     FinerRays finer_rays_;
     Context context_{};
@@ -160,12 +160,12 @@ SceneTraits scene_traits(const Scene& scene, int stage, const RenderSettings& se
     return traits;
 }
 
-PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
-                    const SampleRequest& request) {
+TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
+                          const TrialRequest& request) {
     constexpr std::size_t together = 16;  // pixels in one unit of a thread's work
     const std::size_t count = request.pixels.size();
-    PixelSample shot{.shades = std::vector<DisplayColor>(count),
-                     .light_rays = std::vector<int>(count)};
+    TrialSample sample{.shades = std::vector<DisplayColor>(count),
+                       .light_rays = std::vector<int>(count)};
     std::atomic<std::int64_t> rays = 0;
     std::atomic<std::int64_t> unused_rays = 0;
     const std::clock_t start = std::clock();
@@ -173,18 +173,18 @@ PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
         PixelTrial trial(scene, settings, request);
         const std::size_t end = std::min((part + 1) * together, count);
         for (std::size_t i = part * together; i < end; ++i) {
-            shot.shades[i] = shade(trial.color(request.pixels[i]), settings.gamma);
-            shot.light_rays[i] = trial.light_rays();
+            sample.shades[i] = shade(trial.color(request.pixels[i]), settings.gamma);
+            sample.light_rays[i] = trial.light_rays();
         }
         rays += trial.rays();
         unused_rays += trial.unused_rays();
     };
     parallel_for(request.threads, (count + together - 1) / together, request.stop, draw);
-    if (count == 0) return shot;
-    shot.rays = double(rays) / double(count);
+    if (count == 0) return sample;
+    sample.rays = double(rays) / double(count);
     const double used = double(rays) / std::max(double(rays + unused_rays), 1.0);
-    shot.seconds = used * double(std::clock() - start) / CLOCKS_PER_SEC / double(count);
-    return shot;
+    sample.seconds = used * double(std::clock() - start) / CLOCKS_PER_SEC / double(count);
+    return sample;
 }
 
 }  // namespace rt

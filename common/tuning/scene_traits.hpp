@@ -10,8 +10,8 @@ namespace rt {
 [[nodiscard]] SceneTraits scene_traits(const Scene& scene, int stage,
                                        const RenderSettings& settings);
 
-/// Renders sample pixels of the scene, as Trials::shot describes.
-[[nodiscard]] PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
-                                  const SampleRequest& request);
+/// Renders sample pixels of the scene, as Trials::render_pixels describes.
+[[nodiscard]] TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
+                                        const TrialRequest& request);
 
 }  // namespace rt

@@ -7,16 +7,16 @@ double TrialRunner::limit() const {
     return aim_.tolerance.value_or(unseen);
 }
 
-PixelSample TrialRunner::shot(const Trials& trials, const RenderSettings& settings,
-                              std::span<const Pixel> pixels, int round, int at_least) {
-    PixelSample shot = trials.shot(settings, {.pixels = pixels,
-                                              .round = round,
-                                              .at_least = at_least,
-                                              .threads = aim_.threads,
-                                              .stop = &stop_});
+TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSettings& settings,
+                                       std::span<const Pixel> pixels, int round, int at_least) {
+    TrialSample sample = trials.render_pixels(settings, {.pixels = pixels,
+                                                         .round = round,
+                                                         .at_least = at_least,
+                                                         .threads = aim_.threads,
+                                                         .stop = &stop_});
     if (stop_) throw Stopped();
     drawn_ += pixels.size();
-    return shot;
+    return sample;
 }
 
 double TrialRunner::picture_seconds(double of_a_pixel) const {

@@ -27,9 +27,10 @@ public:
     [[nodiscard]] double limit() const;
 
     /// Renders the pixels with these settings. Another `round` uses other random samples, and
-    /// `at_least` is that of a SampleRequest. Throws Stopped if the program is to stop.
-    [[nodiscard]] PixelSample shot(const Trials& trials, const RenderSettings& settings,
-                                   std::span<const Pixel> pixels, int round, int at_least = 0);
+    /// `at_least` is that of a TrialRequest. Throws Stopped if the program is to stop.
+    [[nodiscard]] TrialSample render_pixels(const Trials& trials, const RenderSettings& settings,
+                                            std::span<const Pixel> pixels, int round,
+                                            int at_least = 0);
 
     /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
     /// `of_a_pixel` seconds of CPU time.
@@ -63,11 +64,11 @@ std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
                                                std::span<const Pixel> pixels, First first,
                                                Second second) {
     constexpr int turns = 3;
-    std::pair least{shot(first(), settings, pixels, 0).seconds,
-                    shot(second(), settings, pixels, 0).seconds};
+    std::pair least{render_pixels(first(), settings, pixels, 0).seconds,
+                    render_pixels(second(), settings, pixels, 0).seconds};
     for (int i = 1; i < turns; ++i) {
-        least.first = std::min(least.first, shot(first(), settings, pixels, 0).seconds);
-        least.second = std::min(least.second, shot(second(), settings, pixels, 0).seconds);
+        least.first = std::min(least.first, render_pixels(first(), settings, pixels, 0).seconds);
+        least.second = std::min(least.second, render_pixels(second(), settings, pixels, 0).seconds);
     }
     return least;
 }

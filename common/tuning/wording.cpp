@@ -11,7 +11,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string steps(double value) {
+std::string levels(double value) {
     return number(value) + (value == 1 ? " level" : " levels");
 }
 

@@ -9,7 +9,7 @@ namespace rt {
 [[nodiscard]] std::string number(double value);
 
 /// "1 level", "0.5 levels": an error in levels of an 8-bit picture.
-[[nodiscard]] std::string steps(double value);
+[[nodiscard]] std::string levels(double value);
 
 /// The largest number of two significant digits, which is printed without rounding, not above
 /// `value`. The value must be positive.

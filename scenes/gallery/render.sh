@@ -2,7 +2,7 @@
 # Makes the gallery again, or the pictures of one stage: render.sh BUILD_FOLDER [STAGE]
 #
 # Writes the scenes that make_gallery makes, and docs/gallery/*.png, each by the program of its stage.
-# The whole takes ten minutes on two cores; tests/programs/gallery_test.cpp compares small
+# The whole takes ten minutes on two cores; tests/programs/gallery_test.sh compares small
 # pictures with these.
 build=$1
 only=$2

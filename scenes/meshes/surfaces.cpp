@@ -33,7 +33,7 @@ Polygons icosahedron() {
                       {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
 }
 
-/// An icosahedron's faces, each cut into n² triangles. Neighbours share the vertices between them.
+/// An icosahedron's faces, each cut into n² triangles. Neighbors share the vertices between them.
 class CutIcosahedron {
 public:
     explicit CutIcosahedron(int n) : n_(n), ends_(icosahedron()) {

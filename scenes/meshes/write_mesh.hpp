@@ -7,8 +7,8 @@
 
 namespace rt {
 
-/// The text of an OFF, OBJ, PLY or STL file, as the name says, with so many decimals at most. An
-/// STL has triangles; the others keep faces as they are.
+/// The text of an OFF, OBJ, PLY or STL file, as its ending says, with at most `decimals` decimals.
+/// An STL has triangles; the others keep faces as they are.
 [[nodiscard]] std::string mesh_text(const Polygons& polygons, const std::string& file,
                                     int decimals);
 

@@ -91,7 +91,7 @@ TEST_CASE("erratum 29: n must have unit length (CR eq. 4)") {
 }
 
 TEST_CASE("erratum 30: a limit of one bounce allows none (CR §2.1, §5.1)") {
-    // A mirror before a wall of brightness 1: what the camera sees, with so many bounces left.
+    // A mirror before a wall of brightness 1: what the camera sees, if `bounces` are allowed.
     const auto wall_in_mirror = [](int bounces, bool counts_the_first_ray) {
         int rays = counts_the_first_ray ? bounces : bounces + 1;
         if (rays-- == 0) return 0;  // the ray that meets the mirror

@@ -12,7 +12,7 @@ constexpr const char* head = R"(#include "steps/step05_triangle/triangle.hpp"
 
 namespace {
 
-/// As a failure asks: without the interval if it is whole.
+/// The text of a result, as a failure prints it; without an interval, the whole one.
 template <class Shape>
 std::string answer(const rt::Ray& ray, const Shape& shape, rt::Interval interval = {}) {
     return rt::got_text(intersect(ray, shape, interval));

@@ -43,7 +43,7 @@ Knowledge light_shares() {
     const auto flat = [](Vec3 /*from*/, Vec2 sample) {
         return above.position + above.radius * Vec3(sample.x, 0, 0);
     };
-    const auto centred = [](Vec3 /*from*/, Vec2 sample) {
+    const auto centered = [](Vec3 /*from*/, Vec2 sample) {
         return above.position + above.radius * Vec3(2 * sample.x - 1, 0, 0);
     };
     const auto sphere = [](Vec3 from, Vec2 sample) { return sample_light(above, from, sample); };
@@ -54,7 +54,7 @@ Knowledge light_shares() {
             {"a sphere", passing(x, sphere)},
             {"a sphere, on the other side", passing(-x, sphere)},
             {"flat, as printed", passing(x, flat)},
-            {"flat, centred", passing(x, centred)}};
+            {"flat, centered", passing(x, centered)}};
 }
 
 /// The ratio of the estimates to the true error for 8, 16, … 1024 rays, as root mean squares over

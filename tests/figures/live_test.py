@@ -69,7 +69,7 @@ class Site(http.server.BaseHTTPRequestHandler):
             self.wfile.write(body)
 
 
-# In the page: what has been asked and shown in the last drawing, once it is done.
+# In the page: the questions and the text of the last drawing, once it is done.
 state = """(async () => {
   const figure = document.querySelector("rt-%s");
   for (let i = 0; !figure.table || figure.drawing || !figure.asked; ++i) {
@@ -185,7 +185,7 @@ def check_own_answers(browser, origin):
         shown = browser.run(state % "sphere_roots")["table"]
         if (expected or "≠") not in shown if expected else "≠" in shown:
             errors.append(f"{worker}: expected {expected or 'no difference'} in {shown}")
-    # The page draws again when a file is saved, without being asked.
+    # The page draws again by itself when a file is saved.
     Site.worker = "step03_sphere_reference_worker"
     try:
         browser.run("""(async () => {

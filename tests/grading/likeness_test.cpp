@@ -64,16 +64,16 @@ std::string noise(int count, unsigned seed) {
 }  // namespace
 
 TEST_CASE("names, numbers, comments and layout are nothing to a file's tokens") {
-    CHECK(normalised("#include <cmath>\nReal f(Real a) { return a * 2.5; }  // half") ==
+    CHECK(normalized("#include <cmath>\nReal f(Real a) { return a * 2.5; }  // half") ==
           "nn(nn)Rn*0;");
-    CHECK(normalised("const double g_1(double  β)\n{ /* a\nb */ return\tβ*1'000; }") ==
+    CHECK(normalized("const double g_1(double  β)\n{ /* a\nb */ return\tβ*1'000; }") ==
           "nn(nn)Rn*0;");
-    CHECK(normalised("std::sqrt(x)") == normalised("sqrt(x)"));
-    CHECK(normalised("if (a) { b(\"}//\\\"\"); } else c('\"');") == "I(n)n(t);En(t);");
-    CHECK(normalised("/* no end") == "");
-    CHECK(normalised("\"no end") == "t");
-    CHECK(normalised("\\") == "\\");
-    CHECK(normalised("# a \\\n b\nc") == "n");
+    CHECK(normalized("std::sqrt(x)") == normalized("sqrt(x)"));
+    CHECK(normalized("if (a) { b(\"}//\\\"\"); } else c('\"');") == "I(n)n(t);En(t);");
+    CHECK(normalized("/* no end") == "");
+    CHECK(normalized("\"no end") == "t");
+    CHECK(normalized("\\") == "\\");
+    CHECK(normalized("# a \\\n b\nc") == "n");
 }
 
 TEST_CASE("any 23 tokens have a fingerprint of the file in which they stand") {

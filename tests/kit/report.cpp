@@ -36,7 +36,7 @@ std::string told(const Catch::AssertionResult& result) {
         return "your code crashed: " + std::string(result.getMessage());
     std::string text = result.getExpressionInMacro();
     const std::string message = result.hasMessage() ? std::string(result.getMessage()) : "";
-    // The link to a worker throws what it has to say itself: "Your code crashed".
+    // The link to a worker throws a message of its own: "Your code crashed".
     if (result.getResultType() == Catch::ResultWas::ThrewException &&
         message.rfind("Your code", 0) != 0)
         return text + "\n  got:      an exception: " + message;

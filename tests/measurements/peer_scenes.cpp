@@ -69,14 +69,14 @@ std::string seen(Vec3 from, Vec3 to) {
 const std::string ambient = line("A", "0.1", "255,255,255");
 const std::string sun = line("L", "-5,8,-6", "0.8", "255,255,255");
 const std::string shiny = " spec:0.5 shin:40";
-const std::string grey = "180,180,180";
+const std::string gray = "180,180,180";
 
 std::string three_spheres() {
     return ambient + sun + seen({0, 1.2, -4}, {0, 0.6, 0}) +
            line("sp", "-1.2,0.5,0", "1", "230,50,50" + shiny) +
            line("sp", "0,0.75,0.5", "1.5", "50,200,75" + shiny) +
            line("sp", "1.3,0.5,-0.2", "1", "50,75,230" + shiny) +
-           line("pl", "0,0,0", "0,1,0", grey);
+           line("pl", "0,0,0", "0,1,0", gray);
 }
 
 std::string cornell() {
@@ -92,7 +92,7 @@ std::string cornell() {
 
 std::string mirror_spheres() {
     std::string text = ambient + sun + seen({0, 3.5, -6.5}, {0, 0, -0.5}) +
-                       line("pl", "0,-0.45,0", "0,1,0", grey, "mirror:0.2");
+                       line("pl", "0,-0.45,0", "0,1,0", gray, "mirror:0.2");
     Draw draw(3);
     for (int x = 0; x < 10; ++x)
         for (int z = 0; z < 10; ++z)
@@ -122,7 +122,7 @@ std::string mesh(const std::string& name) {
 
 std::string cylinders_and_cones() {
     std::string text =
-        ambient + sun + seen({0, 4, -9}, {0, 0.4, 0}) + line("pl", "0,0,0", "0,1,0", grey);
+        ambient + sun + seen({0, 4, -9}, {0, 0.4, 0}) + line("pl", "0,0,0", "0,1,0", gray);
     Draw draw(6);
     for (int x = -3; x <= 3; ++x)
         for (int z = -3; z <= 3; ++z) {

@@ -1,5 +1,5 @@
 // Included before a file, it makes every name that only Linux has an error, as on macOS. The
-// headers of POSIX come first, since they define such names.
+// headers of POSIX are included first, since they define such names.
 #pragma once
 
 #include <cstddef>  // libc++'s configuration, before __linux__ is undefined

@@ -7,8 +7,9 @@
 #     aarch64    a cross compiler of g++; its programs run in qemu
 #     windows    mingw-w64's g++; its programs run in wine
 #
-# Without a target: step05_triangle. `libcxx syntax` runs syntax.sh alone, and `libcxx syntax all`. Of the targets, step*_test_* are run, and step* draw their scene
-# in both precisions; each picture must have the bytes of ./build's, which this builds too.
+# Without a target: step05_triangle. `libcxx syntax` and `libcxx syntax all` run syntax.sh alone.
+# Targets step*_test_* are run, and the other step* draw their scene in both precisions; each
+# picture must have the bytes of ./build's, which this builds too.
 # Debian's packages are unpacked in build/platforms, and nothing is installed, except for cross
 # compilers and emulators, which are named if they are missing.
 set -eu

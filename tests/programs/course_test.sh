@@ -33,7 +33,7 @@ course 2
 says "build cannot be written: copy the project to a folder of yours"
 rm build
 
-# On a terminal, the first build says what it does and how far it is.
+# On a terminal, the first build shows what it does and how far it is.
 if script --version 2> /dev/null | grep -q util-linux; then
     script -qec ./course /dev/null < /dev/null > out
     grep -q -e '-- Detecting CXX' out || fail "configuring is shown"
@@ -151,7 +151,7 @@ course 1 check 3
 says "anonymous namespace"
 
 # A helper outside an anonymous namespace: a warning each time, though it is compiled once, and one
-# more if another stage has the same. That stage is judged with this stage's reference, and says so.
+# more if another stage has the same. That stage is judged with this stage's reference, and a line reports it.
 sed 's/^}  \/\/ namespace rt$/Real twice(Real x) { return 2 * x; }\n&/' $stage/reference/sphere.cpp > $mine
 course 0 run 3 -o picture.png
 if command -v flock > /dev/null; then  # two builds at a time would spoil ninja's logs

@@ -12,10 +12,8 @@ if ! valgrind --version > /dev/null 2>&1; then
     echo "skipped: valgrind, which counts instructions, is not installed (apt-get install valgrind)"
     exit 77
 fi
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+. "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
-failed=0
 
 # instructions STAGE SCENE PRECISION SIZE: the number for a picture; nothing if there is no picture.
 instructions() {
@@ -45,9 +43,7 @@ same_cost() {
             [ -x "$build/$stage" ] || continue
             count=$(cost "$stage" "$scene" $precision)
             if [ -z "$count" ]; then
-                echo "FAILED: $stage does not draw scenes/$scene.rt under valgrind"
-                sed 's/^/    /' out
-                failed=1
+                fail "$stage does not draw scenes/$scene.rt under valgrind"
                 continue
             fi
             [ -n "$base" ] || base=$count

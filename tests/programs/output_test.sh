@@ -128,12 +128,12 @@ printf 'C 0,1,0 0,0,-1 60\npl 0,0,0 0,1,0 9,9,9\n' > plane.rt
 cmp -s own.rt "$project/scenes/one_sphere.rt" || fail "--turn: the scene is as it was"
 
 # Neighboring files stay, also a scene with that name and a link.
-cp own.rt neighbour.png.part
+cp own.rt neighbor.png.part
 cp own.rt precious
 ln -s precious linked.png.part
-"$build/step03_sphere" neighbour.png.part -o neighbour.png --size 3x2 --quiet || fail "an odd name"
+"$build/step03_sphere" neighbor.png.part -o neighbor.png --size 3x2 --quiet || fail "an odd name"
 "$build/step03_sphere" own.rt -o linked.png --size 3x2 --quiet || fail "a link beside it"
-cmp -s own.rt neighbour.png.part && cmp -s own.rt precious || fail "neighbours are as they were"
+cmp -s own.rt neighbor.png.part && cmp -s own.rt precious || fail "neighbors are as they were"
 
 # Without permission nothing is written; a write-protected picture stays.
 if [ "$(id -u)" != 0 ]; then

@@ -147,7 +147,7 @@ t=$(sed -n 's/.*hit at t = //p' out)
 [ -n "$t" ] && grep -qF "hits sphere 1 at t = $t, p = (" out || fail "rays have the numbers of the log"
 [ "$(wc -l < out)" = 1 ] && [ ! -e rays.png ] || fail "rays are one line, and no picture"
 
-# Several rays for a pixel: as many as given, from stage 1 on, and the file says so.
+# Several rays for a pixel: as many as given, from stage 1 on, and the file contains the number.
 "$build/step01_ray_generation" -o a.png --size 40x30 --samples 5 > out
 grep -q ', 6000 rays$' out || fail "--samples is the number of rays for a pixel"
 "$build/step03_sphere" doubtful.rt --quiet -o b.png --size 40x30 --samples 1 2> err

@@ -90,7 +90,7 @@ grep -q 'is outside the picture' out || fail "a pixel outside is told"
 curl -s "$address" -D headers -o out
 grep -qi '^access-control' headers && fail "other pages may not read it"
 grep -Eiq '<style|<script>|[[:space:]](style|on[a-z]+)=|javascript:' out &&
-    fail "the page has no style and no script but those of its two other files"
+    fail "the page has no style and no script but those of its other files"
 grep -qi '^content-security-policy:.*default-src .none.' headers || fail "a policy for the page"
 grep -qi '^content-security-policy:.*unsafe' headers && fail "a policy without unsafe sources"
 is "the page's style" 200 "${address}page.css"
@@ -227,7 +227,7 @@ shows "the pixel in the middle" "Math.abs(document.getElementById('row').value -
     Math.abs(document.getElementById('column').value - 320) <= 2"
 shows "its story" "['d_r = ', 'Triangle{', '8-bit = '].every(
     words => document.getElementById('story').textContent.includes(words))"
-shows "one first line that differs, the colour" "document.querySelectorAll('.first').length === 1 &&
+shows "one first line that differs, the color" "document.querySelectorAll('.first').length === 1 &&
     document.querySelector('.first .mine').textContent.includes('color = ') &&
     document.querySelector('.first .mine').textContent !==
     document.querySelector('.first .reference').textContent"

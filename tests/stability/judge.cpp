@@ -123,17 +123,17 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double di
 }  // namespace
 
 template <class Shape>
-Judgement judged(const Case<Shape>& asked, std::optional<Real> got) {
+Judgment judged(const Case<Shape>& asked, std::optional<Real> got) {
     const oracle::Ray ray = exact(asked.ray);
     const auto shape = exact(asked.shape);
     const double unit = unit_of(asked, got);
     const Answer expected = answer(ray, shape, exact(asked.interval));
-    Judgement judgement{.wrong = !same(got, expected, rounding(asked, unit))};
-    if (!got) return judgement;
-    judgement.off =
+    Judgment judgment{.wrong = !same(got, expected, rounding(asked, unit))};
+    if (!got) return judgment;
+    judgment.off =
         Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
-    if (!judgement.wrong) judgement.ulps = ulps_between(*got, expected.roots[*expected.first]);
-    return judgement;
+    if (!judgment.wrong) judgment.ulps = ulps_between(*got, expected.roots[*expected.first]);
+    return judgment;
 }
 
 template <class Shape>
@@ -167,22 +167,22 @@ std::optional<Real> exact_answer(const Case<Shape>& asked) {
     return root->value().template convert_to<Real>();
 }
 
-template Judgement judged(const Case<Sphere>&, std::optional<Real>);
+template Judgment judged(const Case<Sphere>&, std::optional<Real>);
 template double band(const Case<Sphere>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Sphere>&);
-template Judgement judged(const Case<Plane>&, std::optional<Real>);
+template Judgment judged(const Case<Plane>&, std::optional<Real>);
 template double band(const Case<Plane>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Plane>&);
-template Judgement judged(const Case<Triangle>&, std::optional<Real>);
+template Judgment judged(const Case<Triangle>&, std::optional<Real>);
 template double band(const Case<Triangle>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Triangle>&);
-template Judgement judged(const Case<Square>&, std::optional<Real>);
+template Judgment judged(const Case<Square>&, std::optional<Real>);
 template double band(const Case<Square>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Square>&);
-template Judgement judged(const Case<Cylinder>&, std::optional<Real>);
+template Judgment judged(const Case<Cylinder>&, std::optional<Real>);
 template double band(const Case<Cylinder>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cylinder>&);
-template Judgement judged(const Case<Cone>&, std::optional<Real>);
+template Judgment judged(const Case<Cone>&, std::optional<Real>);
 template double band(const Case<Cone>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cone>&);
 

@@ -10,7 +10,7 @@
 namespace rt {
 
 /// An answer against the exact one.
-struct Judgement {
+struct Judgment {
     bool wrong = false;          ///< hit or miss, or another root than the first
     std::optional<double> off;   ///< of a hit: the distance of o + t d from the surface, in u L
     std::optional<double> ulps;  ///< of a right hit: the distance of t from the exact one
@@ -19,7 +19,7 @@ struct Judgement {
 // Each template is instantiated for the six shapes of the exercises.
 
 template <class Shape>
-[[nodiscard]] Judgement judged(const Case<Shape>& asked, std::optional<Real> got);
+[[nodiscard]] Judgment judged(const Case<Shape>& asked, std::optional<Real> got);
 
 /// The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
 /// answer that a move by `known` makes right is not examined further, and gives `known`.

@@ -68,13 +68,13 @@ struct Row {
 template <class Shape>
 void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real> got,
              const std::string& drawn) {
-    const Judgement judgement = judged(asked, got);
+    const Judgment judgment = judged(asked, got);
     const auto place = [&] {
         return told(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)) + drawn;
     };
-    if (judgement.off) row.off.add(*judgement.off, place);
-    if (judgement.ulps) row.ulps.add(*judgement.ulps, place);
-    if (!judgement.wrong) return;
+    if (judgment.off) row.off.add(*judgment.off, place);
+    if (judgment.ulps) row.ulps.add(*judgment.ulps, place);
+    if (!judgment.wrong) return;
     ++row.wrong;
     Measure& band_of_kind = at_end ? row.end : row.band;
     band_of_kind.add(band(asked, got, band_of_kind.worst), place);

@@ -89,7 +89,7 @@ inline Verdict closest_of_random_shapes_is_seen(int stage, const std::string& he
 }
 
 /// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
-/// `head` has the lights; `torch` says that a torch lights the scene.
+/// `head` has the lights; `torch` is true if a torch lights the scene.
 inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
     for (const Kind& front : kinds_until(stage)) {
         const auto light = std::uint8_t(255 * (torch ? front.torch : 1) + 0.5);

@@ -38,7 +38,7 @@ ExactBasis exact_basis(Vec3 towards) {
     return {x, y, z};
 }
 
-/// Of an exact component: each is the result of at most ten operations without cancellation.
+/// The rounding of an exact component, the result of at most ten operations without cancellation.
 constexpr Exact rounding = 5 * std::numeric_limits<Exact>::epsilon();
 
 bool within_bound(Vec3 got, Exact3 expected) {

@@ -143,7 +143,7 @@ endfunction()
 
 # raysteps_answers(<suite> <folder>)
 #
-# The suite, linked to each known mistake and each other right answer in the folder. Float tells no
+# The suite, linked to each known mistake and each other right answer in the folder. Float shows no
 # more about mistakes than double: only the folder's first is linked in float, too, or with
 # -DRAYSTEPS_MISTAKES=both all are.
 function(raysteps_answers suite folder)

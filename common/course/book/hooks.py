@@ -1,4 +1,4 @@
-"""What a page of the site has besides its text: the contract, the hints, the errata and the figures.
+"""Adds to the pages of the site the contracts, the hints, the errata and the figures that run.
 
 RAYSTEPS_SOURCE is where links to files beside docs/ lead: "../.." is the project's folder, as seen
 from the site's, "https://github.com/NAME/raysteps/blob/main" a host. If it is empty, there are no

@@ -39,11 +39,9 @@ bool is_unchanged_site(const fs::path& folder) {
 }
 
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
-    const fs::file_type type = fs::symlink_status(target).type();
-    const bool is_free =
-        type == fs::file_type::not_found ||
-        (type == fs::file_type::directory && (fs::is_empty(target) || is_unchanged_site(target)));
-    if (!is_free)
+    const bool is_site =
+        fs::symlink_status(target).type() == fs::file_type::directory && is_unchanged_site(target);
+    if (!is_free_for_folder(target) && !is_site)
         throw InputError({destination.string()},
                          "exists already: expected a new name, an empty folder, or a book in "
                          "which nothing was changed");

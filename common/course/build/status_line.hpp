@@ -1,4 +1,4 @@
-// What is being done, on the terminal, while nothing else is printed.
+// A line on the terminal about the work in progress, while nothing else is printed.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What the compiler made of the student's files: its warnings, and the symbols of the objects.
+// The compiler's warnings about the student's files, and the symbols of their objects.
 #pragma once
 
 #include <filesystem>

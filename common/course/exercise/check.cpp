@@ -4,13 +4,12 @@
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/build/status_line.hpp"
-#include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/cases.hpp"
 #include "common/course/exercise/diagnosis.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
-#include "common/course/exercise/may_include.hpp"
 #include "common/course/exercise/suite.hpp"
+#include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/course/exercise/wrap.hpp"
 #include "common/image/png.hpp"
@@ -73,7 +72,7 @@ Judged judge(const Workbook& workbook, const std::string& word) {
 }
 
 /// The results in both precisions.
-struct Judgement {
+struct Judgment {
     Judged in_double;
     Judged in_float;
     std::vector<Outcome> outcomes;  ///< in the order of the suite
@@ -91,7 +90,7 @@ struct Judgement {
 };
 
 /// A case that was not reached because of a crash has not passed.
-Judgement judgement_of(Judged in_double, Judged in_float) {
+Judgment judgment_of(Judged in_double, Judged in_float) {
     const auto& doubles = in_double.suite.cases;
     const auto& floats = in_float.suite.cases;
     std::vector<Outcome> outcomes;
@@ -193,7 +192,8 @@ void show_picture(int stage) {
                 file.c_str(), summary(comparison).c_str());
 }
 
-/// The cases that the starter passes: they say nothing about a file in which something is missing.
+/// The cases that the starter passes: they prove nothing about a file in which something is
+/// missing.
 std::set<std::string> passed_by_starter(int stage) {
     const std::filesystem::path file = project_folder / step_path(stage, "starter/passes.txt");
     if (!std::filesystem::exists(file)) return {};
@@ -205,7 +205,7 @@ std::set<std::string> passed_by_starter(int stage) {
 void show_double(const Judged& judged, int stage) {
     const SuiteResult& suite = judged.suite;
     show_output(suite);
-    const std::vector<Outcome> outcomes = judgement_of(judged, judged).outcomes;
+    const std::vector<Outcome> outcomes = judgment_of(judged, judged).outcomes;
     show_cases(outcomes, judged.written() ? std::set<std::string>() : passed_by_starter(stage));
     show_count(judged, "double");
     const auto failed = std::find_if(suite.cases.begin(), suite.cases.end(),
@@ -216,83 +216,41 @@ void show_double(const Judged& judged, int stage) {
 
 /// Prints the cases that fail in float only, of the first part that has some, and explains the
 /// first if none fails in double.
-void show_float(const Judgement& judgement) {
+void show_float(const Judgment& judgment) {
     constexpr const char* remark = "  (in float only)";
-    const SuiteResult& suite = judgement.in_float.suite;
-    show_count(judgement.in_float, "float");
+    const SuiteResult& suite = judgment.in_float.suite;
+    show_count(judgment.in_float, "float");
     const CaseResult* first = nullptr;
     for (std::size_t i = 0; i < suite.cases.size(); ++i) {
         const CaseResult& each = suite.cases[i];
-        if (each.passed || !judgement.outcomes[i].in_double.passed) continue;
+        if (each.passed || !judgment.outcomes[i].in_double.passed) continue;
         if (!first) first = &each;
         if (each.part == first->part)
             std::printf("%s%s\n", styled("  ✗ " + each.name, Style::bad).c_str(), remark);
     }
-    if (first && (judgement.in_double.right() || !suite.ended.empty()))
+    if (first && (judgment.in_double.right() || !suite.ended.empty()))
         explain_failure(*first, suite, remark);
     std::fflush(stdout);
 }
 
-/// Warns of includes that work here, and are refused when the file is graded.
-void show_refused_includes(const Workbook& workbook) {
-    const int stage = workbook.stage();
-    for (const std::filesystem::path& file : workbook.files())
-        for (const Include& each :
-             refused_includes(project_folder, {stage, file.filename() == trace_file}, file))
-            std::printf(
-                "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
-                "headers\n",
-                step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
-                each.header.c_str(), std::string(stage_name(stage)).c_str());
-}
-
-/// Warns of each source file that is linked here, but not when the stage is graded.
-void show_ungraded_files(const Workbook& workbook) {
-    const int stage = workbook.stage();
-    const std::string graded = stage_header(stage).stem().string() + ".cpp";
-    for (const std::filesystem::path& file : workbook.files())
-        if (file.filename() != graded && file.filename() != trace_file)
-            std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
-                        step_path(stage, "student/" + file.filename().string()).c_str(),
-                        graded.c_str());
-}
-
-/// Prints the compiler's first warning, also if it was compiled before, with its cure.
-void show_warning(int stage) {
-    const std::string warning = first_warning(kept_warnings(stage));
-    std::fputs(warning.c_str(), stdout);
-    if (warning.find("no previous ") != std::string::npos)
-        std::puts("Put helper functions into an anonymous namespace: namespace { … }");
-}
-
-/// Warns of symbols for which no program can be linked with another stage of the student's.
-void show_shared_symbols(int stage) {
-    for (const SharedSymbol& each : shared_symbols(stage))
-        std::printf(
-            "%s: warning: %s is defined twice, also in %s: ./course run cannot link both.\nPut "
-            "helper "
-            "functions into an anonymous namespace: namespace { … }\n",
-            each.file.c_str(), each.name.c_str(), each.other_file.c_str());
-}
-
-void remember(const Judgement& judgement, const std::string& files, Workbook& workbook) {
+void remember(const Judgment& judgment, const std::string& files, Workbook& workbook) {
     Record record = workbook.record();
     record.checked = now();
-    record.passed = judgement.passed();
-    record.cases = int(judgement.outcomes.size()) + (judgement.ended() ? 0 : 1);
+    record.passed = judgment.passed();
+    record.cases = int(judgment.outcomes.size()) + (judgment.ended() ? 0 : 1);
     record.checked_files = files;
-    record.part = first_wrong_part(judgement.outcomes);
+    record.part = first_wrong_part(judgment.outcomes);
     workbook.remember(record);
 }
 
-void show_end(const Judgement& judgement, int stage) {
+void show_end(const Judgment& judgment, int stage) {
     const std::string passed =
-        count(judgement.passed(), judgement.outcomes.size(),
-              judgement.in_double.suite.ended.empty() ? "float and double" : "double");
+        count(judgment.passed(), judgment.outcomes.size(),
+              judgment.in_double.suite.ended.empty() ? "float and double" : "double");
     std::printf("\n%s: %s\n", styled(std::string(stage_name(stage)), Style::bold).c_str(),
-                styled(passed, judgement.right() ? Style::good : Style::bad).c_str());
-    const std::string part = first_wrong_part(judgement.outcomes);
-    if (!judgement.right())
+                styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
+    const std::string part = first_wrong_part(judgment.outcomes);
+    if (!judgment.right())
         std::printf("%sStuck? ./course hint %d\n",
                     part.empty() ? "" : ("Write next: " + part + ". ").c_str(), stage);
     else if (stage < int(stage_names.size()))
@@ -317,19 +275,16 @@ int check(int stage) {
         if (!is_built(workbook, "float", {name + "_checked"})) return 1;
         in_float = judge(workbook, "float");
     }
-    const Judgement judgement = judgement_of(std::move(in_double), std::move(in_float));
-    remember(judgement, files, workbook);
-    if (judgement.in_double.suite.ended.empty()) show_float(judgement);
-    show_warning(stage);
-    show_shared_symbols(stage);
-    show_refused_includes(workbook);
-    show_ungraded_files(workbook);
-    if (judgement.ended()) show_picture(stage);
-    if (judgement.in_double.functions_are_wrong || judgement.in_float.functions_are_wrong)
+    const Judgment judgment = judgment_of(std::move(in_double), std::move(in_float));
+    remember(judgment, files, workbook);
+    if (judgment.in_double.suite.ended.empty()) show_float(judgment);
+    show_warnings(workbook);
+    if (judgment.ended()) show_picture(stage);
+    if (judgment.in_double.functions_are_wrong || judgment.in_float.functions_are_wrong)
         show_diagnosis(stage, report_of(name + "_test_double"));
     show_references_used(stage);
-    show_end(judgement, stage);
-    return judgement.right() ? 0 : 1;
+    show_end(judgment, stage);
+    return judgment.right() ? 0 : 1;
 }
 
 void watch(int stage) {

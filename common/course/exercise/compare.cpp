@@ -61,21 +61,21 @@ struct Both {
     Result reference;
 };
 
-/// Calls `ask(program, limit)` for both programs, the reference's first: a scene for which that
-/// needs long may take as long, but an endless loop is stopped soon.
-template <class Ask>
-auto ask_both(const ComparisonRequest& contest, const Ask& ask) {
+/// Calls `run(program, limit)` for both programs, the reference's first: the student's gets a limit
+/// in proportion to the reference's time, so that an endless loop is stopped soon.
+template <class Run>
+auto run_both(const ComparisonRequest& contest, const Run& run) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    auto reference = ask(reference_program(contest), reference_limit);
+    auto reference = run(reference_program(contest), reference_limit);
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
-    auto mine = ask(my_program(contest), std::max(least_limit, slower_at_most * took));
+    auto mine = run(my_program(contest), std::max(least_limit, slower_at_most * took));
     return Both<decltype(mine)>{std::move(mine), std::move(reference)};
 }
 
 Comparison compare_both(const ComparisonRequest& contest) {
     const StatusLine status("drawing both pictures …");
-    const auto both = ask_both(contest, [&contest](const std::string& program, auto limit) {
+    const auto both = run_both(contest, [&contest](const std::string& program, auto limit) {
         const TemporaryFolder folder(build_folder);
         const std::string file = (folder.path() / "picture.png").string();
         answer(program, contest, {"--quiet", "-o", file}, limit);
@@ -86,7 +86,7 @@ Comparison compare_both(const ComparisonRequest& contest) {
 
 Both<std::string> explain_both(const ComparisonRequest& contest, const std::string& pixel) {
     const StatusLine status("explaining the pixel …");
-    return ask_both(contest, [&](const std::string& program, auto limit) {
+    return run_both(contest, [&](const std::string& program, auto limit) {
         return answer(program, contest, {"--pixel", pixel}, limit);
     });
 }

@@ -1,4 +1,4 @@
-// What a program says of the student's other stages: which it uses, and which are not right.
+// Messages about the student's other stages: which are used, and which are not right.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ inline constexpr int hint_levels = 3;
 /// The section of one level, such as "## 2"; empty if there is none.
 [[nodiscard]] std::string hint_text(int stage, int level);
 
-/// What the level says about the functions that the part's name contains, if it does; else all of
+/// The text of the level about the functions that the part's name contains, if it does; else all of
 /// it. A paragraph about a function begins with its name, and a colon or a comma.
 [[nodiscard]] std::string hint_text(int stage, int level, const std::string& part);
 

@@ -52,7 +52,7 @@ std::string without_numbers(const std::string& line) {
     return text;
 }
 
-/// The name of a line's quantity: "t" in "  t = 4". Of a line without one, all but its numbers.
+/// The name of a line's quantity: "t" in "  t = 4"; in a line without one, all but its numbers.
 std::string name(const std::string& line) {
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
     if (line.compare(start, std::string(verdict).size(), verdict) == 0) return verdict;

@@ -1,4 +1,4 @@
-// The word that somebody may have meant.
+// A known word that is similar to a mistyped one.
 #pragma once
 
 #include <string>

@@ -46,7 +46,7 @@ sh "$root/source/raysteps/course" grade --help > /dev/null
 
 constexpr const char* run_autograder = R"sh(#!/bin/sh
 # Gradescope runs this for each submission: the files are in submission/, and what a student reads
-# comes from results/results.json, which is written whatever happens. Each is asked by a seed of its
+# comes from results/results.json, which is written whatever happens. Each has a seed of its
 # own.
 root=${AUTOGRADER:-/autograder}
 seconds=${RAYSTEPS_SECONDS:-540}  # less than Gradescope's time limit, after which nothing is kept
@@ -73,7 +73,7 @@ status=$?
 )sh";
 
 constexpr const char* workflow = R"sh(# Grades the class in submissions/, in eight parts at a time.
-# For .github/workflows of a private clone of the project: it has every solution. What is asked is
+# For .github/workflows of a private clone of the project: it has every solution. The questions are
 # drawn from the secret RAYSTEPS_SEED: 16 hexadecimal digits. This makes one:
 #     od -An -N8 -tx8 /dev/urandom | gh secret set RAYSTEPS_SEED
 name: grade

@@ -41,9 +41,9 @@ constexpr auto rooms = std::to_array<std::string_view>({
 /// The parts of `explain` that have a document's formulas, as steps/…/story.cpp.
 constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 
-/// Of the other folders. tests/mistakes, tests/alternatives and tests/contract/wrong include
-/// references, tests/mutation quotes them, tests/oracle and tests/stability have their formulas in
-/// exact arithmetic, and so has steps/…/exact; stories have them as `explain` tells.
+/// The files of the other folders. Left out are tests/mistakes, tests/alternatives and
+/// tests/contract/wrong, which include references; tests/mutation, which quotes them; and
+/// tests/oracle, tests/stability, steps/…/exact and story.cpp, which contain their formulas.
 const std::regex of_other_folders(  //
     R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|\.gitattributes|\.devcontainer/devcontainer\.json)"

@@ -1,4 +1,4 @@
-// What a hand-out consists of.
+// The files of a hand-out.
 #pragma once
 
 #include <string>

@@ -258,10 +258,7 @@ void pack(const fs::path& folder, const fs::path& archive) {
 }
 
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
-    const fs::file_type type = fs::symlink_status(target).type();
-    const bool is_free = type == fs::file_type::not_found ||
-                         (type == fs::file_type::directory && fs::is_empty(target));
-    if (!is_free) throw InputError({destination.string()}, "exists already");
+    if (!is_free_for_folder(target)) throw InputError({destination.string()}, "exists already");
 }
 
 }  // namespace

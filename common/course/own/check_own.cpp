@@ -17,11 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of spheres, planes, ambient light and lights alone: no other element and no option.
+/// Scenes of spheres, planes, ambient light and lights alone, without options.
 constexpr const char* scenes[] = {"step03_sphere", "step04_plane", "your_own"};
 
 constexpr int tolerated = 4;  ///< levels of 255: other formulas round in another way
-/// One pixel of so many may differ by more: at an outline, rounding decides what is hit.
+/// The number of pixels of which one may differ by more: at an outline, rounding decides what is
+/// hit.
 constexpr int pixels_for_one = 1000;
 
 constexpr const char* most_output = "131072";  ///< of 512 bytes: a picture has less than 1 MiB
@@ -59,12 +60,12 @@ Image read_picture(const fs::path& file, Resolution expected) {
 }
 
 /// The comparison in one line, and whether the pictures agree.
-struct Judgement {
+struct Judgment {
     bool agrees = false;
     std::string sentence;
 };
 
-Judgement judge(const OwnCheck& check, const std::string& scene, const Image& reference) {
+Judgment judge(const OwnCheck& check, const std::string& scene, const Image& reference) {
     const std::string input = (check.project / "scenes" / (scene + ".rt")).string();
     const TemporaryFolder folder;
     const fs::path picture = folder.path() / "picture.ppm";
@@ -111,11 +112,10 @@ fs::path own_program(const fs::path& folder) {
 int check_own(const OwnCheck& check) {
     bool all_agree = true;
     for (const std::string scene : scenes) {
-        const Judgement judgement = judge(check, scene, reference_picture(check, scene));
-        const std::string line =
-            (judgement.agrees ? "✓ " : "✗ ") + scene + ": " + judgement.sentence;
-        std::puts(styled(line, judgement.agrees ? Style::good : Style::bad).c_str());
-        all_agree = all_agree && judgement.agrees;
+        const Judgment judgment = judge(check, scene, reference_picture(check, scene));
+        const std::string line = (judgment.agrees ? "✓ " : "✗ ") + scene + ": " + judgment.sentence;
+        std::puts(styled(line, judgment.agrees ? Style::good : Style::bad).c_str());
+        all_agree = all_agree && judgment.agrees;
     }
     if (all_agree) std::puts("Your ray tracer draws what the reference draws.");
     return all_agree ? 0 : 1;

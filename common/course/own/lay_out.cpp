@@ -136,10 +136,7 @@ private:
 };
 
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
-    const fs::file_type type = fs::symlink_status(target).type();
-    const bool is_free = type == fs::file_type::not_found ||
-                         (type == fs::file_type::directory && fs::is_empty(target));
-    if (!is_free)
+    if (!is_free_for_folder(target))
         throw InputError({destination.string()},
                          "exists already: expected a new name, or an empty folder");
 }

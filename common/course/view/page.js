@@ -2,7 +2,6 @@
 const $ = (id) => document.getElementById(id);
 const both = ["mine", "reference"];
 const page = Math.floor(Math.random() * 1e9);
-const rounding = 1;  // as in `./course compare`: a color near n + ½ may be rounded up or down
 const sliders = {  // name, range on either side of 0 or of the scene's value, step
   x: ["x", 10, 0.05], y: ["y", 10, 0.05], z: ["z", 10, 0.05],
   yaw: ["turn right", 180, 1], pitch: ["tilt up", 90, 1], fov: ["field of view", 0, 1]};
@@ -111,58 +110,6 @@ async function draft() {
   drafting = true;
   while (draftAgain) { draftAgain = false; await draw(3); }
   drafting = false;
-}
-
-function compare() {
-  const {mine, reference} = images;
-  const caption = figure("difference").querySelector("figcaption");
-  const canvas = $("difference");
-  const comparable = mine && reference && mine.width === reference.width;
-  $("worst").disabled = true;
-  caption.textContent = "";
-  for (const of of ["difference", "over"]) $(of).hidden = !comparable;
-  if (!comparable) return;
-  Object.assign(canvas, {width: mine.width, height: mine.height});
-  const result = new ImageData(mine.width, mine.height);
-  const gain = +$("gain").value;
-  let count = 0, most = 0, where = 0;
-  for (let i = 0; i < result.data.length; i += 4) {
-    let largest = 0;
-    for (let k = i; k < i + 3; ++k) {
-      const difference = Math.abs(mine.data[k] - reference.data[k]);
-      result.data[k] = difference * gain;
-      largest = Math.max(largest, difference);
-    }
-    result.data[i + 3] = 255;
-    if (largest > rounding) ++count;
-    if (largest > most) { most = largest; where = i / 4; }
-  }
-  canvas.getContext("2d").putImageData(result, 0, 0);
-  $("worst").disabled = count === 0;
-  const scale = size.width / mine.width;
-  $("worst").onclick = () => choose(Math.floor(Math.floor(where / mine.width) * scale),
-                                    Math.floor(where % mine.width * scale));
-  caption.textContent = count === 0 ? "The same picture as the reference’s."
-    : `${count} of ${mine.width * mine.height} pixels differ, by ${most} of 255 at most.`;
-  swipe();
-}
-
-function swipe() {
-  const {mine, reference} = images;
-  if (!mine || !reference) return;
-  const canvas = $("over");
-  const column = Math.round(mine.width * $("split").value / 100);
-  Object.assign(canvas, {width: mine.width, height: mine.height});
-  const context = canvas.getContext("2d");
-  context.putImageData(reference, 0, 0);
-  if (column > 0) context.putImageData(mine, 0, 0, 0, 0, column, mine.height);
-  $("whose").textContent = column === 0 ? "Reference" : column === mine.width ? "Mine"
-    : "Mine | Reference";
-}
-
-function flip() {
-  $("split").value = +$("split").value > 50 ? 0 : 100;
-  swipe();
 }
 
 // ---- the camera

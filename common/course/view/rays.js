@@ -32,13 +32,16 @@ const space = (() => {
     context.lineJoin = "round";
   }
 
+  const pixelsOfUnit = () =>
+    zoom * Math.min(canvas.clientWidth, 1.4 * canvas.clientHeight) / (2 * reach);
+
   /// Right, down, and toward the viewer, in pixels.
   function turned(x, y, z) {
     [x, y, z] = [x - middle[0], y - middle[1], z - middle[2]];
     const across = Math.cos(yaw) * x - Math.sin(yaw) * z;
     const toward = Math.sin(yaw) * x + Math.cos(yaw) * z;
     const up = Math.cos(pitch) * y - Math.sin(pitch) * toward;
-    const scale = zoom * Math.min(canvas.clientWidth, 1.4 * canvas.clientHeight) / (2 * reach);
+    const scale = pixelsOfUnit();
     return [canvas.clientWidth / 2 + shift[0] + scale * across,
             canvas.clientHeight / 2 + shift[1] - scale * up,
             scale * (Math.sin(pitch) * y + Math.cos(pitch) * toward)];
@@ -129,9 +132,7 @@ const space = (() => {
     context.font = "12px system-ui, sans-serif";
     for (const {at, radius} of lights) {
       const [x, y] = turned(...at);
-      const scale = turned(at[0], at[1] + 1, at[2]);
-      const around = turned(at[0], at[1], at[2]);
-      const size = Math.max(5, radius * Math.abs(scale[1] - around[1]) / (Math.cos(pitch) || 1));
+      const size = Math.max(5, radius * pixelsOfUnit());
       Object.assign(context, {strokeStyle: color("--lit"), lineWidth: 1.5});
       context.beginPath();
       context.arc(x, y, size, 0, 7);

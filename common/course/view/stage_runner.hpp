@@ -60,7 +60,7 @@ public:
 
     [[nodiscard]] Picture draw(const RenderRequest& picture_request, Whose whose,
                                const std::atomic<bool>& cancelled);
-    /// What the student's and the reference's program print about a pixel: with `--pixel` its
+    /// The output of the student's and of the reference's program about a pixel: with `--pixel` its
     /// explanation, with `--rays` the drawing of its rays.
     [[nodiscard]] std::vector<std::string> about_pixel(const RenderRequest& picture_request,
                                                        const std::string& option, int row,

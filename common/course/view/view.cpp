@@ -33,7 +33,8 @@ void add_choice(Command& options, const Request& request, const std::string& nam
         options.insert(options.end(), {"--" + name, words[static_cast<std::size_t>(choice)]});
 }
 
-/// What the pixels show. A scale's ends are those of another picture, if they are given.
+/// Adds the options of what the pixels show. A scale's ends are those of another picture, if they
+/// are given.
 void add_shade(Command& options, const Request& request) {
     add_choice(options, request, "shade",
                {"", "normal", "depth", "id", "t", "bounces", "cost", "samples"});
@@ -103,7 +104,7 @@ public:
         const std::string& route = request.path;
         if (route.empty()) return part("page.html", "text/html; charset=utf-8");
         if (route == "page.css") return part(route, "text/css; charset=utf-8");
-        if (route == "page.js" || route == "rays.js")
+        if (route == "page.js" || route == "difference.js" || route == "rays.js")
             return part(route, "text/javascript; charset=utf-8");
         if (route == "stages") return stages();
         if (route == "news") return news(request);
@@ -182,30 +183,30 @@ private:
             .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
     }
 
-    /// What both programs print about the requested pixel.
+    /// The output of both programs about the requested pixel.
     std::vector<std::string> about_pixel(const Request& request, const std::string& option,
                                          RenderQueue& queue) {
         const RenderRequest picture_request = parse_request(request);
         const int row = whole_number(request, "row", 0, largest_side);
         const int column = whole_number(request, "column", 0, largest_side);
-        std::vector<std::string> told;
+        std::vector<std::string> printed;
         const bool finished = queue.take(
             parse_page(request), parse_number(request), [&](const std::atomic<bool>& cancelled) {
-                told = runner_.about_pixel(picture_request, option, row, column, cancelled);
+                printed = runner_.about_pixel(picture_request, option, row, column, cancelled);
             });
         if (!finished) throw Refusal{409, "another pixel was requested"};
-        return told;
+        return printed;
     }
 
     Response log(const Request& request) {
-        const std::vector<std::string> told = about_pixel(request, "--pixel", stories_);
-        return {.body = json_rows(compare_logs(told[0], told[1])), .type = json_type};
+        const std::vector<std::string> printed = about_pixel(request, "--pixel", stories_);
+        return {.body = json_rows(compare_logs(printed[0], printed[1])), .type = json_type};
     }
 
     /// The drawings are texts in the response: a student's program may print anything.
     Response rays(const Request& request) {
-        const std::vector<std::string> told = about_pixel(request, "--rays", drawings_);
-        return {.body = "[" + json(told[0]) + "," + json(told[1]) + "]", .type = json_type};
+        const std::vector<std::string> printed = about_pixel(request, "--rays", drawings_);
+        return {.body = "[" + json(printed[0]) + "," + json(printed[1]) + "]", .type = json_type};
     }
 
     const ViewSettings& settings_;

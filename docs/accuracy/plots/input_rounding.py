@@ -1,4 +1,4 @@
-"""What float and double lose of a scene that is moved, scaled, or has a small gap in it."""
+"""The pixels that float and double lose of a scene that is moved, scaled, or has a small gap."""
 from data import CHANGES, decade, different, read, where
 from style import FEW, Tiles, tens
 

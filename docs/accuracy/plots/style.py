@@ -1,4 +1,4 @@
-"""What all plots share: colors, dashes, markers, tiles, and how an SVG is written.
+"""The style of all plots: colors, dashes, markers, tiles, and how an SVG is written.
 
 Series are told apart by color, dash and marker at once. The colors are those of Okabe and Ito
 (2008), which readers with any of the common color deficiencies tell apart. An SVG brings a card of
@@ -20,7 +20,7 @@ DARK = {INK: "#e6edf3", GRAY: "#9da7b3", FAINT: "#3b434d", CARD: "#0d1117"}
 BLUE, VERMILION, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
 DARK_SERIES = {BLUE: "#3d9fdc"}  # the only one too dark for a dark card
 
-# What tells one series from the next.
+# The color, dashes and marker of each series.
 SERIES = [
     dict(color=VERMILION, linestyle=(0, (5, 2)), marker="s"),
     dict(color=BLUE, linestyle="-", marker="o"),
@@ -53,7 +53,7 @@ pyplot.rcParams.update({
 
 
 def figure(width, height, panels=1, rows=1, **options):
-    """A figure of so many pixels at ordinary size, and so many panels side by side, in rows."""
+    """A figure of width × height pixels at ordinary size: `panels` side by side, in `rows`."""
     fig, axes = pyplot.subplots(rows, panels, figsize=(width / 72, height / 72),
                                 layout="constrained", **options)
     fig.get_layout_engine().set(w_pad=0.12, h_pad=0.1)
@@ -183,7 +183,7 @@ def svg(title, figure):
     pyplot.close(figure)
     source = re.sub(r"<metadata>.*?</metadata>\s*", "", file.getvalue(), flags=re.S)
     source = source[source.index("<svg"):]
-    # Larger than matplotlib means it, and without what nobody reads.
+    # Enlarged, and without comments and ids.
     source = re.sub(r'(width|height)="([\d.]+)pt"',
                     lambda found: f'{found[1]}="{float(found[2]) * ENLARGED:g}"', source, count=2)
     source = re.sub(r'<!--.*?-->| transform="rotate\(-0[^"]*"', "", source, flags=re.S)

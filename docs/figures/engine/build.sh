@@ -4,7 +4,7 @@
 # Writes OUT/engine_double.wasm and OUT/engine_float.wasm, the functions of the stages, and
 # OUT/picture_double.wasm, which draws whole pictures. Needs Debian's clang, lld and, of 14 MB,
 # wasi-libc, libc++-16-dev-wasm32, libc++abi-16-dev-wasm32 and libclang-rt-16-dev-wasm32: without one of
-# these it says so and writes nothing. Compiles all again if one of the project's files is newer.
+# these it prints its name and writes nothing. Compiles all again if one of the project's files is newer.
 set -eu
 mkdir -p "$2/include"
 out=$(CDPATH='' cd -- "$2" && pwd)

@@ -1,4 +1,4 @@
-// What the figures of the book need beside the contracts of the stages: the explanations of
+// Functions of the figures of the book beside the contracts of the stages: the explanations of
 // `--pixel`, and the documents' own ways where a page compares them with the stage's.
 #pragma once
 

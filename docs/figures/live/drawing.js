@@ -1,4 +1,4 @@
-// What all live figures share: a sketch to draw on, handles to drag, sliders, and the rows of
+// The base of all live figures: a sketch to draw on, handles to drag, sliders, and the rows of
 // numbers below. A figure computes nothing that a stage teaches: it calls the stages' functions.
 import { has_mine, open } from "./engine.js";
 
@@ -137,8 +137,8 @@ export class Figure extends HTMLElement {
 
   // ---- what can be moved
 
-  /// A point that is dragged, or moved with the arrow keys by so many pixels, and with Shift by one.
-  /// `keep` may hold it on a line.
+  /// A point that is dragged, or moved with the arrow keys by `step` pixels, and with Shift by one.
+  /// `keep` returns the nearest allowed point.
   handle(name, place, { fill = color.ink, keep = (point) => point, step: pixels = 6 } = {}) {
     const knob = element("circle", { class: "handle", r: 8, fill, tabindex: 0, role: "slider", "aria-label": name });
     const handle = { name, place, knob, get value() { return this.place; } };
@@ -177,7 +177,7 @@ export class Figure extends HTMLElement {
     const show = () => { output.textContent = (power ? read().toExponential() : read()) + unit; input.setAttribute("aria-valuetext", output.textContent); };
     input.addEventListener("input", () => (show(), this.redraw()));
     show();
-    this.#labelled(name, input, output);
+    this.#labeled(name, input, output);
     return { get value() { return read(); } };
   }
 
@@ -204,7 +204,7 @@ export class Figure extends HTMLElement {
     return { get value() { return set.querySelector(":checked").value; } };
   }
 
-  #labelled(name, ...parts) {
+  #labeled(name, ...parts) {
     const label = document.createElement("label");
     label.append(name, ...parts);
     this.form.append(label);

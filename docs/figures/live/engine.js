@@ -85,7 +85,7 @@ class Engine {
     return this.#result(this.exports.engine_ask(bytes.length)).slice();
   }
 
-  /// The answer of the student's file, as bytes. Throws what `check` would say.
+  /// The answer of the student's file, as bytes. Throws the message of `check` if there is none.
   async mine(bytes) {
     const hex = Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
     const reply = await fetch(new URL(`${mine}?precision=${this.precision === "float" ? 1 : 0}&stage=${bytes[0]}&question=${hex}`, import.meta.url));

@@ -1,4 +1,4 @@
-// Where the student's own functions answer, and the times of their files: nowhere on a host of pages. ./course book serves its own
-// file in place of this one.
+// The addresses of the student's own functions, and of the times of their files. A host of pages has none; ./course book serves
+// another file in place of this one.
 export const mine = null;
 export const files = null;

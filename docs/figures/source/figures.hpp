@@ -9,7 +9,7 @@ std::string pixel_grid();
 std::string screen_side_view();
 
 std::string camera_axes();
-std::string unnormalised_x();
+std::string unnormalized_x();
 
 std::string sphere_roots();
 std::string sphere_half_chord();

@@ -21,7 +21,7 @@ constexpr std::array all = {
     Figure{"pixel_grid", pixel_grid},
     Figure{"screen_side_view", screen_side_view},
     Figure{"camera_axes", camera_axes},
-    Figure{"unnormalised_x", unnormalised_x},
+    Figure{"unnormalized_x", unnormalized_x},
     Figure{"sphere_roots", sphere_roots},
     Figure{"sphere_half_chord", sphere_half_chord},
     Figure{"plane_lengths", plane_lengths},

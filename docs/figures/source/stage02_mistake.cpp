@@ -92,10 +92,10 @@ void draw_lengths(Svg& svg, Vec2 corner, Vec2 size) {
         return length(printed_basis(pitched(degrees)).x);
     };
     std::vector<Vec2> printed;
-    std::vector<Vec2> normalised;
+    std::vector<Vec2> normalized;
     for (int degrees = -90; degrees <= 90; degrees += 3) {
         printed.push_back(place(degrees, printed_length(degrees)));
-        normalised.push_back(place(degrees, length(camera_basis(pitched(degrees)).x)));
+        normalized.push_back(place(degrees, length(camera_basis(pitched(degrees)).x)));
     }
     svg.line(place(-90, 0), place(90, 0), thin);
     svg.line(place(-90, 0), place(-90, 1), thin);
@@ -109,17 +109,17 @@ void draw_lengths(Svg& svg, Vec2 corner, Vec2 size) {
     }
     const Vec2 pitch = place(-60, printed_length(-60));
     svg.polyline({place(-90, printed_length(-60)), pitch, place(-60, 0)}, dashed);
-    svg.polyline(normalised, {.color = green, .width = 2});
+    svg.polyline(normalized, {.color = green, .width = 2});
     svg.polyline(printed, {.color = amber, .width = 2});
     svg.circle(pitch, 4, amber, {.color = white, .width = 1});
-    svg.text(place(0, 1) + Vec2(0, -8), "‖$X$‖, normalised", {.color = green, .size = 12});
+    svg.text(place(0, 1) + Vec2(0, -8), "‖$X$‖, normalized", {.color = green, .size = 12});
     svg.text(place(0, 0) + Vec2(0, -34), "‖(0, 1, 0) ∧ $Z$‖", {.color = amber, .size = 13});
 }
 
 }  // namespace
 
-std::string unnormalised_x() {
-    Svg svg({640, 246}, "The length of an X that is not normalised, and the picture it makes");
+std::string unnormalized_x() {
+    Svg svg({640, 246}, "The length of an X that is not normalized, and the picture it makes");
     const Vec2 size = pixel_size * Vec2(small.width, small.height);
     const Vec3 position(0, 3, 0);
     const Vec3 direction = pitched(-60);
@@ -133,7 +133,7 @@ std::string unnormalised_x() {
                 {.color = amber, .width = 2});
     const Vec2 below(size.x / 2, size.y + 20);
     const TextStyle note{.color = gray, .size = 13};
-    svg.text(left + Vec2(size.x / 2, -12), "$X$ normalised");
+    svg.text(left + Vec2(size.x / 2, -12), "$X$ normalized");
     svg.text(right + Vec2(size.x / 2, -12), "$X$ = (0, 1, 0) ∧ $Z$", {.color = amber});
     svg.text(left + below, "pitch −60°: all of the screen", note);
     svg.text(right + below, "the screen shrinks to half,", note);

@@ -68,7 +68,7 @@ std::string sphere_roots() {
 }
 
 std::string sphere_half_chord() {
-    Svg svg({640, 374}, "Half a chord on either side of the point of the line nearest the centre");
+    Svg svg({640, 374}, "Half a chord on either side of the point of the line nearest the center");
     Sketch sketch(svg, {.place = {405, 190}, .scale = 145});
     const Ray ray{.origin = {-2.6, -0.35, 0}, .direction = {0.9, 0.22, 0}};
     const std::vector<Real> roots = all_roots(ray, sphere);

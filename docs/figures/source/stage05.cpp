@@ -197,7 +197,7 @@ std::string triangle_shared_edge() {
     draw_quad(svg, {344, 42}, false, "≥ 0: the edge belongs to both");
     svg.circle({70, 309}, 4, white, {.color = red});
     svg.text({82, 314},
-             "a ray through the pixel's centre meets the shared edge, and neither triangle",
+             "a ray through the pixel's center meets the shared edge, and neither triangle",
              {.color = gray, .anchor = Anchor::start, .size = 13});
     return svg.source();
 }

@@ -94,7 +94,7 @@ void draw_face(Svg& svg, Vec2 place, const Square& square, Vec3 p) {
 
 std::string square_frame() {
     Svg svg({640, 320},
-            "A square and its own frame: x and y from the centre, u and v from a corner");
+            "A square and its own frame: x and y from the center, u and v from a corner");
     const Square square{
         .center = {0, 0, 0}, .basis = orthonormal_basis({-0.5, 0.3, 0.85}), .side = 2};
     const Vec3 eye(-1.2, 1.35, 1.7);

@@ -1,4 +1,4 @@
-// What stays out of a hand-out, and that nothing is missing from it.
+// Tests that a hand-out has no solution, and that nothing is missing from it.
 #include "common/course/handout/for_students.hpp"
 
 #include "common/system/files.hpp"

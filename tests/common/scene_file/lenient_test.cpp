@@ -1,5 +1,4 @@
-// What lenient reading accepts, with a warning: docs/scenes.md is the source of the expected
-// values.
+// Tests of lenient reading, with its warnings: docs/scenes.md is the source of the expected values.
 #include "tests/common/scene_file/reading.hpp"
 
 #include "tests/kit/catch.hpp"

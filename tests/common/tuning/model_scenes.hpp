@@ -88,26 +88,26 @@ public:
     [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
     void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
 
-    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
-                                   const SampleRequest& request) const override {
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
         if (*request.stop) return {};
-        PixelSample shot;
+        TrialSample sample;
         for (const Pixel pixel : request.pixels) {
             const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
             const double edge = edge_rays(pixel, settings, request);
             const double shade = shade_of(pixel, settings, request.round, in_penumbra) +
                                  edge_error(pixel, edge, request.round);
-            shot.shades.push_back({shade, shade, shade});
-            shot.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
-            shot.rays += edge + light_rays(settings, in_penumbra);
-            shot.seconds += cost_of(model_, settings, in_penumbra) + (edge - 1) * model_.ray_cost;
+            sample.shades.push_back({shade, shade, shade});
+            sample.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
+            sample.rays += edge + light_rays(settings, in_penumbra);
+            sample.seconds += cost_of(model_, settings, in_penumbra) + (edge - 1) * model_.ray_cost;
         }
         const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
         model_.asked += request.pixels.size();
-        model_.spent += shot.seconds;
-        shot.rays /= count;
-        shot.seconds *= wrong_clock() / count;
-        return shot;
+        model_.spent += sample.seconds;
+        sample.rays /= count;
+        sample.seconds *= wrong_clock() / count;
+        return sample;
     }
 
 private:
@@ -115,7 +115,7 @@ private:
         return model_.size.width - pixel.column <= model_.edges * model_.size.width;
     }
     [[nodiscard]] double edge_rays(Pixel pixel, const RenderSettings& settings,
-                                   const SampleRequest& request) const {
+                                   const TrialRequest& request) const {
         // The lost ones are the same at any round.
         const auto place = double(pixel.row * model_.size.width + pixel.column);
         const bool is_lost = std::fmod(0.618033988749895 * place, 1) < model_.lost;

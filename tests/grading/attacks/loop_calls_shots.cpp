@@ -3,7 +3,7 @@
 // stage: step01_ray_generation
 // file: main.cpp
 // compiles: no
-// told: Your file calls rt::shot_of
+// told: Your file calls rt::render_pixels
 #include "common/render/stage.hpp"
 
 #include <array>
@@ -13,22 +13,22 @@
 
 namespace rt {
 
-struct SampleRequest {
+struct TrialRequest {
     std::span<const Pixel> pixels;
     int round = 0;
     int at_least = 0;
     int threads = 1;
     const std::atomic<bool>* stop = nullptr;
 };
-struct PixelSample {
+struct TrialSample {
     std::vector<std::array<double, 3>> shades;
     std::vector<int> light_rays;
     double rays = 0;
     double seconds = 0;
 };
 
-PixelSample shot_of(const Scene& scene, const RenderSettings& settings,
-                    const SampleRequest& request);
+TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
+                          const TrialRequest& request);
 
 Image render(Resolution resolution, Real vertical_fov) {
     Scene scene;
@@ -37,7 +37,7 @@ Image render(Resolution resolution, Real vertical_fov) {
     Image image(resolution);
     for (Pixel pixel; pixel.row < resolution.height; ++pixel.row)
         for (pixel.column = 0; pixel.column < resolution.width; ++pixel.column) {
-            const auto color = shot_of(scene, {}, {.pixels = {&pixel, 1}}).shades[0];
+            const auto color = render_pixels(scene, {}, {.pixels = {&pixel, 1}}).shades[0];
             for (std::size_t i = 0; i < 3; ++i) image[pixel][i] = std::uint8_t(color[i] + 0.5);
         }
     return image;

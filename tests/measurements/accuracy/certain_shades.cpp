@@ -13,8 +13,9 @@ int main() {
         options.scene = scene.string();
         const auto session = f64::make_renderer(program, options);
         const std::vector<Pixel> pixels = certain_pixels(session->resolution());
-        const PixelSample shot = session->shot(converged, {.pixels = pixels, .round = last_round});
-        std::fwrite(shot.shades.data(), sizeof shot.shades[0], shot.shades.size(), stdout);
+        const TrialSample sample =
+            session->render_pixels(converged, {.pixels = pixels, .round = last_round});
+        std::fwrite(sample.shades.data(), sizeof sample.shades[0], sample.shades.size(), stdout);
         std::fflush(stdout);
     }
 }

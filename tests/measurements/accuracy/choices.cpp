@@ -49,11 +49,11 @@ struct Kept {
     }
 };
 
-Kept kept(const PixelSample& shot, const Truth& truth, std::size_t tolerance) {
+Kept kept(const TrialSample& sample, const Truth& truth, std::size_t tolerance) {
     std::size_t all = 0;
     std::size_t in_penumbra = 0;
     for (std::size_t i = 0; i < truth.shades.size(); ++i) {
-        if (is_kept(shot.shades[i], truth.shades[i], tolerances[tolerance])) continue;
+        if (is_kept(sample.shades[i], truth.shades[i], tolerances[tolerance])) continue;
         ++all;
         in_penumbra += truth.in_penumbra[tolerance][i];
     }
@@ -64,12 +64,13 @@ Kept kept(const PixelSample& shot, const Truth& truth, std::size_t tolerance) {
 }
 
 /// The least time of a few, if they are short.
-PixelSample rendered(const Renderer& session, const RenderSettings& settings) {
-    PixelSample best{.seconds = infinite};
+TrialSample rendered(const Renderer& session, const RenderSettings& settings) {
+    TrialSample best{.seconds = infinite};
     const std::vector<Pixel> pixels = certain_pixels(session.resolution());
     for (double all = 0; all < 0.3; all += best.seconds * double(shades_of_a_scene)) {
-        PixelSample shot = session.shot(settings, {.pixels = pixels, .round = last_round - 1});
-        if (shot.seconds < best.seconds) best = std::move(shot);
+        TrialSample sample =
+            session.render_pixels(settings, {.pixels = pixels, .round = last_round - 1});
+        if (sample.seconds < best.seconds) best = std::move(sample);
     }
     return best;
 }
@@ -139,11 +140,11 @@ public:
 
 private:
     double try_one(const Renderer& session, const Candidate& candidate) {
-        const PixelSample shot = rendered(session, candidate.settings);
+        const TrialSample sample = rendered(session, candidate.settings);
         for (std::size_t i = 0; i < found_.size(); ++i)
-            if (shot.seconds < found_[i].seconds && kept(shot, truth_, i).as_promised())
-                found_[i] = {candidate, shot.seconds};
-        return shot.seconds;
+            if (sample.seconds < found_[i].seconds && kept(sample, truth_, i).as_promised())
+                found_[i] = {candidate, sample.seconds};
+        return sample.seconds;
     }
 
     const Truth& truth_;
@@ -169,7 +170,7 @@ std::vector<Found> cheapest(const Program& program, const Options& options, cons
 Truth truth_of(const Renderer& session, const std::vector<DisplayColor>& right) {
     RenderSettings one_ray;
     one_ray.shadow_samples = 1;
-    const PixelSample one = rendered(session, one_ray);
+    const TrialSample one = rendered(session, one_ray);
     Truth truth{.shades = right, .in_penumbra = {}};
     for (const double tolerance : tolerances) {
         truth.in_penumbra.emplace_back();
@@ -200,11 +201,11 @@ void measure_tolerances(const std::filesystem::path& scene,
         const AutoSettings choice =
             choose(*session, open_float, options, Clock::now(), going_on).value();
         const double trials = processor_seconds() - start;
-        const PixelSample shot =
+        const TrialSample sample =
             rendered(choice.in_float ? *in_float : *session, choice.expected.settings);
-        const Kept share = kept(shot, truth, i);
+        const Kept share = kept(sample, truth, i);
         std::printf("%s,tolerance,%g,%.5f,%.4f,%.4f,%.4f,%s,%.5f\n", scene.stem().c_str(),
-                    tolerances[i], share.all, pixels * shot.seconds + trials, trials,
+                    tolerances[i], share.all, pixels * sample.seconds + trials, trials,
                     pixels * found[i].seconds, found[i].candidate.words.c_str(), share.in_penumbra);
     }
 }

@@ -9,7 +9,7 @@ namespace rt {
 namespace {
 
 /// In levels of 255, of the channel that differs most.
-int steps(const Rgb& a, const Rgb& b) {
+int levels(const Rgb& a, const Rgb& b) {
     int worst = 0;
     for (std::size_t channel = 0; channel < 3; ++channel)
         worst = std::max(worst, std::abs(a[channel] - b[channel]));
@@ -22,7 +22,7 @@ bool is_edge(const Image& image, Pixel pixel) {
     for (int row = std::max(pixel.row - 1, 0); row <= std::min(pixel.row + 1, height - 1); ++row)
         for (int column = std::max(pixel.column - 1, 0);
              column <= std::min(pixel.column + 1, width - 1); ++column)
-            if (steps(image[{row, column}], image[pixel]) > smooth) return true;
+            if (levels(image[{row, column}], image[pixel]) > smooth) return true;
     return false;
 }
 
@@ -55,7 +55,7 @@ Difference difference(const Image& a, const Image& b) {
     Difference all;
     for (Pixel pixel; pixel.row < a.resolution.height; ++pixel.row)
         for (pixel.column = 0; pixel.column < a.resolution.width; ++pixel.column) {
-            const int worst = steps(a[pixel], b[pixel]);
+            const int worst = levels(a[pixel], b[pixel]);
             all.most = std::max(all.most, worst);
             all.error += worst * worst;
             all.other += worst > 0;

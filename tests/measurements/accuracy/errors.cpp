@@ -27,10 +27,10 @@ struct Tally {
     int wrong = 0;
     std::vector<double> off;
 
-    void add(const Judgement& judgement) {
+    void add(const Judgment& judgment) {
         ++rays;
-        wrong += judgement.wrong;
-        if (judgement.off) off.push_back(*judgement.off * double(unit_roundoff));
+        wrong += judgment.wrong;
+        if (judgment.off) off.push_back(*judgment.off * double(unit_roundoff));
     }
 
     /// The error that this share of the hits has at most.
@@ -50,7 +50,7 @@ public:
 
     void ask(const Case<Shape>& asked) {
         // Forms often agree to the last digit, and the exact comparison takes most of the time.
-        std::vector<std::pair<std::optional<Real>, Judgement>> known;
+        std::vector<std::pair<std::optional<Real>, Judgment>> known;
         for (std::size_t i = 0; i < forms_.size(); ++i) {
             const auto got = forms_[i].intersect(asked.ray, asked.shape, {});
             auto same = std::ranges::find_if(known, [&](auto& k) { return k.first == got; });

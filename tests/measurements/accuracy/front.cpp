@@ -121,7 +121,7 @@ public:
             if (traits.most_alike < 2) continue;
             constexpr std::size_t none = 1'000'000;
             cell.hierarchy_from = traits.most_alike < traits.hierarchy_from ? 2 : none;
-            // Lists of so many are known to be slow.
+            // Longer lists are known to be slow.
             if (cell.hierarchy_from == 2 || traits.most_alike <= 100) (void)result(cell);
         }
         choices();

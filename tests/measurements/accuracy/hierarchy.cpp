@@ -28,7 +28,7 @@ std::vector<Sphere> rendered(Random& random, int count) {
     return spheres;
 }
 
-/// In nanoseconds per ray; `ask` shortens the interval of a ray to the closest hit.
+/// The time in nanoseconds per ray; `ask` shortens the interval of a ray to the closest hit.
 template <class Ask>
 double time_of(const std::vector<Ray>& all, const Ask& ask) {
     const auto start = std::chrono::steady_clock::now();

@@ -1,7 +1,7 @@
-// What --tolerance promises, in many runs: of every scene that has a light with a size, as many
-// times as the first argument says, each with rays of its own and by other numbers of threads. How
-// often every part of the promise is kept beside the picture with all rays, and how many rays the
-// picture and its trials take, in units of the fewest by other settings that keep it too.
+// The promise of --tolerance, in many runs of each scene that has a light with a size: their number
+// is the first argument, and each has its own rays and number of threads. Prints how often every
+// part of the promise is kept, compared with the picture with all rays, and how many rays the
+// picture and its trials take, in units of the fewest rays of other settings that keep it too.
 #include "common/program/session.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/choose_samples.hpp"
@@ -39,13 +39,13 @@ public:
         scene_.build_acceleration(hierarchy_from);
     }
 
-    [[nodiscard]] PixelSample shot(const RenderSettings& settings,
-                                   const SampleRequest& request) const override {
-        SampleRequest own = request;
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        TrialRequest own = request;
         own.round += first_round_;
-        PixelSample shot = scene_.shot(settings, own);
-        rays_ += shot.rays * double(request.pixels.size());
-        return shot;
+        TrialSample sample = scene_.render_pixels(settings, own);
+        rays_ += sample.rays * double(request.pixels.size());
+        return sample;
     }
 
     [[nodiscard]] double rays() const { return rays_; }
@@ -85,8 +85,8 @@ public:
         in_double_ = f64::make_renderer(program, options_);
         pixels_ = all_pixels(size);
         const RenderSettings settings = to_error(RenderSettings(), 1.0 / 8, 0);
-        right_ = shot(*in_double_, settings, truth_round);
-        one_ray_ = shot(*in_double_, with_rays(RenderSettings(), 1), truth_round + 1);
+        right_ = render_pixels(*in_double_, settings, truth_round);
+        one_ray_ = render_pixels(*in_double_, with_rays(RenderSettings(), 1), truth_round + 1);
     }
 
     /// Of 10 numbers of rays, and of ladders of errors, one for each number of rays that agree.
@@ -124,7 +124,7 @@ public:
             choose(run, open_float, options, Clock::now(), going_on).value();
         const double trials = run.rays() + (float_run ? float_run->rays() : 0);
         const Trials& chosen = choice.in_float ? *float_run : run;
-        const PixelSample picture = shot(chosen, choice.expected.settings, 0);
+        const TrialSample picture = render_pixels(chosen, choice.expected.settings, 0);
         return {.beyond = beyond(picture, tolerance),
                 .picture = picture.rays * double(pixels_.size()),
                 .trials = trials,
@@ -134,9 +134,9 @@ public:
 private:
     inline static const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
 
-    [[nodiscard]] PixelSample shot(const Trials& trials, const RenderSettings& settings,
-                                   int round) const {
-        return trials.shot(settings, {.pixels = pixels_, .round = round, .threads = 2});
+    [[nodiscard]] TrialSample render_pixels(const Trials& trials, const RenderSettings& settings,
+                                            int round) const {
+        return trials.render_pixels(settings, {.pixels = pixels_, .round = round, .threads = 2});
     }
 
     /// Returns whether finer looks take more than the fewest rays that keep the tolerance. Judged
@@ -145,7 +145,7 @@ private:
                                double& fewest) const {
         double rays = 0;
         for (const int round : {truth_round + 2, truth_round + 3}) {
-            const PixelSample picture = shot(*in_double_, settings, round);
+            const TrialSample picture = render_pixels(*in_double_, settings, round);
             rays = picture.rays * double(pixels_.size());
             if (rays >= fewest) return true;
             if (!beyond(picture, tolerance).as_promised()) return false;
@@ -154,7 +154,7 @@ private:
         return true;
     }
 
-    [[nodiscard]] Beyond beyond(const PixelSample& picture, double tolerance) const {
+    [[nodiscard]] Beyond beyond(const TrialSample& picture, double tolerance) const {
         std::map<int, std::pair<int, int>> tiles;  // pixels beyond, and all
         double all = 0;
         double in_penumbrae = 0;
@@ -180,8 +180,8 @@ private:
     Options options_{};
     std::unique_ptr<Renderer> in_double_;
     std::vector<Pixel> pixels_;
-    PixelSample right_;
-    PixelSample one_ray_;
+    TrialSample right_;
+    TrialSample one_ray_;
 };
 
 void measure(const std::filesystem::path& scene, Resolution size, int runs, bool tell_all) {

@@ -10,7 +10,7 @@
 namespace rt {
 
 Ray mirrored(const Ray& ray, const ShadingPoint& surface) {
-    // As if it were outward: "inside" is where it and the way to the centre agree.
+    // As if it were outward: "inside" is where it and the way to the center agree.
     const bool inside = dot(surface.point, surface.normal) < 0;
     const Vec3 n = inside ? -surface.normal : surface.normal;
     const Vec3 d = ray.direction;

@@ -24,21 +24,21 @@ constexpr std::size_t longest_name = 80;
 constexpr int class_megabytes = 2000;
 
 /// The student of a file, by the name from a learning platform.
-struct Labelled {
+struct Labeled {
     std::string student;
     std::string name;  ///< the student's own name for the file; empty for a folder
     bool late = false;
 };
 
-std::optional<Labelled> label(const std::string& name) {
+std::optional<Labeled> label(const std::string& name) {
     // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
     static const std::regex moodle(R"(([\s\S]+_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
     // doezoe_123_456_sphere.cpp: the student's number, and the file's
     static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_[0-9]+_([\s\S]+))");
     std::smatch parts;
-    if (std::regex_match(name, parts, moodle)) return Labelled{parts[1], parts[2]};
+    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
     if (std::regex_match(name, parts, canvas))
-        return Labelled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
+        return Labeled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
     return std::nullopt;
 }
 
@@ -163,17 +163,17 @@ private:
         const fs::path full = fs::absolute(place).lexically_normal();
         const std::string last =
             full.has_filename() ? full.filename() : full.parent_path().filename();
-        if (const std::optional<Labelled> labelled = label(last))
-            add_labelled(full, *labelled);
+        if (const std::optional<Labeled> labeled = label(last))
+            add_labeled(full, *labeled);
         else
             by_student_[{full, without_archive_ending(last)}].push_back({full, last});
     }
 
     /// A student may have several files and folders.
-    void add_labelled(const fs::path& place, const Labelled& labelled) {
-        by_student_[{place.parent_path(), labelled.student}].push_back({place, labelled.name});
-        if (labelled.late)
-            left_over_.push_back(plain_name(labelled.student) +
+    void add_labeled(const fs::path& place, const Labeled& labeled) {
+        by_student_[{place.parent_path(), labeled.student}].push_back({place, labeled.name});
+        if (labeled.late)
+            left_over_.push_back(plain_name(labeled.student) +
                                  ": Canvas marks it LATE; it is graded like the others");
     }
 
@@ -210,8 +210,8 @@ private:
             if (is_results(entry)) return leave(entry, "contains the results of a run");
             return add_student(entry);
         }
-        if (const std::optional<Labelled> labelled = label(name))
-            return add_labelled(fs::absolute(entry).lexically_normal(), *labelled);
+        if (const std::optional<Labeled> labeled = label(name))
+            return add_labeled(fs::absolute(entry).lexically_normal(), *labeled);
         if (fs::is_regular_file(entry) && is_archive(name)) return add_student(entry);
         leave(entry,
               "is neither a folder nor an archive, and its name is not one by Moodle or Canvas");

@@ -43,7 +43,7 @@ std::string source_text(const fs::path& file) {
 Text read(const Mark& mark, GradedFile graded, const fs::path& file,
           const std::vector<std::uint64_t>& given) {
     Text text{.student = mark.student, .source = graded.is_trace ? mark.trace_source : mark.source};
-    for (const std::uint64_t hash : fingerprints(normalised(source_text(file))))
+    for (const std::uint64_t hash : fingerprints(normalized(source_text(file))))
         if (text.passages.size() < most_passages &&
             !std::binary_search(given.begin(), given.end(), hash))
             text.passages.push_back({.hash = hash});
@@ -68,7 +68,7 @@ std::vector<std::uint64_t> given_passages(const fs::path& project, GradedFile gr
     std::vector<std::uint64_t> given;
     for (const fs::path& file : {stage / "starter" / file_name(graded), stage / "main.cpp"}) {
         if (!fs::exists(file) || (file.filename() == "main.cpp" && !graded.is_trace)) continue;
-        const std::vector<std::uint64_t> more = passages(normalised(read_text(file)));
+        const std::vector<std::uint64_t> more = passages(normalized(read_text(file)));
         given.insert(given.end(), more.begin(), more.end());
     }
     std::sort(given.begin(), given.end());

@@ -53,7 +53,7 @@ struct Mark {
     std::optional<PictureMark> picture;
     int most = 0;  ///< the points of all the stage's cases, tested or not
 
-    /// The points of the passed cases. Of each file, 0 if the starter passes these too: then the
+    /// The points of the passed cases. A file whose passed cases the starter passes too has 0: the
     /// student wrote nothing.
     [[nodiscard]] int points() const;
     [[nodiscard]] int points(bool of_trace) const;

@@ -89,7 +89,7 @@ std::vector<std::uint64_t> each_once(std::vector<std::uint64_t> all) {
 
 }  // namespace
 
-std::string normalised(std::string_view source) {
+std::string normalized(std::string_view source) {
     std::string tokens;
     for (std::size_t at = 0; at < source.size();) {
         const char each = source[at];

@@ -11,7 +11,7 @@ namespace rt::grade {
 /// The file's tokens, one character each: a name is "n", a number "0", a text "t", each
 /// control-flow keyword a capital letter. Braces, const, namespaces and preprocessor lines are left
 /// out.
-[[nodiscard]] std::string normalised(std::string_view source);
+[[nodiscard]] std::string normalized(std::string_view source);
 
 /// Hashes of some of the passages of 16 tokens, sorted and without duplicates: two files that share
 /// any 23 tokens share at least one hash (winnowing: Schleimer, Wilkerson and Aiken).

@@ -4,7 +4,7 @@ import { Figure, color, define, times } from "./drawing.js";
 const onto_circle = ([, y, z]) => times(1 / (Math.hypot(y, z) || 1), [0, y, z]);
 const size = (v) => Math.hypot(...v);
 
-define("unnormalised_x", class extends Figure {
+define("unnormalized_x", class extends Figure {
   static title = "The basis of a camera: drag its direction through the vertical";
   static height = 320;
   view = { place: [170, 165], scale: 115, right: [0.45, 0, -1], up: [-0.3, 1, 0] };
@@ -28,7 +28,7 @@ define("unnormalised_x", class extends Figure {
       if (axis !== "z") sketch.arrow(origin, printed[axis], { stroke: color.amber, width: 3, dashes: "6 3" });
     }
     sketch.label(direction, [-16, 16], "c", color.blue);
-    // The length of X over the pitch, as printed and normalised.
+    // The length of X over the pitch, as printed and normalized.
     const place = (degrees, length) => [475 + degrees * 1.45, 240 - 150 * length];
     const plot = { printed_basis: color.amber, camera_basis: color.green };
     for (const [name, stroke] of Object.entries(plot)) {
@@ -45,7 +45,7 @@ define("unnormalised_x", class extends Figure {
     sketch.pixels("circle", { cx, cy, r: 5 }, { fill: color.amber, stroke: color.white });
     for (const pitch of [-90, -45, 0, 45, 90]) sketch.shape("text", { x: place(pitch, 0)[0], y: 258, text_anchor: "middle" }, `${pitch}°`);
     sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
-    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalised (solid)");
+    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalized (solid)");
     sketch.shape("text", { x: 475, y: 225, text_anchor: "middle", style: `fill: ${color.amber}` }, "as printed (dashed)");
     // Into the world, and back.
     const position = [1, 2, 3], ray = { origin: [0.5, 0, 0], direction: [0, 0, -1] };

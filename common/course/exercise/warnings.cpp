@@ -1,0 +1,64 @@
+#include "common/course/exercise/warnings.hpp"
+
+#include "common/course/build/compiler_errors.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/build/student_objects.hpp"
+#include "common/course/exercise/may_include.hpp"
+
+#include <cstdio>
+
+namespace rt {
+
+namespace {
+
+constexpr const char* advice = "Put helper functions into an anonymous namespace: namespace { … }";
+
+/// Warns of includes that work here, and are refused when the file is graded.
+void show_refused_includes(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    for (const std::filesystem::path& file : workbook.files())
+        for (const Include& each :
+             refused_includes(project_folder, {stage, file.filename() == trace_file}, file))
+            std::printf(
+                "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
+                "headers\n",
+                step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
+                each.header.c_str(), std::string(stage_name(stage)).c_str());
+}
+
+/// Warns of each source file that is linked here, but not when the stage is graded.
+void show_ungraded_files(const Workbook& workbook) {
+    const int stage = workbook.stage();
+    const std::string graded = stage_header(stage).stem().string() + ".cpp";
+    for (const std::filesystem::path& file : workbook.files())
+        if (file.filename() != graded && file.filename() != trace_file)
+            std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
+                        step_path(stage, "student/" + file.filename().string()).c_str(),
+                        graded.c_str());
+}
+
+/// Prints the compiler's first warning, also if it was compiled before, with its cure.
+void show_warning(int stage) {
+    const std::string warning = first_warning(kept_warnings(stage));
+    std::fputs(warning.c_str(), stdout);
+    if (warning.find("no previous ") != std::string::npos) std::puts(advice);
+}
+
+/// Warns of symbols for which no program can be linked with another stage of the student's.
+void show_shared_symbols(int stage) {
+    for (const SharedSymbol& each : shared_symbols(stage))
+        std::printf(
+            "%s: warning: %s is defined twice, also in %s: ./course run cannot link both.\n%s\n",
+            each.file.c_str(), each.name.c_str(), each.other_file.c_str(), advice);
+}
+
+}  // namespace
+
+void show_warnings(const Workbook& workbook) {
+    show_warning(workbook.stage());
+    show_shared_symbols(workbook.stage());
+    show_refused_includes(workbook);
+    show_ungraded_files(workbook);
+}
+
+}  // namespace rt

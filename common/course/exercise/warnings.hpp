@@ -1,0 +1,12 @@
+// Warnings about files that pass the suite, and yet cannot be graded or linked as they are.
+#pragma once
+
+#include "common/course/exercise/workbook.hpp"
+
+namespace rt {
+
+/// Prints the compiler's first warning, and what will be missing or refused: a symbol that another
+/// stage defines too, an #include that a graded file may not have, a file that is not graded.
+void show_warnings(const Workbook& workbook);
+
+}  // namespace rt
