@@ -239,6 +239,7 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
         REQUIRE(some.compiled);
         CHECK(some.passed.size() < all.passed.size());
     }
+    CHECK(graded("step03_sphere", "../steps/step03_sphere/starter/main.cpp").compiled);
     unsetenv("RAYSTEPS_SEED_FILE");
 }
 

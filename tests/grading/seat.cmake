@@ -64,25 +64,19 @@ endfunction()
 #
 # seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
 # the objects of the file's own reference. The object with a header's functions, if there is one, has
-# its name, or that of its folder, whose sources are compiled as one: todo.cpp.o or
-# unity_stages_cxx.cxx.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
-# and of those folders of common/ whose headers it may include, but not the loop over the pixels in
-# common/render/render.cpp, and not the parts of its own stage that are not listed, such as
-# lighting.hpp.
+# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
+# and of those folders of common/ whose headers it may include, each compiled as one, but not the
+# loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
+# listed, such as lighting.hpp.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
     set(whose "all|${stage}")
     if(NOT file STREQUAL stage)
-        set(whose "trace:${stage}")
+        set(whose "all|trace:${stage}")
     endif()
-    file(STRINGS ${may_include} headers REGEX "^(${whose}) ")
-    list(TRANSFORM headers REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}"
-        OUTPUT_VARIABLE callable)
-    list(FILTER headers INCLUDE REGEX " common/")
-    list(TRANSFORM headers REPLACE "^.* common/(.*)/.*$"
-        "Unity/unity_\\1_cxx.cxx${CMAKE_CXX_OUTPUT_EXTENSION}")
-    list(APPEND callable ${headers})
+    file(STRINGS ${may_include} callable REGEX "^(${whose}) ")
+    list(TRANSFORM callable REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}")
     set(parts "${objects}")
     set(absent)
     set(others)
