@@ -27,6 +27,8 @@ define("plane_horizon", class extends Figure {
     sketch.ray(seen, 6);
     const t = await this.ask(4, "intersect", ray, ground, ahead);
     const printed = await this.ask(0, "intersect_with_epsilon", ray, ground, ahead, epsilon);
+    const beyond = await this.ask(4, "intersect", ray, ground, { min: 5, max: Infinity });
+    const tilted = await this.ask(4, "normal", { point: [0, 0, 0], normal: [0, 3, 4] }, [0, 0, 0]);
     if (t !== null) sketch.mark(at(ray, t), printed === null ? "refused" : "hit");
     // A column of pixels, from above the horizon downwards.
     for (let i = 0; i < strip; ++i) {
@@ -41,6 +43,6 @@ define("plane_horizon", class extends Figure {
     sketch.shape("text", { x: 562, y: 30, text_anchor: "end" }, "ours");
     sketch.shape("text", { x: 575, y: 30 }, "with ε");
     sketch.label([2.6, origin[1], 0], [0, -6], "to the horizon: ⟨d_r, n⟩ = 0", color.gray);
-    return [await this.ask(0, "explain", ray, ground, ahead), ["intersect", t], [`refused if |⟨d_r, n⟩| < ${epsilon.toExponential()}`, printed]];
+    return [await this.ask(0, "explain", ray, ground, ahead), ["intersect", t], [`refused if |⟨d_r, n⟩| < ${epsilon.toExponential()}`, printed], ["intersect from t = 5 on", beyond], ["normal of a plane given as (0, 3, 4)", tilted]];
   }
 });

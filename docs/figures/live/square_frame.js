@@ -22,6 +22,8 @@ define("square_frame", class extends Figure {
     const from = this.behind.value ? -2 : 2;
     const ray = { origin: [p[0], p[1], from], direction: [0, 0, -from / 2] };
     const t = await this.ask(6, "intersect", ray, square, ahead);
+    const beyond = await this.ask(6, "intersect", ray, square, { min: 3, max: Infinity });
+    const away = await this.ask(6, "intersect", { ...ray, direction: times(-1, ray.direction) }, square, ahead);
     const uv = await this.ask(6, "square_uv", square, p);
     const corner = (x, y) => add(o, add(times((x * h) / 2, basis.x), times((y * h) / 2, basis.y)));
     sketch.polygon([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], { fill: color.tint, stroke: color.ink, width: 2 });
@@ -36,6 +38,6 @@ define("square_frame", class extends Figure {
     sketch.line(along, p, { stroke: color.amber, width: 2, dashes: "5 4" });
     sketch.mark(p, t === null ? "refused" : "hit");
     sketch.label(p, [14, -8], t === null ? "missed" : "hit", t === null ? color.gray : color.red, "start");
-    return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["normal", await this.ask(6, "normal", square, p)]];
+    return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["intersect from t = 3 on", beyond], ["intersect of the ray away from it", away], ["normal", await this.ask(6, "normal", square, p)]];
   }
 });

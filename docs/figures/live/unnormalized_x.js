@@ -18,6 +18,10 @@ define("unnormalized_x", class extends Figure {
     const [, y, z] = this.direction.place, direction = [this.away.value, y, z];
     const basis = await this.ask(2, "camera_basis", direction);
     const printed = await this.ask(0, "printed_basis", direction);
+    // Into the world, and back; before the plot, which asks a student's file for all that it may be asked.
+    const position = [1, 2, 3], ray = { origin: [0.5, 0, 0], direction: [0, 0, -1] };
+    const in_world = await this.ask(2, "to_world", ray, basis, position);
+    const columns = await this.ask(2, "view_matrix", basis, position);
     const circle = Array.from({ length: 73 }, (_, i) => [0, Math.sin((i * Math.PI) / 36), Math.cos((i * Math.PI) / 36)]);
     sketch.polyline(circle, { stroke: color.faint });
     const origin = [0, 0, 0];
@@ -47,10 +51,6 @@ define("unnormalized_x", class extends Figure {
     sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
     sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalized (solid)");
     sketch.shape("text", { x: 475, y: 225, text_anchor: "middle", style: `fill: ${color.amber}` }, "as printed (dashed)");
-    // Into the world, and back.
-    const position = [1, 2, 3], ray = { origin: [0.5, 0, 0], direction: [0, 0, -1] };
-    const in_world = await this.ask(2, "to_world", ray, basis, position);
-    const columns = await this.ask(2, "view_matrix", basis, position);
     return [
       ["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y],
       [`to_world: from (0.5, 0, 0) along −z; camera at (${position.join(", ")})`, in_world],
