@@ -67,6 +67,7 @@ endfunction()
 # The suites of several files, tests/suites/<stage>/<part>_test.cpp: their cases run, and are
 # reported, in the order of the parts.
 set(step09_phong_parts terms scenes)
+set(step10_shadows_parts shadow_ray scenes)
 set(step11_soft_shadows_parts light_points visibility scenes)
 set(step12_mirror_parts reflected_ray self_intersection reflections)
 set(step13_meshes_parts boxes frames meshes scenes)

@@ -1,0 +1,111 @@
+// Known mistakes, recognized by their answers and by the cases that fail.
+#include "common/contract/probes.hpp"
+
+#include "tests/kit/catch.hpp"
+
+using namespace rt;
+using namespace rt::contract;
+
+namespace {
+
+/// A mistake of the sphere that fails one case of three, and its answers.
+struct Tangent {
+    Probes probes = read_probes(
+        "stage 3\nmistake tangent_lost: You test > for >=.\n"
+        "case intersect: a tangent\ncase intersect: a small sphere\ncase normal: a normal\n"
+        "fails x.. tangent_lost\n"
+        "call intersect(Ray{{0, 1, 5}, {0, 0, -1}}, Sphere{{0, 0, 0}, 1}, Interval{0, infinity})\n"
+        "right 5\nwrong std::nullopt | tangent_lost\n"
+        "call normal(Sphere{{0, 0, 0}, 1}, {0, 0, 1})\nright {0, 0, 1}\n");
+    std::vector<Answer> answers = {probes.probes[0].mistaken[0], probes.probes[1].right};
+
+    [[nodiscard]] bool is_named(const CaseResults& results) const {
+        return !recognised(probes, answers, results).empty();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mistake is recognized only if the cases that fail are those that it fails") {
+    Tangent known;
+    CHECK(known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", false}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", true}, {"a small sphere", true}, {"a normal", true}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", false}}));
+    // A crash before the other cases, and a case that was added since.
+    CHECK(known.is_named({{"a tangent", false}}));
+    CHECK(known.is_named({{"a tangent", false}, {"another", false}}));
+}
+
+TEST_CASE("a mistake that can be made in two functions is recognized in one") {
+    const Probes probes = read_probes(
+        "stage 9\nmistake falls_off: Light does not fall off.\n"
+        "case diffuse_term: diffuse\ncase specular_term: specular\n"
+        "fails xx falls_off\n"
+        "call reflected({0, 0, 1}, {0, 0, 1})\nright {0, 0, 1}\n"
+        "call diffuse_term(ShadingPoint{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0, "
+        "Material{{1, 1, 1}, 1, 2, 0}}, Light{{0, 0, 2}, 1, {1, 1, 1}, 0})\n"
+        "right {1, 1, 1}\nwrong {Real(0.25), Real(0.25), Real(0.25)} | falls_off\n"
+        "call specular_term(ShadingPoint{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0, "
+        "Material{{1, 1, 1}, 1, 2, 0}}, Light{{0, 0, 2}, 1, {1, 1, 1}, 0})\n"
+        "right {1, 1, 1}\nwrong {Real(0.25), Real(0.25), Real(0.25)} | falls_off\n");
+    const Answer right = probes.probes[1].right;
+    const Answer wrong = probes.probes[1].mistaken[0];
+    const Answer reflected = probes.probes[0].right;
+    const auto named = [&](const Answer& diffuse, const Answer& specular,
+                           const CaseResults& results) {
+        return recognised(probes, {reflected, diffuse, specular}, results).size();
+    };
+    CHECK(named(wrong, wrong, {{"diffuse", false}, {"specular", false}}) == 1);
+    CHECK(named(wrong, right, {{"diffuse", false}, {"specular", true}}) == 1);
+    CHECK(named(wrong, right, {{"diffuse", true}, {"specular", false}}) == 0);
+    CHECK(named(right, right, {{"diffuse", true}, {"specular", true}}) == 0);
+}
+
+TEST_CASE("a mistake is recognized beside another one, in another function") {
+    Tangent known;
+    known.answers[1].value->parts[2].number = -1;
+    CHECK(known.is_named({{"a tangent", false}, {"a small sphere", true}, {"a normal", false}}));
+    CHECK_FALSE(
+        known.is_named({{"a tangent", false}, {"a small sphere", false}, {"a normal", false}}));
+}
+
+namespace {
+
+/// Two mistakes in a function with many right answers: only their cases tell them from another
+/// right answer.
+struct OpenFunction {
+    Probes probes = read_probes(
+        "stage 11\nmistake half: You go half way round.\nmistake disc: You aim at a disc.\n"
+        "open sample_light\ncase sample_light: even\ncase sample_light: seen\n"
+        "fails x. half\nfails xx disc\n"
+        "call sample_light(Light{{0, 4, 0}, 1, {1, 1, 1}, 2}, {0, 0, 0}, {0, 0})\n"
+        "right {0, 2, 0}\nwrong {Real(0.001), 2, 0} | half\nwrong {1, 4, 0} | disc\n");
+
+    /// The names for this answer, if the first case fails, or both.
+    [[nodiscard]] std::string names(Vec3 answer, bool both_fail) const {
+        Writer writer;
+        put(writer, answer);
+        Reader reader(writer.bytes());
+        const std::vector<Answer> answers = {{.value = get_value(type_of<Vec3>(), reader)}};
+        std::string names;
+        for (const Mistake& mistake :
+             recognised(probes, answers, {{"even", false}, {"seen", !both_fail}}))
+            names += mistake.name;
+        return names;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mistake in an open function is recognized by the cases and the kind of answer") {
+    const OpenFunction function;
+    CHECK(function.names({0, 2, 0}, false) == "half");
+    CHECK(function.names({0, Real(2.001), Real(0.06)}, false) == "half");  // another basis
+    CHECK(function.names({0, 4, 1}, true) == "disc");
+    CHECK(function.names({0, 4, 1}, false).empty());
+    CHECK(function.names({0, 2, 0}, true).empty());
+}
