@@ -6,6 +6,7 @@
 //   points 2                                   if its tag contains them: [2 points]; default 1
 //   at tests/suites/step05_triangle_test.cpp:61       only for a failed case: its first failure
 //   | intersect(Ray{…                          its lines
+//   failures 1f00aa64e1b2c3d4                  the digest of all its failures
 //   failed                                     or passed
 #include "tests/kit/report.hpp"
 
@@ -23,6 +24,7 @@ using Answer = bool;
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace {
@@ -92,6 +94,7 @@ public:
         if (const int points = points_in(info.tagsAsString()); points != 1)
             out_ << "points " << points << std::endl;
         told_ = false;
+        rt::failures_of_case.clear();
     }
 
     Answer assertionEnded(const Catch::AssertionStats& stats) override {
@@ -101,12 +104,18 @@ public:
 
     void testCaseEnded(const Catch::TestCaseStats& stats) override {
         Listener::testCaseEnded(stats);
-        out_ << (stats.totals.assertions.failed == 0 ? "passed" : "failed") << std::endl;
+        const bool passed = stats.totals.assertions.failed == 0;
+        if (!passed)
+            out_ << "failures " << std::hex << std::setw(16) << std::setfill('0')
+                 << rt::failures_of_case.value() << std::dec << std::endl;
+        out_ << (passed ? "passed" : "failed") << std::endl;
     }
 
 private:
     void explain(const Catch::AssertionResult& result) {
-        if (result.isOk() || told_) return;
+        if (result.isOk()) return;
+        rt::failures_of_case.add(told(result));
+        if (told_) return;
         told_ = true;
         out_ << "at " << place(result.getSourceInfo()) << '\n';
         const std::string remark = rt::remark_on_failure ? rt::remark_on_failure() : "";

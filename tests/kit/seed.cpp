@@ -15,7 +15,8 @@ namespace {
 constexpr std::uint64_t default_seed = 2021;
 
 Seed read_seed() {
-    if (const char* file = std::getenv("RAYSTEPS_SEED_FILE")) {
+    const char* const file = std::getenv("RAYSTEPS_SEED_FILE");
+    if (file != nullptr && std::getenv("RAYSTEPS_AS_WRITTEN") == nullptr) {
         Seed seed{.secret = true};
         if (!(std::ifstream(file) >> std::hex >> seed.number))
             throw std::runtime_error("the file that RAYSTEPS_SEED_FILE names has no seed");

@@ -3,6 +3,7 @@
 // RAYSTEPS_SEED       a number, to repeat a run or to see other inputs
 // RAYSTEPS_SEED_FILE  in a graded run: a file with the seed in 16 hexadecimal digits, which no
 //                     message contains
+// RAYSTEPS_AS_WRITTEN without that file: for messages that a student can repeat
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/kit/catch.hpp"
+#include "tests/kit/report.hpp"
 
 #include "common/explain/text.hpp"
 #include "common/geometry/ray.hpp"
@@ -29,7 +30,14 @@ struct Verdict {
 
 /// Passes, or fails with a sentence.
 inline Verdict verdict(bool holds, const std::string& sentence) {
+    if (!holds) failures_of_case.add(sentence);
     return {.holds = holds, .sentence = holds ? "" : sentence};
+}
+
+/// Keeps the first failure of several questions, all of which are asked: known mistakes of `trace`
+/// are recognized by all the questions that they fail.
+inline void keep_first(Verdict& kept, Verdict next) {
+    if (kept.holds) kept = std::move(next);
 }
 
 inline bool close(Real got, Real expected, Real scale = 1) {

@@ -10,40 +10,66 @@
 
 namespace rt {
 
-/// A kind of shape in a scene, introduced by the stage of that number.
+/// A kind of shape in a scene, introduced by the stage of that number. The eye is at the origin and
+/// looks along 0,0,-1: the ray of the pixel meets the shape at 0,0,-depth.
 struct Kind {
+    using Line = std::string (*)(int depth, const std::string& color);
+
     int stage;
-    /// The line of a shape in front of an eye at the origin that looks along 0,0,-1: the ray of the
-    /// pixel meets it at 0,0,-depth.
-    std::string (*line)(int depth, const std::string& color);
-    double torch = 1;  ///< cosine between its normal there and the direction to the eye
+    Line line;         ///< the line of a shape in front of the eye
+    Line other_side;   ///< the line of one whose normal points away from the eye there
+    double torch = 1;  ///< cosine between the normal there and the direction to the eye, or from it
 };
 
 inline std::string at_depth(int depth) {
     return " 0,0," + std::to_string(-depth);
 }
 
+inline std::string triangle_at(int depth, const std::string& first, const std::string& second) {
+    const std::string z = std::to_string(-depth);
+    return "tr " + first + z + " " + second + z + " 0,2," + z + " ";
+}
+
 inline const std::vector<Kind> all_kinds = {
-    {3, [](int d, const std::string& c) { return "sp" + at_depth(d + 1) + " 2 " + c + "\n"; }},
-    {4, [](int d, const std::string& c) { return "pl" + at_depth(d) + " 0,0,1 " + c + "\n"; }},
-    {5,
+    {3, [](int d, const std::string& c) { return "sp" + at_depth(d + 1) + " 2 " + c + "\n"; },
      [](int d, const std::string& c) {
-         const std::string z = std::to_string(-d);
-         return "tr -1,-1," + z + " 1,-1," + z + " 0,2," + z + " " + c + "\n";
+         return "sp 0,0,0 " + std::to_string(2 * d) + " " + c + "\n";
      }},
-    {6, [](int d, const std::string& c) { return "sq" + at_depth(d) + " 0,0,1 2 " + c + "\n"; }},
+    {4, [](int d, const std::string& c) { return "pl" + at_depth(d) + " 0,0,1 " + c + "\n"; },
+     [](int d, const std::string& c) { return "pl" + at_depth(d) + " 0,0,-1 " + c + "\n"; }},
+    {5, [](int d, const std::string& c) { return triangle_at(d, "-1,-1,", "1,-1,") + c + "\n"; },
+     [](int d, const std::string& c) { return triangle_at(d, "1,-1,", "-1,-1,") + c + "\n"; }},
+    {6, [](int d, const std::string& c) { return "sq" + at_depth(d) + " 0,0,1 2 " + c + "\n"; },
+     [](int d, const std::string& c) { return "sq" + at_depth(d) + " 0,0,-1 2 " + c + "\n"; }},
     {7,
-     [](int d, const std::string& c) { return "cy" + at_depth(d + 1) + " 1,0,0 2 2 " + c + "\n"; }},
-    {8,  // of radius 1 at the height of the eye, as wide as it is high
+     [](int d, const std::string& c) { return "cy" + at_depth(d + 1) + " 1,0,0 2 2 " + c + "\n"; },
+     [](int d, const std::string& c) {
+         return "cy 0,0,0 1,0,0 " + std::to_string(2 * d) + " 2 " + c + "\n";
+     }},
+    {8,  // of radius 1 at the height of the eye, as wide as it is high; and one around the eye
      [](int d, const std::string& c) {
          return "co 0,1," + std::to_string(-d - 1) + " 0,-1,0 4 2 " + c + "\n";
      },
+     [](int d, const std::string& c) {
+         return "co 0," + std::to_string(d) + ",0 0,-1,0 " + std::to_string(4 * d) + " " +
+                std::to_string(2 * d) + " " + c + "\n";
+     },
      0.70710678},
-    {13, [](int d,
-            const std::string& c) { return "box" + at_depth(d + 1) + " 0,0,1 2,2,2 " + c + "\n"; }},
+    {13,
+     [](int d, const std::string& c) {
+         return "box" + at_depth(d + 1) + " 0,0,1 2,2,2 " + c + "\n";
+     },
+     [](int d, const std::string& c) {
+         const std::string side = std::to_string(2 * d);
+         return "box 0,0,0 0,0,1 " + side + "," + side + "," + side + " " + c + "\n";
+     }},
     {13,
      [](int d, const std::string& c) {
          return "mesh ../tests/suites/step13_meshes/wall.off" + at_depth(d) + " 10 " + c + "\n";
+     },
+     [](int d, const std::string& c) {
+         return "mesh ../tests/suites/step13_meshes/wall.off" + at_depth(d) + " 10 " + c +
+                " dir:0,0,-1\n";
      }},
 };
 
@@ -91,18 +117,18 @@ inline Verdict closest_of_random_shapes_is_seen(int stage, const std::string& he
 /// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
 /// `head` has the lights; `torch` is true if a torch lights the scene.
 inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
+    Verdict all;
     for (const Kind& front : kinds_until(stage)) {
         const auto light = std::uint8_t(255 * (torch ? front.torch : 1) + 0.5);
         for (const Kind& back : kinds_until(stage)) {
             const std::string near = front.line(4, "255,0,0");
             const std::string far = back.line(9, "0,0,255");
-            for (const std::string& lines : {near + far, far + near}) {
-                Verdict seen = shows(head + lines, {light, 0, 0});
-                if (!seen) return seen;
-            }
+            for (const std::string& lines : {near + far, far + near})
+                keep_first(all, shows(head + lines, {light, 0, 0}));
         }
     }
-    return closest_of_random_shapes_is_seen(stage, head, torch);
+    keep_first(all, closest_of_random_shapes_is_seen(stage, head, torch));
+    return all;
 }
 
 }  // namespace rt

@@ -16,11 +16,11 @@ constexpr Rgb green = {0, 255, 0};
 /// The scene with these lines shows the color, in each of their orders.
 Verdict show_in_any_order(std::array<std::string, 3> lines, Rgb expected) {
     std::sort(lines.begin(), lines.end());
+    Verdict all;
     do {
-        Verdict in_this_order = shows(lines[0] + lines[1] + lines[2], expected);
-        if (!in_this_order) return in_this_order;
+        keep_first(all, shows(lines[0] + lines[1] + lines[2], expected));
     } while (std::next_permutation(lines.begin(), lines.end()));
-    return {};
+    return all;
 }
 
 }  // namespace
@@ -58,6 +58,16 @@ TEST_CASE(
     // Nearer by its surface, not by its center.
     CHECK(show_in_any_order(
         {"sp 0,0,-10 16 255,0,0\n", "sp 0,0,-6 2 0,255,0\n", "sp 0,0,-30 4 0,0,255\n"}, red));
+    // Nearer by its center's depth, not by its center's distance; lit at a cosine of 0.338.
+    CHECK(show_in_any_order(
+        {"sp 8,0,-9 17 255,0,0\n", "sp 0,0,-10 2 0,255,0\n", "sp 0,0,-30 4 0,0,255\n"},
+        {86, 0, 0}));
+    // Less than one unit of t lies between them, or before them.
+    CHECK(show_in_any_order(
+        {"sp 0,0,-5.25 2 255,0,0\n", "sp 0,0,-5.5 2 0,255,0\n", "sp 0,0,-5.75 2 0,0,255\n"}, red));
+    CHECK(show_in_any_order(
+        {"sp 0,0,-0.02 0.02 255,0,0\n", "sp 0,0,-0.2 0.2 0,255,0\n", "sp 0,0,-2 2 0,0,255\n"},
+        red));
     CHECK(closest_of_random_shapes_is_seen(3, "", true));
 }
 
@@ -79,6 +89,8 @@ TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)")
     // The ray meets it at 0,0,-6, where its normal is 0,-0.6,0.8.
     const std::string slanted = "sp 0,3,-10 10 255,255,255\n";
     CHECK(shows(slanted, {204, 204, 204}));
+    CHECK(shows("sp 0,3,-10 10 255,100,0\n", {204, 80, 0}));
+    CHECK(shows("C 1,2,3 0,0,-1 60\nsp 1,5,-7 10 255,255,255\n", {204, 204, 204}));
     CHECK(show_in_any_order({slanted, "sp 0,0,-20 2 255,0,0\n", "sp 0,0,-30 2 255,0,0\n"},
                             {204, 204, 204}));
     CHECK(show_in_any_order({slanted, "sp 0,0,-3 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));

@@ -9,6 +9,7 @@ TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")", "[par
     for (const Kind& kind : kinds_until(4)) {
         const auto light = std::uint8_t(255 * kind.torch + 0.5);
         CHECK(shows(kind.line(5, "0,255,0"), {0, light, 0}));
+        CHECK(shows(kind.other_side(5, "0,255,0"), {0, light, 0}));
     }
 }
 

@@ -82,6 +82,9 @@ TEST_CASE("each light adds its own highlight (CR §3.1)") {
     const std::string shining = "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:10\n";
     CHECK(shows("L 0,0,0 0.4 255,255,255\n" + shining, {51, 51, 153}));
     CHECK(shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 0,255,0\n" + shining, {51, 26, 0}));
+    // The light is reflected away from the eye, along 0,0.96,-0.28.
+    CHECK(shows("L 0,-2.688,0.216 1 255,255,255\npl 0,0,-4 0,0.6,0.8 0,0,0 spec:1 shin:1\n",
+                {0, 0, 0}));
 }
 
 TEST_CASE("the surface is lit on the side of the eye (CR §3.1)") {

@@ -29,6 +29,22 @@ const std::array<std::string, 6> in_the_way = {
     "co 1.5,1,-2 0,-1,0 0.4 2 9,9,9\n",
 };
 
+/// A wall that crosses the ray at any angle is lit by a light at the eye.
+Verdict slanted_walls_are_lit() {
+    return for_all(
+        [](Random& random) {
+            const Vec3 normal(random.below(19) - 9, random.below(19) - 9, 1 + random.below(9));
+            const auto coordinate = [&] { return std::to_string(random.below(1000) * 0.001); };
+            const std::string point = coordinate() + "," + coordinate() + ",-20";
+            const auto level = std::uint8_t(Real(102) * normal.z / length(normal) + Real(0.5));
+            return shows("L 0,0,0 0.4 255,255,255\npl " + point + " " +
+                             std::to_string(int(normal.x)) + "," + std::to_string(int(normal.y)) +
+                             "," + std::to_string(int(normal.z)) + " 255,255,255\n",
+                         {level, level, level});
+        },
+        40);
+}
+
 }  // namespace
 
 TEST_CASE("without anything in the way, all lights add up (CR §3.1)", "[part trace]") {
@@ -39,6 +55,20 @@ TEST_CASE("without anything in the way, all lights add up (CR §3.1)", "[part tr
 TEST_CASE("a light with a shape in the way gives nothing (CR §3.2)") {
     CHECK(shows(red_right + white_wall + ball_on_the_right, {0, 0, 0}));
     CHECK(shows(green_left + ball_on_the_left + white_wall, {0, 0, 0}));
+    // Of any size: a thousandth, and a thousand times.
+    CHECK(shows("L 0.003,0,0 0.5 255,0,0\npl 0,0,-0.004 0,0,1 255,255,255\n", {102, 0, 0}));
+    CHECK(
+        shows("L 0.003,0,0 0.5 255,0,0\npl 0,0,-0.004 0,0,1 255,255,255\n"
+              "sp 0.0015,0,-0.002 0.0004 9,9,9\n",
+              {0, 0, 0}));
+    CHECK(shows("L 3000,0,0 0.5 255,0,0\npl 0,0,-4000 0,0,1 255,255,255\n", {102, 0, 0}));
+    CHECK(
+        shows("L 3000,0,0 0.5 255,0,0\npl 0,0,-4000 0,0,1 255,255,255\n"
+              "sp 1500,0,-2000 400 9,9,9\n",
+              {0, 0, 0}));
+    // Close to the light, and close to the wall.
+    CHECK(shows(red_right + white_wall + "sp 2.985,0,-0.02 0.01 9,9,9\n", {0, 0, 0}));
+    CHECK(shows(red_right + white_wall + "sp 0.015,0,-3.98 0.01 9,9,9\n", {0, 0, 0}));
 }
 
 TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
@@ -65,8 +95,10 @@ TEST_CASE("every kind of shape casts a shadow (CR §3.2)") {
 
 TEST_CASE(
     "a shape behind the light, behind the point or aside casts no shadow (CR §3.2, maxDist)") {
-    for (const std::string ball : {"sp 4.5,0,2 0.4 9,9,9\n", "sp -1.5,0,-6 0.4 9,9,9\n",
-                                   "sp 1.5,1,-2 0.4 9,9,9\n", "sp 3.3,0,0.4 0.4 9,9,9\n"})
+    for (const std::string ball :
+         {"sp 4.5,0,2 0.4 9,9,9\n", "sp 9,0,8 0.4 9,9,9\n", "sp -1.5,0,-6 0.4 9,9,9\n",
+          "sp -9,0,-16 0.4 9,9,9\n", "sp 1.5,1,-2 0.4 9,9,9\n", "sp 3.3,0,0.4 0.4 9,9,9\n",
+          "sp 1.5,0,0 0.2 9,9,9\n", "sp 1.5,0,-3.9 0.2 9,9,9\n"})
         CHECK(shows(red_right + white_wall + ball, {102, 0, 0}));
 }
 
@@ -86,6 +118,7 @@ TEST_CASE("there is no highlight in a shadow (CR §3.2)") {
 TEST_CASE("the surface that is seen casts no shadow on itself (CR §3.2)") {
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,-5 2 255,255,255\n", {102, 102, 102}));
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,0 8 255,255,255\n", {102, 102, 102}));
+    CHECK(slanted_walls_are_lit());
 }
 
 TEST_CASE("the picture of the stage, by this trace (CR §3.2)") {

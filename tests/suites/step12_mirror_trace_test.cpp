@@ -39,6 +39,7 @@ Verdict random_shares_are_mixed() {
 TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)",
           "[part trace]") {
     CHECK(shows(bright + mirror("1") + red_wall_behind, {255, 0, 0}));
+    CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,-8 2 0,255,0\n", {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + "sp 0,0,6 2 0,255,0\n", {0, 255, 0}));
     CHECK(shows(bright + mirror("1"), {0, 0, 0}));
 }
@@ -54,6 +55,7 @@ TEST_CASE("a mirror's share is that of what it shows, and the rest is its own co
 TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §5.1)") {
     const std::string turned = "pl 0,0,-4 0,0.70710678,0.70710678 255,255,255 mirror:1\n";
     CHECK(shows(bright + turned + "pl 0,5,0 0,-1,0 0,255,0\n" + red_wall_behind, {0, 255, 0}));
+    CHECK(shows(bright + turned + "pl 0,9,0 0,-1,0 0,0,255\nsp 0,5,-4 1 0,255,0\n", {0, 255, 0}));
 }
 
 TEST_CASE("a mirror shows the closest of what it faces (CR §5.1)") {

@@ -21,6 +21,8 @@ const std::array<std::string, 2> in_the_way = {
 TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace]") {
     for (const Kind& kind : kinds_until(13)) {
         CHECK(shows(bright + kind.line(5, "0,255,0"), {0, 255, 0}));
+        CHECK(shows("L 0,0,0 1 255,255,255\n" + kind.other_side(5, "0,255,0"),
+                    {0, std::uint8_t(255 * kind.torch + 0.5), 0}));
     }
 }
 
@@ -42,6 +44,7 @@ TEST_CASE("boxes and meshes cast shadows (CR §3.2)") {
         "L 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\npl 0,0,-4 0,0,1 255,255,255\n";
     CHECK(shows(scene, {102, 102, 0}));
     for (const std::string& shape : in_the_way) CHECK(shows(scene + shape, {0, 102, 0}));
+    CHECK(shows(scene + "sp 1.5,0,-2 0.2 9,9,9\n", {0, 102, 0}));  // and so do earlier shapes
 }
 
 TEST_CASE("boxes and meshes hide an area light (CR §3.3)") {

@@ -124,6 +124,12 @@ function(raysteps_trace_suite stage)
     endif()
     if(RAYSTEPS_MISTAKES)
         raysteps_answers(${stage}_trace ${stage}/main)
+        if(NOT stage STREQUAL "step01_ray_generation")  # some of its mistakes write past the image
+            add_test(NAME recognition_${stage}_trace COMMAND sh
+                ${PROJECT_SOURCE_DIR}/tests/trace_mistakes.sh check ${PROJECT_BINARY_DIR}
+                ${PROJECT_SOURCE_DIR} ${stage})
+            set_tests_properties(recognition_${stage}_trace PROPERTIES LABELS mistakes)
+        endif()
     endif()
 endfunction()
 

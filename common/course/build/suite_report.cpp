@@ -29,6 +29,7 @@ std::vector<CaseResult> read_report(const std::string& text) {
         if (starts_with(line, "points ", rest)) last.points = std::atoi(rest.c_str());
         if (starts_with(line, "at ", rest)) last.place = rest;
         if (starts_with(line, "| ", rest)) last.failure += rest + "\n";
+        if (starts_with(line, "failures ", rest)) last.failures = rest;
         if (line == "passed") last.passed = true;
     }
     return cases;

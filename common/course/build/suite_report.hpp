@@ -13,7 +13,8 @@ struct CaseResult {
     bool passed = false;
     std::string
         place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"
-    std::string failure;  ///< the message of the failure, line by line
+    std::string failure;   ///< the message of the failure, line by line
+    std::string failures;  ///< the digest of all its failures: the questions and the wrong answers
 };
 
 /// Parses the output of tests/kit/report.cpp.

@@ -9,6 +9,7 @@
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/suite.hpp"
+#include "common/course/exercise/trace_mistakes.hpp"
 #include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/course/exercise/wrap.hpp"
@@ -34,7 +35,8 @@ constexpr const char* not_written = " is not written yet";  // from common/stage
 /// The result of a suite in one precision.
 struct Judged {
     SuiteResult suite;
-    bool functions_are_wrong = false;  ///< though written; without `trace`
+    bool functions_are_wrong = false;       ///< though written; without `trace`
+    std::vector<CaseResult> of_trace = {};  ///< the cases of `trace`, if all of them were reached
 
     [[nodiscard]] int passed() const {
         return int(std::count_if(suite.cases.begin(), suite.cases.end(),
@@ -66,8 +68,11 @@ Judged judge(const Workbook& workbook, const std::string& word) {
     const std::string name(stage_name(workbook.stage()));
     Judged judged{.suite = run_suite(name + "_test_" + word)};
     judged.functions_are_wrong = !judged.right() && judged.written();
-    if (workbook.has_trace() && judged.suite.ended.empty())
-        judged.suite.add(run_suite(name + "_trace_test_" + word));
+    if (workbook.has_trace() && judged.suite.ended.empty()) {
+        const SuiteResult of_trace = run_suite(name + "_trace_test_" + word);
+        judged.suite.add(of_trace);
+        if (of_trace.ended.empty()) judged.of_trace = of_trace.cases;
+    }
     return judged;
 }
 
@@ -233,6 +238,16 @@ void show_float(const Judgment& judgment) {
     std::fflush(stdout);
 }
 
+/// Prints the known mistake of `trace` with the same failures, if there is one.
+void show_trace_mistake(int stage, const Judged& judged) {
+    if (!judged.written()) return;
+    const auto mistake = recognized_trace_mistake(
+        project_folder / "tests/mistakes" / stage_name(stage) / "trace.txt", judged.of_trace);
+    if (!mistake) return;
+    const std::string line = "mistake: " + mistake->name + ": " + mistake->sentence;
+    std::printf("\n%s\n", styled(wrapped(line), Style::bold).c_str());
+}
+
 void remember(const Judgment& judgment, const std::string& files, Workbook& workbook) {
     Record record = workbook.record();
     record.checked = now();
@@ -282,6 +297,7 @@ int check(int stage) {
     if (judgment.ended()) show_picture(stage);
     if (judgment.in_double.functions_are_wrong || judgment.in_float.functions_are_wrong)
         show_diagnosis(stage, report_of(name + "_test_double"));
+    show_trace_mistake(stage, judgment.in_double);
     show_references_used(stage);
     show_end(judgment, stage);
     return judgment.right() ? 0 : 1;

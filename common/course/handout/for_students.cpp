@@ -51,7 +51,7 @@ const std::regex of_other_folders(  //
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
     R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"
-    R"(|tests/mistakes/\w*/probes\.txt|tests/contract/(?!wrong/|\w*_test).*))");
+    R"(|tests/mistakes/\w*/(probes|trace)\.txt|tests/contract/(?!wrong/|\w*_test).*))");
 
 }  // namespace
 

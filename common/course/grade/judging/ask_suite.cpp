@@ -74,7 +74,8 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
                          .given = given.count(each.name) == 1,
                          .of_trace = graded.is_trace,
                          .place = each.place,
-                         .words = each.failure});
+                         .words = each.failure,
+                         .failures = each.failures});
     fs::remove(report);
     return cases;
 }

@@ -1,5 +1,6 @@
 #include "common/course/grade/judging/judge.hpp"
 
+#include "common/course/exercise/trace_mistakes.hpp"
 #include "common/course/grade/judging/load.hpp"
 #include "common/course/grade/judging/sha256.hpp"
 #include "common/course/grade/judging/submission_job.hpp"
@@ -129,6 +130,16 @@ void read_diagnosis(const std::string& output, Mark& mark) {
     }
 }
 
+/// The cases are those with the suite's own inputs.
+void name_trace_mistake(const Grading& grading, const std::vector<CaseMark>& cases, Mark& mark) {
+    std::vector<CaseResult> results;
+    for (const CaseMark& each : cases)
+        results.push_back({.name = each.name, .passed = each.passed, .failures = each.failures});
+    const auto mistake = recognized_trace_mistake(
+        grading.project / "tests/mistakes" / stage_name(mark.stage) / "trace.txt", results);
+    if (mistake) mark.mistake += (mark.mistake.empty() ? "" : "\n") + mistake->sentence;
+}
+
 }  // namespace
 
 void compile_reference(const Grading& grading, int stage) {
@@ -233,7 +244,13 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point u
     const std::vector<CaseMark> as_written = retell(cases, grading_, graded, job.worker(), until);
     cases = completed(cases, cases_of(reference_result.cases, graded));
     mark.cases.insert(mark.cases.end(), cases.begin(), cases.end());
-    if (all_pass(cases) || graded.is_trace) return;
+    if (all_pass(cases)) return;
+    if (graded.is_trace) {
+        const bool is_whole = as_written.size() == cases.size() && !is_out_of_time(mark);
+        if (is_whole && is_written(job.text(graded)))
+            name_trace_mistake(grading_, as_written, mark);
+        return;
+    }
     if (!is_written(job.text(graded))) {
         mark.words +=
             "Your file still contains RT_TODO: it was not compared with known mistakes.\n";

@@ -24,7 +24,8 @@ struct CaseMark {
     bool of_trace = false;  ///< a case of `trace`, not of the stage's functions
     std::string
         place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"
-    std::string words;  ///< the suite's message for that failure, several lines
+    std::string words;     ///< the suite's message for that failure, several lines
+    std::string failures;  ///< the digest of all its failures; not stored
 };
 
 /// The picture of the stage's scene, computed with the student's stages up to this one, and with

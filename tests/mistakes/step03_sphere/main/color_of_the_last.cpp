@@ -1,6 +1,6 @@
 // origin: invented: t and sphere are not kept together
 // caught by: the closest of several spheres is seen, in any order of the file (M1, "plusieurs objets")
-// sentence: You keep the smallest t, but the color of the last sphere that is hit. Keep the sphere together with its t.
+// sentence: You keep the smallest t, but the last sphere that is hit. Keep the sphere together with its t.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

@@ -1,6 +1,6 @@
 // origin: invented: a flag outside the loop
 // caught by: a light that is blocked takes no other light away (CR §3.2)
-// sentence: Your flag is never reset: after one light that is blocked, all later ones are.
+// sentence: After the first light that is blocked, no later one counts. Continue with the next light: end no loop there, and let each light have a flag of its own.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

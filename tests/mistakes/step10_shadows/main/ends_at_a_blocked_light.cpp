@@ -1,6 +1,6 @@
 // origin: seen in student repositories: break in place of continue
 // caught by: a light that is blocked takes no other light away (CR §3.2)
-// sentence: You end the loop at the first light that is blocked: later lights are lost.
+// sentence: After the first light that is blocked, no later one counts. Continue with the next light: end no loop there, and let each light have a flag of its own.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

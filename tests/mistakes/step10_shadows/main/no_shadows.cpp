@@ -1,6 +1,6 @@
 // origin: invented: stage 9 is kept
 // caught by: a light with a shape in the way gives nothing (CR §3.2)
-// sentence: You test nothing: every light counts, whatever is in its way.
+// sentence: Every light counts, whatever is in its way: test the way from the point to each light.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

@@ -1,6 +1,6 @@
 // origin: invented: one blocked sample blocks the light
 // caught by: half of an area light gives half of its light (CR §3.3)
-// sentence: One sample that is blocked takes the whole light away. Its share is the number of samples that reach it, of all.
+// sentence: One sample that is blocked takes the whole light away. Its share is the number of samples that reach it, of all, divided as Real.
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 

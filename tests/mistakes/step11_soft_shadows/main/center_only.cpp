@@ -1,6 +1,6 @@
 // origin: invented: the samples all aim at the center
 // caught by: half of an area light gives half of its light (CR §3.3)
-// sentence: All your samples aim at the center of the light: the shadow stays hard.
+// sentence: All your samples aim at one point of the light, its center or the same sample many times: the shadow stays hard.
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 

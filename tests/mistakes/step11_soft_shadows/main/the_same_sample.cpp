@@ -1,6 +1,6 @@
 // origin: invented: the index does not change
 // caught by: half of an area light gives half of its light (CR §3.3)
-// sentence: Every sample has the same index: it is one sample, many times.
+// sentence: All your samples aim at one point of the light, its center or the same sample many times: the shadow stays hard.
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 
