@@ -41,12 +41,17 @@ Axes axes_to_try(const PrimitiveRange& range) {
     return {.first = longest, .last = longest + 1};
 }
 
+/// From this size on, the split is chosen by a sample: every so many boxes. It is as good, and the
+/// boxes are read from memory once a split in place of twice.
+constexpr std::size_t sampled_from = 65536;
+constexpr std::size_t sample_step = 16;
+
 }  // namespace
 
 /// The boxes whose centers are in one slice of a range, along one axis.
 struct BinnedSah::Bin {
     Box4 bounds;
-    std::size_t count = 0;
+    std::uint32_t count = 0;
 };
 
 /// The axis of a split, and the first slice of its upper part.
@@ -81,8 +86,11 @@ float half_area(const Box4& box) {
     return x * y + y * z + z * x;
 }
 
-BinnedSah::BinnedSah(std::vector<Box4> boxes, std::size_t leaf_size)
-    : boxes_(std::move(boxes)), indices_(boxes_.size()), leaf_size_(leaf_size) {
+BinnedSah::BinnedSah(std::vector<Box4> boxes, std::uint32_t leaf_size)
+    : boxes_(std::move(boxes)),
+      indices_(boxes_.size()),
+      leaf_size_(leaf_size),
+      leaf_shift_(std::countr_zero(leaf_size)) {
     std::iota(indices_.begin(), indices_.end(), 0);
     all_ = measured(0, boxes_.size());
 }
@@ -98,22 +106,32 @@ PrimitiveRange BinnedSah::measured(std::size_t begin, std::size_t end) const {
 
 /// The expected cost of a part for a ray that hits it: one step for each leaf that its boxes fill.
 float BinnedSah::cost(const Bin& part) const {
-    return half_area(part.bounds) * float((part.count + leaf_size_ - 1) / leaf_size_);
+    // A shift: a division by a variable would take as long as all the rest.
+    const std::uint32_t leaves = (part.count + leaf_size_ - 1) >> leaf_shift_;
+    return half_area(part.bounds) * float(leaves);
 }
 
 template <std::size_t slices>
-BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range) const {
+BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range, std::size_t step) const {
     Bins<slices> bins;
     const Slicer<slices> slice_of(range.centroids);
     const auto [first, last] = axes_to_try(range);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-        const auto slice = slice_of(middle(boxes_[i]));
+    const auto add = [&](const Box4& box) {
+        const auto slice = slice_of(middle(box));
         for (std::size_t axis = first; axis < last; ++axis) {
             Bin& bin = bins[axis][std::size_t(slice[axis])];
-            grow(bin.bounds, boxes_[i]);
+            grow(bin.bounds, box);
             ++bin.count;
         }
+    };
+    // Neighbors are often in one slice, and each waits until the one before is stored: so one of
+    // the first half and one of the second take turns.
+    const std::size_t half = range.size() / 2;
+    for (std::size_t i = range.begin; i < range.begin + half; i += step) {
+        add(boxes_[i]);
+        add(boxes_[i + half]);
     }
+    if (range.size() % 2 != 0) add(boxes_[range.end - 1]);
     return bins;
 }
 
@@ -146,12 +164,14 @@ std::array<PrimitiveRange, 2> BinnedSah::split(const PrimitiveRange& range) {
     // Most ranges contain few boxes, for which filling and scanning the bins would dominate the
     // time.
     constexpr std::size_t few = 64;
+    if (range.size() <= 2 * std::size_t(leaf_size_)) return cut_between<4>(range);
     return range.size() < few ? cut_between<8>(range) : cut_between<16>(range);
 }
 
 template <std::size_t slices>
 std::array<PrimitiveRange, 2> BinnedSah::cut_between(const PrimitiveRange& range) {
-    const Bins<slices> bins = binned<slices>(range);
+    const std::size_t step = range.size() < sampled_from ? 1 : sample_step;
+    const Bins<slices> bins = binned<slices>(range, step);
     const Split best = cheapest<slices>(bins);
     if (best.cost == Box4::end) return split_middle(range);  // all centers are in one slice
 
@@ -161,18 +181,27 @@ std::array<PrimitiveRange, 2> BinnedSah::cut_between(const PrimitiveRange& range
         grow((i < best.slice ? lower : upper).bounds, bins[best.axis][i].bounds);
 
     const Slicer<slices> slice_of(range.centroids);
+    const auto goes_lower = [&](std::size_t i) {
+        const Float4 center = middle(boxes_[i]);
+        const bool is_lower = std::size_t(slice_of(center)[best.axis]) < best.slice;
+        PrimitiveRange& part = is_lower ? lower : upper;
+        if (step > 1) grow(part.bounds, boxes_[i]);  // the bins have only those of the sample
+        grow(part.centroids, center);
+        return is_lower;
+    };
     std::size_t low = range.begin;
     std::size_t high = range.end;
     while (low < high) {
-        const Float4 center = middle(boxes_[low]);
-        if (std::size_t(slice_of(center)[best.axis]) < best.slice) {
-            grow(lower.centroids, center);
+        if (goes_lower(low)) {
             ++low;
-        } else {
-            grow(upper.centroids, center);
-            --high;
+            continue;
+        }
+        do --high;
+        while (low < high && !goes_lower(high));
+        if (low < high) {
             std::swap(boxes_[low], boxes_[high]);
             std::swap(indices_[low], indices_[high]);
+            ++low;
         }
     }
     lower.begin = range.begin;

@@ -39,8 +39,8 @@ struct PrimitiveRange {
 class BinnedSah {
 public:
     /// The boxes must lie between -1 and 1 along every axis. `leaf_size` is the largest number of
-    /// boxes in a leaf.
-    BinnedSah(std::vector<Box4> boxes, std::size_t leaf_size);
+    /// boxes in a leaf, a power of two.
+    BinnedSah(std::vector<Box4> boxes, std::uint32_t leaf_size);
 
     [[nodiscard]] const PrimitiveRange& all() const { return all_; }
 
@@ -65,7 +65,7 @@ private:
 
     [[nodiscard]] PrimitiveRange measured(std::size_t begin, std::size_t end) const;
     template <std::size_t slices>
-    [[nodiscard]] Bins<slices> binned(const PrimitiveRange& range) const;
+    [[nodiscard]] Bins<slices> binned(const PrimitiveRange& range, std::size_t step) const;
     template <std::size_t slices>
     [[nodiscard]] Split cheapest(const Bins<slices>& bins) const;
     [[nodiscard]] float cost(const Bin& bin) const;
@@ -74,7 +74,8 @@ private:
 
     std::vector<Box4> boxes_;
     std::vector<std::uint32_t> indices_;
-    std::size_t leaf_size_;
+    std::uint32_t leaf_size_;
+    int leaf_shift_;  ///< its logarithm
     PrimitiveRange all_;
 };
 

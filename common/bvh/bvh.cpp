@@ -3,6 +3,7 @@
 #include "common/bvh/binned_sah.hpp"
 #include "common/system/huge_pages.hpp"
 
+#include <cstring>
 #include <future>
 
 namespace rt {
@@ -13,7 +14,7 @@ inline namespace RT_LANES {
 namespace {
 
 /// The largest number of boxes in a leaf whose boxes are tested one by one.
-constexpr std::size_t single_leaf_size = 1;
+constexpr std::uint32_t single_leaf_size = 1;
 
 /// From this depth on, ranges are split at their middle index. Each node then contains at most half
 /// of the boxes of its parent, so that no arrangement of boxes makes the tree deeper than
@@ -34,9 +35,7 @@ Node empty_node() {
 }
 
 void set_lane(Node::Row& row, std::size_t i, float value) {
-    auto all = std::bit_cast<std::array<float, Node::width>>(row);
-    all[i] = value;
-    row = std::bit_cast<Node::Row>(all);
+    std::memcpy(reinterpret_cast<std::byte*>(&row) + i * sizeof value, &value, sizeof value);
 }
 
 /// Whether child i of the node is one, and not a lane that is left over.
@@ -79,7 +78,7 @@ UnitSpace frame_for(const BoundingBox& bounds, const BoundingBox& scene) {
 std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace& frame,
                            Real padding) {
     std::vector<Box4> result;
-    result.reserve(count);
+    reserve_huge(result, count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto [low, high] = box(i);
         const Vec3 min = frame.scale * (low - padding - frame.center);
@@ -96,7 +95,7 @@ std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace&
 class BvhBuilder {
 public:
     BvhBuilder(std::size_t count, const BoxOf& box, Bvh::Leaves leaves, const BoundingBox& scene)
-        : leaf_size_(leaves == Bvh::Leaves::packed ? lane_count : single_leaf_size),
+        : leaf_size_(leaves == Bvh::Leaves::packed ? std::uint32_t(lane_count) : single_leaf_size),
           bounds_(around(count, box)),
           frame_(frame_for(bounds_, scene)),
           ranges_(in_frame(count, box, frame_, padding_for(bounds_)), leaf_size_) {}
@@ -111,7 +110,7 @@ private:
     [[nodiscard]] static std::uint32_t add(Bvh& tree, const Bvh& part);
     static void set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child);
 
-    std::size_t leaf_size_;
+    std::uint32_t leaf_size_;
     BoundingBox bounds_;
     UnitSpace frame_;
     BinnedSah ranges_;
@@ -144,12 +143,12 @@ std::uint32_t BvhBuilder::grow(Bvh& tree, const PrimitiveRange& range, std::size
     const std::size_t place = tree.nodes_.size();
     tree.nodes_.push_back(empty_node());
 
-    // Large parts are built as separate trees and appended in order, so that the result does not
-    // depend on the number of threads. If the system has no thread left, they are built here when
-    // their result is needed.
+    // Large parts of the root are built as separate trees and appended in order, so that the result
+    // does not depend on the number of threads. If the system has no thread left, they are built
+    // here when their result is needed.
     std::array<std::future<Bvh>, Node::width> large;
     for (std::size_t i = 0; i < children.size(); ++i)
-        if (children[i].size() >= thread_size)
+        if (depth == 0 && children[i].size() >= thread_size)
             large[i] = std::async([this, &child = children[i], depth] {
                 Bvh part = with_room_for(child);
                 part.root_ = grow(part, child, depth + 1);

@@ -1,5 +1,7 @@
 #include "common/geometry/mesh_normals.hpp"
 
+#include "common/system/huge_pages.hpp"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -12,15 +14,12 @@ namespace {
 /// Double in either precision: squares of a float stay in the range of double.
 using Wide = glm::dvec3;
 
-/// The angle between two directions. acos(a · b) would lose half the digits of a small one.
-double angle_between(Wide a, Wide b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-}
-
 }  // namespace
 
 std::vector<Vec3> smooth_normals(const Mesh& mesh) {
-    std::vector<Wide> sums(mesh.vertices.size(), Wide(0));
+    std::vector<Wide> sums;
+    reserve_huge(sums, mesh.vertices.size());
+    sums.resize(mesh.vertices.size(), Wide(0));
     for (const auto& [i, j, k] : mesh.triangles) {
         const Wide a = mesh.vertices[i];
         const Wide ab = Wide(mesh.vertices[j]) - a;
@@ -28,15 +27,17 @@ std::vector<Vec3> smooth_normals(const Mesh& mesh) {
         const Wide normal = glm::cross(ab, ac);
         const double length = glm::length(normal);
         if (!(length > 0)) continue;
-        const double at_a = angle_between(ab, ac);
-        const double at_b = angle_between(-ab, ac - ab);
+        // Twice the triangle's area is the length of the cross product of any two of its sides. An
+        // acos of their dot product would lose half the digits of a small angle.
+        const double at_a = std::atan2(length, glm::dot(ab, ac));
+        const double at_b = std::atan2(length, glm::dot(ab, ab - ac));
         const Wide direction = normal / length;
         sums[i] += at_a * direction;
         sums[j] += at_b * direction;
         sums[k] += (std::numbers::pi - at_a - at_b) * direction;
     }
     std::vector<Vec3> normals;
-    normals.reserve(sums.size());
+    reserve_huge(normals, sums.size());
     for (const Wide& sum : sums) {
         const double length = glm::length(sum);
         normals.push_back(length > 0 ? Vec3(sum / length) : Vec3(0, 0, 1));

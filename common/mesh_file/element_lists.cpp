@@ -19,9 +19,7 @@ std::string_view next_item(MeshLines& lines, const char* what, std::uint64_t ind
                  " " + what);
 }
 
-void check_vertex(std::string_view line, const MeshLines& lines, MeshLists& lists) {
-    const std::size_t words = count_words(line);
-    if (lists.words_a_vertex == 0) lists.words_a_vertex = std::max<std::size_t>(words, 3);
+void check_word_count(std::size_t words, const MeshLists& lists, const MeshLines& lines) {
     if (words == lists.words_a_vertex) return;
     lines.refuse("a vertex has " + std::to_string(lists.words_a_vertex) +
                  " numbers here, on a line of its own, not " + std::to_string(words));
@@ -29,10 +27,11 @@ void check_vertex(std::string_view line, const MeshLines& lines, MeshLists& list
 
 /// Removes the number of corners from the line and returns it.
 int take_corner_count(std::string_view& line, const MeshLines& lines) {
-    const std::string_view word = take_word(line);
-    const auto corners = whole_number(word);
+    std::string_view before = line;
+    const auto corners = take_whole_number(line);
     if (!corners || *corners < 0) {
-        lines.refuse("a face begins with the number of its corners, not " + quoted(word));
+        lines.refuse("a face begins with the number of its corners, not " +
+                     quoted(take_word(before)));
     }
     if (*corners > most_corners) {
         lines.refuse("a face of " + std::to_string(*corners) + " corners: expected at most " +
@@ -41,29 +40,28 @@ int take_corner_count(std::string_view& line, const MeshLines& lines) {
     return static_cast<int>(*corners);
 }
 
-/// Removes the i-th corner from the line and returns it.
-std::string_view take_corner(std::string_view& line, int corners, int i, const MeshLines& lines) {
-    const std::string_view word = take_word(line);
-    if (!word.empty()) return word;
-    lines.refuse("a face of " + std::to_string(corners) + " corners ends after " +
-                 std::to_string(i));
-}
-
 [[noreturn]] void refuse_number(std::string_view word, const MeshLines& lines) {
     lines.refuse("expected a number in the range of float, or an existing vertex, not " +
                  quoted(word));
 }
 
-void read_vertex(std::string_view line, const MeshLines& lines, const std::vector<int>& columns,
+void read_vertex(const std::string_view line, const MeshLines& lines, const MeshLists& lists,
                  bool has_normals, MeshImporter& importer) {
     std::array<float, 6> numbers{};
-    for (const int column : columns) {
-        const std::string_view word = take_word(line);
-        if (column < 0) continue;
-        const auto number = float_number(word);
-        if (!number) refuse_number(word, lines);
+    std::string_view rest = line;
+    for (const int column : lists.columns) {
+        if (column < 0) {
+            static_cast<void>(take_word(rest));
+            continue;
+        }
+        const auto number = take_float(rest);
+        if (!number) {
+            check_word_count(count_words(line), lists, lines);
+            refuse_number(take_word(rest), lines);
+        }
         numbers[std::size_t(column)] = *number;
     }
+    check_word_count(lists.columns.size() + count_words(rest), lists, lines);
     const auto vertex = importer.add_vertex({numbers[0], numbers[1], numbers[2]});
     if (has_normals)
         importer.set_normal(vertex, OpenMesh::Vec3f(numbers[3], numbers[4], numbers[5]));
@@ -74,9 +72,13 @@ void read_face(std::string_view line, const MeshLines& lines, std::uint64_t vert
     const int corners = take_corner_count(line, lines);
     face.clear();
     for (int i = 0; i < corners; ++i) {
-        const std::string_view word = take_corner(line, corners, i, lines);
-        const auto vertex = whole_number(word.substr(word.starts_with('+')));
-        if (!vertex) refuse_number(word, lines);
+        const auto vertex = take_whole_number(line);
+        if (!vertex) {
+            const std::string_view word = take_word(line);
+            if (!word.empty()) refuse_number(word, lines);
+            lines.refuse("a face of " + std::to_string(corners) + " corners ends after " +
+                         std::to_string(i));
+        }
         if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertices)
             lines.refuse("vertex " + std::to_string(*vertex) + " is not there: expected 0 to " +
                          std::to_string(vertices - 1));
@@ -92,12 +94,16 @@ void read_lists(MeshLines& lines, MeshLists lists, MeshImporter& importer) {
     const std::uint64_t most = lines.left() / 6 + 1;
     importer.reserve(unsigned(std::min(lists.vertices, most)), 0,
                      unsigned(std::min(lists.faces, most)));
+    bool has_normals = false;
     for (std::uint64_t i = 0; i < lists.vertices; ++i) {
         const std::string_view line = next_item(lines, "vertices", i, lists.vertices);
-        check_vertex(line, lines, lists);
-        if (lists.words_a_vertex < lists.columns.size()) lists.columns.resize(3);
-        const bool has_normals = std::count(lists.columns.begin(), lists.columns.end(), 3) > 0;
-        read_vertex(line, lines, lists.columns, has_normals, importer);
+        if (i == 0) {
+            if (lists.words_a_vertex == 0)
+                lists.words_a_vertex = std::max<std::size_t>(count_words(line), 3);
+            if (lists.words_a_vertex < lists.columns.size()) lists.columns.resize(3);
+            has_normals = std::count(lists.columns.begin(), lists.columns.end(), 3) > 0;
+        }
+        read_vertex(line, lines, lists, has_normals, importer);
     }
     MeshImporter::VHandles face;
     for (std::uint64_t i = 0; i < lists.faces; ++i)

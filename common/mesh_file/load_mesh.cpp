@@ -2,6 +2,7 @@
 
 #include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/mesh_file.hpp"
+#include "common/system/huge_pages.hpp"
 
 #include <limits>
 #include <utility>
@@ -12,7 +13,10 @@ inline namespace RT_PRECISION {
 namespace {
 
 std::vector<Vec3> as_real(const std::vector<glm::vec3>& values) {
-    return {values.begin(), values.end()};
+    std::vector<Vec3> result;
+    reserve_huge(result, values.size());
+    result.assign(values.begin(), values.end());
+    return result;
 }
 
 /// Scales every normal to unit length; replaces a zero or NaN normal by a smooth normal.

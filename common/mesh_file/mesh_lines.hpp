@@ -52,8 +52,16 @@ private:
 /// Parses the whole word as an integer; nothing if it is not one of 64 bits.
 [[nodiscard]] std::optional<std::int64_t> whole_number(std::string_view word);
 
+/// Removes the next word from the line and returns it as an integer, which may begin with '+';
+/// nothing, and the line still has the word, if it is not one of 64 bits.
+[[nodiscard]] std::optional<std::int64_t> take_whole_number(std::string_view& line);
+
 /// Parses the whole word as a float; nothing if it is not one, or out of range.
 [[nodiscard]] std::optional<float> float_number(std::string_view word);
+
+/// Removes the next word from the line and returns it as a float; nothing, and the line still has
+/// the word, if float_number returns nothing.
+[[nodiscard]] std::optional<float> take_float(std::string_view& line);
 
 /// Removes three words from the line. Throws InputError unless each is a number that a float can
 /// represent; `what` names their owner in the message.

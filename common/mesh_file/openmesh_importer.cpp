@@ -1,6 +1,7 @@
 #include "common/mesh_file/openmesh_importer.hpp"
 
 #include "common/mesh_file/triangulate.hpp"
+#include "common/system/huge_pages.hpp"
 
 #include <cmath>
 #include <utility>
@@ -28,8 +29,8 @@ OpenMesh::VertexHandle MeshImporter::add_vertex(const OpenMesh::Vec3f& point) {
 }
 
 void MeshImporter::reserve(unsigned int vertices, unsigned int /*edges*/, unsigned int faces) {
-    mesh_.vertices.reserve(vertices);
-    mesh_.triangles.reserve(faces);
+    reserve_huge(mesh_.vertices, vertices);
+    reserve_huge(mesh_.triangles, faces);
 }
 
 void MeshImporter::set_point(Vertex vertex, const OpenMesh::Vec3f& point) {

@@ -1,5 +1,6 @@
 #include "common/system/input_file.hpp"
 
+#include "common/system/huge_pages.hpp"
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
@@ -22,7 +23,10 @@ std::string read_input_file(const std::string& file, std::size_t limit) {
     constexpr std::size_t piece = 1 << 16;
     std::string content;
     const std::uintmax_t size = std::filesystem::file_size(file, trouble);
-    if (!trouble) content.reserve(std::min<std::uintmax_t>(size, limit) + piece);
+    if (!trouble) {
+        content.reserve(std::min<std::uintmax_t>(size, limit) + piece);
+        request_huge_pages(content.data(), content.capacity());
+    }
     while (stream && content.size() <= limit) {
         const std::size_t before = content.size();
         content.resize(std::min(before + piece, limit + 1));
