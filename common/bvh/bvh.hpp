@@ -72,7 +72,8 @@ public:
 
     /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
     /// inside the interval, roughly near to far, until a call returns true. Returns whether one
-    /// did. A visit may lower interval.max.
+    /// did. A visit may lower interval.max. If `visit` has a function node(), it is called for each
+    /// node whose boxes are tested.
     template <class Visit>
     bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
         return visit_leaves(ray, interval, visit, ExpectNothing());
@@ -132,16 +133,20 @@ bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit vis
             if (interval.max != before) limit = slabs.limit(interval.max);
         } else {
             const Node& node = nodes_[child];
+            if constexpr (requires { visit.node(); }) visit.node();
             const auto answer = slabs(node, limit);
             if (unsigned hits = answer.hits; hits != 0) {
                 const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
-                if constexpr (!std::is_same_v<Expect, ExpectNothing>)
-                    for (unsigned soon = hits; soon != 0;)
-                        fetch(node.children[pop_lowest_bit(soon)], expect);
-                std::size_t nearest = pop_lowest_bit(hits);
+                const auto next_hit = [&] {
+                    const std::size_t i = pop_lowest_bit(hits);
+                    if constexpr (!std::is_same_v<Expect, ExpectNothing>)
+                        fetch(node.children[i], expect);
+                    return i;
+                };
+                std::size_t nearest = next_hit();
                 const std::size_t first = waiting;
                 while (hits != 0) {
-                    std::size_t other = pop_lowest_bit(hits);
+                    std::size_t other = next_hit();
                     if (near[other] < near[nearest]) std::swap(nearest, other);
                     // Sorted from far to near by insertion: most often there are one or two.
                     std::size_t place = waiting++;

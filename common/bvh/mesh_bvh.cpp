@@ -93,6 +93,14 @@ std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4<Real
     return scales;
 }
 
+/// The same visits, and the number of boxes of the nodes.
+template <class Visit>
+struct CountingBoxes : Visit {
+    std::int64_t* count;
+
+    void node() const { *count += std::int64_t(Node::width); }
+};
+
 Triangle4<Real> enlarged(Triangle4<Real> packet, Real scale) {
     for (auto& vertex : packet.vertices)
         for (RealX4& coordinate : vertex) coordinate = broadcast(scale) * coordinate;
@@ -143,6 +151,23 @@ Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size
     all.t = std::bit_cast<RealX4>(t);
     for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<RealX4>(areas[i]);
     return all;
+}
+
+std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, Query query) const {
+    const Ray seen = scaled(ray);
+    const WatertightTest test(seen);
+    Interval left = scaled(interval);
+    std::int64_t count = 0;
+    const auto visit = [&](std::size_t leaf) {
+        count += std::int64_t(lane_count);
+        const Crossings found = crossings(test, seen, leaf, left);
+        for (unsigned hits = found.hits; hits != 0;)
+            left.max = std::min(left.max, values(found.t)[pop_lowest_bit(hits)]);
+        return query == Query::any_hit && found.hits != 0;
+    };
+    RayBoxTestCache slabs(seen);
+    hierarchy_.visit_leaves(slabs, left, CountingBoxes<decltype(visit)>{visit, &count});
+    return count;
 }
 
 #ifndef RT_EXACT  // RT_EXACT uses steps/step13_meshes/exact/mesh_bvh.cpp

@@ -13,6 +13,8 @@ inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
+enum class Query { closest_hit, any_hit };
+
 /// The triangles of a mesh, copied: the mesh itself is not used after construction.
 class MeshBvh {
 public:
@@ -25,6 +27,10 @@ public:
 
     /// Returns whether the ray hits the mesh anywhere strictly inside the interval.
     [[nodiscard]] bool occludes(const Ray& ray, Interval interval) const;
+
+    /// The number of boxes, eight in a node, and of triangles, four in a packet, against which a
+    /// query tests the ray.
+    [[nodiscard]] std::int64_t test_count(const Ray& ray, Interval interval, Query query) const;
 
     /// The bounding box of all triangles; empty if there are none.
     [[nodiscard]] BoundingBox bounds() const { return bounds_; }

@@ -28,7 +28,7 @@ struct RayRecord {
     const void* shape = nullptr;     ///< the Primitive that is hit
     std::optional<Numbers> point{};  ///< of the closest hit
     Numbers normal{};                ///< there, outward
-    std::int64_t tests = 0;          ///< number of shapes that it is tested against
+    std::int64_t tests = 0;          ///< number of shapes, and of boxes and triangles inside meshes
 };
 
 /// The rays of one pixel, in the order in which they are traced.

@@ -39,8 +39,8 @@ std::string title(Shading shading) {
         case Shading::samples:
             return "samples: the number of rays whose mean the pixel is";
         default:
-            return "cost: the number of shapes that a pixel's rays are tested against, a mesh as "
-                   "one; black: none";
+            return "cost: the number of shapes, and of boxes and triangles inside meshes, that a "
+                   "pixel's rays are tested against; black: none";
     }
 }
 

@@ -63,6 +63,13 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
     return answer->t;
 }
 
+/// The number of tests that a query of a shape takes: one, but of a mesh many.
+template <class Shape>
+std::int64_t test_count(const Ray& /*ray*/, const Shape& /*shape*/, Interval /*interval*/,
+                        Query /*query*/) {
+    return 1;
+}
+
 /// The closest-hit query of a ray: finds the smallest t in lists of shapes. Every hit shortens the
 /// interval, so that `intersect` accepts later shapes only if they are closer. The point and the
 /// normal are computed once, for the closest hit. Each kind of shape uses `intersect` and `normal`
@@ -133,7 +140,7 @@ private:
     void record_list(const PrimitiveList<Shape>& primitives, RayRecords& records) {
         RayRecord& record = closest_record(records, ray_);
         primitives.traverse(slabs_, interval_, [&](const Primitive<Shape>& primitive) {
-            ++record.tests;
+            record.tests += test_count(ray_, primitive.shape, interval_, Query::closest_hit);
             keep(primitive, intersect(ray_, primitive.shape, interval_));
             if (winner_ == &primitive) record.shape = &primitive;
         });
@@ -289,7 +296,7 @@ private:
         if (log != nullptr && in_the_way) log->remark("in the way: " + code(shape));
         if (records == nullptr) return in_the_way;
         RayRecord& record = records->rays.back();
-        ++record.tests;
+        record.tests += test_count(ray_, shape, interval_, Query::any_hit);
         if (!in_the_way) return false;
         record.shape = &primitive;
         if (const auto t = t_of(intersect(ray_, shape, interval_))) record.t = double(*t);

@@ -33,6 +33,15 @@ bool occludes(const Ray& ray, const MeshInstance& instance, Interval interval) {
     return packed->occludes(to_object_space(ray, instance.placement), interval);
 }
 
+std::int64_t test_count(const Ray& ray, const MeshInstance& instance, Interval interval,
+                        Query query) {
+    const auto& [mesh, bounds, packed] = *instance.model;
+    const Ray in_frame = to_object_space(ray, instance.placement);
+    if (packed) return packed->test_count(in_frame, interval, query);
+    const bool reaches = overlap(in_frame, bounds, interval).has_value();
+    return 1 + (reaches ? std::int64_t(mesh.triangles.size()) : 0);
+}
+
 PointWithError snapped_to(const MeshInstance& instance, const MeshHit& hit) {
     const Triangle triangle = triangle_of(instance, hit);
     const Vec3& w = hit.weights;

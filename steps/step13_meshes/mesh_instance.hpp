@@ -6,6 +6,7 @@
 #include "common/geometry/ray.hpp"
 #include "common/scene/mesh_instance.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace rt {
@@ -16,6 +17,10 @@ namespace rt {
 
 /// Returns whether the ray hits any triangle strictly inside the interval.
 [[nodiscard]] bool occludes(const Ray& ray, const MeshInstance& instance, Interval interval);
+
+/// The number of boxes and triangles that the ray is tested against.
+[[nodiscard]] std::int64_t test_count(const Ray& ray, const MeshInstance& instance,
+                                      Interval interval, Query query);
 
 /// The hit's point in the scene, computed from its barycentric coordinates, so that it is on the
 /// triangle for a ray of any length.

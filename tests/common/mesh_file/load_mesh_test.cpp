@@ -143,6 +143,7 @@ TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colors") {
     for (const std::string& text :
          {"OFF\n3 1 0\n" + vertices + "3 0 1 2\n", "OFF\n3 1\n" + vertices + "3 0 1 2",
           "OFF 3 1 0\n" + vertices + "3 0 1 2 255 0 0\n",
+          "OFF 3 1 0\n" + vertices + "+3 +0 0000000001\t2\r\n",
           "# first\n\nOFF # second\n# third\n3 2 0\n" + vertices + "3 0 1 2 0.5 0.5 0.5 1\n2 0 1\n",
           "COFF\r\n3 1 3\r\n0 0 0 9 9 9 255\r\n1 0 0 9 9 9 255\r\n0 1 0 9 9 9 255\r\n3 0 1 2\r\n"s,
           "STCOFF\n3 1 3\n0 0 0 1 1 1 .5 .5\n1 0 0 1 1 1 .5 .5\n0 1 0 1 1 1 .5 .5\n3 0 1 2\n"s}) {
