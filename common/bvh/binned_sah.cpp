@@ -115,7 +115,9 @@ template <std::size_t slices>
 BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range, std::size_t step) const {
     Bins<slices> bins;
     const Slicer<slices> slice_of(range.centroids);
-    const auto [first, last] = axes_to_try(range);
+    const Axes axes = axes_to_try(range);
+    const std::size_t first = axes.first;
+    const std::size_t last = axes.last;
     const auto add = [&](const Box4& box) {
         const auto slice = slice_of(middle(box));
         for (std::size_t axis = first; axis < last; ++axis) {
