@@ -154,6 +154,9 @@ TEST_CASE("a ray of the camera's frame is carried into the world (MRT §2)", "[p
     CHECK(gives("its direction", ray.direction, Vec3(2, -2, -11)));
     const Ray other = to_world({.origin = {1, 5, 10}, .direction = {0, 0, -1}}, pitched, {7, 8, 9});
     CHECK(gives("an origin that is not 0", other.origin, Vec3(8, 18, 14)));
+    const Ray longer =
+        to_world({.origin = {1, 5, 10}, .direction = {0, 0, -3}}, pitched, {7, 8, 9});
+    CHECK(gives("the same, for a longer direction", longer.origin, Vec3(8, 18, 14)));
 }
 
 TEST_CASE("t keeps its meaning: a turned direction keeps its length (MRT §2)") {

@@ -222,6 +222,7 @@ TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum
     CHECK(gives("uv at C + V", square_uv(flat, {-2, 2, 0}), Vec2(0, 1)));
     CHECK(gives("uv at C + U + V", square_uv(flat, {2, 2, 0}), Vec2(1, 1)));
     CHECK(gives("uv at (1, -1, 0)", square_uv(flat, {1, -1, 0}), Vec2(Real(0.75), Real(0.25))));
+    CHECK(gives("uv at (-3, 1, 0)", square_uv(flat, {-3, 1, 0}), Vec2(Real(-0.25), Real(0.75))));
     CHECK(for_all([](Random& random) {
         const Square square = draw_square(random);
         const Vec2 uv(random.between(0, 1), random.between(0, 1));
