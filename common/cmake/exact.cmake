@@ -33,6 +33,8 @@ if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kern
     target_sources(raysteps_exact_common_f64 INTERFACE
         $<FILTER:$<TARGET_OBJECTS:raysteps_common_f64>,EXCLUDE,/mesh_bvh\\.cpp>
         $<TARGET_OBJECTS:raysteps_exact_mesh_bvh_f64>)
+    raysteps_exact(raysteps_exact_program ${PROJECT_SOURCE_DIR}/common/program/main.cpp)
+    target_compile_definitions(raysteps_exact_program_f64 PRIVATE RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
 endif()
 
 # raysteps_exact_program(<stage> <number> <stage of the program>...)
@@ -59,9 +61,9 @@ function(raysteps_exact_program name number)
         target_link_libraries(${picture} INTERFACE raysteps_mesh_file)
     endif()
 
-    add_executable(${name}_exact EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/common/program/main.cpp)
-    target_compile_definitions(${name}_exact PRIVATE
-        RT_EXACT RAYSTEPS_STAGE=${number} RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
+    add_executable(${name}_exact EXCLUDE_FROM_ALL
+        $<TARGET_OBJECTS:raysteps_exact_program_f64> ${PROJECT_SOURCE_DIR}/common/program/stage_number.cpp)
+    target_compile_definitions(${name}_exact PRIVATE RAYSTEPS_STAGE=${number})
     list(TRANSFORM ARGN APPEND _certified)
     raysteps_link(${name}_exact f64 ${ARGN} ${common} ${name}_exact_picture)
 endfunction()

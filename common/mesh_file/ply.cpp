@@ -65,7 +65,7 @@ void check_header(const PlyHeader& header, const std::string& file) {
         throw InputError({file},
                          "expected the format ascii, binary_little_endian or binary_big_endian, "
                          "not " +
-                             quoted(header.format));
+                             rt::quoted(header.format));
     }
     const auto& elements = header.elements;
     if (elements.size() < 2 || elements[0].name != "vertex" || elements[1].name != "face") {

@@ -1,7 +1,8 @@
-// The main function of every stage's program. CMake defines the stage.
+// The main function of every stage's program.
 #include "common/image/png.hpp"
 #include "common/program/options.hpp"
 #include "common/program/session.hpp"
+#include "common/program/stage_number.hpp"
 #include "common/program/used_options.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
@@ -112,7 +113,7 @@ void warn_of_risks(const rt::Options& options) {
 
 int run_program(int argc, char** argv) {
     const auto start = rt::Clock::now();
-    const rt::Program program{.stage = RAYSTEPS_STAGE, .root = RAYSTEPS_ROOT, .exact = exact};
+    const rt::Program program{.stage = rt::stage_number, .root = RAYSTEPS_ROOT, .exact = exact};
     const auto options = rt::parse_options(program, argc, argv);
     if (!options) return 0;
     if (options->makes_picture()) check_output(*options);

@@ -13,42 +13,40 @@ endfunction()
 
 # raysteps_contract(<stage>)
 #
-# <stage>_worker_float, _double      the chosen one
-# <stage>_reference_worker           the reference
-# <stage>_asked_test_float, _double  the suite with a worker
+# <stage>_worker_float, _double  the chosen one
+# <stage>_reference_worker       the reference
+# <stage>_asked_test_double      the suite with a worker
 function(raysteps_contract stage)
     raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_context)
     foreach(precision IN ITEMS f32 f64)
         set(word ${word_${precision}})
         raysteps_worker(${stage}_worker_${word} "" ${precision} ${stage} ${stage}_context)
-        raysteps_suite_objects(${stage}_stubs_${precision} ${precision}
-            contract/stubs/${stage}.cpp)
-        set(program ${stage}_asked_test_${word})
-        add_executable(${program} $<TARGET_OBJECTS:${stage}_test_${word}_objects>)
-        raysteps_link(${program} ${precision}
-            ${stage}_stubs raysteps_asking raysteps_kit ${stage}_context)
-        target_link_libraries(${program} PRIVATE raysteps_kit_main)
     endforeach()
-    # tested in double only
-    add_test(NAME ${stage}_asked COMMAND ${stage}_asked_test_double)
-    set_tests_properties(${stage}_asked PROPERTIES LABELS contract
-        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_worker_double>)
-    set_target_properties(${stage}_asked_test_float ${stage}_worker_float ${stage}_stubs_f32
-        PROPERTIES EXCLUDE_FROM_ALL ON)
+    set_target_properties(${stage}_worker_float PROPERTIES EXCLUDE_FROM_ALL ON)
+    raysteps_suite_objects(${stage}_stubs f64 contract/stubs/${stage}.cpp)
+    raysteps_asked_suite(${stage} ${stage}_worker_double $<TARGET_OBJECTS:${stage}_stubs> ${stage}_context)
 endfunction()
 
 # raysteps_trace_contract(<stage>)
 #
 # <stage>_trace_asked_test_double: the suite of `trace` with a worker
 function(raysteps_trace_contract stage)
-    set(program ${stage}_trace_asked_test_double)
-    add_executable(${program} $<TARGET_OBJECTS:${stage}_trace_test_double_objects>)
-    raysteps_link(${program} f64 raysteps_asking raysteps_kit raysteps_common raysteps_references
+    raysteps_asked_suite(${stage}_trace ${stage}_reference_worker "" raysteps_common raysteps_references
         ${stage}_picture)
-    target_link_libraries(${program} PRIVATE raysteps_kit_main)
-    add_test(NAME ${stage}_trace_asked COMMAND ${program})
-    set_tests_properties(${stage}_trace_asked PROPERTIES LABELS contract
-        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_reference_worker>)
+endfunction()
+
+# raysteps_asked_suite(<suite> <worker> <stubs> <name>...)
+#
+# <suite>_asked_test_double and its test with this worker, linked to the stubs and <name>_f64 of each
+# name.
+function(raysteps_asked_suite suite worker stubs)
+    set(program ${suite}_asked_test_double)
+    add_executable(${program} $<TARGET_OBJECTS:${suite}_test_double_objects> ${stubs})
+    raysteps_link(${program} f64 raysteps_kit ${ARGN})
+    target_link_libraries(${program} PRIVATE raysteps_asking raysteps_kit_main)
+    add_test(NAME ${suite}_asked COMMAND ${program})
+    set_tests_properties(${suite}_asked PROPERTIES LABELS contract
+        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${worker}>)
 endfunction()
 
 # raysteps_recognition(<stage>)

@@ -13,6 +13,8 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -115,32 +117,44 @@ int nearest_of_faces(const Ray& ray, const Face& first, const Face& second, Way 
     return !hit ? 0 : hit->triangle == 0 ? 1 : 2;
 }
 
-template <class First, class Second>
-int nearest_of(const Ray& ray, const First& first, const Second& second, Way way) {
+/// The test of shapes of one kind.
+using Test = std::function<void(ClosestHit&)>;
+
+template <class One>
+Test test_of(const std::vector<One>& shapes, Way way, Real material) {
+    return [items = std::make_shared<const decltype(items_of(shapes, way, material))>(
+                items_of(shapes, way, material))](ClosestHit& closest) { closest.test(*items); };
+}
+
+int nearest_of(const Ray& ray, const std::vector<Test>& tests) {
     Context context;
     ClosestHit closest(ray, context);
-    if constexpr (std::is_same_v<First, Second>) {
-        if constexpr (std::is_same_v<First, Face>) return nearest_of_faces(ray, first, second, way);
-        const auto primitives = items_of(std::vector{first, second}, way, 1);
-        closest.test(primitives);
-        const auto hit = closest.hit();
-        return hit ? int(hit->material->mirror) : 0;
-    } else {
-        const auto first_items = items_of(std::vector{first}, way, 1);
-        const auto second_items = items_of(std::vector{second}, way, 2);
-        closest.test(first_items);
-        closest.test(second_items);
-        const auto hit = closest.hit();
-        return hit ? int(hit->material->mirror) : 0;
+    for (const Test& test : tests) test(closest);
+    const auto hit = closest.hit();
+    return hit ? int(hit->material->mirror) : 0;
+}
+
+int nearest_of(const Ray& ray, const Shape& first, const Shape& second, Way way) {
+    if (first.index() != second.index()) {
+        const auto alone = [&](const Shape& shape, Real material) {
+            return std::visit(
+                [&](const auto& one) { return test_of(std::vector{one}, way, material); }, shape);
+        };
+        return nearest_of(ray, {alone(first, 1), alone(second, 2)});
     }
+    return std::visit(
+        [&]<class One>(const One& one) {
+            const One& other = std::get<One>(second);
+            if constexpr (std::is_same_v<One, Face>) return nearest_of_faces(ray, one, other, way);
+            return nearest_of(ray, {test_of(std::vector{one, other}, way, 1)});
+        },
+        first);
 }
 
 void ask(const Ray& ray, const Shape& first, const Shape& second, bool first_is_nearer,
          Orders& orders) {
     for (const Way way : {Way::list, Way::balls, Way::hierarchy}) {
-        const int got = std::visit(
-            [&](const auto& one, const auto& other) { return nearest_of(ray, one, other, way); },
-            first, second);
+        const int got = nearest_of(ray, first, second, way);
         ++orders.asked;
         if (got == (first_is_nearer ? 1 : 2)) continue;
         if (orders.wrong++ != 0) continue;

@@ -1,10 +1,14 @@
 # raysteps_suite_objects(<name> <precision> <source>...)
 #
-# An object library of test cases, which starts from the precompiled header of the kit.
+# An object library of test cases, which starts from the precompiled header of the kit, or of
+# another library: ${suite_headers}_f32 or _f64.
 function(raysteps_suite_objects name precision)
     add_library(${name} OBJECT ${ARGN})
     target_link_libraries(${name} PRIVATE raysteps_kit_${precision}_options)
-    target_precompile_headers(${name} REUSE_FROM raysteps_kit_${precision})
+    if(NOT suite_headers)
+        set(suite_headers raysteps_kit)
+    endif()
+    target_precompile_headers(${name} REUSE_FROM ${suite_headers}_${precision})
 endfunction()
 
 # raysteps_link_suite(<program> <objects> <precision> <name>...)
@@ -139,6 +143,7 @@ endfunction()
 # audit`.
 function(raysteps_starter suite)
     raysteps_compile_twice(${suite}_starter ${ARGN})
+    raysteps_start_from_common(${suite}_starter)
     set_target_properties(${suite}_starter_f32 ${suite}_starter_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
     foreach(precision IN ITEMS f32 f64)
         set(word ${word_${precision}})
