@@ -230,7 +230,7 @@ TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
 
 TEST_CASE("the triangle ends at its edges, and not 0.1 % further (MRT §5)") {
     CHECK(for_all([](Random& random) {
-        const Real weight = random.between(Real(0.0001), Real(0.0009));
+        const Real weight = draw_narrow(random);
         if (random.coin()) {
             const auto inside = aimed_with_weight(weight, random);
             return hits(inside.ray, inside.shape, inside.t);

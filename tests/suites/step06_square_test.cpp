@@ -206,7 +206,7 @@ TEST_CASE("rays aimed at its plane beside the square miss (MRT §6)") {
 TEST_CASE("the square ends at its edges, and not 0.1 % further (MRT §6)") {
     CHECK(for_all([](Random& random) {
         const Square square = draw_square(random);
-        return ends_at_frame(square, random.between(Real(0.0001), Real(0.0009)), random);
+        return ends_at_frame(square, draw_narrow(random), random);
     }));
 }
 
