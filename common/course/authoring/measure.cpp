@@ -31,11 +31,13 @@ const std::vector<File> files = {
     {"contact", "contact", {"contact_float", "contact_double"}, 1, 2},
     {"penumbra", "penumbra", {"penumbra"}, 3, 9},
     {"hierarchy", "hierarchy", {"hierarchy"}, 3, 1},
-    {"mirrors", "mirrors", {"mirrors"}, 1, 8, true},
-    {"meshes", "decimation", {"decimation"}, 1, 4, true},
+    {"mirrors", "mirrors", {"mirrors"}, 3, 8, true},
+    {"meshes", "decimation", {"decimation"}, 3, 4, true},
     {"pixels", "pixels", {"pixels"}, 1, 80, true},
-    {"front", "front", {"front"}, 1, 60, true},
-    {"pictures", "pictures", {"pictures"}, 1, 18, true},
+    {"front", "front", {"front"}, 1, 180, true},
+    {"sources", "sources", {"sources"}, 1, 60, true},
+    {"pictures", "pictures", {"pictures"}, 3, 18, true},
+    {"memory", "memory", {"memory_float", "memory_double"}, 1, 1, true},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"choices", "choices", {"choices"}, 1, 120, true},
 };
@@ -139,10 +141,17 @@ int measure(const std::vector<std::string>& names) {
         throw InputError({},
                          "measure needs OpenMesh: libopenmesh-dev; without it there are shapes, "
                          "contact, penumbra and hierarchy");
-    const std::string draw = (docs / "accuracy/plots/draw.py").string();
+    const auto script = [&](const char* name) { return (docs / "accuracy/plots" / name).string(); };
+    const std::string draw = script("draw.py");
     if (!can_run({"python3", draw, "ready"}))
         throw InputError(
             {}, "measure needs matplotlib: python3-matplotlib, or what your system calls it");
+    const auto compares = [](const File& file) { return file.study == "sources"; };
+    if (std::ranges::any_of(studied, compares) &&
+        !can_run({"python3", script("similarity.py"), "ready"}))
+        throw InputError({},
+                         "the study sources needs scikit-image: python3-skimage, or what your "
+                         "system calls it");
     choose_reference("");
     std::vector<std::string> targets;
     double seconds = 0;

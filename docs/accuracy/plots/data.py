@@ -2,7 +2,7 @@
 import csv
 import math
 from pathlib import Path
-from statistics import median_high
+from statistics import median_high, quantiles
 
 FOLDER = Path(__file__).resolve().parent.parent
 STAGES = {"sphere": "step03_sphere", "plane": "step04_plane", "triangle": "step05_triangle",
@@ -42,6 +42,16 @@ def front(rows):
 def middle(rows, column):
     """The median over several turns."""
     return median_high(float(row[column]) for row in rows)
+
+
+def ratios(rows, units, column):
+    """Of two times, turn by turn."""
+    return [number(row, column) / number(unit, column) for row, unit in zip(rows, units, strict=True)]
+
+
+def quartiles(values):
+    first, _, third = quantiles(values, n=4, method="inclusive")
+    return first, third
 
 
 def decade(word):

@@ -9,24 +9,18 @@ draw.py check-plots    the same of the plots: by their words and points, since e
 
 A plot is a module of one function, plots(), which yields names, titles and figures.
 """
-import importlib.util
-import os
+import importlib
 import re
 import sys
-from pathlib import Path
 
 sys.dont_write_bytecode = True
 from data import FOLDER  # noqa: E402
+from modules import is_there  # noqa: E402
 from tables import tables  # noqa: E402
 
 PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hierarchy", "decimation",
-         "pixels", "input_rounding", "front"]
+         "pixels", "input_rounding", "front", "sources"]
 MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
-SYSTEM = "/usr/bin/python3"  # which has the system's packages; the first in the PATH may have none
-
-
-def has_matplotlib():
-    return importlib.util.find_spec("matplotlib") is not None
 
 
 def page():
@@ -78,9 +72,7 @@ def check_plots():
 def main(command):
     if command == "check-tables":
         return check_tables()
-    if not has_matplotlib():
-        if Path(SYSTEM).exists() and not os.path.samefile(SYSTEM, sys.executable):
-            os.execv(SYSTEM, [SYSTEM, *sys.argv])
+    if not is_there("matplotlib"):
         print(MISSING, file=sys.stderr)
         return 77 if command == "check-plots" else 2
     commands = {"": write, "ready": lambda: None, "check-plots": check_plots}

@@ -9,9 +9,8 @@ def plots():
     fig, panels = figure(720, 430, 3, rows=2, sharey=True)
     for scene, axes in zip(scenes, panels.flat):
         own = where(rows, scene=scene)
-        one = float(where(own, way="spread", asked="1")[0]["seconds"])
         for way, look in zip(("regular", "spread", "jittered", "adaptive"), SERIES):
-            points = [(float(row["seconds"]) / one, float(row["error"]))
+            points = [(float(row["time"]), float(row["error"]))
                       for row in where(own, way=way)]
             axes.plot(*zip(*sorted(points)), label=way, **look)
         axes.set(xscale="log", yscale="log", title=scene)

@@ -1,7 +1,10 @@
 """The tables of accuracy.md, in Markdown."""
 import math
 
-from data import CHANGES, STAGES, decade, different, front, middle, nanoseconds, number, read, where
+from data import (CHANGES, STAGES, decade, different, front, middle, nanoseconds, number, quartiles,
+                  ratios, read, where)
+from statistics import median_high
+
 from words import exponent, power, thousands, two_digits
 
 
@@ -11,18 +14,39 @@ def table(heads, rows):
     return "".join(line + "|\n" for line in lines)
 
 
+def with_spread(value, least, greatest):
+    """1.5 (1.4–1.6)."""
+    return f"{two_digits(value)} ({two_digits(least)}–{two_digits(greatest)})"
+
+
+def in_turns(rows, units, column="seconds"):
+    """The median of the turns' ratios, and if there are several, the least and the greatest."""
+    of_turns = ratios(rows, units, column)
+    if len(of_turns) == 1:
+        return two_digits(of_turns[0])
+    return with_spread(median_high(of_turns), min(of_turns), max(of_turns))
+
+
+def cost(costs, form, precision, rays, unit):
+    """The shortest times in units of the shortest unit, and the quartiles of the turns' ratios."""
+    own, units = (where(costs, form=name, precision=width, rays=kind)
+                  for name, width, kind in ((form, precision, rays), (*unit, "hit")))
+    return with_spread(nanoseconds(costs, form, precision, rays) / nanoseconds(costs, *unit),
+                       *quartiles(ratios(own, units, "nanoseconds")))
+
+
 def shape_tables():
     costs, errors = read("shape_costs"), read("shape_errors")
     for shape in STAGES:
         own_costs, own = where(costs, shape=shape), where(errors, shape=shape)
         forms = different(own, "form")
-        unit = nanoseconds(own_costs, forms[1], "double")
+        unit = forms[1], "double"
         rows = []
         for precision in different(own, "precision"):
             for row in where(own, precision=precision, axis="all"):
-                hit, miss = (nanoseconds(own_costs, row["form"], precision, rays) / unit
+                hit, miss = (cost(own_costs, row["form"], precision, rays, unit)
                              for rays in ("hit", "miss"))
-                rows.append([row["form"], precision, two_digits(hit), two_digits(miss),
+                rows.append([row["form"], precision, hit, miss,
                              power(float(row["median"])), power(float(row["most"])),
                              thousands(1e6 * float(row["wrong"]) / float(row["rays"]))])
         yield shape, table(["", "precision", "a hit", "a miss", "typical error",
@@ -72,11 +96,11 @@ def penumbra():
 def mirrors():
     rows, lines = read("mirrors"), []
     depths = different(rows, "depth")
-    longest = middle(where(rows, depth=depths[-1]), "seconds")
+    deepest = where(rows, depth=depths[-1])
     for depth in depths:
         turns = where(rows, depth=depth)
         row = turns[0]
-        lines.append([depth, two_digits(middle(turns, "seconds") / longest),
+        lines.append([depth, in_turns(turns, deepest),
                       two_digits(float(row["error"])), row["most"],
                       two_digits(100 * float(row["seen"])) + " %"])
     return table(["depth", "time", "error", "largest error", "pixels off by more than 2 levels"],
@@ -95,10 +119,10 @@ def hierarchy():
 def decimation():
     rows, lines = read("decimation"), []
     counts = different(rows, "triangles")
-    whole = middle(where(rows, triangles=counts[0]), "seconds")
+    whole = where(rows, triangles=counts[0])
     for count in counts:
         turns = where(rows, triangles=count)
-        lines.append([thousands(float(count)), two_digits(middle(turns, "seconds") / whole),
+        lines.append([thousands(float(count)), in_turns(turns, whole),
                       two_digits(float(turns[0]["error"])),
                       two_digits(100 * float(turns[0]["seen"])) + " %"])
     return table(["triangles", "time", "error", "pixels off by more than 2 levels"], lines)
@@ -109,13 +133,22 @@ def pictures():
     for scene in different(rows, "scene"):
         of = {precision: where(rows, scene=scene, precision=precision)
               for precision in ("float", "double", "exact")}
-        unit = middle(of["double"], "seconds")
         shares = [thousands(1e5 * middle(of[precision], column)) for precision, column in
                   (("double", "other"), ("float", "other"), ("float", "seen"), ("float", "edges"))]
-        lines.append([f"`{scene}`", two_digits(middle(of["float"], "seconds") / unit),
-                      two_digits(middle(of["exact"], "seconds") / unit), *shares])
+        lines.append([f"`{scene}`", *(in_turns(of[precision], of["double"])
+                                      for precision in ("float", "exact")), *shares])
     return table(["scene", "time: float", "exact", "pixels other than exact's, of 100,000: double",
                   "float", "by more than 2 levels", "on an edge"], lines)
+
+
+def memory():
+    rows, lines = read("memory"), []
+    for what in different(rows, "what"):
+        of = {row["precision"]: row["bytes"] for row in where(rows, what=what)}
+        lines.append([f"`{what}`" if "_" in what else what,
+                      *(thousands(float(of[precision])) for precision in ("float", "double")),
+                      two_digits(float(of["float"]) / float(of["double"]))])
+    return table(["bytes of", "float", "double", "ratio"], lines)
 
 
 def input_rounding():
@@ -154,6 +187,10 @@ def options_of(row, rows):
     return f"`{' '.join(words)}`" if words else "one ray"
 
 
+def time_of(row):
+    return with_spread(*(number(row, column) for column in ("time", "least", "greatest")))
+
+
 def front_table():
     rows, lines = read("front"), []
     for scene in different(rows, "scene"):
@@ -161,32 +198,47 @@ def front_table():
         cells, line = where(own, what="cell"), [f"`{scene}`"]
         for asked in (8, 4, 2, 1):
             enough = [row for row in front(own) if number(row, "error") <= asked]
-            line.append(f"{two_digits(number(enough[0], 'time'))}: {options_of(enough[0], cells)}"
-                        if enough else "none found")
+            line.append(f"{time_of(enough[0])}: {options_of(enough[0], cells)}" if enough
+                        else "none found")
         lines.append(line)
     return table(["scene", *(f"error {asked}" for asked in (8, 4, 2, 1))], lines)
 
 
+# Pictures of which the error and the similarity disagree, and the letters of the plot.
+SHOWN = [("A", "no reflection", dict(scene="cornell_mirror", source="depth", value="0")),
+         ("B", "one ray for a pixel", dict(scene="step10_shadows", source="aliasing", value="1")),
+         ("C", "four rays to each light",
+          dict(scene="step11_soft_shadows", source="shadows", value="4"))]
 KNOBS = {"pixels": ("samples", "pixel_error"),
          "shadows": ("shadow_samples", "shadow_error", "shadow_agree"), "depth": ("depth",)}
 
 
 def spending():
-    """Which settings change along the front, from the cheapest picture on."""
+    """Which settings differ along the front, from the cheapest picture on."""
     rows, lines = read("front"), []
+    errors = (16, 8, 4, 2, 1)
     for scene in different(rows, "scene"):
         own = front(where(rows, scene=scene, precision="double", hierarchy_from="0"))
-        steps = []
-        for before, after in zip(own, own[1:]):
-            changed = " and ".join(knob for knob, columns in KNOBS.items()
-                                   if any(before[column] != after[column] for column in columns))
-            if changed and (not steps or steps[-1][0] != changed):
-                steps.append([changed, ""])
-            if changed:
-                steps[-1][1] = two_digits(number(after, "error"))
-        lines.append([f"`{scene}`", two_digits(number(own[0], "error")),
-                      ", then ".join(f"{knob} to {error}" for knob, error in steps)])
-    return table(["scene", "the cheapest picture's error", "spend on, until the error is"], lines)
+        before, line = own[0], [f"`{scene}`", two_digits(number(own[0], "error"))]
+        for error in errors:
+            after = next((row for row in own if number(row, "error") <= error), before)
+            line.append(", ".join(knob for knob, columns in KNOBS.items()
+                                  if any(before[column] != after[column] for column in columns)))
+            before = after
+        lines.append(line)
+    return table(["scene", "the cheapest picture's error",
+                  *(f"from there to {error}" if error == errors[0] else f"to {error}"
+                    for error in errors)], lines)
+
+
+def sources():
+    """The pictures that the page shows, and how wrong they are."""
+    rows, lines = read("sources"), []
+    for letter, what, words in SHOWN:
+        row = where(rows, **words)[0]
+        lines.append([letter, f"`{words['scene']}`, {what}", two_digits(number(row, "error")),
+                      f"{number(row, 'similarity'):.3f}"])
+    return table(["", "picture", "error, of 255", "structural similarity"], lines)
 
 
 def choices():
@@ -208,5 +260,5 @@ def tables():
     """The page's markers, and what belongs between them."""
     return {**dict(shape_tables()), "contact": contact(), "penumbra": penumbra(),
             "mirrors": mirrors(), "hierarchy": hierarchy(), "decimation": decimation(),
-            "pictures": pictures(), "input rounding": input_rounding(), "front": front_table(),
-            "spending": spending(), "choices": choices()}
+            "pictures": pictures(), "memory": memory(), "input rounding": input_rounding(),
+            "front": front_table(), "sources": sources(), "spending": spending(), "choices": choices()}

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <ctime>
 #include <limits>
+#include <memory>
 
 namespace rt {
 
@@ -33,6 +34,11 @@ Drawing timed(const Scene& scene, const RenderSettings& settings) {
 }
 
 }  // namespace
+
+Drawer RT_PRECISION::drawer(const std::string& file, Resolution size, std::size_t hierarchy_from) {
+    const auto scene = std::make_shared<const Scene>(loaded(file, size, hierarchy_from));
+    return [scene](const RenderSettings& settings) { return timed(*scene, settings); };
+}
 
 Drawing RT_PRECISION::drawn(const std::string& file, Resolution size,
                             const RenderSettings& settings, std::size_t hierarchy_from) {

@@ -5,6 +5,7 @@
 #include "common/render/render_settings.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,15 +17,23 @@ struct Drawing {
     double seconds = 0;
 };
 
-// drawn draws once; rendered takes the shortest time of several runs. A hierarchy is built from so
-// many shapes of a kind on, or where it is the default for 0.
+/// Draws a scene that was read before.
+using Drawer = std::function<Drawing(const RenderSettings&)>;
+
+// drawn draws once; rendered takes the shortest time of several runs; drawer reads a scene for
+// several pictures. A hierarchy is built from so many shapes of a kind on, or where it is the
+// default for 0.
 inline namespace f32 {
+[[nodiscard]] Drawer drawer(const std::string& scene, Resolution size,
+                            std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing drawn(const std::string& scene, Resolution size,
                             const RenderSettings& settings, std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,
                                const RenderSettings& settings);
 }  // namespace f32
 inline namespace f64 {
+[[nodiscard]] Drawer drawer(const std::string& scene, Resolution size,
+                            std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing drawn(const std::string& scene, Resolution size,
                             const RenderSettings& settings, std::size_t hierarchy_from = 0);
 [[nodiscard]] Drawing rendered(const std::string& scene, Resolution size,

@@ -1,23 +1,19 @@
 // All settings together: the error of a picture, beside one of 1,024 rays through each pixel, and
 // its time. From the cheapest settings on, each setting is tried one step finer, and the one that
-// removes most error for its time is kept. Afterwards, what each setting's default is wrong by.
+// removes most error for its time is kept.
 #include "common/program/session.hpp"
 #include "common/tuning/candidates.hpp"
 
-#include "tests/measurements/accuracy/drawing.hpp"
-
-#include <unistd.h>
+#include "tests/measurements/accuracy/time_ratio.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
-#include <sstream>
 #include <tuple>
+#include <utility>
 
 using namespace rt;
 
@@ -36,7 +32,7 @@ struct Cell {
 };
 
 struct Result {
-    double time = 0;  ///< in units of the default settings'
+    TimeRatio ratio;  ///< in units of the default settings' time, without its image
     Difference off;
 };
 
@@ -94,11 +90,12 @@ public:
         session_ = f64::make_renderer(program, options);
         RenderSettings right{.pixel_samples = 1024, .depth = deep};
         if (session_->traits().sized_lights) right = with_rays(right, 1);
-        exact_ = f64::drawn(file_, size, right).image;
+        exact_ = drawn({.settings = right}).image;
     }
 
     void measure() {
         const SceneTraits traits = session_->traits();
+        (void)result({});
         std::vector<Cell> kept;
         for (const Ladder& pixels : {numbers_of_rays(), pixel_errors()}) {
             std::vector<Ladder> ladders = {pixels};
@@ -112,7 +109,6 @@ public:
             ladders.back() = shadow_errors();
             climb(ladders, kept);
         }
-        (void)result({});
         for (Cell cell : kept) {
             if (!is_on_front(cell)) continue;
             cell.in_float = true;
@@ -125,7 +121,6 @@ public:
             if (cell.hierarchy_from == 2 || traits.most_alike <= 100) (void)result(cell);
         }
         choices();
-        sources(traits);
     }
 
 private:
@@ -140,38 +135,32 @@ private:
                 cell.in_float,          cell.hierarchy_from};
     }
 
-    [[nodiscard]] Drawing drawn(const Cell& cell) const {
-        const auto draw = cell.in_float ? f32::drawn : f64::drawn;
-        return draw(file_, size, cell.settings, cell.hierarchy_from);
+    [[nodiscard]] Drawing drawn(const Cell& cell) {
+        Drawer& draw = drawers_[{cell.in_float, cell.hierarchy_from}];
+        if (!draw)
+            draw = (cell.in_float ? f32::drawer : f64::drawer)(file_, size, cell.hierarchy_from);
+        return draw(cell.settings);
     }
 
-    /// The time is the shortest of several, each beside one of the default settings.
     const Result& result(const Cell& cell, const char* what = "cell") {
         const auto [known, is_new] = results_.try_emplace(key(cell));
         if (!is_new) return known->second;
-        double seconds = std::numeric_limits<double>::infinity();
-        double unit = seconds;
-        Image image;
-        double all = 0;
-        for (int turn = 0; turn < 2 || (all < 0.05 && turn < 6); ++turn) {
-            unit = std::min(unit, drawn({}).seconds);
-            Drawing drawing = drawn(cell);
-            seconds = std::min(seconds, drawing.seconds);
-            all += drawing.seconds;
-            image = std::move(drawing.image);
-        }
-        known->second = {.time = seconds / unit, .off = difference(image, exact_)};
+        TimeRatio ratio = time_ratio([&] { return drawn(cell); }, [&] { return drawn({}); });
+        known->second.off = difference(std::exchange(ratio.image, {}), exact_);
+        known->second.ratio = std::move(ratio);
         print(what, cell, known->second);
         return known->second;
     }
 
     void print(const char* what, const Cell& cell, const Result& result) const {
         const RenderSettings& settings = cell.settings;
-        std::printf("%s,%s,%d,%g,%d,%g,%d,%d,%s,%zu,%.4f,%.4g,%d,%.5f\n", name_.c_str(), what,
-                    settings.pixel_error > 0 ? 0 : settings.pixel_samples, settings.pixel_error,
-                    settings.shadow_error > 0 ? 0 : settings.shadow_samples, settings.shadow_error,
-                    settings.shadow_agree, settings.depth, cell.in_float ? "float" : "double",
-                    cell.hierarchy_from, result.time, result.off.error, result.off.most,
+        const TimeRatio& ratio = result.ratio;
+        std::printf("%s,%s,%d,%g,%d,%g,%d,%d,%s,%zu,%.4f,%.4f,%.4f,%.4g,%d,%.5f\n", name_.c_str(),
+                    what, settings.pixel_error > 0 ? 0 : settings.pixel_samples,
+                    settings.pixel_error, settings.shadow_error > 0 ? 0 : settings.shadow_samples,
+                    settings.shadow_error, settings.shadow_agree, settings.depth,
+                    cell.in_float ? "float" : "double", cell.hierarchy_from, ratio.time,
+                    ratio.least, ratio.greatest, result.off.error, result.off.most,
                     result.off.seen);
         std::fflush(stdout);
     }
@@ -186,7 +175,7 @@ private:
         for (;;) {
             kept.push_back(cell_of(steps));
             const Result here = result(kept.back());
-            if (here.off.error < least_error || here.time > longest) return;
+            if (here.off.error < least_error || here.ratio.time > longest) return;
             double best = -std::numeric_limits<double>::infinity();
             std::vector<std::size_t> next;
             for (std::size_t i = 0; i < ladders.size(); ++i) {
@@ -195,7 +184,7 @@ private:
                 ++finer[i];
                 const Result there = result(cell_of(finer));
                 const double worth = std::log(here.off.error / there.off.error) /
-                                     std::log(std::max(there.time / here.time, 1.02));
+                                     std::log(std::max(there.ratio.time / here.ratio.time, 1.02));
                 if (worth <= best) continue;
                 best = worth;
                 next = finer;
@@ -208,7 +197,8 @@ private:
     [[nodiscard]] bool is_on_front(const Cell& cell) {
         const Result own = result(cell);
         return std::ranges::none_of(results_, [&](const auto& other) {
-            return other.second.time < own.time && other.second.off.error < own.off.error;
+            return other.second.ratio.time < own.ratio.time &&
+                   other.second.off.error < own.off.error;
         });
     }
 
@@ -227,61 +217,10 @@ private:
         }
     }
 
-    /// The error of each default, with all else as it is: between a picture with it and one with
-    /// the finest.
-    void sources(const SceneTraits& traits) const {
-        const RenderSettings usual;
-        const auto off = [&](const char* what, const Image& a, const Image& b) {
-            print(what, {.settings = usual}, {.off = difference(a, b)});
-        };
-        RenderSettings fine = usual;
-        if (traits.sized_lights) fine.shadow_samples = 1024;
-        const Image one = drawn({.settings = usual}).image;
-        const Image calm = traits.sized_lights ? drawn({.settings = fine}).image : one;
-        off("aliasing", calm, exact_);
-        off("shadows", one, calm);
-        RenderSettings mirrored = usual;
-        mirrored.depth = deep;
-        off("depth", one, drawn({.settings = mirrored}).image);
-        off("precision", one, drawn({.settings = usual, .in_float = true}).image);
-        off("input rounding", one, rounded_picture(usual));
-    }
-
-    /// The picture, in double, of a scene whose numbers are those of float.
-    [[nodiscard]] Image rounded_picture(const RenderSettings& settings) const {
-        const std::filesystem::path scenes = RAYSTEPS_ROOT "/scenes";
-        const auto path = std::filesystem::temp_directory_path() /
-                          ("measure_front." + std::to_string(getpid()) + ".rt");
-        std::stringstream whole;
-        whole << std::ifstream(file_).rdbuf();
-        const std::string text = whole.str();
-        std::string rounded;
-        for (std::size_t i = 0; i < text.size();) {
-            const std::size_t end = std::min(text.find_first_of(" \t\n,:", i), text.size());
-            rounded += rounded_word(text.substr(i, end - i), scenes);
-            if (end < text.size()) rounded += text[end];
-            i = end + 1;
-        }
-        std::ofstream(path) << rounded;
-        Image image = f64::drawn(path.string(), size, settings, 0).image;
-        std::filesystem::remove(path);
-        return image;
-    }
-
-    static std::string rounded_word(const std::string& word, const std::filesystem::path& scenes) {
-        if (word.starts_with("meshes/")) return (scenes / word).string();
-        double value = 0;
-        const char* const end = word.data() + word.size();
-        const auto read = std::from_chars(word.data(), end, value);
-        if (read.ptr != end || read.ec != std::errc()) return word;
-        char text[40];
-        std::snprintf(text, sizeof text, "%.17g", double(float(value)));
-        return text;
-    }
-
     std::string name_;
     std::string file_;
     std::unique_ptr<Renderer> session_;
+    std::map<std::pair<bool, std::size_t>, Drawer> drawers_;
     Image exact_;
     std::map<Key, Result> results_;
 };
@@ -292,8 +231,9 @@ int main(int count, char** arguments) {
     const std::string only = count > 1 ? arguments[1] : "";
     std::puts(
         "scene,what,samples,pixel_error,shadow_samples,shadow_error,shadow_agree,depth,precision,"
-        "hierarchy_from,time,error,most,seen");
+        "hierarchy_from,time,least,greatest,error,most,seen");
     for (const char* scene :
-         {"step04_plane", "step08_cone", "step10_shadows", "cornell_box", "step11_soft_shadows"})
+         {"step04_plane", "step08_cone", "step10_shadows", "cornell_box", "step11_soft_shadows",
+          "cornell_mirror", "step12_mirror", "step13_meshes"})
         if (only.empty() || only == scene) Study(scene).measure();
 }

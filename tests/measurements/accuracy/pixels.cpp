@@ -8,12 +8,10 @@
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "tests/measurements/accuracy/drawing.hpp"
+#include "tests/measurements/accuracy/time_ratio.hpp"
 
-#include <cmath>
 #include <cstdio>
-#include <ctime>
-#include <limits>
+#include <functional>
 
 using namespace rt;
 
@@ -56,53 +54,58 @@ Image drawn_at(const Scene& scene, int side, Place place) {
     return image;
 }
 
-/// Prints the error of a picture and the processor's time, the shortest of several runs.
-template <class Draw>
-void measure(const char* scene, const char* way, double asked, const Image& exact, Draw draw) {
-    Image image;
-    double seconds = std::numeric_limits<double>::infinity();
-    for (double all = 0; all < 0.1;) {
-        const std::clock_t start = std::clock();
-        image = draw();
-        const double run = double(std::clock() - start) / CLOCKS_PER_SEC;
-        seconds = std::min(seconds, run);
-        all += run;
+class Study {
+public:
+    explicit Study(const char* name)
+        : name_(name),
+          scene_(
+              load_scene(RAYSTEPS_ROOT "/scenes/" + std::string(name) + ".rt", orthonormal_basis)) {
+        load_meshes(scene_);
+        build_acceleration(scene_);
+        scene_.resolution = {.width = 128, .height = 96};
+        exact_ = drawn({.pixel_samples = 1024});
     }
-    const Difference off = difference(image, exact);
-    std::printf("%s,%s,%g,%.5f,%.4g,%d,%.5f\n", scene, way, asked, seconds, off.error, off.most,
-                off.seen);
-    std::fflush(stdout);
-}
 
-void measure_scene(const char* name) {
-    Scene scene =
-        load_scene(RAYSTEPS_ROOT "/scenes/" + std::string(name) + ".rt", orthonormal_basis);
-    load_meshes(scene);
-    build_acceleration(scene);
-    scene.resolution = {.width = 128, .height = 96};
-    const auto drawn = [&](const RenderSettings& settings) {
-        return render(scene, {.settings = settings}).value().image;
-    };
-    const Image exact = drawn({.pixel_samples = 1024});
-    for (const int side : {1, 2, 4, 8, 16}) {
-        const int count = side * side;
-        measure(name, "regular", count, exact, [&] { return drawn_at(scene, side, regular); });
-        if (count > 1)
-            measure(name, "jittered", count, exact,
-                    [&] { return drawn_at(scene, side, jittered); });
+    void measure() {
+        for (const int side : {1, 2, 4, 8, 16}) {
+            const int count = side * side;
+            print("regular", count, [&] { return drawn_at(scene_, side, regular); });
+            if (count > 1)
+                print("jittered", count, [&] { return drawn_at(scene_, side, jittered); });
+        }
+        for (int count = 1; count <= 256; count *= 2)
+            print("spread", count, [&] { return drawn({.pixel_samples = count}); });
+        for (const double error : {32, 16, 8, 4, 2, 1})
+            print("adaptive", error,
+                  [&] { return drawn({.pixel_samples = 1024, .pixel_error = error}); });
     }
-    for (int count = 1; count <= 256; count *= 2)
-        measure(name, "spread", count, exact, [&] { return drawn({.pixel_samples = count}); });
-    for (const double error : {32, 16, 8, 4, 2, 1})
-        measure(name, "adaptive", error, exact,
-                [&] { return drawn({.pixel_samples = 1024, .pixel_error = error}); });
-}
+
+private:
+    [[nodiscard]] Image drawn(const RenderSettings& settings) const {
+        return render(scene_, {.settings = settings}).value().image;
+    }
+
+    /// The time is in units of the picture of one ray through each pixel.
+    void print(const char* way, double asked, const std::function<Image()>& draw) const {
+        const TimeRatio ratio = time_ratio([&] { return timed(draw); },
+                                           [&] { return timed([&] { return drawn({}); }); });
+        const Difference off = difference(ratio.image, exact_);
+        std::printf("%s,%s,%g,%.4f,%.4f,%.4f,%.4g,%d,%.5f\n", name_, way, asked, ratio.time,
+                    ratio.least, ratio.greatest, off.error, off.most, off.seen);
+        std::fflush(stdout);
+    }
+
+    const char* name_;
+    Scene scene_;
+    Image exact_;
+};
 
 }  // namespace
 
-int main() {
-    std::puts("scene,way,asked,seconds,error,most,seen");
+int main(int count, char** arguments) {
+    const std::string only = count > 1 ? arguments[1] : "";
+    std::puts("scene,way,asked,time,least,greatest,error,most,seen");
     for (const char* scene : {"step04_plane", "cornell_box", "step09_phong", "step11_soft_shadows",
                               "step12_mirror", "step13_meshes"})
-        measure_scene(scene);
+        if (only.empty() || only == scene) Study(scene).measure();
 }

@@ -1,0 +1,56 @@
+"""What the settings of eight pictures are wrong by, one at a time, in levels of 255; and that error
+beside the structural similarity."""
+from data import different, number, read, where
+from style import BLUE, GRAY, GREEN, INK, PURPLE, VERMILION, decades, figure, plain
+from tables import SHOWN
+
+# Each with its default, and how it is drawn.
+SOURCES = [("aliasing", "1", VERMILION, "s"), ("shadows", "16", BLUE, "o"),
+           ("depth", "8", GREEN, "^"), ("precision", "0", PURPLE, "D"),
+           ("input rounding", "0", GRAY, "v")]
+LEAST = 0.01  # of 255: less is drawn as nothing
+
+
+def bars(rows):
+    scenes = different(rows, "scene")
+    fig, axes = figure(720, 430)
+    for place, (source, default, color, _) in enumerate(SOURCES):
+        for i, scene in enumerate(scenes):
+            own = where(rows, scene=scene, source=source, value=default)
+            error = number(own[0], "error")
+            y = i + 0.14 * (place - 2)
+            axes.plot([LEAST, max(error, LEAST)], [y, y], color=color, linewidth=5,
+                      solid_capstyle="butt", label=source if i == 0 else None)
+            if error < LEAST:
+                axes.plot([LEAST], [y], color=color, marker="|", markersize=6, linestyle="")
+    axes.set(xscale="log", xlim=(LEAST * 0.95, 300), xlabel="error, of 255")
+    axes.set_ylim(len(scenes) - 0.5, -0.5)
+    axes.set_yticks(range(len(scenes)), scenes)
+    axes.grid(False, axis="y")
+    plain(axes.xaxis, [0.01, 0.1, 1, 10])
+    axes.legend(loc="center right")
+    return fig
+
+
+def perceived(rows):
+    fig, axes = figure(720, 400)
+    for source, _, color, marker in SOURCES:
+        own = [row for row in where(rows, source=source) if number(row, "error") > LEAST]
+        axes.plot([number(row, "error") for row in own],
+                  [1 - number(row, "similarity") for row in own], label=source, color=color,
+                  marker=marker, linestyle="")
+    for letter, _, words in SHOWN:
+        row = where(rows, **words)[0]
+        axes.annotate(letter, (number(row, "error"), 1 - number(row, "similarity")), color=INK,
+                      xytext=(-4, 8), textcoords="offset points", weight="bold")
+    axes.set(xscale="log", yscale="log", xlabel="error, of 255", ylabel="1 − structural similarity")
+    plain(axes.xaxis, [0.01, 0.1, 1, 10, 100])
+    decades(axes.yaxis, -5, -1, 1)
+    axes.legend(loc="upper left")
+    return fig
+
+
+def plots():
+    rows = read("sources")
+    yield "sources", "What the default of each setting is wrong by, in eight pictures", bars(rows)
+    yield "perceived", "Errors of eight pictures in levels and in similarity", perceived(rows)

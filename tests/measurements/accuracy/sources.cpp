@@ -1,0 +1,167 @@
+// What the settings of eight pictures are wrong by, one at a time: their defaults, and coarser and
+// finer values. An error is the root mean square of the differences, in levels of 255, and beside
+// it stands the structural similarity, which is computed by scikit-image.
+#include "common/image/png.hpp"
+#include "common/program/session.hpp"
+#include "common/tuning/candidates.hpp"
+
+#include "tests/measurements/accuracy/drawing.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace rt;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Resolution size{.width = 160, .height = 120};
+constexpr int many_samples = 256;
+constexpr int many_shadow_samples = 1024;
+constexpr int deep = 64;
+
+const fs::path scenes = RAYSTEPS_ROOT "/scenes";
+
+std::string rounded_word(const std::string& word) {
+    if (word.starts_with("meshes/")) return (scenes / word).string();
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, value);
+    if (read.ptr != end || read.ec != std::errc()) return word;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", double(float(value)));
+    return text;
+}
+
+/// Writes the scene with the numbers that float has for its own.
+void write_rounded(const fs::path& scene, const fs::path& rounded) {
+    std::stringstream whole;
+    whole << std::ifstream(scene).rdbuf();
+    const std::string text = whole.str();
+    std::ofstream file(rounded);
+    for (std::size_t i = 0; i < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(" \t\n,:", i), text.size());
+        file << rounded_word(text.substr(i, end - i));
+        if (end < text.size()) file << text[end];
+        i = end + 1;
+    }
+}
+
+/// What the commands print, a line each.
+std::vector<std::string> lines_of(const std::string& command) {
+    std::FILE* const pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+    std::vector<std::string> lines;
+    char line[200];
+    while (std::fgets(line, sizeof line, pipe) != nullptr) {
+        lines.emplace_back(line);
+        lines.back().pop_back();
+    }
+    if (pclose(pipe) != 0) throw std::runtime_error(command + " fails");
+    return lines;
+}
+
+class Study {
+public:
+    Study(const std::string& name, fs::path folder) : name_(name), folder_(std::move(folder)) {
+        Options options{};
+        options.scene = (scenes / (name + ".rt")).string();
+        options.size = size;
+        traits_ = f64::make_renderer({.stage = 13, .root = RAYSTEPS_ROOT}, options)->traits();
+        file_ = options.scene;
+        draw_ = f64::drawer(file_, size);
+    }
+
+    void measure() {
+        const RenderSettings usual;
+        const Image one = draw_(usual).image;
+        const bool sized = traits_.sized_lights;
+        const auto calm = [&](int rays) { return sized ? with_rays(usual, rays) : usual; };
+        const Image calm_one = sized ? draw_(calm(many_shadow_samples)).image : one;
+        aliasing(calm_one, calm(1), calm(many_shadow_samples / 4));
+        for (const int rays : {1, 4, 16})
+            add("shadows", rays, calm_one, sized ? draw_(with_rays(usual, rays)).image : one);
+        const Image deepest = draw_({.depth = deep}).image;
+        for (const int depth : {0, 1, 2, 4, 8})
+            add("depth", depth, deepest, draw_({.depth = depth}).image);
+        add("precision", 0, one, f32::drawn(file_, size, usual).image);
+        const fs::path rounded = folder_ / (name_ + ".rt");
+        write_rounded(file_, rounded);
+        add("input rounding", 0, one, f64::drawn(rounded.string(), size, usual).image);
+        print();
+    }
+
+private:
+    struct Row {
+        const char* source;
+        int value;
+        Difference off;
+    };
+
+    void aliasing(const Image& one, RenderSettings right, RenderSettings some) {
+        right.pixel_samples = many_samples;
+        const Image exact = draw_(right).image;
+        add("aliasing", 1, exact, one);
+        for (const int count : {4, 16}) {
+            some.pixel_samples = count;
+            add("aliasing", count, exact, draw_(some).image);
+        }
+    }
+
+    [[nodiscard]] std::string file_of(std::size_t row, const char* which) const {
+        return (folder_ / (name_ + "_" + rows_[row].source + "_" +
+                           std::to_string(rows_[row].value) + "_" + which + ".png"))
+            .string();
+    }
+
+    void add(const char* source, int value, const Image& right, const Image& picture) {
+        rows_.push_back({source, value, difference(picture, right)});
+        write_png(file_of(rows_.size() - 1, "right"), right, {});
+        write_png(file_of(rows_.size() - 1, "picture"), picture, {});
+    }
+
+    void print() const {
+        std::string command = "python3 '" RAYSTEPS_ROOT "/docs/accuracy/plots/similarity.py'";
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            command += " '" + file_of(i, "right") + "' '" + file_of(i, "picture") + "'";
+        const std::vector<std::string> similarities = lines_of(command);
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const auto& [source, value, off] = rows_[i];
+            std::printf("%s,%s,%d,%.4g,%d,%.5f,%s\n", name_.c_str(), source, value, off.error,
+                        off.most, off.seen, similarities.at(i).c_str());
+        }
+        std::fflush(stdout);
+    }
+
+    std::string name_;
+    std::string file_;
+    fs::path folder_;
+    SceneTraits traits_;
+    Drawer draw_;
+    std::vector<Row> rows_;
+};
+
+}  // namespace
+
+/// With a folder as argument, the pictures stay there.
+int main(int count, char** arguments) {
+    const std::string number = std::to_string(std::random_device()());
+    const fs::path folder = count > 1 ? fs::path(arguments[1])
+                                      : fs::temp_directory_path() / ("raysteps_sources." + number);
+    fs::create_directories(folder);
+    std::puts("scene,source,value,error,most,seen,similarity");
+    for (const char* scene :
+         {"step04_plane", "step08_cone", "step10_shadows", "cornell_box", "step11_soft_shadows",
+          "cornell_mirror", "step12_mirror", "step13_meshes"})
+        Study(scene, folder).measure();
+    if (count == 1) fs::remove_all(folder);
+}
