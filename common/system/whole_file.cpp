@@ -108,8 +108,7 @@ bool is_part_file(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.size() == part_start.size() + part_digits + part_end.size() &&
            name.starts_with(part_start) && name.ends_with(part_end) &&
-           name.find_first_not_of(hex_digits, part_start.size()) ==
-               part_start.size() + part_digits;
+           name.find_first_not_of(hex_digits, part_start.size()) == part_start.size() + part_digits;
 }
 
 }  // namespace rt
