@@ -18,7 +18,7 @@ const style = `
   .handle { cursor: grab; outline: none; }
   .handle:focus { stroke: ${color.amber}; stroke-width: 5; }
   form { font: 14px sans-serif; display: flex; flex-wrap: wrap; gap: .3em 1.2em; align-items: center; margin: .5em 0; color: ${color.ink}; }
-  label, fieldset { display: inline-flex; flex-wrap: wrap; align-items: center; gap: .4em; }
+  label, fieldset { display: inline-flex; flex-wrap: wrap; align-items: center; gap: .4em; min-height: 24px; }
   fieldset { border: 0; padding: 0; margin: 0; }
   input { accent-color: ${color.blue}; }
   input[type=range] { width: 11em; }
