@@ -231,7 +231,7 @@ def compress_pictures(site):
     except ImportError:
         return
     still = {}
-    for file in [*site.glob("pictures/*.png"), *site.glob("gallery/*.png")]:
+    for file in [*site.glob("pictures/*.png"), *site.glob("gallery/*.png"), *site.glob("accuracy/*.png")]:
         name = file.relative_to(site).as_posix()
         still[name] = name.replace(".png", ".webp")
         with Image.open(file) as picture:
