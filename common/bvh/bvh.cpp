@@ -38,7 +38,7 @@ void set_lane(Node::Row& row, std::size_t i, float value) {
     std::memcpy(reinterpret_cast<std::byte*>(&row) + i * sizeof value, &value, sizeof value);
 }
 
-/// Whether child i of the node is one, and not a lane that is left over.
+/// True if lane i of the node contains a child: a node can have fewer than `width`.
 bool has_child(const Node& node, std::size_t i) {
     return std::bit_cast<std::array<float, Node::width>>(node.planes[0])[i] < Box4::end;
 }

@@ -113,15 +113,7 @@ function(raysteps_compile_by_folder)
         foreach(source IN LISTS sources)
             cmake_path(GET source PARENT_PATH folder)
             cmake_path(GET folder FILENAME folder)
-            if(source MATCHES "/story.cpp$")
-                set(folder stories)
-            endif()
             set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder})
-            # exact.cmake and tests/grading/seat.cmake select the objects of these.
-            if(source MATCHES "/(mesh_bvh|todo)\\.cpp$")
-                set_property(SOURCE ${source} TARGET_DIRECTORY ${target}
-                    PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
-            endif()
         endforeach()
     endforeach()
 endfunction()
@@ -135,6 +127,15 @@ function(raysteps_start_from_common name)
     foreach(precision IN ITEMS f32 f64)
         target_precompile_headers(${name}_${precision} REUSE_FROM raysteps_common_${precision})
     endforeach()
+endfunction()
+
+# raysteps_compile_without_optimizing(<target> <precision>)
+#
+# Compiles the target in half the time, with the same precompiled headers. For what runs briefly, such
+# as a known mistake. Its numbers have the same bits.
+function(raysteps_compile_without_optimizing target precision)
+    target_compile_options(${target} PRIVATE -O0)
+    target_precompile_headers(${target} REUSE_FROM raysteps_unoptimized_${precision})
 endfunction()
 
 # raysteps_precompile_contract(<stage>)

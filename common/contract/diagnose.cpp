@@ -59,7 +59,7 @@ int diagnose(const std::vector<std::string>& words) {
     const bool nothing_is_written = tell_what_never_changes(probes, answers);
     const std::vector<Mistake> mistakes =
         nothing_is_written ? std::vector<Mistake>{}
-                           : recognised(probes, answers, read_case_results(content_of(words[3])));
+                           : recognized(probes, answers, read_case_results(content_of(words[3])));
     for (const Mistake& mistake : mistakes)
         std::cout << "mistake: " << mistake.name << ": " << mistake.sentence << '\n';
     if (!mistakes.empty()) return 1;

@@ -26,7 +26,7 @@ T typed(const Value& value) {
     return get<T>(reader);
 }
 
-/// Where a ray starts: the height above the surface and the distance aside, in errors of the
+/// The origin of a ray: the height above the surface and the distance aside, in errors of the
 /// point. A right start is less than ten errors above.
 std::vector<Measure> start_of(const ShadingPoint& surface, Vec3 start) {
     constexpr double floor = 0.3;
@@ -38,7 +38,7 @@ std::vector<Measure> start_of(const ShadingPoint& surface, Vec3 start) {
     return {{right ? 1 : height, floor}, {right ? 0 : aside, floor}};
 }
 
-/// How far the interval reaches behind the light, relative to the light's distance. A right end is
+/// The length of the interval behind the light, relative to the light's distance. A right end is
 /// a little before it.
 Measure end_of(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
     constexpr double little = 0.002;

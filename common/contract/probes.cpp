@@ -166,7 +166,7 @@ bool fails_like(const Probes& probes, std::size_t mistake, const Functions& also
 }
 
 /// The mistake may be made in one of the functions where it can be made, and not in the others.
-bool is_recognised(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
+bool is_recognized(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
                    const CaseResults& results) {
     const Functions wrong = wrong_functions(probes, answers);
     Functions made;
@@ -275,13 +275,13 @@ bool is_recognisable(const Probes& probes, const std::string& mistake) {
     });
 }
 
-std::vector<Mistake> recognised(const Probes& probes, const std::vector<Answer>& answers,
+std::vector<Mistake> recognized(const Probes& probes, const std::vector<Answer>& answers,
                                 const CaseResults& results) {
     std::vector<Mistake> found;
     std::set<std::string> sentences;
     bool open = false;
     for (std::size_t i = 0; i < probes.mistakes.size(); ++i) {
-        if (!is_recognised(probes, i, answers, results)) continue;
+        if (!is_recognized(probes, i, answers, results)) continue;
         open = open || errs_in_open(probes, i);
         if (sentences.insert(probes.mistakes[i].sentence).second)
             found.push_back(probes.mistakes[i]);

@@ -62,7 +62,7 @@ struct Probes {
 /// they call another wrong function, and fewer only if they call one that is right. A mistake in an
 /// open function must be the only one with these failing cases. Without results, the answers alone
 /// decide, and no mistake of an open function is recognized.
-[[nodiscard]] std::vector<Mistake> recognised(const Probes& probes,
+[[nodiscard]] std::vector<Mistake> recognized(const Probes& probes,
                                               const std::vector<Answer>& answers,
                                               const CaseResults& results);
 

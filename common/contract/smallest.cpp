@@ -120,7 +120,7 @@ std::vector<Difference> failed_probes(const Probes& probes, const std::vector<An
     return failed;
 }
 
-/// Calls near the probes, for whoever answers all these right.
+/// Wrong answers to calls near the probes, for a student's file that answers all probes right.
 std::vector<Difference> failed_neighbors(const Probes& probes, Search& search) {
     std::vector<Difference> failed;
     std::mt19937 random(2021);

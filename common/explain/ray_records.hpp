@@ -11,7 +11,7 @@
 
 namespace rt {
 
-/// What a ray is for.
+/// The purpose of a ray.
 enum class RayKind { eye, mirrored, shadow };
 
 /// A vector in any precision.

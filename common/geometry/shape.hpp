@@ -50,7 +50,7 @@ constexpr Record<Fields...> record_of(const char* name, Fields... fields) {
 template <class Shape>
 inline constexpr auto shape_record = nullptr;
 
-/// What every kind of shape has.
+/// The members of every kind of shape.
 template <class T>
 concept KindOfShape = requires(const T& shape, const Transform& transform, Vec3 point) {
     shape_record<T>.fields;  // for its text and its bytes
@@ -60,7 +60,7 @@ concept KindOfShape = requires(const T& shape, const Transform& transform, Vec3 
     { distance_to_surface(point, shape) } -> std::same_as<Real>;
 };
 
-/// What every kind of shape except the plane has in addition.
+/// The additional members of every kind of shape except the plane.
 template <class T>
 concept BoundedKindOfShape = KindOfShape<T> && requires(const T& shape, Vec2 place) {
     { bounds(shape) } -> std::same_as<BoundingBox>;  // padded, as the bounding sphere

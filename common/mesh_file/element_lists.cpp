@@ -51,7 +51,7 @@ void read_vertex(const std::string_view line, const MeshLines& lines, const Mesh
     std::string_view rest = line;
     for (const int column : lists.columns) {
         if (column < 0) {
-            static_cast<void>(take_word(rest));
+            if (take_word(rest).empty()) check_word_count(count_words(line), lists, lines);
             continue;
         }
         const auto number = take_float(rest);

@@ -85,10 +85,11 @@ bool has_normals(const PlyElement& vertex) {
 std::string plain_header(const PlyHeader& header) {
     const PlyElement& vertex = header.elements[0];
     const PlyElement& face = header.elements[1];
+    const bool with_normals = has_normals(vertex);
     std::string text = "ply\nformat " + header.format + " 1.0\nelement vertex " +
                        std::to_string(vertex.count) + "\n";
     for (const PlyProperty& p : vertex.properties) {
-        const bool is_read = is_coordinate(p.name) || (has_normals(vertex) && is_of_normal(p.name));
+        const bool is_read = is_coordinate(p.name) || (with_normals && is_of_normal(p.name));
         text.append("property ").append(p.type.name).append(" ");
         text.append(is_read ? p.name : "_").append("\n");
     }
@@ -106,9 +107,9 @@ std::string plain_header(const PlyHeader& header) {
 /// The meaning of each word of a vertex, as in MeshLists.
 std::vector<int> columns_of(const PlyElement& vertex) {
     constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+    const auto end = has_normals(vertex) ? names.end() : names.begin() + 3;
     std::vector<int> columns;
     for (const PlyProperty& p : vertex.properties) {
-        const auto end = has_normals(vertex) ? names.end() : names.begin() + 3;
         const auto found = std::find(names.begin(), end, p.name);
         columns.push_back(found == end ? -1 : int(found - names.begin()));
     }

@@ -1,7 +1,7 @@
 // The main function of every stage's program.
 #include "common/image/png.hpp"
 #include "common/program/options.hpp"
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 #include "common/program/stage_number.hpp"
 #include "common/program/used_options.hpp"
 #include "common/system/input_error.hpp"

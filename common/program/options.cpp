@@ -1,5 +1,6 @@
 #include "common/program/options.hpp"
 
+#include "common/program/option_checks.hpp"
 #include "common/program/shade_options.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
@@ -14,7 +15,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <sstream>
 #include <thread>
 
@@ -90,13 +90,12 @@ void add_choice(CLI::App& app, const std::string& name, bool& second,
 }
 
 void add_precision(CLI::App& app, const Program& program, Precision& precision) {
-    const std::map<std::string, Precision> words = {
-        {"double", Precision::f64}, {"float", Precision::f32}, {"exact", Precision::exact}};
     precision = program.exact ? Precision::exact : Precision::f64;
     app.add_option("--precision", precision,
                    "the type of numbers; double if not given; exact: every hit is that of exact "
                    "arithmetic, computed by the references, not by a student's file")
-        ->transform(CLI::CheckedTransformer(words).description(""))
+        ->transform(one_of<Precision>(
+            {{"double", Precision::f64}, {"float", Precision::f32}, {"exact", Precision::exact}}))
         ->type_name("double|float|exact");
 }
 
@@ -128,7 +127,7 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
     app.add_option("--samples", settings.pixel_samples,
                    "number of rays through each pixel, whose color is their mean; 1 if not given: "
                    "the ray through its center")
-        ->check(CLI::Range(1, most_pixel_samples).description(""))
+        ->transform(whole_number(1, most_pixel_samples))
         ->type_name("N");
     add_number(app, "--pixel-error", least_error, brightest,
                "trace more rays through a pixel only beside edges, until its estimated error is "
@@ -138,44 +137,42 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
     app.add_option("--gamma", settings.gamma,
                    "write colors encoded for screens, or proportional to light; proportional, and "
                    "the file does not say so, if not given")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, Gamma>{{"srgb", Gamma::srgb},
-                                                                         {"linear", Gamma::linear}})
-                        .description(""))
+        ->transform(one_of<Gamma>({{"srgb", Gamma::srgb}, {"linear", Gamma::linear}}))
         ->type_name("srgb|linear");
 }
 
 /// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
     const auto add = [&app](const std::string& name, auto& value, const std::string& help,
-                            const std::string& type, auto check) {
-        return app.add_option(name, value, help)->check(check.description(""))->type_name(type);
+                            int least, int most) {
+        return app.add_option(name, value, help)
+            ->transform(whole_number(least, most))
+            ->type_name("N");
     };
     if (stage >= light_stage)
         app.add_option("--term", settings.term, "show one of Phong's terms; their sum if not given")
-            ->transform(CLI::CheckedTransformer(
-                            std::map<std::string, PhongTerm>{{"ambient", PhongTerm::ambient},
-                                                             {"diffuse", PhongTerm::diffuse},
-                                                             {"specular", PhongTerm::specular}})
-                            .description(""))
+            ->transform(one_of<PhongTerm>({{"ambient", PhongTerm::ambient},
+                                           {"diffuse", PhongTerm::diffuse},
+                                           {"specular", PhongTerm::specular}}))
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
         add("--shadow-samples", settings.shadow_samples,
             "largest number of rays to a light with a size; 16 if not given; with --samples N, "
             "divided by √N",
-            "N", CLI::Range(1, most_shadow_samples));
+            1, most_shadow_samples);
         add_number(
             app, "--shadow-error", least_error, brightest,
             "trace shadow rays until the estimated error of a light's part is below this, of "
             "255",
             "E", [&settings](double levels) { settings.shadow_error = levels; });
         add("--shadow-agree", settings.shadow_agree,
-            "or until this many agree: all reach the light, or none; with --shadow-error", "N",
-            CLI::Range(1, most_shadow_samples))
+            "or until this many agree: all reach the light, or none; with --shadow-error", 1,
+            most_shadow_samples)
             ->needs("--shadow-error");
     }
     if (stage >= mirror_stage)
         add("--depth", settings.depth, "largest number of successive reflections; 8 if not given",
-            "N", CLI::Range(0, most_depth));
+            0, most_depth);
 }
 
 /// Adds the options of the files, and of the picture's size.
@@ -198,7 +195,7 @@ void add_threads(CLI::App& app, int stage, int& threads) {
     app.add_option("--threads", threads,
                    own_loop ? "one, the loop in main.cpp, if not given"
                             : "as many as there are cores if not given")
-        ->check(CLI::Range(1, most_threads).description(""))
+        ->transform(whole_number(1, most_threads))
         ->type_name("N");
 }
 
@@ -223,7 +220,7 @@ void add_hierarchy(CLI::App& app, std::optional<std::size_t>& from) {
     app.add_option(
            "--hierarchy-from", from,
            "build a hierarchy from this many shapes of a kind on; 32 if not given, 8 for meshes")
-        ->check(CLI::Range(2, most_shapes).description(""))
+        ->transform(whole_number(2, most_shapes))
         ->type_name("N");
 }
 
@@ -238,7 +235,7 @@ void add_reading(CLI::App& app, Options& options, bool& is_horizontal) {
                "handedness of a scene's axes; left: left and right are exchanged");
     add_choice(app, "--up", reading.axes.z_up, {"y", "z"}, "axis of the scene that points up");
     app.add_option("--camera", options.camera, "number of the scene's camera; 1 if not given")
-        ->check(CLI::Range(1, most_cameras).description(""))
+        ->transform(whole_number(1, most_cameras))
         ->type_name("N");
     app.add_flag("--strict", reading.strict, "reject everything outside the format of scenes");
 }
@@ -249,7 +246,7 @@ void add_turn(CLI::App& app, int stage, std::optional<int>& frames) {
         app.add_option("--turn", frames,
                        "make an animated PNG of N pictures: the camera goes around the middle "
                        "of all shapes")
-            ->check(CLI::Range(2, most_frames).description(""))
+            ->transform(whole_number(2, most_frames))
             ->type_name("N");
     for (const char* other : {"--pixel", "--requirements", "--preview", "--tolerance", "--time"})
         turn->excludes(other);

@@ -48,7 +48,7 @@ std::optional<Segment> inside(Vec3 point, Vec3 along, const BoundingBox& box) {
     return Segment{.from = point + from * along, .to = point + to * along};
 }
 
-/// Where the plane axis = level cuts the triangle.
+/// The segment in which the plane axis = level cuts the triangle.
 std::optional<Segment> cut(const std::array<Vec3, 3>& triangle, glm::length_t axis, Real level) {
     std::array<Vec3, 2> ends;
     std::size_t count = 0;

@@ -18,7 +18,7 @@ namespace rt {
 /// Adds the options of what a pixel shows.
 void add_shade_options(CLI::App& app, int stage, Options& options);
 
-/// Whether the command line contains an option, by its name.
+/// Returns true if the command line contains the option of this name, such as "--depth".
 using IsGiven = std::function<bool(const std::string& option)>;
 
 /// Throws InputError for options that have no meaning together with a picture of numbers.

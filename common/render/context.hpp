@@ -11,7 +11,7 @@ namespace rt {
 class PixelLog;
 struct RayRecords;
 
-/// What closest-hit and any-hit queries report to.
+/// The receiver of events from closest-hit and any-hit queries.
 struct Watch {
     PixelLog* log = nullptr;        ///< of `--pixel`, or null
     RayRecords* records = nullptr;  ///< or null

@@ -149,16 +149,6 @@ private:
     std::array<Part, 3> parts_{};
 };
 
-/// The least number of rays through a pixel with --pixel-error. If fewer agree, they may have
-/// missed a corner of the pixel that changes its color by more than the error.
-[[nodiscard]] inline int first_pixel_samples(double error) {
-    constexpr int fewest = 8;
-    constexpr int most = 128;
-    int count = fewest;
-    while (count < most && count * error < 32) count *= 2;
-    return count;
-}
-
 /// The settings of each ray through a pixel with --pixel-error: shared as by a typical number.
 [[nodiscard]] inline RenderSettings adaptive_settings(RenderSettings settings) {
     constexpr int typical = 16;
@@ -174,7 +164,7 @@ inline bool trace_to_error(PixelSamples& samples, const RenderSettings& settings
     int count = std::min(std::max(at_least, first_pixel_samples(settings.pixel_error)), most);
     samples.trace_to(count);
     while (count < most && samples.error(settings.gamma) > settings.pixel_error) {
-        count = count > most / 2 ? most : 2 * count;  // at powers of two the points are most even
+        count = next_pixel_samples(count, most);
         samples.trace_to(count);
     }
     return samples.range(settings.gamma) > 2 * settings.pixel_error;

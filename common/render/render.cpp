@@ -91,10 +91,23 @@ Rendering with_statistics(Image image) {
     return result;
 }
 
-/// Renders more rays through the pixels of a picture of one ray a pixel where it has edges.
-/// Returns false if it was stopped.
-bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::vector<Row>& rows) {
+/// Adds the statistics of the rays through the centers.
+void add_statistics(Rendering& result, const Rendering& centers) {
+    result.rays += centers.rays;
+    result.sized_light_rays += centers.sized_light_rays;
+    const bool is_first =
+        result.not_a_number == 0 || centers.first_not_a_number.row <= result.first_not_a_number.row;
+    if (centers.not_a_number > 0 && is_first)
+        result.first_not_a_number = centers.first_not_a_number;
+    result.not_a_number += centers.not_a_number;
+}
+
+/// Renders more rays through the pixels where the picture of one ray a pixel has edges. Returns
+/// nothing if it was stopped.
+std::optional<Rendering> refine_edges(const Scene& scene, const RenderJob& job, Rendering centers) {
     const RenderSettings& settings = job.settings;
+    Image& image = centers.image;
+    std::vector<Row> rows(std::size_t(image.resolution.height));
     const FinerRays rays(scene.cameras.front(), scene.resolution);
     // A ray through the center is at most half a difference off what lies beside an edge.
     Refinement refinement(image.resolution, 2 * settings.pixel_error);
@@ -107,7 +120,7 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
         refinement.take(int(row), [&](Pixel pixel) {
             if (no_time || (job.stop != nullptr && *job.stop)) return false;
             // A pixel that is not a number, and counted, stays so.
-            if (rows[row].not_a_number > 0 && image[pixel] == not_a_color) return false;
+            if (centers.not_a_number > 0 && image[pixel] == not_a_color) return false;
             context.pixel = pixel;
             PixelSamples samples(scene, rays, pixel, context);
             const bool differ = trace_to_error(samples, own);
@@ -128,42 +141,61 @@ bool refine_edges(const Scene& scene, const RenderJob& job, Image& image, std::v
             refine_row(std::size_t(pending[i]));
             if (first && job.row_done) job.row_done();
         });
-        if (job.stop != nullptr && *job.stop) return false;
+        if (job.stop != nullptr && *job.stop) return std::nullopt;
         first = false;
         pending.clear();
         for (int row = 0; row < image.resolution.height; ++row)
             if (refinement.is_pending(row)) pending.push_back(row);
     }
-    return true;
+    Rendering result = sum(std::move(image), rows);
+    add_statistics(result, centers);
+    return result;
+}
+
+/// Renders rows with what render_one(row, image) returns for each.
+template <class RenderOne>
+std::optional<Rendering> render_rows(const Scene& scene, const RenderJob& job,
+                                     RenderOne render_one) {
+    Image image(scene.resolution);
+    std::vector<Row> rows(std::size_t(scene.resolution.height));
+    const std::vector<int> order = order_of(scene.resolution.height, job.next_settings != nullptr);
+    parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
+        rows[std::size_t(order[i])] = render_one(order[i], image);
+        if (job.row_done && job.settings.pixel_error == 0) job.row_done();
+    });
+    if (job.stop != nullptr && *job.stop) return std::nullopt;
+    return sum(std::move(image), rows);
 }
 
 }  // namespace
 
+std::optional<Rendering> render_centers(const Scene& scene, const RenderJob& job) {
+    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
+    return render_rows(scene, job, [&](int row, Image& image) {
+        return render_row(scene, pixel_ray, job.settings, row, image);
+    });
+}
+
 std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
-    const bool is_plain = job.settings.pixel_samples == 1 && job.settings.pixel_error == 0 &&
-                          job.settings.gamma != Gamma::srgb && !job.next_settings;
-    if (job.threads == 1 && is_plain)
+    const bool adaptive = job.settings.pixel_error > 0;
+    const bool is_plain = job.settings.pixel_samples == 1 && !adaptive && !job.next_settings;
+    if (job.threads == 1 && is_plain && job.settings.gamma != Gamma::srgb)
         if (auto own = picture_by_own_loop(scene)) {
             if (job.stop != nullptr && *job.stop) return std::nullopt;
             return with_statistics(*std::move(own));
         }
+    if (adaptive || is_plain) {
+        auto centers = job.centers != nullptr ? std::optional(std::move(*job.centers))
+                                              : render_centers(scene, job);
+        return centers && adaptive ? refine_edges(scene, job, *std::move(centers))
+                                   : std::move(centers);
+    }
     const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), scene.resolution);
-    Image image(scene.resolution);
-    std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const std::vector<int> order = order_of(scene.resolution.height, job.next_settings != nullptr);
-    const bool adaptive = job.settings.pixel_error > 0;
-    parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
-        const int row = order[i];
-        const bool paced = job.next_settings && !adaptive;
-        const RenderSettings settings = paced ? job.next_settings() : job.settings;
-        rows[std::size_t(row)] = settings.pixel_samples > 1 && !adaptive
-                                     ? render_fine_row(scene, job, settings, row, image)
-                                     : render_row(scene, pixel_ray, settings, row, image);
-        if (job.row_done && !adaptive) job.row_done();
+    return render_rows(scene, job, [&](int row, Image& image) {
+        const RenderSettings settings = job.next_settings ? job.next_settings() : job.settings;
+        return settings.pixel_samples > 1 ? render_fine_row(scene, job, settings, row, image)
+                                          : render_row(scene, pixel_ray, settings, row, image);
     });
-    if (job.stop != nullptr && *job.stop) return std::nullopt;
-    if (adaptive && !refine_edges(scene, job, image, rows)) return std::nullopt;
-    return sum(std::move(image), rows);
 }
 
 }  // namespace rt

@@ -14,20 +14,6 @@
 
 namespace rt {
 
-/// What one call of render is to do.
-struct RenderJob {
-    int threads = 1;
-    RenderSettings settings;
-    /// If set, returns the settings of the next row; used with a time budget. Any thread calls it.
-    std::function<RenderSettings()> next_settings = nullptr;
-    std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
-    /// With pixel_error, called for each pixel that is the mean of several rays, with their number;
-    /// by any thread.
-    std::function<void(Pixel, int)> refined = nullptr;
-    const std::atomic<bool>* stop =
-        nullptr;  ///< rendering stops when this becomes true; may be null
-};
-
 /// A rendered picture and its statistics.
 struct Rendering {
     Image image;
@@ -37,9 +23,29 @@ struct Rendering {
     Pixel first_not_a_number;           ///< the first of them, from the top
 };
 
+/// The arguments of `render` beside the scene.
+struct RenderJob {
+    int threads = 1;
+    RenderSettings settings;
+    /// If set, returns the settings of the next row; used with a time budget. Any thread calls it.
+    std::function<RenderSettings()> next_settings = nullptr;
+    std::function<void()> row_done = nullptr;  ///< called after each row, by any thread
+    /// With pixel_error, called for each pixel that is the mean of several rays, with their number;
+    /// by any thread.
+    std::function<void(Pixel, int)> refined = nullptr;
+    /// The result of render_centers with these settings, if there is one. It is moved from.
+    Rendering* centers = nullptr;
+    const std::atomic<bool>* stop =
+        nullptr;  ///< rendering stops when this becomes true; may be null
+};
+
 /// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the
 /// same bits for any number of threads, because no pixel depends on another, unless settings
 /// differ from row to row.
 [[nodiscard]] std::optional<Rendering> render(const Scene& scene, const RenderJob& job);
+
+/// Renders one ray through the center of each pixel, with which --pixel-error starts. Returns
+/// nothing if it was stopped.
+[[nodiscard]] std::optional<Rendering> render_centers(const Scene& scene, const RenderJob& job);
 
 }  // namespace rt

@@ -44,6 +44,27 @@ struct RenderSettings {
     int shadow_agree = 0;  ///< or when the first rays, this many, agree: all reached the light, or
                            ///< none; 0 for never
     int depth = 8;         ///< largest number of successive mirror reflections
+
+    friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
+
+/// The least number of rays through a pixel with --pixel-error. If fewer agree, they may have
+/// missed a corner of the pixel that changes its color by more than the error. From one power of
+/// two to the next are four steps, so that a slightly smaller error does not take twice as long.
+[[nodiscard]] constexpr int first_pixel_samples(double error) {
+    constexpr int fewest = 8;
+    constexpr int most = 128;
+    int power = fewest;
+    while (power < most && 2 * power * error <= 32) power *= 2;
+    int count = power;
+    while (count < most && count * error < 32) count += power / 4;
+    return count;
+}
+
+/// The number of rays through a pixel with --pixel-error that follows `count`, if that is not
+/// enough: twice as many, because they are most even at powers of two.
+[[nodiscard]] constexpr int next_pixel_samples(int count, int most) {
+    return count > most / 2 ? most : 2 * count;
+}
 
 }  // namespace rt

@@ -94,7 +94,7 @@ inline constexpr std::tuple shape_kinds{
     ShapeKind<OrientedBox>{&Scene::boxes, 13, "box", "boxes"},
 };
 
-/// How many lists of shapes a scene has, meshes included.
+/// The number of lists of shapes in a scene, meshes included.
 inline constexpr std::size_t list_count = std::tuple_size_v<decltype(shape_kinds)> + 1;
 
 }  // namespace RT_PRECISION

@@ -31,6 +31,12 @@ bool is_option(std::string_view text) {
     return is_letter(text.front()) && text.find(':') != std::string_view::npos;
 }
 
+/// Returns whether the text has the form `#rrggbb` or `#rgb`.
+bool is_hexadecimal(std::string_view text) {
+    return (text.size() == 7 || text.size() == 4) && text.front() == '#' &&
+           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+}
+
 /// The three parts around two commas; nothing if there are not exactly two commas, or if a part is
 /// empty.
 std::optional<std::array<Token, 3>> three_parts(Token token) {
@@ -60,6 +66,7 @@ std::optional<Token> ElementLine::option(std::string_view key) {
         const std::size_t start = key.size() + 1;
         const Token value{token->text.substr(start), token->column + static_cast<int>(start)};
         line_.tokens.erase(token);
+        taken_.emplace_back(key);
         return value;
     }
     return std::nullopt;
@@ -101,8 +108,20 @@ bool ElementLine::words_without_triple() const {
            std::any_of(rest, line_.tokens.end(), is_word);
 }
 
-bool ElementLine::triple_follows() const {
-    return !at_end() && three_parts(peek_field()).has_value();
+bool ElementLine::color_follows() {
+    return hexadecimal_follows() || (!at_end() && three_parts(peek_field()).has_value());
+}
+
+bool ElementLine::hexadecimal_follows() {
+    if (at_end()) {
+        if (line_.comment.column == end_of_line().column) return false;  // in the middle of a word
+        Line longer = line_;
+        take_from_comment(longer);
+        if (longer.tokens.size() == next_ || !is_hexadecimal(longer.tokens[next_].text))
+            return false;
+        line_ = std::move(longer);
+    }
+    return is_hexadecimal(line_.tokens[next_].text);
 }
 
 FileLocation ElementLine::place() const {
@@ -123,7 +142,9 @@ void ElementLine::finish() {
             std::string(form_.noun) + ": expected \"" + std::string(form_.layout) + "\"";
         doubt(token, "too much " + std::string(form_.keyword) + " " + std::string(key),
               quoted(token.text) +
-                  (option ? " is not an option of "
+                  (std::find(taken_.begin(), taken_.end(), key) != taken_.end()
+                       ? " repeats an option of "
+                   : option ? " is not an option of "
                    : left == 1
                        ? " is one word too many for "
                        : " is the first of " + std::to_string(left) + " words too many for ") +

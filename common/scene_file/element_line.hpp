@@ -36,9 +36,9 @@ public:
     /// field.
     [[nodiscard]] bool only_options_follow();
 
-    /// Returns whether the next field is a triple. Lenient reading accepts blanks around its
-    /// commas.
-    [[nodiscard]] bool triple_follows() const;
+    /// Returns whether the next field is a triple or a color `#rrggbb`. Lenient reading accepts
+    /// blanks around the commas of a triple.
+    [[nodiscard]] bool color_follows();
 
     /// The location of the keyword.
     [[nodiscard]] FileLocation place() const;
@@ -75,6 +75,10 @@ protected:
     /// nor `key:value`.
     [[nodiscard]] bool words_without_triple() const;
 
+    /// Returns whether the next word is `#rrggbb` or `#rgb`. It is not a comment if a color would
+    /// be missing without it: call this only where a color is the next field.
+    [[nodiscard]] bool hexadecimal_follows();
+
     /// Skips words before a color that cannot be part of one, if a triple follows later on the
     /// line.
     void skip_to_triple(std::string_view field);
@@ -94,6 +98,7 @@ private:
     ElementForm form_;
     SceneReport& report_;
     std::size_t next_ = 1;
+    std::vector<std::string> taken_;  ///< the options that were read
 };
 
 }  // namespace rt

@@ -105,7 +105,7 @@ void read_cylinder(Fields& fields, const ElementReading& reading, Scene& scene) 
     const Vec3 position = fields.point("position");
     const Vec3 axis = fields.direction("direction");
     // An early revision of the format has the color at this position.
-    const bool early = fields.triple_follows();
+    const bool early = fields.color_follows();
     const Material early_material = early ? read_material(fields) : Material{};
     const Real radius = fields.length("diameter") / 2;
     const Real height = fields.length("height");

@@ -4,6 +4,7 @@
 #include "common/system/escaping.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace rt {
@@ -90,6 +91,7 @@ Real Fields::angle(std::string_view field) {
 }
 
 Color Fields::color(std::string_view field) {
+    if (hexadecimal_follows()) return hexadecimal_color(field);
     skip_to_triple(field);
     if (word_for_color(field)) return Color(1);
     const Triple read = triple(field);
@@ -101,6 +103,27 @@ Color Fields::color(std::string_view field) {
               name + " must be a whole number, not " + quoted(read.parts[i].text), "it is kept");
     }
     return read.value / Real(255);
+}
+
+/// Consumes a word `#rrggbb` or `#rgb`. Strict reading refuses it.
+Color Fields::hexadecimal_color(std::string_view field) {
+    const Token word = take_word(field);
+    const std::string_view digits = word.text.substr(1);
+    const std::size_t each = digits.size() / 3;
+    Color color(0);
+    std::string decimal;
+    for (int i = 0; i < 3; ++i) {
+        int value = 0;
+        const char* const first = digits.data() + each * std::size_t(i);
+        std::from_chars(first, first + each, value, 16);
+        if (each == 1) value *= 17;  // #f80 is #ff8800
+        color[i] = Real(value) / 255;
+        decimal.append(i == 0 ? "" : ",").append(std::to_string(value));
+    }
+    doubt(word, "hexadecimal color",
+          what(field) + " must be three numbers as in 1,2,3, not " + quoted(word.text),
+          "it is " + decimal);
+    return color;
 }
 
 /// Consumes words up to the first that is not a number, if lenient reading finds such a word and no
@@ -117,7 +140,7 @@ bool Fields::word_for_color(std::string_view field) {
 }
 
 Color Fields::color_or_white() {
-    if (!at_end()) return color();
+    if (!at_end() || hexadecimal_follows()) return color();
     doubt(end_of_line(), "no color", missing("color"), "it is white");
     return Color(1);
 }

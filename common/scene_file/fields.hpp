@@ -54,7 +54,8 @@ public:
     [[nodiscard]] Real angle(std::string_view field);
 
     /// A color of components 0 to 255, returned as 0 to 1. Lenient reading skips words before it,
-    /// and accepts fractions. A word in its place, such as the name of a texture, becomes white.
+    /// and accepts fractions and `#rrggbb`. A word in its place, such as the name of a texture,
+    /// becomes white.
     [[nodiscard]] Color color(std::string_view field = "color");
 
     /// As color(), but if the field is missing, lenient reading warns and returns white.
@@ -79,6 +80,7 @@ private:
     [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
     [[nodiscard]] Real length_of(Token token, const std::string& name);
     [[nodiscard]] Real up_to(int bound, Token token, std::string_view field);
+    [[nodiscard]] Color hexadecimal_color(std::string_view field);
     [[nodiscard]] bool word_for_color(std::string_view field);
 
     Axes axes_;

@@ -57,7 +57,15 @@ std::optional<Line> Lines::next() {
     const std::size_t comment = comment_start(line);
     return Line{.number = ++number_,
                 .tokens = words(line, 0, comment, column),
+                .comment = {line.substr(comment), column + static_cast<int>(comment)},
                 .directives = words(line, directive_start(line, comment), line.size(), column)};
+}
+
+void take_from_comment(Line& line) {
+    const auto [text, column] = line.comment;
+    const std::size_t end = text.empty() ? 0 : 1 + comment_start(text.substr(1));
+    for (const Token token : words(text, 0, end, column)) line.tokens.push_back(token);
+    line.comment = {text.substr(end), column + static_cast<int>(end)};
 }
 
 Token joined(Token first, Token last) {

@@ -14,10 +14,11 @@ struct Token {
     int column = 0;
 };
 
-/// One line without its comment.
+/// One line: the words before its comment, and the comment.
 struct Line {
     int number = 0;  ///< from 1
     std::vector<Token> tokens;
+    Token comment;  ///< from its "#" or "//" to the end of the line; empty if there is none
     /// The words of a comment "# rt: word word …", which sets how the file is read.
     std::vector<Token> directives;
 };
@@ -38,6 +39,10 @@ private:
     int number_ = 0;
     int skipped_ = 0;  ///< length in bytes of a byte order mark before rest_, in the first line
 };
+
+/// Appends the first word of the line's comment to its tokens, with all words up to another
+/// comment, which becomes the line's.
+void take_from_comment(Line& line);
 
 /// One token from the start of `first` to the end of `last`, in the same line.
 [[nodiscard]] Token joined(Token first, Token last);

@@ -25,6 +25,8 @@ constexpr std::size_t longest_line = 10'000;
 
 void check_is_text(std::string_view text, const SceneReport& report) {
     if (text.size() > largest_file) report.fail(0, 0, "larger than 16 MiB: expected a scene");
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        report.fail(1, 1, "text in UTF-16: expected UTF-8, as which an editor can save it");
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find('\n'));
         const std::size_t zero = line.find('\0');

@@ -8,8 +8,8 @@
 
 namespace rt {
 
-/// Whether a stage has a main.cpp of the student's: with the loop over the pixels in stage 1, with
-/// `trace` from stage 3 on.
+/// True if a stage has a main.cpp that the student writes: with the loop over the pixels in stage
+/// 1, with `trace` from stage 3 on.
 [[nodiscard]] constexpr bool has_trace(int stage) {
     return stage == 1 || stage >= shapes_stage;
 }

@@ -125,6 +125,13 @@ int wait_for(pid_t process) {
     return answer;
 }
 
+/// Returns whether the process has ended. It keeps its number until wait_for.
+bool has_ended(pid_t process) {
+    siginfo_t about{};
+    return waitid(P_PID, id_t(process), &about, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           about.si_pid == process;
+}
+
 /// The signal's name; not to be had of an exit status, since a suite's is the number of failures.
 std::string crash(int answer) {
     return WIFSIGNALED(answer) ? strsignal(WTERMSIG(answer)) : "";
@@ -158,26 +165,31 @@ int run_heard(const Command& command, Streams streams,
 ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                            const std::atomic<bool>* cancelled, std::size_t most_output) {
     const Group group = cancelled == nullptr ? Group::callers : Group::its_own;
-    const auto [process, ear] = start_heard(command, {.signal = SIGKILL, .group = group});
+    const HeardProgram program = start_heard(command, {.signal = SIGKILL, .group = group});
+    const pid_t process = program.process;
     const auto deadline = std::chrono::steady_clock::now() + limit;
     ProcessResult ending;
     const auto given_up = [&] {
         ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
         return ending.out_of_time || (cancelled != nullptr && *cancelled);
     };
-    listen(ear, milliseconds_between_looks, [&](std::string_view piece) {
+    bool ended = false;
+    listen(program.ear, milliseconds_between_looks, [&](std::string_view piece) {
         ending.output += piece.substr(0, most_output - ending.output.size());
+        if (ended && piece.empty()) return false;  // the pipe is open in a process that it left
+        ended = has_ended(process);
         return !given_up();
     });
     // It may continue with closed streams.
-    int answer = 0;
-    for (int asked_to_end = 0; waitpid(process, &answer, WNOHANG) == 0;) {
+    for (int asked_to_end = 0; !has_ended(process);) {
         // It may have to end its own children first.
         if (given_up())
             kill(group == Group::callers ? process : -process,
                  ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
+    if (group == Group::its_own) kill(-process, SIGKILL);  // what it has left
+    const int answer = wait_for(process);
     ending.status = exit_status(answer);
     ending.crash = crash(answer);
     return ending;

@@ -44,9 +44,10 @@ struct ProcessResult {
 };
 
 /// Runs a program with its output captured, and stops it after `limit`. Throws InputError if it
-/// cannot be started. When `*cancelled` becomes true, the program and its children are stopped, and
-/// Ctrl-C is handled by the caller instead of the program. To stop it, SIGTERM is sent, and SIGKILL
-/// a fifth of a second later. The program is also stopped when the calling thread ends.
+/// cannot be started. With `cancelled`, the program and its children are stopped when `*cancelled`
+/// becomes true, children that it has left are ended with it, and Ctrl-C is handled by the caller
+/// instead of the program. To stop it, SIGTERM is sent, and SIGKILL a fifth of a second later. The
+/// program is also stopped when the calling thread ends.
 [[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                                          const std::atomic<bool>* cancelled = nullptr,
                                          std::size_t most_output = 64 * 1024);
@@ -54,8 +55,8 @@ struct ProcessResult {
 /// The exit status in a result of waitpid; 128 + the number of a signal.
 [[nodiscard]] int exit_status(int answer);
 
-/// True for the exit status of a program that an external signal told to stop: Ctrl-C, SIGTERM, or
-/// the end of the terminal.
+/// True for the exit status of a program that SIGINT (Ctrl-C), SIGTERM or SIGHUP ended: it did not
+/// crash, somebody stopped it.
 [[nodiscard]] bool is_told_to_stop(int status);
 
 }  // namespace rt

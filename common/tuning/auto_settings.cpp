@@ -139,7 +139,12 @@ private:
         const bool too_long = aim_.time && seconds > 1.1 * *aim_.time;
         say("expected", number(seconds) + " s" + expected_error() +
                             (too_long ? ": no setting is cheaper" : ""));
-        say("trials", std::to_string(runner_.pixels_drawn()) + " pixels, " +
+        const double rays = choice_.expected.rays * runner_.pixels();
+        // With a time, the rays of the picture are not known before.
+        const std::string part =
+            rays > 0 ? number(100 * runner_.rays_traced() / rays) + " % of the picture's rays, "
+                     : "";
+        say("trials", std::to_string(runner_.pixels_drawn()) + " pixels, " + part +
                           number(runner_.seconds_since_start()) + " s");
     }
 

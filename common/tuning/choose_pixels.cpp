@@ -3,13 +3,15 @@
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/choose_samples.hpp"
 #include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/pixel_study.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
+#include <span>
 
 namespace rt {
 
@@ -18,8 +20,8 @@ namespace {
 /// No error of a pixel is larger: with it, one ray through each pixel is enough.
 constexpr double largest_pixel_error = 255;
 
-/// The factor from one error that is tried to the next.
-constexpr double error_step = 1.5;
+/// The factor from one error that is tried to the next. Every fourth needs twice as many rays.
+const double error_step = std::pow(2, 0.25);
 
 /// The settings with shadow rays that suit an error of a pixel. Their number is fixed: rays that
 /// stop once a few agree would make the mean of a pixel wrong, however many rays go through it.
@@ -44,7 +46,7 @@ bool has_choice_of_shadows(const TrialRunner& runner, const Trials& trials) {
     return trials.traits().sized_lights && !runner.aim().given.shadow_samples;
 }
 
-/// Trial pixels with their right colors.
+/// Trial pixels with their right colors, for the choice with a time budget.
 class PixelTrials {
 public:
     /// The references have an error of an eighth of `error`.
@@ -70,26 +72,10 @@ public:
     /// Measures settings. Their error is that which one pixel in a hundred exceeds.
     Trial measured(const RenderSettings& settings) {
         const TrialSample sample = runner_.render_pixels(trials_, settings, pixels_, ++round_);
-        off_ = distances(sample, right_);
         return {.settings = settings,
                 .seconds = runner_.picture_seconds(sample.seconds),
                 .rays = sample.rays,
-                .error = error_but_for_share(few_pixels, off_)};
-    }
-
-    /// The largest mean error of a tile in the last measurement.
-    [[nodiscard]] double worst_tile() const {
-        constexpr int fewest = 4;
-        std::map<int, std::pair<double, int>> tiles;
-        for (std::size_t i = 0; i < off_.size(); ++i) {
-            auto& [sum, count] = tiles[tile_of(pixels_[i], runner_.size())];
-            sum += off_[i];
-            ++count;
-        }
-        double worst = 0;
-        for (const auto& [tile, sums] : tiles)
-            if (sums.second >= fewest) worst = std::max(worst, sums.first / sums.second);
-        return worst;
+                .error = error_but_for_share(few_pixels, distances(sample, right_))};
     }
 
 private:
@@ -100,7 +86,6 @@ private:
     int round_ = 1;
     std::vector<Pixel> pixels_;
     TrialSample right_;
-    std::vector<double> off_;  ///< of the last measurement
 };
 
 /// Trial pixels, spread over the picture: the golden ratio apart, since every k-th of the cells
@@ -117,39 +102,117 @@ std::vector<Pixel> scattered(const TrialRunner& runner, std::size_t count) {
     return some;
 }
 
+/// Settings, with the expected cost and error of a picture.
+struct Candidate {
+    RenderSettings settings;
+    PixelStudy::Outcome outcome;
+};
+
+/// The search for the cheapest settings that keep the tolerance.
+class PixelSearch {
+public:
+    PixelSearch(TrialRunner& runner, Trials& trials, const RenderSettings& settings)
+        : runner_(runner),
+          allowed_(*runner.aim().tolerance),
+          settings_(settings),
+          study_(runner, trials, settings, allowed_) {}
+
+    /// The least accurate right colors are compared first, since most of the cost is theirs.
+    [[nodiscard]] Trial best() {
+        for (double right_error = allowed_; right_error > allowed_ / 8; right_error /= 2)
+            if (const auto found = best_with(right_error)) return trial(*found);
+        const RenderSettings right = through_all(right_pixel_samples);
+        return trial({.settings = right, .outcome = study_.outcome(right)});
+    }
+
+private:
+    /// Traces trial pixels until more of them would take more rays than they could save.
+    [[nodiscard]] std::optional<Candidate> best_with(double right_error) {
+        study_.begin(right_error);
+        while (true) {
+            const std::vector<Candidate> all = candidates(right_error);
+            const auto best = std::ranges::find_if(all, [&](const Candidate& candidate) {
+                return candidate.outcome.at_most() <= few_pixels &&
+                       study_.tiles_keep(candidate.settings, 2 * allowed_);
+            });
+            const auto growth =
+                best_growth(std::span(all.begin(), best),
+                            best == all.end() ? std::nullopt : std::optional(best->outcome.rays));
+            if (growth)
+                study_.grow(*growth);
+            else
+                return best == all.end() ? std::nullopt : std::optional(*best);
+        }
+    }
+
+    /// The kind of trial pixels of which more are worth their rays, since one of these settings may
+    /// then be certain to keep the tolerance. `rays` are those of the cheapest that does, if any.
+    [[nodiscard]] std::optional<std::size_t> best_growth(std::span<const Candidate> cheaper,
+                                                         std::optional<double> rays) const {
+        constexpr double chance = 0.5;  // what is estimated of them may be wrong
+        std::optional<std::size_t> kind;
+        double least = 0;
+        for (const auto& [settings, outcome] : cheaper) {
+            const auto growth = study_.growth(outcome, few_pixels);
+            if (!growth) continue;
+            const double cost = growth->rays + chance * (outcome.rays - rays.value_or(1e15));
+            if (cost < least) {
+                least = cost;
+                kind = growth->kind;
+            }
+        }
+        return kind;
+    }
+
+    /// All settings that can be compared with right colors of that error, the cheapest first.
+    [[nodiscard]] std::vector<Candidate> candidates(double right_error) const {
+        std::vector<Candidate> all;
+        const auto add = [&](const RenderSettings& settings) {
+            all.push_back({.settings = settings, .outcome = study_.outcome(settings)});
+        };
+        add(with_pixel_samples(settings_, 1));
+        for (double error = right_error * error_step * error_step;
+             error < std::min(64 * allowed_, largest_pixel_error); error *= error_step)
+            add(with_pixel_error(settings_, error));
+        if (right_error < allowed_)
+            for (int count = 4; count < right_pixel_samples; count *= 2) add(through_all(count));
+        std::ranges::stable_sort(all, {},
+                                 [](const Candidate& candidate) { return candidate.outcome.rays; });
+        return all;
+    }
+
+    /// The settings of rays through every pixel that send as many to lights as adaptive_settings.
+    [[nodiscard]] RenderSettings through_all(int count) const {
+        RenderSettings settings = with_pixel_samples(settings_, count);
+        if (runner_.aim().given.shadow_samples) return settings;
+        settings.shadow_samples = int(std::ceil(settings_.shadow_samples / 4.0) * std::sqrt(count));
+        return settings;
+    }
+
+    [[nodiscard]] Trial trial(const Candidate& candidate) const {
+        const double more = candidate.outcome.rays / runner_.pixels();
+        const TrialCenters& centers = study_.centers();
+        return {
+            .settings = candidate.settings,
+            .seconds = runner_.picture_seconds(centers.seconds + more * study_.seconds_of_a_ray()),
+            .rays = centers.rays + more,
+            .error = allowed_};
+    }
+
+    TrialRunner& runner_;
+    double allowed_;
+    RenderSettings settings_;
+    PixelStudy study_;
+};
+
 }  // namespace
 
-Trial keep_tolerance_of_pixels(TrialRunner& runner, const Trials& trials,
+Trial keep_tolerance_of_pixels(TrialRunner& runner, Trials& trials,
                                const RenderSettings& settings) {
-    constexpr std::size_t pixels = 1200;
     const double allowed = *runner.aim().tolerance;
-    const bool choose_shadows = has_choice_of_shadows(runner, trials);
-    PixelTrials known(runner, trials, settings, allowed);
-    known.add(scattered(runner, pixels));
-    Trial best{.error = std::numeric_limits<double>::infinity()};
-    const auto keeps = [&](const RenderSettings& tried) {
-        const Trial trial = known.measured(tried);
-        const bool is_kept = trial.error <= allowed && known.worst_tile() <= 2 * allowed;
-        if (is_kept || (best.error > allowed && trial.error < best.error)) best = trial;
-        return is_kept;
-    };
-    const auto with_error = [&](double error) {
-        return with_pixel_error(with_shadows(settings, choose_shadows, error), error);
-    };
-    double error = allowed / 2;
-    const RenderSettings fine = with_shadows(settings, choose_shadows, error);
-    if (keeps(with_pixel_samples(fine, 1))) return best;
-    if (keeps(with_error(error))) {
-        for (error *= error_step; error < 2 * allowed; error *= error_step)
-            if (!keeps(with_error(error))) break;
-        return best;
-    }
-    // An edge of which the rays around it show nothing is not found by a smaller error either.
-    for (error /= error_step; error > allowed / 8; error /= error_step)
-        if (keeps(with_error(error))) return best;
-    for (int count = 64; count <= right_pixel_samples; count *= 2)
-        if (keeps(with_pixel_samples(fine, count))) return best;
-    return best;
+    return PixelSearch(runner, trials,
+                       with_shadows(settings, has_choice_of_shadows(runner, trials), 2 * allowed))
+        .best();
 }
 
 QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,

@@ -1,6 +1,7 @@
 // The choice of the number of rays through a pixel, together with that of shadow rays.
 #pragma once
 
+#include "common/tuning/pixel_study.hpp"
 #include "common/tuning/tradeoff.hpp"
 #include "common/tuning/trial_runner.hpp"
 
@@ -8,15 +9,11 @@
 
 namespace rt {
 
-/// The number of rays through a pixel of a right picture: the error of a picture is its difference
-/// from the right one. Also the largest number with --pixel-error, if none is given.
-inline constexpr int right_pixel_samples = 1024;
-
 /// Returns the settings that keep the tolerance with few rays, or the most accurate ones found:
 /// one ray through each pixel, or more beside edges, or, where such edges are not all, more through
 /// every pixel, and with them the shadow rays, unless they are given. The result is the same in
 /// every run, because no clock decides.
-[[nodiscard]] Trial keep_tolerance_of_pixels(TrialRunner& runner, const Trials& trials,
+[[nodiscard]] Trial keep_tolerance_of_pixels(TrialRunner& runner, Trials& trials,
                                              const RenderSettings& settings);
 
 /// Measures settings for a time budget, cheapest first: with more rays beside edges, or, if there

@@ -14,4 +14,8 @@ namespace rt {
 [[nodiscard]] TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
                                         const TrialRequest& request);
 
+/// Traces rays through pixels of the scene, as Trials::trace_histories describes.
+[[nodiscard]] TrialHistories trace_histories(const Scene& scene, const RenderSettings& settings,
+                                             const TrialRequest& request);
+
 }  // namespace rt

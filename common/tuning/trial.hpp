@@ -2,7 +2,7 @@
 // its pixels.
 #pragma once
 
-#include "common/image/pixel.hpp"
+#include "common/image/image.hpp"
 #include "common/render/render_settings.hpp"
 
 #include <array>
@@ -51,6 +51,45 @@ struct TrialSample {
     double seconds = 0;                ///< mean CPU seconds for each pixel
 };
 
+/// A pixel after some number of rays through it.
+struct PixelStep {
+    int count = 0;  ///< of these rays
+    DisplayColor mean{};
+    double error = 0;  ///< as --pixel-error estimates it, in 8-bit levels
+    double rays = 0;   ///< of all kinds, so far
+};
+
+/// A pixel after each number of rays at which --pixel-error may stop, and after fewer. The rays are
+/// those of the picture.
+struct PixelHistory {
+    static constexpr int fewest = 4;
+
+    /// The number of rays of the step after that of `count` rays.
+    [[nodiscard]] static constexpr int next(int count) {
+        int power = 2 * fewest;
+        if (count < power) return power;
+        while (2 * power <= count) power *= 2;
+        return count + power / 4;
+    }
+
+    std::vector<PixelStep> steps;
+    double range = 0;  ///< largest difference between two of the rays, in 8-bit levels
+};
+
+/// The histories of the pixels of a trial, and their cost.
+struct TrialHistories {
+    std::vector<PixelHistory> pixels;
+    double rays = 0;     ///< total, of all kinds
+    double seconds = 0;  ///< total CPU seconds
+};
+
+/// The picture of one ray through the center of each pixel, and its cost.
+struct TrialCenters {
+    const Image* image = nullptr;  ///< until the next call
+    double rays = 0;               ///< mean number of rays of all kinds for each pixel
+    double seconds = 0;            ///< mean CPU seconds for each pixel
+};
+
 /// A scene on which settings can be measured.
 class Trials {
 public:
@@ -69,6 +108,17 @@ public:
     /// it is meaningless.
     [[nodiscard]] virtual TrialSample render_pixels(const RenderSettings& settings,
                                                     const TrialRequest& request) const = 0;
+
+    /// Traces rays through the pixels, at least `request.at_least` and at most
+    /// `settings.pixel_samples`, until the estimated error is `settings.pixel_error`. If stopped
+    /// early, the result is meaningless.
+    [[nodiscard]] virtual TrialHistories trace_histories(const RenderSettings& settings,
+                                                         const TrialRequest& request) const = 0;
+
+    /// Renders one ray through the center of each pixel. A picture of these settings, whatever its
+    /// pixel_error, is then rendered without them. If stopped early, the result is meaningless.
+    [[nodiscard]] virtual TrialCenters render_centers(const RenderSettings& settings,
+                                                      const TrialRequest& request) = 0;
 };
 
 }  // namespace rt

@@ -26,6 +26,9 @@ public:
     /// the number of pixels in a cell.
     [[nodiscard]] std::vector<Pixel> pixels(int draw = 0) const;
 
+    /// The number of different draws.
+    [[nodiscard]] int draws() const { return side_ * side_; }
+
     /// Returns the marked cells and the cells that touch one.
     [[nodiscard]] std::vector<bool> with_neighbors(const std::vector<bool>& marked) const;
 

@@ -16,11 +16,31 @@ TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSetting
                                                          .stop = &stop_});
     if (stop_) throw Stopped();
     drawn_ += pixels.size();
+    rays_ += sample.rays * double(pixels.size());
     return sample;
 }
 
+TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSettings& settings,
+                                            std::span<const Pixel> pixels, int at_least) {
+    TrialHistories histories = trials.trace_histories(
+        settings,
+        {.pixels = pixels, .at_least = at_least, .threads = aim_.threads, .stop = &stop_});
+    if (stop_) throw Stopped();
+    drawn_ += pixels.size();
+    rays_ += histories.rays;
+    return histories;
+}
+
+TrialCenters TrialRunner::render_centers(Trials& trials, const RenderSettings& settings) {
+    const TrialCenters centers =
+        trials.render_centers(settings, {.threads = aim_.threads, .stop = &stop_});
+    if (stop_) throw Stopped();
+    center_rays_ = centers.rays;
+    return centers;
+}
+
 double TrialRunner::picture_seconds(double of_a_pixel) const {
-    return of_a_pixel * double(size_.width) * double(size_.height) / aim_.threads;
+    return of_a_pixel * pixels() / aim_.threads;
 }
 
 double TrialRunner::seconds_since_start() const {

@@ -15,12 +15,14 @@ struct Stopped {};
 /// Measures settings on sample pixels, and counts the pixels rendered.
 class TrialRunner {
 public:
-    /// The aim and the flag must outlive this object.
+    /// The flag must outlive this object.
     TrialRunner(Resolution size, const Aim& aim, const std::atomic<bool>& stop)
         : aim_(aim), stop_(stop), size_(size), spread_(size) {}
 
     [[nodiscard]] const Aim& aim() const { return aim_; }
     [[nodiscard]] Resolution size() const { return size_; }
+    /// The number of pixels of the picture.
+    [[nodiscard]] double pixels() const { return double(size_.width) * double(size_.height); }
     [[nodiscard]] const SpreadPixels& spread() const { return spread_; }
 
     /// The largest error that is not significant.
@@ -31,6 +33,13 @@ public:
     [[nodiscard]] TrialSample render_pixels(const Trials& trials, const RenderSettings& settings,
                                             std::span<const Pixel> pixels, int round,
                                             int at_least = 0);
+
+    /// Traces the histories of pixels, or renders the centers, as `trials` describes. Throws
+    /// Stopped if the program is to stop.
+    [[nodiscard]] TrialHistories trace_histories(const Trials& trials,
+                                                 const RenderSettings& settings,
+                                                 std::span<const Pixel> pixels, int at_least);
+    [[nodiscard]] TrialCenters render_centers(Trials& trials, const RenderSettings& settings);
 
     /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes
     /// `of_a_pixel` seconds of CPU time.
@@ -50,13 +59,22 @@ public:
 
     [[nodiscard]] std::size_t pixels_drawn() const { return drawn_; }
 
+    /// The rays of all trials, without those of the picture.
+    [[nodiscard]] double rays_traced() const { return rays_; }
+
+    /// The rays through the centers of pixels that the picture need not trace again, for each
+    /// pixel.
+    [[nodiscard]] double center_rays() const { return center_rays_; }
+
 private:
-    const Aim& aim_;
+    Aim aim_;
     const std::atomic<bool>& stop_;
     Resolution size_;
     SpreadPixels spread_;
     Clock::time_point start_ = Clock::now();
     std::size_t drawn_ = 0;
+    double rays_ = 0;
+    double center_rays_ = 0;
 };
 
 template <class First, class Second>

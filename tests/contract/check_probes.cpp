@@ -26,7 +26,7 @@ public:
     void right(const std::string& worker) {
         Asked asked(worker);
         const std::vector<Answer> answers = asked(calls_);
-        for (const Mistake& mistake : recognised(probes_, answers, {}))
+        for (const Mistake& mistake : recognized(probes_, answers, {}))
             complain(worker + " is right, but recognized as " + mistake.name);
         Asked reference(reference_);
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
@@ -47,7 +47,7 @@ public:
         Asked asked(worker);
         bool as_itself = false;
         std::string names;
-        for (const Mistake& mistake : recognised(probes_, asked(calls_), results_of(*known))) {
+        for (const Mistake& mistake : recognized(probes_, asked(calls_), results_of(*known))) {
             as_itself = as_itself || mistake.sentence == sentence;
             names += " " + mistake.name;
         }

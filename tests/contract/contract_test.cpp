@@ -57,7 +57,7 @@ bool refused(const std::string& bytes) {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
-/// A worker that is written to byte by byte, by whoever means no good.
+/// A worker that receives damaged or hostile bytes.
 class Attacked {
 public:
     explicit Attacked(const std::string& program) {
@@ -123,7 +123,7 @@ Diagnosis diagnosis(const std::string& wrong) {
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
     const auto answers = student(calls);
-    return {.mistakes = recognised(probes, answers, {}),
+    return {.mistakes = recognized(probes, answers, {}),
             .smallest = smallest_difference(probes, answers, student, reference)};
 }
 

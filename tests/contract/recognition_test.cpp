@@ -20,7 +20,7 @@ struct Tangent {
     std::vector<Answer> answers = {probes.probes[0].mistaken[0], probes.probes[1].right};
 
     [[nodiscard]] bool is_named(const CaseResults& results) const {
-        return !recognised(probes, answers, results).empty();
+        return !recognized(probes, answers, results).empty();
     }
 };
 
@@ -57,7 +57,7 @@ TEST_CASE("a mistake that can be made in two functions is recognized in one") {
     const Answer reflected = probes.probes[0].right;
     const auto named = [&](const Answer& diffuse, const Answer& specular,
                            const CaseResults& results) {
-        return recognised(probes, {reflected, diffuse, specular}, results).size();
+        return recognized(probes, {reflected, diffuse, specular}, results).size();
     };
     CHECK(named(wrong, wrong, {{"diffuse", false}, {"specular", false}}) == 1);
     CHECK(named(wrong, right, {{"diffuse", false}, {"specular", true}}) == 1);
@@ -75,8 +75,8 @@ TEST_CASE("a mistake is recognized beside another one, in another function") {
 
 namespace {
 
-/// Two mistakes in a function with many right answers: only their cases tell them from another
-/// right answer.
+/// Two mistakes in a function that has many right answers. An answer that differs from the
+/// reference's is not enough to recognize them: the cases that fail must be theirs, too.
 struct OpenFunction {
     Probes probes = read_probes(
         "stage 11\nmistake half: You go half way round.\nmistake disc: You aim at a disc.\n"
@@ -93,7 +93,7 @@ struct OpenFunction {
         const std::vector<Answer> answers = {{.value = get_value(type_of<Vec3>(), reader)}};
         std::string names;
         for (const Mistake& mistake :
-             recognised(probes, answers, {{"even", false}, {"seen", !both_fail}}))
+             recognized(probes, answers, {{"even", false}, {"seen", !both_fail}}))
             names += mistake.name;
         return names;
     }

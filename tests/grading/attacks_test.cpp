@@ -6,8 +6,8 @@
 //   // stage: step05_triangle         default: step03_sphere
 //   // file: main.cpp                 default: the file of the stage's functions
 //   // compiles: no                  or: perhaps
-//   // told: defines main             the student's message contains it
-//   // untold: root:                  the message does not contain it
+//   // message: defines main          the student's message contains it
+//   // message without: root:         the message does not contain it
 //   // stubs: normal torch            these files of ../stubs are appended to it
 //
 // @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
@@ -66,7 +66,7 @@ struct Attack {
     [[nodiscard]] GradedFile file() const {
         return {*find_stage(stage()), said("file", "") == "main.cpp"};
     }
-    /// What is handed in: the attack, and the stubs that it names.
+    /// The submitted files: the attack, and the stubs that it names.
     [[nodiscard]] std::string submission() const {
         std::string whole = text;
         std::istringstream names(said("stubs", ""));
@@ -79,7 +79,7 @@ struct Attack {
 /// The result of a submission.
 struct Grade {
     std::set<std::string> passed;
-    std::string told;
+    std::string message;
     bool compiled = false;
     std::chrono::duration<double> time{};
 };
@@ -119,7 +119,7 @@ public:
         if (made.succeeded)
             made = grade::link_worker(workshop_, file.stage, {{file, object()}}, worker());
         grade.compiled = made.succeeded;
-        grade.told = made.words;
+        grade.message = made.words;
         if (made.succeeded) {
             const std::string limits = grade::worker_limits(file.stage) + " cpu=1";
             setenv("RAYSTEPS_LIMITS", limits.c_str(), 1);
@@ -131,7 +131,7 @@ public:
             CHECK_FALSE(ending.out_of_time);
             CHECK(ending.crash.empty());  // the suite itself came to its end
             grade.passed = passed_cases(content(report()));
-            grade.told += content(report());
+            grade.message += content(report());
         }
         grade.time = std::chrono::steady_clock::now() - start;
         return grade;
@@ -203,9 +203,9 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
         const std::string start = "// stage: " + stage + "\n";
         const Grade right = grader.grade(
             {.name = "right", .text = start + content(stage_file(stage, "reference"))});
-        INFO(right.told);
+        INFO(right.message);
         REQUIRE(right.compiled);
-        CHECK(right.told.find("\nfailed") == std::string::npos);
+        CHECK(right.message.find("\nfailed") == std::string::npos);
         CHECK(right.passed.size() > 15);
         const Grade stub =
             grader.grade({.name = "stub", .text = start + content(stage_file(stage, "starter"))});
@@ -231,9 +231,9 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
           std::array{"step12_mirror", "own_recursion", "ray_goes_on"}}) {
         const std::string folder_of = std::string(stage) + "/main/";
         const Grade all = graded(stage, "alternatives/" + folder_of + right + ".cpp");
-        INFO(all.told);
+        INFO(all.message);
         REQUIRE(all.compiled);
-        CHECK(all.told.find("\nfailed") == std::string::npos);
+        CHECK(all.message.find("\nfailed") == std::string::npos);
         CHECK(all.passed.size() > 6);
         const Grade some = graded(stage, "mistakes/" + folder_of + wrong + ".cpp");
         REQUIRE(some.compiled);
@@ -284,13 +284,13 @@ TEST_CASE("attacks earn nothing and do no harm") {
         CHECK(attack.text.find("// ceiling: ") != std::string::npos);
         const std::size_t most = ceiling(grader, attack);
         const Grade grade = grader.grade(attack);
-        INFO(grade.told);
+        INFO(grade.message);
         CHECK(grade.passed.size() <= most);
-        CHECK(grade.told.find(attack.said("told", "")) != std::string::npos);
+        CHECK(grade.message.find(attack.said("message", "")) != std::string::npos);
         const std::string compiles = attack.said("compiles", "yes");
         CHECK((compiles == "perhaps" || compiles == (grade.compiled ? "yes" : "no")));
-        const std::string untold = attack.said("untold", "");
-        CHECK((untold.empty() || grade.told.find(untold) == std::string::npos));
+        const std::string secret = attack.said("message without", "");
+        CHECK((secret.empty() || grade.message.find(secret) == std::string::npos));
         CHECK(grade.time < longest_grading * grade::busy());
         CHECK(grader.is_unharmed());
         CHECK(grader.workers_left() == 0);

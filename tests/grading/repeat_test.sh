@@ -25,7 +25,7 @@ sed '/^Real torch/,/^}/d' "$sphere" | submit forgets_a_function
     echo 'int (*a)(int) = nowhere; int (*b)(int) = neither;'; } | submit calls_nothing
 { cat "$sphere" && echo 'int two = 2; asm(".globl stdout\n.data\nstdout: .quad 0\n.globl environ\nenviron: .quad 0");'; } |
     submit twice
-sed 's/^Real torch.*{/&\n    throw __FILE__;/; s/^Color color_from_normal.*{/&\n    throw std::runtime_error(__FILE__);/
+sed 's/^Real torch.*{/&\n    throw __FILE__;/; s/^Color color_from_normal.*{/&\n    throw std::runtime_error(__FILE__ __DATE__ __TIME__ __TIMESTAMP__);/
     1i #include <stdexcept>' "$sphere" | submit throws_its_name
 { echo '#include "common/no_such_header.hpp"' && cat "$sphere"; } | submit includes_nothing
 { echo '#include "common/bvh/mesh_bvh.hpp"' && cat "$sphere"; } | submit includes_too_much

@@ -179,6 +179,15 @@ TEST_CASE("a worker computes, has threads, and can end as it likes") {
     }
 }
 
+TEST_CASE("a caller that may write no core file can start a worker") {
+    const Ground ground;
+    for (Who grader : everybody(ground)) {
+        INFO(grader.name);
+        grader.before.insert(grader.before.begin(), {"prlimit", "--core=0:0"});
+        CHECK(status(ground, grader, {}, {"nothing"}) == done);
+    }
+}
+
 TEST_CASE("a worker reaches no file, process or network, whoever grades") {
     const Ground ground;
     const std::string secret = ground.folder / "secret";
@@ -387,7 +396,7 @@ TEST_CASE("a program that cannot be sealed is not started") {
     const Who grader;
     CHECK(run(ground, grader, {"memory=lots"}, {"nothing"}).output ==
           "error: not sealed: not a number: lots\n");
-    CHECK(status(ground, grader, {"colour=red"}, {"nothing"}) == grade::not_sealed);
+    CHECK(status(ground, grader, {"color=red"}, {"nothing"}) == grade::not_sealed);
     const ProcessResult missing =
         run_captured({ground.folder / "sealed", "--", "/no/such/program"}, std::chrono::seconds(5));
     CHECK(missing.status == grade::not_sealed);

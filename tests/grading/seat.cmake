@@ -14,7 +14,7 @@
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
-    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_base)
+    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_base raysteps_command_line)
     set(objects $<TARGET_PROPERTY:${stage}_picture_without_main_f64,INTERFACE_SOURCES>)
     set(main $<TARGET_OBJECTS:${stage}_main_f64>)
     # A worker gets its meshes with the queries, and reads no file.

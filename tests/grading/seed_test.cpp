@@ -39,9 +39,9 @@ TEST_CASE("the seed of a folder of results is made once, and readable by its own
     std::uint64_t always = seed;
     for (int i = 0; i < 40; ++i) {
         const TemporaryFolder other;
-        const std::uint64_t rendered = grade::agreed_seed(other.path(), {});
-        once |= rendered;
-        always &= rendered;
+        const std::uint64_t agreed = grade::agreed_seed(other.path(), {});
+        once |= agreed;
+        always &= agreed;
     }
     CHECK(once == ~std::uint64_t(0));
     CHECK(always == 0);

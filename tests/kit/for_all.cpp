@@ -9,12 +9,12 @@ namespace rt {
 
 namespace {
 
-thread_local bool rendered = false;
+thread_local bool is_drawing = false;
 
 /// Until the end of a scope, inputs are random.
 struct Drawing {
-    Drawing() { rendered = true; }
-    ~Drawing() { rendered = false; }
+    Drawing() { is_drawing = true; }
+    ~Drawing() { is_drawing = false; }
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 };
@@ -56,7 +56,7 @@ void shrink(const Property& property, std::vector<double>& choices) {
 }  // namespace
 
 bool is_drawn() {
-    return rendered;
+    return is_drawing;
 }
 
 Verdict for_all(const Property& property, int cases) {

@@ -20,7 +20,7 @@ namespace rt {
 struct Drawing {
     std::string scene;  ///< if it is not called as the picture
     RenderSettings settings;
-    int every = 1;  ///< for a slow picture: only every `every`-th pixel and row
+    int every = 3;  ///< only every `every`-th pixel and row
 };
 
 /// True if a pixel's color is as near to the reference's as right answers are, by the spread in the

@@ -29,14 +29,18 @@ std::string indented(const std::string& lines) {
     return out;
 }
 
+Scene scene_of(const std::string& text) {
+    // Paths of meshes are relative to the project's folder of scenes.
+    Scene scene = parse_scene(text, project_file("scenes/trace.rt"), orthonormal_basis);
+    load_meshes(scene);
+    build_acceleration(scene);
+    return scene;
+}
+
 }  // namespace
 
 Rgb seen(const std::string& text, const RenderSettings& settings) {
-    // Paths of meshes are relative to the project's folder of scenes.
-    Scene scene = parse_scene(whole(text), project_file("scenes/trace.rt"), orthonormal_basis);
-    load_meshes(scene);
-    build_acceleration(scene);
-    return to_rgb(traced(scene, settings));
+    return to_rgb(traced(scene_of(whole(text)), settings));
 }
 
 std::string scene_color(Rgb color) {
@@ -53,6 +57,23 @@ Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& sett
     return verdict(close, "the color of the only pixel, of 255" +
                               ("\n  scene:    save it to render it" + indented(whole(scene))) +
                               "\n  got:      " + text(got) + "\n  expected: " + text(expected));
+}
+
+Verdict shows_in_every_pixel(const std::string& text, Rgb expected,
+                             const RenderSettings& settings) {
+    Scene scene = scene_of(whole(text));
+    scene.resolution = {.width = 3, .height = 2};
+    const Image image = rendered(scene, settings);
+    for (Pixel pixel; pixel.row < 2; ++pixel.row)
+        for (pixel.column = 0; pixel.column < 3; ++pixel.column)
+            if (!fits(image[pixel], expected, {0, 0, 0}))
+                return verdict(false, "the color of the pixel " + std::to_string(pixel.row) + "," +
+                                          std::to_string(pixel.column) + " of 2 x 3, of 255" +
+                                          "\n  scene:    save it to render it, with R 3 2" +
+                                          indented(whole(text)) +
+                                          "\n  got:      " + rt::text(image[pixel]) +
+                                          "\n  expected: " + rt::text(expected));
+    return {};
 }
 
 }  // namespace rt

@@ -23,4 +23,9 @@ namespace rt {
 [[nodiscard]] Verdict shows(const std::string& scene, Rgb expected,
                             const RenderSettings& settings = {}, int difference = 1);
 
+/// The same for every pixel of a small picture, of which each ray has another direction. The rays
+/// share a Context, as those of a row of a picture.
+[[nodiscard]] Verdict shows_in_every_pixel(const std::string& scene, Rgb expected,
+                                           const RenderSettings& settings = {});
+
 }  // namespace rt

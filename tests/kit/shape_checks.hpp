@@ -17,6 +17,16 @@ inline Real draw_narrow(Random& random) {
     return least * std::pow(Real(0.0009) / least, random.between(0, 1));
 }
 
+/// A share of a size from well above the rounding of a textbook's formula, even beside a tangent,
+/// to 1: in double, many are less than a thousandth.
+inline Real draw_gap(Random& random) {
+    const Real least = sizeof(Real) == sizeof(float) ? Real(0.002) : Real(1e-7);
+    return std::pow(least, random.between(0, 1));
+}
+
+/// A share of a size that is above rounding where almost nothing is rounded.
+constexpr Real hair = sizeof(Real) == sizeof(float) ? Real(0x1p-18) : Real(0x1p-40);
+
 /// A shape, a point of its surface well inside any edge, and the outward unit normal there.
 template <class Shape>
 struct Sample {
@@ -79,6 +89,20 @@ Verdict nothing_behind_is_hit(Draw draw) {
     return for_all([draw](Random& random) {
         const auto aimed = aimed_from_outside(draw(random), random);
         return misses({.origin = aimed.ray.origin, .direction = -aimed.ray.direction}, aimed.shape);
+    });
+}
+
+/// A ray that starts very close to the surface, on either side, meets it at once. A textbook's
+/// formula has a few digits of this t left, and only these are tested.
+template <class Draw>
+Verdict close_surfaces_are_met(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto [shape, point, normal] = draw(random);
+        const Real gap = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? -10 : -20);
+        const Vec3 away = random.coin() ? normal : -normal;
+        const Ray ray{.origin = point + gap * away, .direction = -away};
+        const std::optional<Real> t = intersect(ray, shape, {});
+        return verdict(t && std::abs(*t - gap) < gap / 8, told(ray, shape, {}, t, gap));
     });
 }
 

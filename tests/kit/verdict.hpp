@@ -34,8 +34,9 @@ inline Verdict verdict(bool holds, const std::string& sentence) {
     return {.holds = holds, .sentence = holds ? "" : sentence};
 }
 
-/// Keeps the first failure of several questions, all of which are asked: known mistakes of `trace`
-/// are recognized by all the questions that they fail.
+/// Keeps the first failed verdict. A test that evaluates all its questions uses it instead of
+/// returning at the first failure, because a known mistake of `trace` is recognized by the complete
+/// set of questions that it fails.
 inline void keep_first(Verdict& kept, Verdict next) {
     if (kept.holds) kept = std::move(next);
 }

@@ -98,6 +98,11 @@ is "a file outside" "${root}../../../../etc/passwd" 404
 is "a file outside, from a folder" "${root}docs/../../../../../etc/passwd" 404
 is "what is hidden" "${root}.git/config" 404
 is "what is built" "${root}build/build.ninja" 404
+ln -s /etc/passwd "$project/build/book/outside.txt"
+ln -s ../build.ninja "$project/build/book/built.txt"
+is "a link to a file outside" "${root}build/book/outside.txt" 404
+is "a link to what is built" "${root}build/book/built.txt" 404
+rm "$project/build/book/outside.txt" "$project/build/book/built.txt"
 is "a page that is not there" "${root}build/book/none.html" 404
 
 python3 "$project/tests/documents/book_pages.py" "$project/build/book" "$project" > out 2>&1 ||

@@ -33,7 +33,11 @@ refused "a negative size" "--size must be" step03_sphere --size=-1x5
 refused "half a size" "--size must be" step03_sphere --size 640
 refused "a pixel outside" "outside the picture" step03_sphere --pixel 480,0
 refused "no pixel" "--pixel must be" step03_sphere --pixel 1;
-refused "an unknown precision" "half" step03_sphere --precision half
+refused "an unknown precision" '--precision: expected double, float or exact, not "half"' \
+    step03_sphere --precision half
+refused "a number for a word" '--gamma: expected srgb or linear, not "1"' step03_sphere --gamma 1
+refused "a number in hexadecimal digits" '--threads: expected a whole number from 1 to 1024, not "0x2"' \
+    step03_sphere --threads 0x2
 refused "another program's precision" "ninja -C build step03_sphere_exact" step03_sphere --precision exact
 refused "no threads" "threads" step03_sphere --threads 0
 refused "an unknown option" "--frobnicate" step03_sphere --frobnicate
@@ -94,6 +98,10 @@ printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 -2 255,0,0\n' > wrong.rt
 refused "a wrong scene" "wrong.rt:2:10: error: " step03_sphere wrong.rt
 printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 shiny\n' > doubtful.rt
 refused "strict reading" "doubtful.rt:2:20: error: " step03_sphere doubtful.rt --strict
+
+# A zero before a number means nothing.
+"$build/step03_sphere" -o a.png --size 8x6 --samples 010 > out 2> err
+grep -q ', 480 rays$' out || fail "--samples 010 is ten"
 
 # A warning goes to the error stream, and the picture is made.
 holds "a warning is no error" "$build/step03_sphere" doubtful.rt -o a.png --size 8x6 > out 2> err

@@ -104,16 +104,15 @@ is "a long header" 431 -H "X: $(printf '%050000d' 0)" "$address"
 answers "what is too long"
 head -c 100000 /dev/urandom | curl -s -m 5 "telnet://127.0.0.1:$port" > out 2>&1
 answers "garbage"
-slow=
-for connection in 1 2 3 4 5 6 7 8; do
-    (printf 'GET / HTTP/1.1\r\n'; sleep 7) |
-        curl -s -m 20 "telnet://127.0.0.1:$port" > "slow$connection" 2>&1 &
-    slow="$slow $!"
-done
-sleep 0.3
-answers "slow ones"
-wait $slow
-[ "$(grep -l 408 slow? | wc -l)" = 8 ] || fail "slow ones are sent away"
+python3 "$project/tests/programs/server_attacks.py" "$address" > out 2>&1 ||
+    fail "requests that no browser sends"
+
+# What a program leaves running ends with it, and its picture does not wait for that.
+script 'sleep 301 & echo $! > left; exit 3'
+is "a program that leaves another" 422 "${address}picture?$drawing&whose=0"
+sleep 0.1
+ps -o stat= -p "$(cat left)" | grep -qv Z && fail "what a program leaves ends with it"
+program step05_triangle "--shade normal"
 
 # A newer picture ends the older one, and its program, also if the older's request arrives last.
 endless='echo $$ > endless; sleep 301 & wait'

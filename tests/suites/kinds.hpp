@@ -131,4 +131,30 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
     return all;
 }
 
+/// Without a hit the pixel is black, or has the color of the scene's sky in the ray's direction,
+/// and beside a shape that stands aside too. A color below 0 is black: rays have all directions.
+inline Verdict nothing_is_black_or_sky() {
+    const std::string sky = "sky 0,0,255 255,0,0\n";
+    Verdict all;
+    for (const std::string direction : {"0,0,-1", "0,0,1", "1,0,0", "-1,0,0", "0,1,0", "0,-1,0"}) {
+        const std::string camera = "C 0,0,0 " + direction + " 60\n";
+        keep_first(all, shows(camera, {0, 0, 0}));
+        keep_first(all, shows(camera + "sp 30,30,30 2 255,0,0\n", {0, 0, 0}));
+        keep_first(all, shows("A 1 255,255,255\n" + camera, {0, 0, 0}));
+    }
+    keep_first(all, shows(sky, {128, 0, 128}));
+    keep_first(all, shows(sky + "C 0,0,0 0,0.6,-0.8 60\n", {204, 0, 51}));
+    keep_first(all, shows(sky + "C 0,0,0 0,-1,0 60\nsp 3,0,-5 2 0,255,0\n", {0, 0, 255}));
+    return all;
+}
+
+/// The option --shade normal shows |x|, |y|, |z| of the normal, from either side.
+inline Verdict shade_normal_shows_the_normal() {
+    const RenderSettings normals{.shading = Shading::normal};
+    Verdict all;
+    keep_first(all, shows("sp 0,3,-10 10 255,0,0\n", {0, 153, 204}, normals));
+    keep_first(all, shows("sp 0,-6,0 20 255,0,0\n", {0, 153, 204}, normals));
+    return all;
+}
+
 }  // namespace rt

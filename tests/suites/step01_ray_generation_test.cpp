@@ -96,11 +96,12 @@ TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §
     CHECK(gives("its origin", ray.origin, Vec3(0)));
     CHECK(gives("its direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
     CHECK(for_all([](Random& random) {
-        const Perspective rendered = random_perspective(random);
-        const Pixel pixel = random_pixel(rendered.resolution, random);
-        const Vec2 screen = center_of(pixel, rendered.resolution, rendered.vertical_fov);
-        const std::string asked = arguments(pixel, rendered.resolution, rendered.vertical_fov);
-        const Ray got = camera_ray(pixel, rendered.resolution, rendered.vertical_fov);
+        const Perspective perspective = random_perspective(random);
+        const Pixel pixel = random_pixel(perspective.resolution, random);
+        const Vec2 screen = center_of(pixel, perspective.resolution, perspective.vertical_fov);
+        const std::string asked =
+            arguments(pixel, perspective.resolution, perspective.vertical_fov);
+        const Ray got = camera_ray(pixel, perspective.resolution, perspective.vertical_fov);
         if (const Verdict origin = gives("the origin of camera_ray" + asked, got.origin, Vec3(0));
             !origin)
             return origin;
@@ -124,16 +125,19 @@ TEST_CASE("both ends are divided by their w (M1)") {
     const Ray ray = unprojected_ray({.row = 0, .column = 2}, Real(2) * camera, Real(4) * image);
     CHECK(gives("its origin", ray.origin, Vec3(1, 2, 3)));
     CHECK(gives("its direction", ray.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
+    const Ray same = unprojected_ray({.row = 0, .column = 2}, Real(-2) * camera, Real(-4) * image);
+    CHECK(gives("its origin, with a negative w", same.origin, Vec3(1, 2, 3)));
+    CHECK(gives("its direction", same.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
 }
 
 TEST_CASE("both ways give the same ray, to 64 s f^2/n u (MRT §1, M1)") {
     CHECK(for_all([](Random& random) {
-        const Perspective rendered = random_perspective(random);
-        const Pixel pixel = random_pixel(rendered.resolution, random);
-        const auto [camera, image] = inverse_matrices(view_from(Vec3(0)), rendered);
-        const Ray mrt = camera_ray(pixel, rendered.resolution, rendered.vertical_fov);
-        return same_ray(seen(pixel, rendered), unprojected_ray(pixel, camera, image), mrt,
-                        rendered.far_plane, both_ways_bound(rendered, Vec3(0)));
+        const Perspective perspective = random_perspective(random);
+        const Pixel pixel = random_pixel(perspective.resolution, random);
+        const auto [camera, image] = inverse_matrices(view_from(Vec3(0)), perspective);
+        const Ray mrt = camera_ray(pixel, perspective.resolution, perspective.vertical_fov);
+        return same_ray(seen(pixel, perspective), unprojected_ray(pixel, camera, image), mrt,
+                        perspective.far_plane, both_ways_bound(perspective, Vec3(0)));
     }));
 }
 

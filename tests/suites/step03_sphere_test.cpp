@@ -24,10 +24,24 @@ Sample<Sphere> draw(Random& random) {
 Past<Sphere> draw_past(Random& random) {
     const Sphere sphere = draw(random).shape;
     const Basis basis = random.basis();
-    const Real distance = sphere.radius * random.between(Real(1.01), 2);
+    const Real distance = sphere.radius * (1 + draw_gap(random));
     const Vec3 passed = sphere.center + distance * basis.x;
     const Real back = random.between(-4, 4);
     return {.ray = {.origin = passed - back * basis.y, .direction = basis.y}, .shape = sphere};
+}
+
+/// As `draw_past`, but through the inside, close to the surface.
+Verdict hits_almost_touching(Random& random) {
+    const Sphere sphere = draw(random).shape;
+    const Basis basis = random.basis();
+    const Real depth = draw_gap(random) / 2 * sphere.radius;
+    const Real half_chord = std::sqrt(depth * (2 * sphere.radius - depth));
+    const Real back = random.between(2, 4);
+    const Vec3 closest = sphere.center + (sphere.radius - depth) * basis.x;
+    const Ray ray{.origin = closest - back * basis.y, .direction = basis.y};
+    const std::optional<Real> t = intersect(ray, sphere, {});
+    const Real near = back - half_chord;
+    return verdict(t && std::abs(*t - near) < half_chord / 8, told(ray, sphere, {}, t, near));
 }
 
 /// In eighths, the radius a power of two: with rays along the axes nothing is rounded.
@@ -75,6 +89,7 @@ TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exa
         const Vec3 touched = sphere.center + sphere.radius * axes.x;
         return hits({.origin = touched - t * axes.y, .direction = axes.y}, sphere, t);
     }));
+    CHECK(for_all(hits_almost_touching));
 }
 
 TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root)") {
@@ -113,6 +128,9 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(hits(ahead, unit_sphere, 6, Interval{.min = 5, .max = 7}));
     CHECK(misses(ahead, unit_sphere, Interval{.min = 0, .max = 4}));
     CHECK(misses(ahead, unit_sphere, Interval{.min = 4, .max = 6}));
+    const Ray from_inside{.origin = {0, 0, 0}, .direction = {0, 0, -1}};
+    CHECK(misses(from_inside, unit_sphere, Interval{.min = 0, .max = 1}));
+    CHECK(misses(from_inside, unit_sphere, Interval{.min = 1, .max = 9}));
     CHECK(interval_is_kept(draw));
 }
 
@@ -121,6 +139,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
         hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
     CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
     CHECK(hits_in(tiny_t, draw));
+    CHECK(close_surfaces_are_met(draw));
 }
 
 TEST_CASE("small spheres and short directions count: no epsilon on Δ or ‖d‖² (contract)") {
@@ -142,6 +161,11 @@ TEST_CASE("the normal points away from the center, with unit length (M1)", "[par
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {1, 2, 5}, {0, 0, 1}));
     CHECK(normal_is(Sphere{.center = {1, 2, 3}, .radius = 2}, {-1, 2, 3}, {-1, 0, 0}));
     CHECK(normals_point_outward(draw));
+    CHECK(for_all([](Random& random) {  // of any size
+        const Transform tiny{.scale = std::ldexp(Real(1), tiny_shape.size)};
+        const auto [sphere, point, normal] = draw(random);
+        return normal_is(transformed(sphere, tiny), transformed(point, tiny), normal);
+    }));
 }
 
 TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)",
@@ -176,6 +200,8 @@ TEST_CASE("a normal's color is the size of its coordinates (M1)", "[part color_f
     CHECK(gives("color_from_normal({0, 0, -1})", color_from_normal({0, 0, -1}), Color(0, 0, 1)));
     CHECK(gives("color_from_normal({-3, 0, 4})", color_from_normal({-3, 0, 4}),
                 Color(Real(0.6), 0, Real(0.8))));
+    CHECK(gives("color_from_normal({0.375, 0, -0.5})",
+                color_from_normal({Real(0.375), 0, Real(-0.5)}), Color(Real(0.6), 0, Real(0.8))));
 }
 
 TEST_CASE("the torch lights by the cosine between normal and eye (M1)", "[part torch]") {
@@ -191,6 +217,17 @@ TEST_CASE("the torch lights by the cosine between normal and eye (M1)", "[part t
     CHECK(lights(point, {0, 0, -1}, eye, 0));
     CHECK(lights(point, {0, 0, 1}, Vec3(4, 1, 5), Real(0.8)));
     CHECK(lights(point, {0, 0, 1}, point, 0));  // no direction, hence no angle
+    CHECK(lights(point, {0, 0, Real(0.125)}, eye, 1));
+    const Real grazing = Real(0.00048828125);
+    CHECK(lights(Vec3(0), {0, 0, 1}, {1, 0, grazing}, grazing / std::sqrt(1 + grazing * grazing)));
+    CHECK(for_all([&](Random& random) {  // lengths do not matter
+        const Basis basis = random.basis();
+        const Real angle = random.between(0, pi / 2 - Real(0.0001));
+        const Vec3 n = std::ldexp(Real(1), random.below(41) - 20) * basis.z;
+        const Vec3 away = std::cos(angle) * basis.z + std::sin(angle) * basis.x;
+        const Real far = std::ldexp(Real(1), random.below(41) - 20);
+        return lights(Vec3(0), n, far * away, std::cos(angle));
+    }));
 }
 
 TEST_CASE("the picture of the stage (HAI; CR §2.2)", "[part together]") {

@@ -117,6 +117,7 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(hits(ray, ground, 2, Interval{.min = 1, .max = 3}));
     CHECK(misses(ray, ground, Interval{.min = 0, .max = 2}));
     CHECK(misses(ray, ground, Interval{.min = 2, .max = 9}));
+    CHECK(misses(ray, ground, Interval{.min = 1, .max = 2}));
     CHECK(interval_is_kept(draw));
 }
 
@@ -124,6 +125,8 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {3, near, 1}, .direction = {0, -1, 0}}, ground, near));
     CHECK(hits(Ray{.origin = {3, -near, 1}, .direction = {1, 1, 0}}, ground, near));
+    const Real nearer = std::ldexp(Real(1), -40);
+    CHECK(hits(Ray{.origin = {3, nearer, 1}, .direction = {0, -1, 0}}, ground, nearer));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(tiny_shape, draw));
 }
@@ -147,6 +150,7 @@ TEST_CASE("rays aimed from the other side meet it there too (MRT §4)") {
 
 TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)", "[part normal]") {
     CHECK(normal_is(Plane{.point = {0, 0, 0}, .normal = {0, 0, -5}}, {1, 1, 0}, {0, 0, -1}));
+    CHECK(normal_is(Plane{.normal = {0, 0, Real(-0.25)}}, {1, 1, 0}, {0, 0, -1}));
     CHECK(normal_is(Plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}}, {-2, 2, 2},
                     {Real(0.6), 0, Real(0.8)}));
     CHECK(normals_point_outward(draw));

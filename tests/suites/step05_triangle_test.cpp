@@ -58,8 +58,8 @@ Past<Triangle> draw_past(Random& random) {
     return {.ray = aimed.ray, .shape = aimed.shape};
 }
 
-/// A ray at right angles meets the point with these weights, where nothing is rounded: corners in
-/// eighths, two sides along axes and as long as powers of two.
+/// A ray at right angles meets the point with these weights if none is negative, where nothing is
+/// rounded: corners in eighths, two sides along axes and as long as powers of two.
 Verdict hits_exactly_at(Vec3 weights, Random& random) {
     const auto [x, y, z] = random.axes();
     const Vec3 corner = random.point_in_eighths(3);
@@ -67,7 +67,9 @@ Verdict hits_exactly_at(Vec3 weights, Random& random) {
                             .b = corner + Real(1 << random.below(3)) * x,
                             .c = corner + Real(1 << random.below(3)) * y};
     const Real t = random.eighths(1, 32);
-    return hits({.origin = weighted(triangle, weights) + t * z, .direction = -z}, triangle, t);
+    const Ray ray{.origin = weighted(triangle, weights) + t * z, .direction = -z};
+    const bool outside = std::min({weights.x, weights.y, weights.z}) < 0;
+    return outside ? misses(ray, triangle) : hits(ray, triangle, t);
 }
 
 }  // namespace
@@ -130,6 +132,14 @@ TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (errat
     CHECK(for_all([](Random& random) {
         const Real part = Real(1 + random.below(7)) / 8;
         Vec3 weights(part, 1 - part, 0);
+        std::swap(weights.z, weights[random.below(3)]);
+        return hits_exactly_at(weights, random);
+    }));
+    // A hair inside, and a hair outside.
+    CHECK(for_all([](Random& random) {
+        const Real part = Real(1 + random.below(7)) / 8;
+        const Real weight = random.coin() ? hair : -hair;
+        Vec3 weights(part - weight, 1 - part, weight);
         std::swap(weights.z, weights[random.below(3)]);
         return hits_exactly_at(weights, random);
     }));
@@ -268,6 +278,14 @@ TEST_CASE("the weights give the point back, and sum to 1 (M1, CR §4.1)") {
                 Vec3(Real(0.25), Real(0.25), Real(0.5))));
     CHECK(for_all([](Random& random) {
         const Triangle triangle = draw_triangle(random);
+        const Vec3 w = inner_weights(random);
+        const Vec3 point = weighted(triangle, w);
+        return gives("barycentric(" + code(triangle) + ", " + code(point) + ")",
+                     barycentric(triangle, point), w);
+    }));
+    CHECK(for_all([](Random& random) {  // of another size
+        const Transform small{.scale = std::ldexp(Real(1), is_float ? -8 : -24)};
+        const Triangle triangle = transformed(draw_triangle(random), small);
         const Vec3 w = inner_weights(random);
         const Vec3 point = weighted(triangle, w);
         return gives("barycentric(" + code(triangle) + ", " + code(point) + ")",

@@ -97,6 +97,20 @@ TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)
         return hits({.origin = square.center + p.x * x + p.y * y + t * z, .direction = -z}, square,
                     t);
     }));
+    // A hair inside, and a hair outside.
+    CHECK(for_all([](Random& random) {
+        const Square square{.center = random.point_in_eighths(3),
+                            .basis = random.axes(),
+                            .side = Real(1 << random.below(4))};
+        const bool inside = random.coin();
+        Vec2 p(random.eighths(-1, 1) / 2, random.eighths(-1, 1) / 2);
+        p[random.below(2)] = (random.coin() ? 1 : -1) * (inside ? 1 - hair : 1 + hair);
+        p *= square.side / 2;
+        const auto& [x, y, z] = square.basis;
+        const Real t = random.eighths(1, 32);
+        const Ray ray{.origin = square.center + p.x * x + p.y * y + t * z, .direction = -z};
+        return inside ? hits(ray, square, t) : misses(ray, square);
+    }));
 }
 
 TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
@@ -121,6 +135,16 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
     front_only.one_sided = true;
     CHECK(hits(down_at(1, 1), front_only, 2));
     CHECK(misses(from_below, front_only));
+    CHECK(for_all([](Random& random) {  // at any angle, with a direction of any length
+        Sample<Square> sample = draw(random);
+        sample.shape.one_sided = true;
+        const bool behind = random.coin();
+        if (behind) sample.normal = -sample.normal;
+        const auto aimed = aimed_from_outside(sample, random);
+        const Real length = random.power_of_two();
+        const Ray ray{.origin = aimed.ray.origin, .direction = length * aimed.ray.direction};
+        return behind ? misses(ray, aimed.shape) : hits(ray, aimed.shape, aimed.t / length);
+    }));
 }
 
 TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
@@ -212,6 +236,9 @@ TEST_CASE("the square ends at its edges, and not 0.1 % further (MRT §6)") {
 
 TEST_CASE("the normal is the square's Z (MRT §6)", "[part normal]") {
     CHECK(normal_is(flat, {1, 1, 0}, {0, 0, 1}));
+    Square front_only = flat;
+    front_only.one_sided = true;
+    CHECK(normal_is(front_only, {1, 1, 0}, {0, 0, 1}));
     CHECK(normals_point_outward(draw));
 }
 
@@ -224,8 +251,9 @@ TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum
     CHECK(gives("uv at (1, -1, 0)", square_uv(flat, {1, -1, 0}), Vec2(Real(0.75), Real(0.25))));
     CHECK(gives("uv at (-3, 1, 0)", square_uv(flat, {-3, 1, 0}), Vec2(Real(-0.25), Real(0.75))));
     CHECK(for_all([](Random& random) {
-        const Square square = draw_square(random);
-        const Vec2 uv(random.between(0, 1), random.between(0, 1));
+        Square square = draw_square(random);
+        square.side *= random.coin() ? Real(0.125) : Real(4);
+        const Vec2 uv(random.between(-1, 2), random.between(-1, 2));
         const Vec3 corner = square.center - square.side / 2 * (square.basis.x + square.basis.y);
         const Vec3 point = corner + square.side * (uv.x * square.basis.x + uv.y * square.basis.y);
         return gives("square_uv(" + code(square) + ", " + code(point) + ")",

@@ -13,6 +13,14 @@ TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")", "[par
     }
 }
 
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+    CHECK(nothing_is_black_or_sky());
+}
+
+TEST_CASE("the option --shade normal shows the normal (M1)") {
+    CHECK(shade_normal_shows_the_normal());
+}
+
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(8, "", true));
 }

@@ -38,6 +38,10 @@ TEST_CASE("each kind of shape hides what is farther away, in any order of the fi
     CHECK(nearest_of_each_pair_is_seen(9, "A 1 255,255,255\n", false));
 }
 
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+    CHECK(nothing_is_black_or_sky());
+}
+
 TEST_CASE("without a light a surface is black, and so is what no shape covers (CR §3.1)") {
     CHECK(shows(white_wall, {0, 0, 0}));
     CHECK(shows("A 1 255,255,255\nL 0,0,0 1 255,255,255\n", {0, 0, 0}));
@@ -59,6 +63,9 @@ TEST_CASE("the light of two lights adds up (CR §3.1)") {
     std::string five;
     for (int i = 0; i < 5; ++i) five += "L 0,0,0 0.1 255,255,255\n";
     CHECK(shows(five + white_wall, {127, 127, 127}));
+    std::string hundred;
+    for (int i = 0; i < 100; ++i) hundred += "L 0,0,0 0.004 255,255,255\n";
+    CHECK(shows(hundred + white_wall, {102, 102, 102}));
     CHECK(random_lights_add_up());
 }
 

@@ -102,6 +102,26 @@ TEST_CASE(
         CHECK(shows(red_right + white_wall + ball, {102, 0, 0}));
 }
 
+TEST_CASE("a shape of any color and material casts a shadow, on itself too (CR §3.2)") {
+    for (const std::string material : {"0,0,0", "255,255,255", "255,255,255 mirror:1"})
+        CHECK(shows(red_right + white_wall + "sp 1.5,0,-2 0.2 " + material + "\n", {0, 0, 0}));
+    // In a tube around the eye, of radius 4, with the light outside of it, or inside.
+    const std::string tube = "cy 0,0,0 0,1,0 8 20 255,255,255\n";
+    CHECK(shows("L 0,0,9 0.4 255,255,255\n" + tube, {0, 0, 0}));
+    CHECK(shows("L 0,0,3 0.4 255,255,255\n" + tube, {102, 102, 102}));
+}
+
+TEST_CASE("each ray of a picture has its own shadows (CR §3.2)") {
+    CHECK(for_all(
+        [](Random& random) {
+            const Rgb ambient = draw_color(random);
+            const std::string light_in_a_ball = "L 0,0,9 1 255,255,255\nsp 0,0,9 2 9,9,9\n";
+            return shows_in_every_pixel(
+                "A 1 " + scene_color(ambient) + "\n" + white_wall + light_in_a_ball, ambient);
+        },
+        2));
+}
+
 TEST_CASE("two shapes in one light's way take away no more than one (CR §3.2)") {
     const std::string second = "sp 2.25,0,-1 0.2 9,9,9\n";
     CHECK(shows(red_right + green_left + white_wall + ball_on_the_right + second, {0, 102, 0}));
@@ -123,4 +143,11 @@ TEST_CASE("the surface that is seen casts no shadow on itself (CR §3.2)") {
 
 TEST_CASE("the picture of the stage, by this trace (CR §3.2)") {
     CHECK(picture_matches("step10_shadows"));
+}
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+    CHECK(nothing_is_black_or_sky());
+}
+
+TEST_CASE("the option --shade normal shows the normal (M1)") {
+    CHECK(shade_normal_shows_the_normal());
 }

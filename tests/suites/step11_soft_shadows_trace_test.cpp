@@ -59,6 +59,13 @@ TEST_CASE("half of an area light gives half of its light (CR §3.3)") {
     CHECK(shows(scene + most_hidden, {26, 0, 0}, many_samples, spread));
     CHECK(shows(scene + "sq 1.5,1.06,-2 0.6,0,0.8 2 9,9,9\n", {76, 0, 0}, many_samples, spread));
     CHECK(shows(scene + "sq 1.5,-0.94,-2 0.6,0,0.8 2 9,9,9\n", {26, 0, 0}, many_samples, spread));
+    // The same with an upright edge: the light is seen from the point, not from the eye.
+    for (const std::string center : {"1.9,0,-2.3", "1.1,0,-1.7"})
+        CHECK(shows(scene + "sq " + center + " 0.6,0,0.8 1 9,9,9\n", {51, 0, 0}, many_samples,
+                    spread));
+    for (const std::string center : {"1.852,0,-2.264", "1.148,0,-1.736"})
+        CHECK(shows(scene + "sq " + center + " 0.6,0,0.8 1 9,9,9\n", {26, 0, 0}, many_samples,
+                    spread));
 }
 
 TEST_CASE("each light has a share of its own (CR §3.3)") {
@@ -92,6 +99,14 @@ TEST_CASE("the shadow of a point light is as in stage 10 (CR §3.2)") {
     CHECK(shows(red_point + white_wall + whole_card, {0, 0, 0}));
     CHECK(shows(red_point + green_left + white_wall + whole_card, {0, 102, 0}));
     CHECK(shows(green_left + red_point + white_wall + whole_card, {0, 102, 0}));
+}
+
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+    CHECK(nothing_is_black_or_sky());
+}
+
+TEST_CASE("the option --shade normal shows the normal (M1)") {
+    CHECK(shade_normal_shows_the_normal());
 }
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {

@@ -15,6 +15,13 @@ std::string mirror(const std::string& share, const std::string& color = "255,255
     return "pl 0,0,-4 0,0,1 " + color + " mirror:" + share + "\n";
 }
 
+/// Passes if a perfect mirror with this normal, which the ray meets at 0,0,-4, shows the color.
+Verdict reflects(const std::string& normal, const std::string& others, Rgb expected,
+                 const RenderSettings& settings = {}) {
+    return shows(bright + "pl 0,0,-4 " + normal + " 255,255,255 mirror:1\n" + others, expected,
+                 settings);
+}
+
 /// The mirror's color and its own, of random colors and shares.
 Verdict random_shares_are_mixed() {
     return for_all(
@@ -58,6 +65,68 @@ TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §
     CHECK(shows(bright + turned + "pl 0,9,0 0,-1,0 0,0,255\nsp 0,5,-4 1 0,255,0\n", {0, 255, 0}));
 }
 
+TEST_CASE("a mirror shows black, or the sky, where its ray meets nothing (CR §5.1)") {
+    // Mirrors that send the ray to the right, to the left, up and down, and back.
+    const std::string sky = "sky 0,0,255 255,0,0\n";
+    const Rgb level = {128, 0, 128};
+    CHECK(reflects("0.70710678,0,0.70710678", "", {0, 0, 0}));
+    CHECK(reflects("-0.70710678,0,0.70710678", "", {0, 0, 0}));
+    CHECK(reflects("0,0.70710678,0.70710678", "", {0, 0, 0}));
+    CHECK(reflects("0,-0.70710678,0.70710678", "", {0, 0, 0}));
+    CHECK(reflects("0.70710678,0,0.70710678", sky, level));
+    CHECK(reflects("0,0.70710678,0.70710678", sky, {255, 0, 0}));
+    CHECK(reflects("0,-0.70710678,0.70710678", sky, {0, 0, 255}));
+    CHECK(reflects("0,0,1", sky, level));
+}
+
+TEST_CASE("where the reflections end, it is black (CR §5.1)") {
+    const std::string sky = "sky 255,255,255 255,255,255\n";
+    const RenderSettings none{.depth = 0};
+    for (const std::string normal :
+         {"0.70710678,0,0.70710678", "-0.70710678,0,0.70710678", "0,0.70710678,0.70710678",
+          "0,-0.70710678,0.70710678", "0,0,1"}) {
+        CHECK(reflects(normal, "", {0, 0, 0}, none));
+        CHECK(reflects(normal, sky, {0, 0, 0}, none));
+    }
+    // A share of 0.25 of it, and after one reflection.
+    CHECK(shows(sky + bright + mirror("0.25"), {191, 191, 191}, none));
+    CHECK(shows(sky + bright + mirror("1") + "pl 0,0,6 0,0,-1 255,0,0 mirror:1\n", {0, 0, 0},
+                {.depth = 1}));
+}
+
+TEST_CASE("each kind of shape is a mirror, from either side (CR §5.1)") {
+    const std::string red_ball_behind = "sp 0,0,2 1 255,0,0\n";
+    for (const Kind& kind : kinds_until(12)) {
+        if (kind.torch < 1) continue;  // not straight back
+        const std::string material = "255,255,255 mirror:1";
+        CHECK(shows(bright + kind.line(4, material) + red_ball_behind, {255, 0, 0}));
+        CHECK(shows(bright + kind.other_side(4, material) + red_ball_behind, {255, 0, 0}));
+    }
+}
+
+TEST_CASE("a mirror's own color may be brighter than white before its share is taken (CR §5.1)") {
+    const std::string light = "L 0,0,0 0.6 255,255,255\n";
+    CHECK(shows(bright + light + mirror("0.5"), {204, 204, 204}));
+    CHECK(shows(bright + light + mirror("0.5") + "sp 0,0,6 2 0,255,0\n", {204, 255, 204}));
+}
+
+TEST_CASE("each ray of a picture has its own reflections (CR §5.1)") {
+    CHECK(for_all(
+        [](Random& random) {
+            const Rgb color = draw_color(random);
+            const std::string wall_behind = "pl 0,0,6 0,0,-1 " + scene_color(color) + "\n";
+            Rgb mostly_white;
+            for (std::size_t i = 0; i < 3; ++i)
+                mostly_white[i] = std::uint8_t(Real(239.5625) + Real(color[i]) / 16);
+            Verdict all =
+                shows_in_every_pixel(bright + mirror("1") + wall_behind, color, {.depth = 1});
+            keep_first(all,
+                       shows_in_every_pixel(bright + mirror("0.0625") + wall_behind, mostly_white));
+            return all;
+        },
+        2));
+}
+
 TEST_CASE("a mirror shows the closest of what it faces (CR §5.1)") {
     CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,3 2 0,255,0\n", {0, 255, 0}));
     CHECK(shows(bright + "sp 0,0,3 2 0,255,0\n" + red_wall_behind + mirror("1"), {0, 255, 0}));
@@ -96,6 +165,20 @@ TEST_CASE("the option --depth is the largest number of reflections (CR §5.1)") 
     CHECK(shows(two, {0, 0, 128}, {.depth = 0}));
     CHECK(shows(two, {64, 0, 128}, {.depth = 1}));
     CHECK(shows(two, {64, 0, 159}, {.depth = 2}));
+    // Between perfect mirrors, ten apart, the ray climbs by one on each way: it meets a wall after
+    // 90 reflections.
+    const std::string hall = bright + mirror("1") + "pl 0,0,6 0,0,-1 255,255,255 mirror:1\n" +
+                             "C 0,0,0 0,1,-10 60\npl 0,89.9,0 0,-1,0 255,0,0\n";
+    CHECK(shows(hall, {255, 0, 0}, {.depth = 90}));
+    CHECK(shows(hall, {0, 0, 0}, {.depth = 89}));
+}
+
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+    CHECK(nothing_is_black_or_sky());
+}
+
+TEST_CASE("the option --shade normal shows the normal (M1)") {
+    CHECK(shade_normal_shows_the_normal());
 }
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {

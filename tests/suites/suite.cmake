@@ -25,7 +25,8 @@ endfunction()
 #
 # The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
 # each, linked to STAGES: by default all references and the picture of a stage, step12_mirror. With
-# sanitizers, a SLOW one is built in double only.
+# sanitizers, a SLOW one is built in double only. Several sources are compiled as one, in two thirds
+# of the time, but for those with the property SKIP_UNITY_BUILD_INCLUSION.
 function(raysteps_suite name)
     cmake_parse_arguments(PARSE_ARGV 1 suite "SLOW" "LABEL;PICTURE" "STAGES;SOURCES")
     if(NOT suite_LABEL)
@@ -37,6 +38,7 @@ function(raysteps_suite name)
     if(NOT suite_STAGES)
         set(suite_STAGES raysteps_common raysteps_references ${suite_PICTURE}_picture)
     endif()
+    list(LENGTH suite_SOURCES files)
     set(precisions f32 f64)
     if(suite_SLOW AND RAYSTEPS_SANITIZE)
         set(precisions f64)
@@ -44,6 +46,10 @@ function(raysteps_suite name)
     foreach(precision IN LISTS precisions)
         set(word ${word_${precision}})
         raysteps_suite_objects(${name}_test_${word}_objects ${precision} ${suite_SOURCES})
+        if(files GREATER 1 AND NOT DEFINED CMAKE_UNITY_BUILD)
+            set_target_properties(${name}_test_${word}_objects PROPERTIES
+                UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+        endif()
         raysteps_link_suite(${name}_test_${word} ${name}_test_${word}_objects ${precision}
             ${suite_STAGES})
         add_test(NAME ${name}_${word} COMMAND ${name}_test_${word})
@@ -74,7 +80,7 @@ set(step09_phong_parts terms scenes)
 set(step10_shadows_parts shadow_ray scenes)
 set(step11_soft_shadows_parts light_points visibility scenes)
 set(step12_mirror_parts reflected_ray self_intersection reflections)
-set(step13_meshes_parts boxes frames meshes scenes)
+set(step13_meshes_parts boxes oriented_boxes frames meshes scenes)
 
 # raysteps_stage_suite(<stage>)
 #
@@ -92,6 +98,7 @@ function(raysteps_stage_suite stage)
     endif()
     list(TRANSFORM suite REPLACE "(.+)" "suites/\\1_test.cpp")
     file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
+    set_source_files_properties(${own_tests} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
     raysteps_suite(${stage} LABEL ${stage} SOURCES ${suite} ${own_tests}
         STAGES ${stage} ${stage}_context)
     file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
@@ -143,9 +150,9 @@ endfunction()
 # audit`.
 function(raysteps_starter suite)
     raysteps_compile_twice(${suite}_starter ${ARGN})
-    raysteps_start_from_common(${suite}_starter)
     set_target_properties(${suite}_starter_f32 ${suite}_starter_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
     foreach(precision IN ITEMS f32 f64)
+        raysteps_compile_without_optimizing(${suite}_starter_${precision} ${precision})
         set(word ${word_${precision}})
         raysteps_link_suite(${suite}_starter_test_${word} ${suite}_test_${word}_objects
             ${precision} ${suite}_starter ${suite}_context)
@@ -181,9 +188,9 @@ endfunction()
 function(raysteps_answer suite kind file)
     get_filename_component(name ${file} NAME_WE)
     raysteps_compile_twice(${suite}_${name} ${file})
-    raysteps_start_from_common(${suite}_${name})
     set_target_properties(${suite}_${name}_f32 ${suite}_${name}_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
     foreach(precision IN LISTS precisions)
+        raysteps_compile_without_optimizing(${suite}_${name}_${precision} ${precision})
         # It is wrong on purpose, or renames functions of the reference.
         target_compile_options(${suite}_${name}_${precision} PRIVATE -w)
         set(word ${word_${precision}})

@@ -9,6 +9,7 @@
 #include "common/system/terminal.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -50,19 +51,26 @@ std::string listing(const fs::path& folder) {
     return page + "</ul>\n";
 }
 
-/// A file of the project or of its site.
+/// Returns whether a name, relative to a folder, is in the folder and no part of it is hidden.
+bool is_open(const fs::path& name) {
+    const auto is_hidden = [](const fs::path& part) { return part.string().starts_with('.'); };
+    return !name.empty() && name.is_relative() && std::none_of(name.begin(), name.end(), is_hidden);
+}
+
+/// A file of the project or of its site. A symbolic link leads to no other file.
 Response file_of(const fs::path& project, const std::string& path) {
     const fs::path wanted = fs::path(path).lexically_normal();
-    const bool is_hidden = std::any_of(wanted.begin(), wanted.end(), [](const fs::path& part) {
-        return part.string().rfind('.', 0) == 0;
-    });
-    const std::string name = wanted.string();
-    const bool is_built = name.rfind("build/", 0) == 0 && name.rfind(site_of_clone, 0) != 0;
-    const fs::path file = project / wanted;
-    std::error_code none;  // a name may be too long
+    std::error_code none;  // a name may be too long, or of no file
+    const fs::path file = fs::canonical(project / wanted, none);
+    const fs::path site = site_of_clone;
+    const fs::path build = site.parent_path();
+    const fs::path of_project = file.lexically_relative(fs::canonical(project, none));
+    const fs::path of_build = file.lexically_relative(fs::canonical(project / build, none));
+    const bool is_of_project = is_open(of_project) && *of_project.begin() != build;
+    const bool is_of_site = is_open(of_build) && *of_build.begin() == site.filename();
     const fs::file_type type = fs::status(file, none).type();
     const bool is_page = type == fs::file_type::regular || type == fs::file_type::directory;
-    if (wanted.is_absolute() || is_hidden || is_built || !is_page)
+    if (!is_open(wanted) || !(is_of_project || is_of_site) || !is_page)
         throw Refusal{404, "there is no such page, or this hand-out does not contain the file"};
     if (type == fs::file_type::regular)
         return {.body = read_text(file), .type = type_of(file), .policy = policy};
@@ -98,15 +106,16 @@ int book(const BookSettings& settings) {
     if (!fs::exists(settings.project / site))
         throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
     Host host(0);
+    std::atomic<bool> over = false;
     host.serve(
         site + "/index.html",
         [&](const Request& request) {
-            if (request.path == "own_answer") return own_answer(request);
+            if (request.path == "own_answer") return own_answer(request, over);
             if (request.path == "own_files") return own_files();
             if (request.path == site + "/figures/mine.js") return own_answer_address();
             return file_of(settings.project, request.path);
         },
-        [] {});
+        [&over] { over = true; });
     return 0;
 }
 

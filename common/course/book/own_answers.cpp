@@ -93,7 +93,7 @@ Response own_files() {
     return {.body = all, .type = "text/plain; charset=utf-8"};
 }
 
-Response own_answer(const Request& request) {
+Response own_answer(const Request& request, const std::atomic<bool>& cancelled) {
     const int stage = whole_number(request, "stage", 1, int(stage_names.size()));
     const bool is_float = whole_number(request, "precision", 0, 1) == 1;
     const std::string question = question_of(request, stage);
@@ -101,7 +101,7 @@ Response own_answer(const Request& request) {
     bring_up_to_date(stage, worker);
     const ProcessResult called = run_captured(
         {(build_folder / "call_once").string(), (build_folder / worker).string(), question},
-        time_limit);
+        time_limit, &cancelled);
     if (called.out_of_time) throw Refusal{422, "your code gave no answer within 30 s"};
     const std::string printed = called.output.substr(0, called.output.find('\n'));
     if (called.status != 0) throw Refusal{422, printed};

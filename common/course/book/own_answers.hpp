@@ -3,6 +3,8 @@
 
 #include "common/course/view/http.hpp"
 
+#include <atomic>
+
 namespace rt {
 
 /// The script with the addresses of own_answer and own_files, as seen from itself.
@@ -13,7 +15,8 @@ namespace rt {
 
 /// The bytes of the answer to `question`, in hexadecimal digits, of the student's file of `stage`,
 /// in double (`precision` 0) or float. Builds the file if it has changed. Throws Refusal where
-/// there is no answer, with the reason in the words of `check`.
-[[nodiscard]] Response own_answer(const Request& request);
+/// there is no answer, with the reason in the words of `check`. The call, and all that it starts,
+/// ends when `cancelled` becomes true.
+[[nodiscard]] Response own_answer(const Request& request, const std::atomic<bool>& cancelled);
 
 }  // namespace rt

@@ -4,7 +4,7 @@
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
 
-#include <algorithm>
+#include <set>
 
 namespace rt {
 
@@ -37,17 +37,47 @@ bool is_newer(const fs::path& made, const fs::path& from) {
            fs::last_write_time(made, none) >= fs::last_write_time(from, none);
 }
 
-/// The functions and variables that other objects can see, without those that may be defined in
-/// several objects, sorted.
-std::vector<std::string> symbols(const fs::path& file, const fs::path& object) {
-    std::vector<std::string> names;
-    if (!is_newer(object, file)) return names;
-    const ProcessResult listed = run_captured(
-        {"sh", "-c", "nm -gC \"$1\" | sed -n 's/^[0-9a-f]* [TDBR] //p'", "nm", object.string()},
-        time_limit);
-    names = lines_of(listed.output);
-    std::sort(names.begin(), names.end());
-    return names;
+/// A student's file, compiled since it changed.
+struct CompiledFile {
+    int stage = 0;
+    fs::path file;
+    fs::path object;
+    /// The functions and variables that other objects can see, without those that may be defined in
+    /// several objects.
+    std::set<std::string> symbols = {};
+};
+
+/// Reads the symbols of all files with one nm: to start it takes longer than to read an object.
+void read_symbols(std::vector<CompiledFile>& files) {
+    constexpr std::size_t most_output = 4'000'000;
+    Command command = {"sh", "-c", "nm -gCA \"$@\" | grep ' [TDBR] '", "nm"};
+    for (const CompiledFile& each : files) command.push_back(each.object.string());
+    const ProcessResult listed = run_captured(command, time_limit, nullptr, most_output);
+    for (const std::string& line : lines_of(listed.output))
+        for (CompiledFile& each : files) {
+            const std::string object = each.object.string() + ":";
+            if (line.rfind(object, 0) != 0) continue;
+            const std::size_t type = line.find_first_not_of(" 0123456789abcdef", object.size());
+            if (type != std::string::npos && type + 2 < line.size())
+                each.symbols.insert(line.substr(type + 2));
+        }
+}
+
+/// The student's files of all stages that were compiled since they changed.
+std::vector<CompiledFile> compiled_files() {
+    std::vector<CompiledFile> files;
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        for (const fs::path& file : student_files(stage)) {
+            const fs::path object = object_of(stage, file, "f64");
+            if (is_newer(object, file)) files.push_back({stage, file, object});
+        }
+    if (files.size() > 1) read_symbols(files);
+    return files;
+}
+
+/// True if a program is linked from both: it has one trace, of its last stage.
+bool meet(const CompiledFile& earlier, const CompiledFile& later) {
+    return earlier.stage < later.stage && earlier.file.filename() != trace_file;
 }
 
 }  // namespace
@@ -74,23 +104,14 @@ std::string kept_warnings(int stage) {
 
 std::vector<SharedSymbol> shared_symbols(int stage) {
     std::vector<SharedSymbol> shared;
-    for (const fs::path& file : student_files(stage)) {
-        const std::vector<std::string> mine = symbols(file, object_of(stage, file, "f64"));
-        for (int other = 1; other <= int(stage_names.size()); ++other) {
-            if (other == stage) continue;
-            for (const fs::path& other_file : student_files(other)) {
-                // A program has one trace, of its last stage.
-                const bool is_trace = file.filename() == trace_file;
-                const bool is_other_trace = other_file.filename() == trace_file;
-                if ((is_trace && other > stage) || (is_other_trace && other < stage)) continue;
-                for (const std::string& name :
-                     symbols(other_file, object_of(other, other_file, "f64")))
-                    if (std::binary_search(mine.begin(), mine.end(), name))
-                        shared.push_back({name, file.lexically_relative(project_folder),
-                                          other_file.lexically_relative(project_folder)});
-            }
-        }
-    }
+    const std::vector<CompiledFile> files = compiled_files();
+    for (const CompiledFile& mine : files)
+        for (const CompiledFile& other : files)
+            if (mine.stage == stage && (meet(mine, other) || meet(other, mine)))
+                for (const std::string& name : mine.symbols)
+                    if (other.symbols.contains(name))
+                        shared.push_back({name, mine.file.lexically_relative(project_folder),
+                                          other.file.lexically_relative(project_folder)});
     return shared;
 }
 

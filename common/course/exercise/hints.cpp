@@ -43,7 +43,7 @@ std::vector<std::string> labels_of(int stage) {
     return labels;
 }
 
-/// Whether the part's name contains the label as whole words.
+/// True if the part's name contains the label as whole words.
 bool names(const std::string& part, const std::string& label) {
     const auto is_letter = [&part](std::size_t i) {
         return i < part.size() && (std::isalpha(part[i]) != 0 || part[i] == '_');

@@ -25,8 +25,9 @@ struct Include {
     std::string header;  ///< as spelled in the file
 };
 
-/// All includes of a file, in quotes or in brackets. Only the text decides: an #include after
-/// `#if 0` counts too, and one in a comment does not. Throws InputError if it cannot be read.
+/// All includes of a file, in quotes or in brackets. Conditions are not evaluated, so that an
+/// #include in an inactive part is returned too; one in a comment is not. Throws InputError if it
+/// cannot be read.
 [[nodiscard]] std::vector<Include> includes_of(const std::filesystem::path& file);
 
 /// The includes of a student's file, of the project or of its own folder, that are missing when it

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::seconds suite_time_limit{10};  // the slowest suite takes one
 
-/// What usually causes the signal.
+/// The usual cause of the signal, as the end of a sentence.
 std::string meaning_of(const std::string& crash) {
     if (crash == "Segmentation fault")
         return ". It read memory that is not its own: a null pointer, an index out of range, or a "

@@ -56,7 +56,7 @@ std::string text(const Record& record) {
     return out.str();
 }
 
-/// Where the comment at the start of a source file ends.
+/// The position of the end of the comment at the start of a source file.
 std::size_t end_of_first_comment(const std::string& source) {
     std::size_t end = 0;
     while (source.compare(end, 2, "//") == 0)

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] int stage() const { return stage_; }
     [[nodiscard]] std::vector<std::filesystem::path> files() const;
     [[nodiscard]] State state() const;
-    /// Whether trace_file is among the files.
+    /// True if trace_file is among the files.
     [[nodiscard]] bool has_trace() const;
     /// The last check: "17 of 21 cases pass", "changed since it passed"; empty if not started.
     [[nodiscard]] std::string verdict() const;

@@ -5,7 +5,7 @@
 
 namespace rt {
 
-/// Whether students get the file at this path of the project. Whatever is not named in the list of
+/// True if students get the file at this path of the project. Whatever is not named in the list of
 /// rooms and folders stays out.
 [[nodiscard]] bool is_for_students(const std::string& path);
 

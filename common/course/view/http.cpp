@@ -61,6 +61,10 @@ Number parse(const Request& request, const std::string& name, Number min, Number
 }  // namespace
 
 Request parse_request(std::string_view head) {
+    const bool is_text = std::none_of(head.begin(), head.end(), [](char c) {
+        return (0 <= c && c < ' ' && c != '\r' && c != '\n' && c != '\t') || c == '\x7f';
+    });
+    if (!is_text) throw Refusal{400, "malformed request"};
     std::string_view line = take(head, "\r\n");
     const std::string_view method = take(line, " ");
     std::string_view target = take(line, " ");

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace rt {
@@ -22,8 +23,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int most_connections = 24;  // a page has one open, and requests three more at a time
-constexpr int most_waiting = 32;
+constexpr int most_answers = 24;  // at a time: a page waits for one, and requests three more
+constexpr std::size_t most_visitors = 256;
+constexpr int most_in_kernel = 128;  // not accepted yet
 constexpr std::size_t longest_head = 8192;
 constexpr std::chrono::seconds patience_with_request{5};
 constexpr std::chrono::seconds patience_with_reader{10};
@@ -35,29 +37,18 @@ struct Connection {
     int ended = -1;
 };
 
+/// The milliseconds until a deadline, for poll.
+int milliseconds_until(Clock::time_point deadline) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
+    return int(std::max<long long>(left.count(), 0));
+}
+
 /// True if the connection is ready before the deadline.
 bool wait_for(Connection connection, short event, Clock::time_point deadline) {
     for (;;) {
-        const auto left =
-            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
         std::array<pollfd, 2> questions{{{connection.socket, event, 0}, {connection.ended, 0, 0}}};
-        const int ready = poll(questions.data(), 2, int(std::max<long long>(left.count(), 0)));
+        const int ready = poll(questions.data(), 2, milliseconds_until(deadline));
         if (ready != -1 || errno != EINTR) return ready > 0 && questions[0].revents != 0;
-    }
-}
-
-std::string receive_head(Connection connection) {
-    const Clock::time_point deadline = Clock::now() + patience_with_request;
-    std::string head;
-    std::array<char, 1024> received{};
-    for (;;) {
-        if (!wait_for(connection, POLLIN, deadline)) throw Refusal{408, "too slow"};
-        const ssize_t count = recv(connection.socket, received.data(), received.size(), 0);
-        if (count <= 0) throw Refusal{400, "malformed request"};
-        head.append(received.data(), std::size_t(count));
-        const std::size_t end = head.find("\r\n\r\n");
-        if (end != std::string::npos) return head.substr(0, end);
-        if (head.size() > longest_head) throw Refusal{431, "too long"};
     }
 }
 
@@ -95,6 +86,31 @@ int accept_connection(int listener) {
 
 }  // namespace
 
+struct Server::Visitor {
+    int socket = -1;
+    Clock::time_point deadline;
+    std::string head = "";  ///< of the request, up to its empty line
+    std::optional<Refusal> refusal = std::nullopt;
+
+    /// Receives what has arrived. Returns whether the head is whole, or refused.
+    bool receive() {
+        std::array<char, 1024> received{};
+        const ssize_t count = recv(socket, received.data(), received.size(), MSG_DONTWAIT);
+        if (count == -1 && (errno == EAGAIN || errno == EINTR)) return false;
+        if (count <= 0) return refuse(400, "malformed request");
+        head.append(received.data(), std::size_t(count));
+        const std::size_t end = head.find("\r\n\r\n");
+        if (end == std::string::npos) return head.size() > longest_head && refuse(431, "too long");
+        head.resize(end);
+        return true;
+    }
+
+    bool refuse(int status, const std::string& reason) {
+        refusal = Refusal{status, reason};
+        return true;
+    }
+};
+
 Server::Server(int port) {
     listener_ = keep_from_children(socket(AF_INET, SOCK_STREAM, 0));
     sockaddr_in address{};
@@ -106,7 +122,7 @@ Server::Server(int port) {
     auto* const generic = reinterpret_cast<sockaddr*>(&address);
     socklen_t size = sizeof address;
     if (listener_ == -1 || bind(listener_, generic, size) != 0 ||
-        listen(listener_, most_waiting) != 0 || getsockname(listener_, generic, &size) != 0) {
+        listen(listener_, most_in_kernel) != 0 || getsockname(listener_, generic, &size) != 0) {
         const int why = errno;
         if (listener_ != -1) close(listener_);
         throw InputError({}, "port " + std::to_string(port) +
@@ -127,29 +143,81 @@ Server::~Server() {
 }
 
 void Server::start(const Answer& answer) {
-    for (int i = 0; i < most_connections; ++i)
-        workers_.emplace_back([this, answer] { work(answer); });
+    threads_.emplace_back([this] { receive(); });
+    for (int i = 0; i < most_answers; ++i) threads_.emplace_back([this, answer] { work(answer); });
 }
 
 void Server::stop() {
     if (end_[1] != -1) close(std::exchange(end_[1], -1));  // ends all waiting
-    for (std::thread& worker : workers_) worker.join();
-    workers_.clear();
+    {
+        const std::scoped_lock lock(mutex_);
+        over_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+    for (const Visitor& visitor : queue_) close(visitor.socket);
+    queue_.clear();
 }
 
-void Server::work(const Answer& answer) const {
+void Server::receive() {
+    std::list<Visitor> visitors;  // the oldest first
     for (;;) {
-        std::array<pollfd, 2> questions{{{listener_, POLLIN, 0}, {end_[0], 0, 0}}};
-        if (poll(questions.data(), 2, -1) == -1) continue;
-        if (questions[1].revents != 0) return;
-        const int socket = accept_connection(listener_);
-        if (socket == -1) {
-            // Another thread was faster, or the client disconnected; or a resource is exhausted.
-            if (errno != EAGAIN) std::this_thread::sleep_for(std::chrono::milliseconds(50));
-            continue;
+        std::vector<pollfd> questions{{end_[0], 0, 0}, {listener_, POLLIN, 0}};
+        for (const Visitor& visitor : visitors) questions.push_back({visitor.socket, POLLIN, 0});
+        const int time = visitors.empty() ? -1 : milliseconds_until(visitors.front().deadline);
+        if (poll(questions.data(), nfds_t(questions.size()), time) == -1) continue;
+        if (questions[0].revents != 0) break;
+        auto question = questions.begin() + 2;
+        for (auto next = visitors.begin(); next != visitors.end(); ++question) {
+            const auto visitor = next++;
+            const bool is_ready = question->revents != 0 && visitor->receive();
+            const bool is_late = !is_ready && Clock::now() >= visitor->deadline;
+            if (is_late) visitor->refuse(408, "too slow");
+            if (is_ready || is_late) queue_up(visitors, visitor);
         }
-        const Connection connection{socket, end_[0]};
-        send_all(connection, to_bytes(respond([&] { return receive_head(connection); }, answer)));
+        if (questions[1].revents != 0) accept_one(visitors);
+    }
+    for (const Visitor& visitor : visitors) close(visitor.socket);
+}
+
+/// If there are too many, the oldest has had the most time to send its request.
+void Server::accept_one(std::list<Visitor>& visitors) const {
+    const int socket = accept_connection(listener_);
+    if (socket != -1) {
+        visitors.push_back({.socket = socket, .deadline = Clock::now() + patience_with_request});
+        if (visitors.size() <= most_visitors) return;
+        close(visitors.front().socket);
+        visitors.pop_front();
+    } else if (errno != EAGAIN && errno != ECONNABORTED) {  // a resource is exhausted
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
+
+void Server::queue_up(std::list<Visitor>& visitors, std::list<Visitor>::iterator visitor) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (queue_.size() < most_visitors) {
+            queue_.splice(queue_.end(), visitors, visitor);
+        } else {
+            close(visitor->socket);
+            visitors.erase(visitor);
+        }
+    }
+    changed_.notify_one();
+}
+
+void Server::work(const Answer& answer) {
+    for (;;) {
+        std::list<Visitor> mine;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [this] { return over_ || !queue_.empty(); });
+            if (over_) return;
+            mine.splice(mine.end(), queue_, queue_.begin());
+        }
+        const Connection connection{mine.front().socket, end_[0]};
+        send_all(connection, to_bytes(respond(mine.front(), answer)));
         close_kindly(connection);
     }
 }
@@ -160,9 +228,10 @@ void Server::check_host(const Request& request) const {
         throw Refusal{403, "requests are accepted from this machine only"};
 }
 
-Response Server::respond(const std::function<std::string()>& head, const Answer& answer) const {
+Response Server::respond(const Visitor& visitor, const Answer& answer) const {
     try {
-        const Request request = parse_request(head());
+        if (visitor.refusal) throw Refusal(*visitor.refusal);
+        const Request request = parse_request(visitor.head);
         check_host(request);
         return answer(request);
     } catch (const Refusal& refusal) {

@@ -1,10 +1,14 @@
-// An HTTP server on the loopback address, with a few concurrent connections.
+// An HTTP server on the loopback address. One thread receives all requests, and the answers are
+// made and sent by a few others, so that no connection without a whole request holds up another.
 #pragma once
 
 #include "common/course/view/http.hpp"
 
 #include <array>
+#include <condition_variable>
 #include <functional>
+#include <list>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -28,17 +32,26 @@ public:
     void stop();
 
 private:
-    void work(const Answer& answer) const;
+    /// A connection: what was received of its request, or why it is refused.
+    struct Visitor;
+
+    void receive();
+    void accept_one(std::list<Visitor>& visitors) const;
+    void queue_up(std::list<Visitor>& visitors, std::list<Visitor>::iterator visitor);
+    void work(const Answer& answer);
     /// Refuses the requests of other web pages, also of one whose host name resolves to this
     /// machine.
     void check_host(const Request& request) const;
-    [[nodiscard]] Response respond(const std::function<std::string()>& head,
-                                   const Answer& answer) const;
+    [[nodiscard]] Response respond(const Visitor& visitor, const Answer& answer) const;
 
     int listener_ = -1;
     std::array<int, 2> end_{-1, -1};  ///< a pipe whose second end is open until the server stops
     int port_ = 0;
-    std::vector<std::thread> workers_;
+    std::vector<std::thread> threads_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::list<Visitor> queue_;  ///< those with a whole request, and those that are refused
+    bool over_ = false;
 };
 
 }  // namespace rt

@@ -2,8 +2,8 @@
 
 #include "common/course/exercise/log_diff.hpp"
 #include "common/course/view/host.hpp"
+#include "common/course/view/render_queue.hpp"
 #include "common/course/view/stage_runner.hpp"
-#include "common/course/view/turns.hpp"
 #include "common/course/view/watcher.hpp"
 
 #include "common/image/pixel.hpp"

@@ -20,5 +20,5 @@ def plots():
         axes.set_xlabel("time, one ray = 1")
     for axes in panels[:, 0]:
         axes.set_ylabel("error, of 255")
-    panels[1, 0].legend(loc="lower left")
+    panels[1, 1].legend(loc="lower left")
     yield "pixels", "Rays through a pixel: error and time of four ways to choose them", fig

@@ -35,7 +35,11 @@ def bars(rows):
 def perceived(rows):
     fig, axes = figure(720, 400)
     for source, _, color, marker in SOURCES:
-        own = [row for row in where(rows, source=source) if number(row, "error") > LEAST]
+        # Equal to six digits: not on a scale of powers.
+        own = [row for row in where(rows, source=source)
+               if number(row, "error") > LEAST and number(row, "similarity") < 1]
+        if not own:
+            continue
         axes.plot([number(row, "error") for row in own],
                   [1 - number(row, "similarity") for row in own], label=source, color=color,
                   marker=marker, linestyle="")
@@ -45,7 +49,7 @@ def perceived(rows):
                       xytext=(-4, 8), textcoords="offset points", weight="bold")
     axes.set(xscale="log", yscale="log", xlabel="error, of 255", ylabel="1 − structural similarity")
     plain(axes.xaxis, [0.01, 0.1, 1, 10, 100])
-    decades(axes.yaxis, -5, -1, 1)
+    decades(axes.yaxis, -6, -1, 1)
     axes.legend(loc="upper left")
     return fig
 

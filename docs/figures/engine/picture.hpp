@@ -5,16 +5,17 @@
 
 extern "C" {
 
-/// Room for a text of this size: a scene, or the name and the content of a mesh's file.
+/// A buffer of this size, to be filled with a scene, or with the name and then the content of a
+/// mesh's file.
 char* picture_room(std::size_t size);
 
 /// The last result.
 const char* picture_result();
 
-/// Keeps the mesh in the room, whose name has this size, for scenes that name it.
+/// Stores the mesh's file that is in the buffer, whose name has this size, for scenes that name it.
 void picture_mesh(std::size_t name_size);
 
-/// Reads the scene in the room for the program of a stage. The result are the warnings; returns
+/// Reads the scene in the buffer for the program of a stage. The result are the warnings; returns
 /// its size.
 std::size_t picture_read(int stage);
 

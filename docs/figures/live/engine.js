@@ -36,7 +36,7 @@ function get(from, type) {
   return get(from, "bool") ? get(from, type.optional) : null;
 }
 
-/// Whether a value may be an argument of this type: overloads differ by the fields of a record.
+/// True if a value may be an argument of this type: overloads differ by the fields of a record.
 const fits = (type, value) => !type.record || (value !== null && typeof value === "object" && type.record.every(([name]) => name in value) && type.record.length === Object.keys(value).length);
 
 class Engine {

@@ -17,7 +17,7 @@ constexpr int side = 4;
 constexpr int count = side * side;
 constexpr Real square = 180;  // pixels
 
-/// What is beyond the edge: a triangle that covers the left of the pixel (0, 1)².
+/// The region beyond the edge: a triangle that covers the left of the pixel (0, 1)².
 constexpr Triangle covering{.a = {0.55, 3, 0}, .b = {-9, 0.5, 0}, .c = {0.45, -2, 0}};
 
 bool is_covered(Vec2 point) {

@@ -42,7 +42,7 @@ std::string paint(std::string_view fill, const Pen& pen) {
     return pen.dashes.empty() ? text : text + attribute("stroke-dasharray", pen.dashes);
 }
 
-/// What each color of a figure becomes where the reader prefers a dark page.
+/// For each color of a figure, the color on a dark page.
 std::string dark_style() {
     struct Dark {
         std::string_view light;

@@ -27,7 +27,7 @@ std::vector<std::string> files() {
     return paths;
 }
 
-/// How many of the files match, of which no student may get one.
+/// The number of matching files. No student may get any of them.
 int kept_back(const std::string& pattern) {
     int count = 0;
     for (const std::string& path : files()) {

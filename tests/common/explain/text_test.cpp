@@ -24,11 +24,11 @@ Real any_number(Random& random) {
 }
 
 /// The number that a text is, digits to bits, by the standard library.
-Real number(std::string digits) {
-    if (digits.starts_with("Real(")) digits = digits.substr(5, digits.size() - 6);
+Real number(std::string written) {
+    if (written.starts_with("Real(")) written = written.substr(5, written.size() - 6);
     Real value = 0;
-    const auto read = parse_floating(digits, value);
-    return read.ec == std::errc() && read.ptr == digits.data() + digits.size() ? value : NAN;
+    const auto read = parse_floating(written, value);
+    return read.ec == std::errc() && read.ptr == written.data() + written.size() ? value : NAN;
 }
 
 bool same(Real a, Real b) {

@@ -19,7 +19,7 @@ using namespace rt;
 
 namespace {
 
-Image noise(Resolution size) {
+Image noisy_image(Resolution size) {
     Random random(7);
     Image image(size);
     for (Rgb& pixel : image.pixels)
@@ -138,9 +138,9 @@ TEST_CASE("the picture in the terminal is no wider than that, and keeps its shap
 }
 
 TEST_CASE("a picture of one pixel, one row or one column is seen in the terminal too") {
-    CHECK(lines(preview(noise({1, 1}), 80)) == 1);
-    CHECK(lines(preview(noise({8192, 1}), 80)) == 1);
-    CHECK(lines(preview(noise({8192, 2}), 80)) == 1);
-    CHECK(lines(preview(noise({3, 3}), 80)) == 1);
-    CHECK(lines(preview(noise({1, 4}), 80)) == 2);
+    CHECK(lines(preview(noisy_image({1, 1}), 80)) == 1);
+    CHECK(lines(preview(noisy_image({8192, 1}), 80)) == 1);
+    CHECK(lines(preview(noisy_image({8192, 2}), 80)) == 1);
+    CHECK(lines(preview(noisy_image({3, 3}), 80)) == 1);
+    CHECK(lines(preview(noisy_image({1, 4}), 80)) == 2);
 }

@@ -4,6 +4,7 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -269,6 +270,8 @@ TEST_CASE("PLY") {
          ":13: error: the file ends after 1 of 1000000000000000000 faces"},
         {"a.ply", numbers("0 0\n"),
          ":10: error: a vertex has 3 numbers here, on a line of its own, not 2"},
+        {"a.ply", ply_with("float z\n", "float z\nproperty uchar red\n"),
+         ":11: error: a vertex has 4 numbers here, on a line of its own, not 3"},
         {"a.ply", numbers("0 0 1e39\n"),
          ":10: error: expected a number in the range of float, or an existing vertex, not "
          "\"1e39\""},
@@ -278,6 +281,15 @@ TEST_CASE("PLY") {
          ":13: error: vertex 3 is not there: expected 0 to 2"},
         {"a.ply", ply_with("3 0 1 2", "4 0 1 2"), ":13: error: a face of 4 corners ends after 3"},
     });
+}
+
+TEST_CASE("PLY with 50,000 properties a vertex is read in less than 3 s of a processor") {
+    std::string properties = "property float z\n";
+    for (int i = 0; i < 50'000; ++i) properties += "property float q\n";
+    const std::clock_t start = std::clock();
+    CHECK(mesh_refusal("a.ply", ply_with("property float z\n", properties)) ==
+          "a.ply:50010: error: a vertex has 50003 numbers here, on a line of its own, not 3");
+    CHECK(std::clock() - start < 3 * CLOCKS_PER_SEC);
 }
 
 TEST_CASE("binary PLY") {

@@ -117,6 +117,44 @@ TEST_CASE("the rays of a pixel share the rays to a light, and their error") {
     CHECK(shared_settings(many).shadow_agree == 0);
 }
 
+TEST_CASE("adaptive sampling starts with rays whose number rises in small steps") {
+    CHECK(first_pixel_samples(32) == 8);
+    CHECK(first_pixel_samples(4) == 8);
+    CHECK(first_pixel_samples(3.9) == 10);
+    CHECK(first_pixel_samples(3) == 12);
+    CHECK(first_pixel_samples(2.1) == 16);
+    CHECK(first_pixel_samples(2) == 16);
+    CHECK(first_pixel_samples(1) == 32);
+    CHECK(first_pixel_samples(0.01) == 128);
+    for (double error = 8; error > 0.1; error *= 0.99) {
+        const int count = first_pixel_samples(error);
+        CHECK((count == 128 || count * error >= 32));
+        CHECK((count == 8 || count * error <= 32 * 1.25));
+    }
+}
+
+TEST_CASE("adaptive sampling goes on from a picture of one ray a pixel") {
+    Scene scene = load_scene(project_file("scenes/one_sphere.rt"), orthonormal_basis);
+    scene.resolution = {.width = 80, .height = 60};
+    for (const RenderJob& job : {RenderJob{.settings = {.pixel_samples = 256, .pixel_error = 4}},
+                                 RenderJob{.threads = 2, .settings = {}}}) {
+        auto centers = render_centers(scene, job);
+        REQUIRE(centers);
+        CHECK(centers->rays == 80 * 60);
+        RenderJob second = job;
+        second.centers = &*centers;
+        const auto whole = render(scene, job);
+        const auto begun = render(scene, second);
+        CHECK(begun->image.pixels == whole->image.pixels);
+        CHECK(begun->rays == whole->rays);
+        CHECK(begun->not_a_number == whole->not_a_number);
+    }
+    Rendering black{.image = Image(scene.resolution)};
+    const RenderJob from_black{.settings = {.pixel_samples = 256, .pixel_error = 4},
+                               .centers = &black};
+    CHECK(render(scene, from_black)->rays == 0);  // a picture without an edge
+}
+
 TEST_CASE("adaptive sampling: only edges get more rays, and any number of threads the same") {
     Scene scene = load_scene(project_file("scenes/one_sphere.rt"), orthonormal_basis);
     scene.resolution = {.width = 80, .height = 60};

@@ -204,7 +204,7 @@ TEST_CASE("strict reading refuses everything that lenient reading warns of") {
         {"sp 0,0,0 1 1,2,3 sides:1",
          R"(18: error: "sides:1" is not an option of a sphere: expected "sp position diameter color")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:1 sides:2",
-         R"(32: error: "sides:2" is not an option of a square: expected "sq position normal side color [sides:1|2]")"},
+         R"(32: error: "sides:2" repeats an option of a square: expected "sq position normal side color [sides:1|2]")"},
         {"sp 0,0,0 1 1, 2, 3",
          R"(12: error: blanks around the commas of "1, 2, 3": expected three numbers as in 1,2,3)"},
         {"sp 0,0 ,0 1 1,2,3",
@@ -290,9 +290,12 @@ TEST_CASE("binary files, and text of two bytes a character") {
         "ELF\0\0",
         24);
     CHECK(lenient_refusal(elf) == "scene.rt:2:5: error: a zero byte: expected text");
-    CHECK(lenient_refusal(std::string("\xFF\xFE"
-                                      "C\0 \0",
-                                      6)) == "scene.rt:1:4: error: a zero byte: expected text");
+    const std::string utf16 =
+        "scene.rt:1:1: error: text in UTF-16: expected UTF-8, as which an editor can save it";
+    CHECK(lenient_refusal({"\xFF\xFE"
+                           "C\0",
+                           4}) == utf16);
+    CHECK(strict_refusal({"\xFE\xFF\0C", 4}) == utf16);
 }
 
 TEST_CASE("a line that is too long to be an element") {

@@ -85,6 +85,61 @@ TEST_CASE("lenient reading takes a word in place of a color for white") {
         CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + words) != "accepted");
 }
 
+TEST_CASE("lenient reading takes #rrggbb for a color where the line would have none") {
+    const auto color = [](const std::string& rest) {
+        const Lenient read = lenient(camera + "sp 1,2,3 4 " + rest);
+        INFO(rest);
+        CHECK(read.warnings.size() == 1);
+        REQUIRE(read.scene.spheres.size() == 1);
+        return read.scene.spheres[0].material;
+    };
+    const Color orange(1, Real(0.2), 0);
+    for (const std::string rest :
+         {"#ff3300", "#F30", "#ff3300 # a comment", "#f30#008", "#f30 // 1", "\t#f30\r"})
+        CHECK(color(rest).color == orange);
+    CHECK(color("#fade01 spec:0.5").color == Color(250, 222, 1) / Real(255));
+    CHECK(color("#fade01 spec:0.5").specular == Real(0.5));
+    CHECK(lenient(camera + "sp 1,2,3 4 #ff3300").warnings ==
+          std::vector<std::string>{"scene.rt:2:12: warning: a sphere's color must be three numbers "
+                                   "as in 1,2,3, not \"#ff3300\"; it is 255,51,0"});
+
+    const Scene scene = lenient(camera +
+                                "A 0.5 #ff3300\nL 0,1,0 0.5 #f30 radius:2\nsky #f30 #00ff00\n"
+                                "cy 3,0,1 0,1,0 #f30 4 2\nmesh x.off 0,0,0 1 #f30 dir:0,1,0\n")
+                            .scene;
+    CHECK(scene.ambient->color == orange);
+    CHECK(scene.lights.at(0).color == orange);
+    CHECK(scene.lights.at(0).radius == 2);
+    CHECK(scene.sky->bottom == orange);
+    CHECK(scene.sky->top == Color(0, 1, 0));
+    CHECK(scene.cylinders.at(0).material.color == orange);
+    CHECK(scene.cylinders.at(0).shape.radius == 2);
+    CHECK(scene.mesh_requests.at(0).material.color == orange);
+
+    // Everything else after # remains a comment, and so does a color after a complete element.
+    for (const std::string rest :
+         {"255,51,0 #00ff00", "255,51,0#0f0", "255,51,0 #add", "255,51,0 #0f0 1"}) {
+        const Lenient read = lenient(camera + "sp 1,2,3 4 " + rest);
+        CHECK(read.warnings.empty());
+        CHECK(read.scene.spheres.at(0).material.color == orange);
+    }
+    for (const std::string rest :
+         {"#ff330", "#ff33001", "#f3", "#ff330g", "# f30", "##f30", "#", "// #f30"})
+        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + rest) ==
+              "scene.rt:2:11: error: a sphere's color is missing: expected "
+              "\"sp position diameter color\"");
+    CHECK(lenient(camera + "#f30 #123456\nA 0.5#ff3300\n").scene.ambient->color == Color(1));
+}
+
+TEST_CASE("strict reading refuses #rrggbb for a color, by one error") {
+    const std::string words = " color must be three numbers as in 1,2,3, not \"#ff3300\"";
+    CHECK(strict_refusal(with_camera("sp 1,2,3 4 #ff3300")) ==
+          "scene.rt:3:12: error: a sphere's" + words);
+    CHECK(strict_refusal(with_camera("A 0.5 #ff3300")) ==
+          "scene.rt:3:7: error: the ambient light's" + words);
+    CHECK(strict_refusal(with_camera("sp 1,2,3 4 255,51,0 #ff3300")) == "accepted");
+}
+
 TEST_CASE("lenient reading takes 60 degrees for a field of view that is missing") {
     const Lenient read = lenient("C 0,0,0 0,0,-1\n");
     CHECK(read.scene.cameras.at(0).fov == pi / 3);

@@ -6,12 +6,12 @@
 using namespace rt;
 
 TEST_CASE("a quoted text is short, and printable ASCII") {
-    CHECK(quoted("") == "\"\"");
-    CHECK(quoted("a b~") == "\"a b~\"");
-    CHECK(quoted("\x1B[31m\n\x7F") == "\"\\x1B[31m\\x0A\\x7F\"");
-    CHECK(quoted("é") == "\"\\xC3\\xA9\"");
-    CHECK(quoted(std::string(40, 'a')) == '"' + std::string(40, 'a') + '"');
-    CHECK(quoted(std::string(41, 'a')) == '"' + std::string(40, 'a') + "...\"");
+    CHECK(rt::quoted("") == "\"\"");
+    CHECK(rt::quoted("a b~") == "\"a b~\"");
+    CHECK(rt::quoted("\x1B[31m\n\x7F") == "\"\\x1B[31m\\x0A\\x7F\"");
+    CHECK(rt::quoted("é") == "\"\\xC3\\xA9\"");
+    CHECK(rt::quoted(std::string(40, 'a')) == '"' + std::string(40, 'a') + '"');
+    CHECK(rt::quoted(std::string(41, 'a')) == '"' + std::string(40, 'a') + "...\"");
 }
 
 TEST_CASE("percent-encoding keeps RFC 3986's unreserved characters alone") {

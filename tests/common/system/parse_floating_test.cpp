@@ -13,7 +13,7 @@ using namespace rt;
 
 namespace {
 
-/// What was parsed, as text: the error, the number of characters, the number.
+/// The result of parsing, as text: the error, the number of characters, the number.
 std::string parsed(const std::string& text) {
     Real value = -7;  // must stay if there is an error
     const auto [end, error] = parse_floating_in_c(text, value);

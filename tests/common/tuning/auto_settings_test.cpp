@@ -1,6 +1,8 @@
 // The choices of --tolerance and --time, for model scenes with known errors and costs.
 #include "tests/common/tuning/model_scenes.hpp"
 
+#include "common/tuning/pixel_study.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -223,22 +225,43 @@ TEST_CASE("with a tolerance and a time, the time is the limit of the tolerance")
 }
 
 TEST_CASE("rays through pixels keep the tolerance beside edges, at about the least cost") {
-    for (const double edges : {0.02, 0.1, 0.4})
-        for (const double allowed : {1.0, 2.0, 8.0}) {
-            ModelScene model = plain();
-            model.edges = edges;
-            const RenderSettings settings = chosen(model, {.tolerance = allowed}).expected.settings;
-            INFO(edges << " of the pixels on edges, tolerance " << allowed);
-            REQUIRE(settings.pixel_error > 0);
-            const auto off = [&](double error) {
-                const double rays = pixel_rays({.pixel_samples = 1024, .pixel_error = error}, true);
-                return edges * beyond(one_center_error / 2 * std::pow(rays, -0.75), allowed);
-            };
-            CHECK(off(settings.pixel_error) <= 0.01);
-            double cheapest = settings.pixel_error;
-            while (off(1.01 * cheapest) <= 0.01 && cheapest < 2 * allowed) cheapest *= 1.01;
-            CHECK(settings.pixel_error >= cheapest / 2);
-        }
+    for (const Resolution size : {Resolution{320, 240}, Resolution{640, 480}}) {
+        std::vector<double> costs;  // of picture and trials, in units of the cheapest setting
+        for (const double edges : {0.02, 0.1, 0.4})
+            for (const double allowed : {1.0, 2.0, 8.0}) {
+                ModelScene model = plain();
+                model.size = size;
+                model.edges = edges;
+                const RenderSettings settings =
+                    chosen(model, {.tolerance = allowed}).expected.settings;
+                INFO(size.width << " pixels wide, " << edges << " of them on edges, tolerance "
+                                << allowed);
+                REQUIRE(settings.pixel_error > 0);
+                // 1 in 100, and a trial's luck.
+                CHECK(beyond_on_edges(model, settings.pixel_error, allowed) <= 0.0105);
+                double error = 32 * allowed;
+                while (beyond_on_edges(model, error, allowed) > 0.01) error *= 0.98;
+                const auto rays = [&](double pixel_error) {
+                    return 1 + edges * stopped_rays(pixel_error);
+                };
+                const double trials = model.spent / model.ray_cost / model.pixels();
+                costs.push_back((rays(settings.pixel_error) + trials) / rays(error));
+            }
+        CHECK(std::reduce(costs.begin(), costs.end()) / double(costs.size()) <=
+              (size.width < 640 ? 1.3 : 1.15));
+    }
+}
+
+TEST_CASE("trial pixels cost a small part of a small picture") {
+    for (const int width : {160, 320}) {
+        ModelScene model = plain();
+        model.size = {.width = width, .height = width * 3 / 4};
+        model.edges = 0.1;
+        const Trial trial = chosen(model, {.tolerance = 2}).expected;
+        INFO(width << " pixels wide");
+        CHECK(model.spent / model.ray_cost <=
+              (width < 320 ? 0.6 : 0.25) * trial.rays * model.pixels());
+    }
 }
 
 TEST_CASE("one ray through a pixel is enough where there are hardly any edges") {
@@ -256,6 +279,22 @@ TEST_CASE("all pixels get rays if edges are lost beside which no ray through a c
     const RenderSettings settings = chosen(model, {.tolerance = 2}).expected.settings;
     CHECK(settings.pixel_samples >= 64);
     CHECK(settings.pixel_error == 0);
+}
+
+TEST_CASE("rare edges that the first trial pixels miss are traced when they are found") {
+    ModelScene model = plain();
+    model.size = {.width = 16384, .height = 16};
+    model.edges = 1.0 / model.size.width;  // one column
+    ModelTrials trials(model);
+    TrialRunner runner(model.size, {.tolerance = 2}, going_on);
+    PixelStudy study(runner, trials, {}, 2);
+    study.begin(1);
+    for (int times = 0; times < 8; ++times) {
+        study.grow(2);
+        const PixelStudy::Outcome outcome = study.outcome({});
+        CHECK(outcome.at_most() < 0.02);  // false for a NaN
+        CHECK(outcome.rays < 1);
+    }
 }
 
 TEST_CASE("a given number of rays through a pixel stays") {

@@ -1,6 +1,7 @@
 // Model scenes with known errors and costs, in place of trials on a real one.
 #pragma once
 
+#include "common/system/hash.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/choose_depth.hpp"
 #include "common/tuning/penumbrae.hpp"
@@ -8,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <random>
 
@@ -19,7 +21,7 @@ struct ModelScene {
     Resolution size{.width = 640, .height = 480};
     double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
     double edges = 0;     ///< the share of the pixels on an edge: those farthest to the right
-    double lost = 0;      ///< the share of these that no ray through a center leads to
+    double lost = 0;  ///< the share of these that no ray through a center leads to: the upper ones
     bool thin_shadow =
         false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
     double ray_cost = 1e-7;
@@ -57,6 +59,14 @@ inline double pixel_rays(const RenderSettings& settings, bool is_found) {
     if (settings.pixel_error == 0) return settings.pixel_samples;
     const double enough = std::pow(one_center_error / settings.pixel_error, 4.0 / 3);
     return is_found ? std::clamp(enough, 8., double(settings.pixel_samples)) : 1;
+}
+
+/// The rays at which --pixel-error stops in a pixel on an edge.
+inline int stopped_rays(double pixel_error) {
+    int count = first_pixel_samples(pixel_error);
+    while (count < 1024 && one_center_error * std::pow(count, -0.75) > pixel_error)
+        count = next_pixel_samples(count, 1024);
+    return count;
 }
 
 /// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
@@ -110,26 +120,98 @@ public:
         return sample;
     }
 
+    [[nodiscard]] TrialHistories trace_histories(const RenderSettings& settings,
+                                                 const TrialRequest& request) const override {
+        if (*request.stop) return {};
+        TrialHistories histories;
+        for (const Pixel pixel : request.pixels) {
+            histories.pixels.push_back(history(pixel, settings, request.at_least));
+            histories.rays += histories.pixels.back().steps.back().rays;
+        }
+        histories.seconds = histories.rays * model_.ray_cost;
+        model_.asked += request.pixels.size();
+        model_.spent += histories.seconds;
+        histories.seconds *= wrong_clock();
+        return histories;
+    }
+
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& /*settings*/,
+                                              const TrialRequest& request) override {
+        if (*request.stop) return {};
+        centers_ = Image(model_.size);
+        for (Pixel pixel; pixel.row < model_.size.height; ++pixel.row)
+            for (pixel.column = 0; pixel.column < model_.size.width; ++pixel.column) {
+                const bool is_found = is_on_edge(pixel) && !is_lost(pixel);
+                const auto level = std::uint8_t(
+                    std::lround(100 + (is_found ? deviation(pixel, 0) * one_center_error : 0)));
+                centers_[pixel] = {level, level, level};
+            }
+        return {.image = &centers_, .rays = 1, .seconds = model_.ray_cost};
+    }
+
 private:
+    /// A pixel on an edge that is found has the right color of the others, and its center another;
+    /// one that is lost has another right color, and the center of the others.
+    [[nodiscard]] PixelHistory history(Pixel pixel, const RenderSettings& settings,
+                                       int at_least) const {
+        PixelHistory history;
+        const bool on_edge = is_on_edge(pixel);
+        const double right =
+            100 + (on_edge && is_lost(pixel) ? deviation(pixel, 0) * one_center_error : 0);
+        history.range = on_edge ? one_center_error : 0;
+        // The mean of the first rays is wrong by the error of all, and by one of its own.
+        std::vector<PixelStep> all;
+        double off = 0;
+        double variance = 0;
+        for (int count = settings.pixel_samples; count > 0; count = before(count)) {
+            const double error = on_edge ? one_center_error * std::pow(count, -0.75) : 0;
+            if (on_edge) off += std::sqrt(error * error - variance) * deviation(pixel, count);
+            variance = error * error;
+            const double shade = right + off;
+            all.push_back({.count = count,
+                           .mean = {shade, shade, shade},
+                           .error = error,
+                           .rays = double(count)});
+        }
+        for (auto step = all.rbegin(); step != all.rend(); ++step) {
+            history.steps.push_back(*step);
+            if (step->count >= at_least && step->error <= settings.pixel_error) break;
+        }
+        return history;
+    }
+    /// The number of rays of the step before, or 0.
+    [[nodiscard]] static int before(int count) {
+        int earlier = 0;
+        for (int next = PixelHistory::fewest; next < count; next = PixelHistory::next(next))
+            earlier = next;
+        return earlier;
+    }
+    [[nodiscard]] bool is_lost(Pixel pixel) const {
+        return pixel.row < model_.lost * model_.size.height;
+    }
+    /// A normal deviate, half of which is the error of rays of that number.
+    [[nodiscard]] double deviation(Pixel pixel, int rays) const {
+        // A generator of the library takes a hundred times as long to begin.
+        const auto place = std::uint32_t(pixel.row * model_.size.width + pixel.column);
+        const std::uint32_t seed = mixed_bits(mixed_bits(place + 1) ^ std::uint32_t(rays));
+        const auto uniform = [](std::uint32_t bits) { return (bits + 0.5) / 0x1p32; };
+        return 0.5 * std::sqrt(-2 * std::log(uniform(seed))) *
+               std::cos(2 * 3.141592653589793 * uniform(mixed_bits(seed + 1)));
+    }
+
     [[nodiscard]] bool is_on_edge(Pixel pixel) const {
         return model_.size.width - pixel.column <= model_.edges * model_.size.width;
     }
     [[nodiscard]] double edge_rays(Pixel pixel, const RenderSettings& settings,
                                    const TrialRequest& request) const {
-        // The lost ones are the same at any round.
-        const auto place = double(pixel.row * model_.size.width + pixel.column);
-        const bool is_lost = std::fmod(0.618033988749895 * place, 1) < model_.lost;
-        const double found = pixel_rays(settings, !is_lost || request.at_least > 0);
+        const double found = pixel_rays(settings, !is_lost(pixel) || request.at_least > 0);
         return is_on_edge(pixel) || settings.pixel_error == 0
                    ? found
                    : std::max(1., double(request.at_least));
     }
     [[nodiscard]] double edge_error(Pixel pixel, double rays, int round) const {
         if (!is_on_edge(pixel)) return 0;
-        const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
-        std::mt19937 random(place * 7907 + unsigned(round) * 104'723 + 1);
-        const double error = one_center_error * std::pow(rays, -0.75);
-        return error * std::normal_distribution<double>(0, 0.5)(random);
+        return one_center_error * std::pow(rays, -0.75) * deviation(pixel, -round);
     }
     [[nodiscard]] double shade_of(Pixel pixel, const RenderSettings& settings, int round,
                                   bool in_penumbra) const {
@@ -151,6 +233,7 @@ private:
     }
 
     ModelScene& model_;
+    Image centers_;
     mutable std::mt19937 clock_{std::random_device()()};
 };
 
@@ -169,6 +252,13 @@ inline AutoSettings chosen(ModelScene& model, Aim aim, const OpenFloat& open_flo
 /// The share of the pixels in a penumbra that are off by more than the tolerance.
 inline double beyond(double error, double allowed) {
     return std::erfc(allowed / error / std::sqrt(2));
+}
+
+/// The share of the pixels whose 8-bit color is off by more than the tolerance, with rays beside
+/// edges.
+inline double beyond_on_edges(const ModelScene& model, double pixel_error, double allowed) {
+    const double error = one_center_error / 2 * std::pow(stopped_rays(pixel_error), -0.75);
+    return model.edges * beyond(error, allowed + 0.5);
 }
 
 /// The guarantee of --tolerance.

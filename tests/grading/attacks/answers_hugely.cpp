@@ -1,6 +1,6 @@
 // attack: answers with 200 MB, by the ticket that it finds in its memory
 // ceiling: as a stub
-// told: gave an answer that is larger than any answer is
+// message: gave an answer that is larger than any answer is
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,6 +1,6 @@
 // attack: answers with ten thousand frames before the first query
 // ceiling: as a stub
-// told: wrote into the channel
+// message: wrote into the channel
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

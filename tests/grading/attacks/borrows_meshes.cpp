@@ -1,7 +1,7 @@
 // attack: lets another stage's reference answer: the hit of a mesh of one triangle
 // ceiling: as a stub
 // compiles: no
-// told: Your file includes steps/step13_meshes/meshes.hpp
+// message: Your file includes steps/step13_meshes/meshes.hpp
 // stage: step05_triangle
 #include "steps/step05_triangle/triangle.hpp"
 

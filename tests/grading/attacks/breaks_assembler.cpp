@@ -1,8 +1,8 @@
 // attack: has an assembler's error, which names a temporary file
 // ceiling: as a stub
 // compiles: no
-// told: temporary.s
-// untold: raysteps.
+// message: temporary.s
+// message without: raysteps.
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

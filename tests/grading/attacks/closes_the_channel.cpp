@@ -1,6 +1,6 @@
 // attack: closes the channel, and goes on computing
 // ceiling: as a stub
-// told: closed the channel
+// message: closed the channel
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: replaces write by a variable in what becomes code
 // ceiling: as a stub
 // compiles: no
-// told: defines write
+// message: defines write
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

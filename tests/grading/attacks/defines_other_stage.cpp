@@ -1,7 +1,7 @@
 // attack: brings a function of another stage too, for which it needs no header
 // ceiling: as a stub
 // compiles: no
-// told: which is not the stage's
+// message: which is not the stage's
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

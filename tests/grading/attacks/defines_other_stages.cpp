@@ -1,7 +1,7 @@
 // attack: brings functions of other stages too
 // ceiling: as a stub
 // compiles: no
-// told: Your file includes steps/step04_plane/plane.hpp
+// message: Your file includes steps/step04_plane/plane.hpp
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

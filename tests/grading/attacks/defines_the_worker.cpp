@@ -1,7 +1,7 @@
 // attack: defines functions of the worker
 // ceiling: as a stub
 // compiles: no
-// told: say_todo
+// message: say_todo
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

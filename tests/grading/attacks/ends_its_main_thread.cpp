@@ -1,6 +1,6 @@
 // attack: leaves a thread that sleeps, in a process whose first thread has ended
 // ceiling: as a stub
-// told: gave no answer
+// message: gave no answer
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

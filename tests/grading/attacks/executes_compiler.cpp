@@ -1,7 +1,7 @@
 // attack: becomes the compiler, or what starts programs, by an absolute path beside a descriptor
 // ceiling: as a stub
 // stage: step13_meshes
-// untold: ended the program
+// message without: ended the program
 #include "steps/step13_meshes/meshes.hpp"
 
 #include <fcntl.h>

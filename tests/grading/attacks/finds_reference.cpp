@@ -1,7 +1,7 @@
 // attack: declares the reference by another name, weakly
 // ceiling: as a stub
 // compiles: no
-// told: Your file calls rt::correct_intersect(
+// message: Your file calls rt::correct_intersect(
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

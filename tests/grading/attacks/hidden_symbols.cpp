@@ -1,7 +1,7 @@
 // attack: replaces memcpy in assembler, hidden from other objects
 // ceiling: as a stub
 // compiles: no
-// told: defines memcpy
+// message: defines memcpy
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: includes /etc/shadow by .incbin
 // ceiling: as a stub
 // compiles: no
-// told: /etc/shadow
+// message: /etc/shadow
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: includes the reference by .incbin
 // ceiling: as a stub
 // compiles: no
-// told: reference/sphere.cpp
+// message: reference/sphere.cpp
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: includes, by .incbin, the reference that other stages are linked to
 // ceiling: as a stub
 // compiles: no
-// told: step03_sphere.o
+// message: step03_sphere.o
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step04_plane
 // compiles: no
-// told: Your file includes steps/step06_square/square.hpp
+// message: Your file includes steps/step06_square/square.hpp
 #include "steps/step04_plane/plane.hpp"
 
 #include "steps/step06_square/square.hpp"

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // compiles: no
 // stage: step05_triangle
-// told: reference/triangle.cpp
+// message: reference/triangle.cpp
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "@ROOT@/steps/step05_triangle/reference/triangle.cpp"

@@ -1,7 +1,7 @@
 // attack: lets the loader call it, by an indirect function
 // ceiling: as a stub
 // compiles: no
-// told: indirect function
+// message: indirect function
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,6 +1,6 @@
 // attack: gives each answer after 0.9 seconds
 // ceiling: as a stub
-// told: longer than
+// message: longer than
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,5 +1,5 @@
 // attack: brings nothing at all
 // ceiling: as a stub
 // compiles: no
-// told: intersect
+// message: intersect
 #include "steps/step03_sphere/sphere.hpp"

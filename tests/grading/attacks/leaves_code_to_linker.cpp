@@ -1,8 +1,8 @@
 // attack: is an object that a compiler would complete at the link
 // ceiling: as a stub
 // compiles: no
-// told: LTO
-// untold: nm:
+// message: LTO
+// message without: nm:
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,6 +1,6 @@
 // attack: exits with status 0 before the first query
 // ceiling: as a stub
-// told: ended the program, with status 0
+// message: ended the program, with status 0
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,6 +1,6 @@
 // attack: prints Catch2's output of a success, and exits with status 0
 // ceiling: as a stub
-// told: ended the program, with status 0
+// message: ended the program, with status 0
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

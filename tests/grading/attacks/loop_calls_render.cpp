@@ -3,7 +3,7 @@
 // stage: step01_ray_generation
 // file: main.cpp
 // compiles: no
-// told: Your file calls rt::render
+// message: Your file calls rt::render
 #include "common/render/stage.hpp"
 
 namespace rt {

@@ -3,7 +3,7 @@
 // stage: step01_ray_generation
 // file: main.cpp
 // compiles: no
-// told: Your file calls rt::render_pixels
+// message: Your file calls rt::render_pixels
 #include "common/render/stage.hpp"
 
 #include <array>

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step05_triangle
 // compiles: no
-// told: Your file includes common/bvh/mesh_bvh.hpp
+// message: Your file includes common/bvh/mesh_bvh.hpp
 #include "steps/step05_triangle/triangle.hpp"
 
 #include "common/bvh/mesh_bvh.hpp"

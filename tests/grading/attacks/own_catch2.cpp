@@ -1,7 +1,7 @@
 // attack: defines a function of Catch2
 // ceiling: as a stub
 // compiles: no
-// told: which is not the stage
+// message: which is not the stage
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: replaces the clock, so that no time passes
 // ceiling: as a stub
 // compiles: no
-// told: defines clock_gettime
+// message: defines clock_gettime
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

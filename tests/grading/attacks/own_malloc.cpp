@@ -1,7 +1,7 @@
 // attack: replaces malloc
 // ceiling: as a stub
 // compiles: no
-// told: defines malloc
+// message: defines malloc
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: replaces memcmp by one that always returns equal
 // ceiling: as a stub
 // compiles: no
-// told: defines memcmp
+// message: defines memcmp
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: replaces operator new
 // ceiling: as a stub
 // compiles: no
-// told: which all programs share
+// message: which all programs share
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: replaces sqrt
 // ceiling: as a stub
 // compiles: no
-// told: defines sqrt
+// message: defines sqrt
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,7 +1,7 @@
 // attack: brings an entry point of its own
 // ceiling: as a stub
 // compiles: no
-// told: defines _start
+// message: defines _start
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step13_meshes
 // compiles: no
-// told: Your file calls rt::
+// message: Your file calls rt::
 #include "steps/step13_meshes/meshes.hpp"
 
 namespace rt {

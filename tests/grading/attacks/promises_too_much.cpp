@@ -1,6 +1,6 @@
 // attack: answers with the head of a frame of 2^63 bytes
 // ceiling: as a stub
-// told: wrote into the channel
+// message: wrote into the channel
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

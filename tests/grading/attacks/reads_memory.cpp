@@ -1,6 +1,6 @@
 // attack: reads the memory of the client
 // ceiling: as a stub
-// told: tried a forbidden operation
+// message: tried a forbidden operation
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

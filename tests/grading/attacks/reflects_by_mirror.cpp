@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step09_phong
 // compiles: no
-// told: Your file calls rt::mirrored(
+// message: Your file calls rt::mirrored(
 #include "steps/step09_phong/phong.hpp"
 
 #include "common/geometry/ray.hpp"

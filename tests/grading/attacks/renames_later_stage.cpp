@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step04_plane
 // compiles: no
-// told: Your file calls rt::intersect(
+// message: Your file calls rt::intersect(
 #include "steps/step04_plane/plane.hpp"
 
 // As in common/geometry/square.hpp, which may not be included.

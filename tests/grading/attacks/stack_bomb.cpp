@@ -1,6 +1,6 @@
 // attack: calls itself without end
 // ceiling: as a stub
-// told: crashed
+// message: crashed
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

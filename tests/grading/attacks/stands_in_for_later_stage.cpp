@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step04_plane
 // compiles: no
-// told: which is not the stage's
+// message: which is not the stage's
 #include "steps/step04_plane/plane.hpp"
 
 // As in common/geometry/square.hpp, which may not be included.

@@ -1,6 +1,6 @@
 // attack: throws an exception with a message of 40 MB
 // ceiling: as a stub
-// told: threw an exception: <<<
+// message: threw an exception: <<<
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

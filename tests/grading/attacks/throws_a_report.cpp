@@ -1,6 +1,6 @@
 // attack: throws an exception whose message contains lines of the report
 // ceiling: as a stub
-// told: threw an exception: ?passed?case
+// message: threw an exception: ?passed?case
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -3,7 +3,7 @@
 // stage: step12_mirror
 // file: main.cpp
 // compiles: no
-// told: Your file calls rt::reflection
+// message: Your file calls rt::reflection
 #include "common/render/stage.hpp"
 
 #include "steps/step11_soft_shadows/lighting.hpp"

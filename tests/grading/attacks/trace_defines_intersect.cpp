@@ -2,7 +2,7 @@
 // ceiling: 0
 // file: main.cpp
 // compiles: no
-// told: which is not the stage's
+// message: which is not the stage's
 #include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

@@ -3,7 +3,7 @@
 // stage: step11_soft_shadows
 // file: main.cpp
 // compiles: no
-// told: lighting.hpp, which this stage must not include
+// message: lighting.hpp, which this stage must not include
 #include "common/render/stage.hpp"
 
 #include "steps/step11_soft_shadows/lighting.hpp"

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step06_square
 // compiles: no
-// told: Your file calls rt::intersect(
+// message: Your file calls rt::intersect(
 #include "steps/step06_square/square.hpp"
 
 // As in common/geometry/triangle.hpp, which may not be included.

@@ -2,7 +2,7 @@
 // ceiling: as a stub
 // stage: step04_plane
 // compiles: no
-// told: version of a symbol
+// message: version of a symbol
 #include "steps/step04_plane/plane.hpp"
 
 // As in common/geometry/square.hpp, which may not be included.

@@ -1,6 +1,6 @@
 // attack: writes lines of the report into every descriptor
 // ceiling: as a stub
-// told: wrote into the channel
+// message: wrote into the channel
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -3,7 +3,7 @@
 // kernels have the references' names.
 #pragma once
 
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -75,12 +75,12 @@ Vec3 leaving(Random& random, Vec3 normal) {
 /// An ordinary ray at an ordinary shape, all of that size.
 template <class Shape>
 Case<Shape> of_size(Random& random, Real size) {
-    Case<Shape> rendered;
-    draw(random, Sweep::moderate, rendered);
+    Case<Shape> random_case;
+    draw(random, Sweep::moderate, random_case);
     const Transform transform{.scale = size};
-    return {.ray = {.origin = transformed(rendered.ray.origin, transform),
-                    .direction = size * rendered.ray.direction},
-            .shape = transformed(rendered.shape, transform)};
+    return {.ray = {.origin = transformed(random_case.ray.origin, transform),
+                    .direction = size * random_case.ray.direction},
+            .shape = transformed(random_case.shape, transform)};
 }
 
 template <class Shape>

@@ -35,10 +35,10 @@ std::vector<Case<Shape>> cases_that(bool hit, const Form<Shape>& reference) {
     Random random(1);
     std::vector<Case<Shape>> cases;
     while (cases.size() < rays) {
-        Case<Shape> rendered;
-        draw(random, Sweep::moderate, rendered);
-        if (reference.intersect(rendered.ray, rendered.shape, {}).has_value() == hit)
-            cases.push_back(rendered);
+        Case<Shape> random_case;
+        draw(random, Sweep::moderate, random_case);
+        if (reference.intersect(random_case.ray, random_case.shape, {}).has_value() == hit)
+            cases.push_back(random_case);
     }
     return cases;
 }

@@ -112,13 +112,13 @@ void measure_decades(const char* name, const Shape& shape) {
     Random random(2);
     struct Axis {
         const char* name;
-        Case<Shape> (*rendered)(Random& random, Real distance);
+        Case<Shape> (*sample)(Random& random, Real distance);
     };
     for (const Axis& axis : {Axis{"distance", from_afar<Shape>}, Axis{"offset", moved_away<Shape>}})
         for (int decade = 0; decade <= 8; ++decade) {
             const Real distance = std::pow(Real(10), Real(decade));
             Panel<Shape> panel(shape);
-            for (int i = 0; i < rays_of_a_decade; ++i) panel.ask(axis.rendered(random, distance));
+            for (int i = 0; i < rays_of_a_decade; ++i) panel.ask(axis.sample(random, distance));
             panel.print(name, axis.name, double(distance));
         }
 }

@@ -1,7 +1,7 @@
 // All settings together: the error of a picture, beside one of 1,024 rays through each pixel, and
 // its time. From the cheapest settings on, each setting is tried one step finer, and the one that
 // removes most error for its time is kept.
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
 
 #include "tests/measurements/accuracy/time_ratio.hpp"

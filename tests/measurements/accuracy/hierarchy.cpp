@@ -20,7 +20,7 @@ constexpr int rays = 2000;
 constexpr int turns = 25;
 
 /// Spheres that fill the same share of the same space, however many they are.
-std::vector<Sphere> rendered(Random& random, int count) {
+std::vector<Sphere> random_spheres(Random& random, int count) {
     std::vector<Sphere> spheres;
     const Real radius = Real(0.4) / std::cbrt(Real(count));
     for (int i = 0; i < count; ++i)
@@ -28,7 +28,8 @@ std::vector<Sphere> rendered(Random& random, int count) {
     return spheres;
 }
 
-/// The time in nanoseconds per ray; `ask` shortens the interval of a ray to the closest hit.
+/// The mean time in nanoseconds of a call of `ask(ray, interval)`, which sets interval.max to the
+/// closest hit.
 template <class Ask>
 double time_of(const std::vector<Ray>& all, const Ask& ask) {
     const auto start = std::chrono::steady_clock::now();
@@ -44,8 +45,8 @@ double time_of(const std::vector<Ray>& all, const Ask& ask) {
     return taken.count() / double(all.size());
 }
 
-/// The times of a few turns; the median counts.
-class RenderQueue {
+/// The times of the same work, done several times.
+class Times {
 public:
     void add(double time) { times_.push_back(time); }
     [[nodiscard]] double median() {
@@ -60,7 +61,7 @@ private:
 void measure(int count) {
     Random random(5);
     PrimitiveList<Sphere> list;
-    for (const Sphere& sphere : rendered(random, count)) list.push_back({.shape = sphere});
+    for (const Sphere& sphere : random_spheres(random, count)) list.push_back({.shape = sphere});
     PrimitiveList<Sphere> in_balls = list;
     PrimitiveList<Sphere> in_hierarchy = list;
     in_balls.build_acceleration({.hierarchy_from = Acceleration::never});
@@ -79,9 +80,9 @@ void measure(int count) {
             });
         };
     };
-    RenderQueue listed;
-    RenderQueue balls;
-    RenderQueue hierarchy;
+    Times listed;
+    Times balls;
+    Times hierarchy;
     for (int turn = 0; turn < turns; ++turn) {
         listed.add(time_of(all, nearest(list)));
         balls.add(time_of(all, nearest(in_balls)));

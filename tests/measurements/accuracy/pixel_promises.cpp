@@ -1,16 +1,23 @@
-// What --tolerance promises of the rays through pixels: of every scene, the picture with the chosen
-// settings beside one of 1,024 rays through each pixel. The arguments are the tolerance, one
-// scene, and the width.
-#include "common/program/session.hpp"
+// Measures the promise of --tolerance about the rays through pixels, and its cost. The picture of
+// each scene with the chosen settings is compared with one of 1,024 rays through each pixel. The
+// rays of the trials and of the picture are given in units of those of the cheapest settings found
+// that keep the same promise. The arguments are the tolerance, one scene (or "all"), and the width.
+#include "common/program/load_meshes.hpp"
+#include "common/program/renderer.hpp"
+#include "common/render/render.hpp"
+#include "common/scene_file/reader.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/trial_pixels.hpp"
+
+#include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include "tests/measurements/accuracy/drawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
+#include <limits>
 #include <map>
 
 using namespace rt;
@@ -20,49 +27,119 @@ namespace {
 Resolution size{.width = 160, .height = 120};
 const std::atomic<bool> going_on = false;
 
-/// The largest mean difference of a tile.
-double worst_tile(const Image& a, const Image& b) {
-    std::map<int, std::pair<double, int>> tiles;
-    for (Pixel pixel; pixel.row < size.height; ++pixel.row)
-        for (pixel.column = 0; pixel.column < size.width; ++pixel.column) {
-            int most = 0;
-            for (std::size_t i = 0; i < 3; ++i)
-                most = std::max(most, std::abs(a[pixel][i] - b[pixel][i]));
-            auto& [sum, count] = tiles[tile_of(pixel, size)];
-            sum += most;
-            ++count;
+/// The scene of the program, with the rays of trials counted.
+class CountedTrials : public Trials {
+public:
+    explicit CountedTrials(Trials& scene) : scene_(scene) {}
+
+    [[nodiscard]] Resolution resolution() const override { return scene_.resolution(); }
+    [[nodiscard]] SceneTraits traits() const override { return scene_.traits(); }
+    void build_acceleration(std::size_t hierarchy_from) override {
+        scene_.build_acceleration(hierarchy_from);
+    }
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        TrialSample sample = scene_.render_pixels(settings, request);
+        rays_ += sample.rays * double(request.pixels.size());
+        return sample;
+    }
+    [[nodiscard]] TrialHistories trace_histories(const RenderSettings& settings,
+                                                 const TrialRequest& request) const override {
+        TrialHistories histories = scene_.trace_histories(settings, request);
+        rays_ += histories.rays;
+        return histories;
+    }
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
+                                              const TrialRequest& request) override {
+        return scene_.render_centers(settings, request);  // a part of the picture
+    }
+
+    [[nodiscard]] double rays() const { return rays_; }
+
+private:
+    Trials& scene_;
+    mutable double rays_ = 0;
+};
+
+/// The largest difference of a component.
+int difference(const Rgb& a, const Rgb& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+/// A picture beside the right one.
+struct Outcome {
+    double beyond = 0;      ///< share of the pixels off by more than the tolerance
+    double worst_tile = 0;  ///< largest mean difference of a tile
+    double rays = 0;
+
+    [[nodiscard]] bool keeps(double tolerance) const {
+        return beyond <= 0.01 && worst_tile <= 2 * tolerance;
+    }
+};
+
+class Subject {
+public:
+    Subject(const std::filesystem::path& file, double tolerance)
+        : tolerance_(tolerance), scene_(load_scene(file.string(), orthonormal_basis)) {
+        load_meshes(scene_);
+        build_acceleration(scene_, {});
+        scene_.resolution = size;
+        sized_lights_ =
+            std::ranges::any_of(scene_.lights, [](const Light& light) { return light.radius > 0; });
+        RenderSettings right{.pixel_samples = 1024, .depth = 64};
+        if (sized_lights_) right = with_rays(right, 1);
+        exact_ = render(scene_, {.settings = right}).value().image;
+    }
+
+    [[nodiscard]] Outcome outcome(const RenderSettings& settings) const {
+        const Rendering rendering = render(scene_, {.settings = settings}).value();
+        Outcome outcome{.rays = double(rendering.rays)};
+        std::map<int, std::pair<double, int>> tiles;
+        for (Pixel pixel; pixel.row < size.height; ++pixel.row)
+            for (pixel.column = 0; pixel.column < size.width; ++pixel.column) {
+                const int off = difference(rendering.image[pixel], exact_[pixel]);
+                outcome.beyond += off > tolerance_;
+                auto& [sum, count] = tiles[tile_of(pixel, size)];
+                sum += off;
+                ++count;
+            }
+        outcome.beyond /= double(exact_.pixels.size());
+        for (const auto& [tile, sums] : tiles)
+            outcome.worst_tile = std::max(outcome.worst_tile, sums.first / sums.second);
+        return outcome;
+    }
+
+    /// The fewest rays with which a picture keeps the promise: of one ray for each pixel, numbers
+    /// of rays, and errors in steps of a tenth, with 4, 16 or 64 rays to a light.
+    [[nodiscard]] std::pair<double, RenderSettings> cheapest(RenderSettings settings) const {
+        std::pair found{std::numeric_limits<double>::infinity(), settings};
+        const auto try_one = [&](const RenderSettings& tried) {
+            const Outcome it = outcome(tried);
+            if (it.keeps(tolerance_) && it.rays < found.first) found = {it.rays, tried};
+            return it.rays <= 1.1 * found.first;
+        };
+        settings.shadow_error = settings.shadow_agree = 0;
+        for (const int shadow_samples : {4, 16, 64}) {
+            if (!sized_lights_ && shadow_samples > 4) break;
+            settings.shadow_samples = shadow_samples;
+            settings.pixel_samples = 1024;
+            for (settings.pixel_error = 16 * tolerance_; settings.pixel_error > tolerance_ / 4;
+                 settings.pixel_error /= 1.1)
+                if (!try_one(settings)) break;
+            settings.pixel_error = 0;
+            for (settings.pixel_samples = 1; settings.pixel_samples <= 1024;
+                 settings.pixel_samples *= 2)
+                if (!try_one(settings)) break;
         }
-    double worst = 0;
-    for (const auto& [tile, sums] : tiles) worst = std::max(worst, sums.first / sums.second);
-    return worst;
-}
-
-double share_beyond(const Image& a, const Image& b, double tolerance) {
-    std::size_t beyond = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        int most = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-            most = std::max(most, std::abs(a.pixels[i][c] - b.pixels[i][c]));
-        beyond += most > tolerance;
+        return found;
     }
-    return double(beyond) / double(a.pixels.size());
-}
 
-/// The largest --pixel-error, in steps of a tenth, with which the picture keeps the promise, with
-/// all else as chosen, and the time of that picture.
-std::pair<double, double> coarsest(const Drawer& draw, RenderSettings settings, const Image& exact,
-                                   double tolerance) {
-    std::pair found{settings.pixel_error, 0.0};
-    if (settings.pixel_error == 0) return found;
-    for (; settings.pixel_error < 255; settings.pixel_error *= 1.1) {
-        const Drawing picture = draw(settings);
-        if (share_beyond(picture.image, exact, tolerance) > 0.01 ||
-            worst_tile(picture.image, exact) > 2 * tolerance)
-            return found;
-        found = {settings.pixel_error, picture.seconds};
-    }
-    return found;
-}
+private:
+    double tolerance_;
+    Scene scene_;
+    bool sized_lights_ = false;
+    Image exact_;
+};
 
 void measure(const std::filesystem::path& scene, double tolerance) {
     Options options{};
@@ -70,24 +147,19 @@ void measure(const std::filesystem::path& scene, double tolerance) {
     options.size = size;
     options.tolerance = tolerance;
     const auto session = f64::make_renderer({.stage = 13, .root = RAYSTEPS_ROOT}, options);
-    RenderSettings right{.pixel_samples = 1024, .depth = 64};
-    if (session->traits().sized_lights) right = with_rays(right, 1);
-    const Drawer draw = f64::drawer(scene.string(), size);
-    const Drawing exact = draw(right);
-    const std::clock_t start = std::clock();
-    const auto choice = choose(*session, {}, options, Clock::now(), going_on);
-    const double trials = double(std::clock() - start) / CLOCKS_PER_SEC;
+    CountedTrials trials(*session);
+    const auto choice = choose(trials, {}, options, Clock::now(), going_on);
     const RenderSettings& settings = choice->expected.settings;
-    const Drawing picture = draw(settings);
-    const Difference before = difference(draw({}).image, exact.image);
-    const Difference off = difference(picture.image, exact.image);
-    const auto [largest, seconds] = coarsest(draw, settings, exact.image, tolerance);
-    std::printf("%s,%g,%d,%g,%g,%d,%.5f,%.3f,%.3f,%.3f,%.3f,%.4f,%g,%.2f\n", scene.stem().c_str(),
-                tolerance, settings.pixel_samples, settings.pixel_error, settings.shadow_error,
-                settings.shadow_agree, share_beyond(picture.image, exact.image, tolerance),
-                worst_tile(picture.image, exact.image), before.error, off.error,
-                picture.seconds / exact.seconds, trials / exact.seconds, largest,
-                picture.seconds / seconds);
+    const Subject subject(scene, tolerance);
+    const Outcome picture = subject.outcome(settings);
+    const auto [fewest, least] = subject.cheapest(settings);
+    const double one = subject.outcome({.shadow_samples = settings.shadow_samples}).rays;
+    std::printf("%s,%d,%g,%d,%g,%d,%.5f,%.3f,%.3f,%.3f,%.3f,%.2f,%d,%g,%d\n", scene.stem().c_str(),
+                size.width, tolerance, settings.pixel_samples, settings.pixel_error,
+                settings.shadow_samples, picture.beyond, picture.worst_tile, picture.rays / one,
+                trials.rays() / fewest, picture.rays / fewest,
+                (trials.rays() + picture.rays) / fewest, least.pixel_samples, least.pixel_error,
+                least.shadow_samples);
     std::fflush(stdout);
 }
 
@@ -95,12 +167,12 @@ void measure(const std::filesystem::path& scene, double tolerance) {
 
 int main(int count, char** arguments) {
     const double tolerance = count > 1 ? std::atof(arguments[1]) : 2;
-    const std::string only = count > 2 ? arguments[2] : "";
+    const std::string only = count > 2 ? arguments[2] : "all";
     if (count > 3) size.width = std::atoi(arguments[3]);
     size.height = size.width * 3 / 4;
     std::puts(
-        "scene,tolerance,samples,pixel_error,shadow_error,shadow_agree,beyond,worst_tile,"
-        "error_of_defaults,error,time,trials,coarsest,beside_coarsest");
+        "scene,width,tolerance,samples,pixel_error,shadow_samples,beyond,worst_tile,one_ray,"
+        "trials,picture,cost,cheapest_samples,cheapest_pixel_error,cheapest_shadow_samples");
     for (const auto& scene : scenes_for_choices())
-        if (only.empty() || scene.stem() == only) measure(scene, tolerance);
+        if (only == "all" || scene.stem() == only) measure(scene, tolerance);
 }

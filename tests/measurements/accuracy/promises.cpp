@@ -2,7 +2,7 @@
 // is the first argument, and each has its own rays and number of threads. Prints how often every
 // part of the promise is kept, compared with the picture with all rays, and how many rays the
 // picture and its trials take, in units of the fewest rays of other settings that keep it too.
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/choose_samples.hpp"
 #include "common/tuning/pixel_errors.hpp"
@@ -46,6 +46,16 @@ public:
         TrialSample sample = scene_.render_pixels(settings, own);
         rays_ += sample.rays * double(request.pixels.size());
         return sample;
+    }
+
+    // Not for a given number of rays through a pixel:
+    [[nodiscard]] TrialHistories trace_histories(const RenderSettings& settings,
+                                                 const TrialRequest& request) const override {
+        return scene_.trace_histories(settings, request);
+    }
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
+                                              const TrialRequest& request) override {
+        return scene_.render_centers(settings, request);
     }
 
     [[nodiscard]] double rays() const { return rays_; }

@@ -1,8 +1,8 @@
-// What the settings of eight pictures are wrong by, one at a time: their defaults, and coarser and
+// The errors that single settings cause in eight pictures: their defaults, and coarser and
 // finer values. An error is the root mean square of the differences, in levels of 255, and beside
 // it stands the structural similarity, which is computed by scikit-image.
 #include "common/image/png.hpp"
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
 
 #include "tests/measurements/accuracy/drawing.hpp"

@@ -108,6 +108,15 @@ Lit draw(Random& random) {
     return make_lit(random, theta, alpha, random.between(-pi, pi));
 }
 
+/// The same, nearer to the origin or farther by a power of two.
+Lit draw_at_a_scale(Random& random) {
+    Lit lit = draw(random);
+    const Real scale = std::ldexp(Real(1), random.below(81) - 40);
+    lit.surface.point *= scale;
+    lit.light.position *= scale;
+    return lit;
+}
+
 Color expected_diffuse(const Lit& lit) {
     return std::cos(lit.theta) * lit.light.brightness * lit.light.color *
            lit.surface.material.color;
@@ -168,6 +177,14 @@ TEST_CASE("a light straight above shows the full color (CR §3.1)", "[part diffu
 TEST_CASE("diffuse light is by the cosine between L and N (CR §3.1, M1)") {
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_along(slanting), Color(Real(0.8))));
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({-4, 0, 3}), Color(Real(0.6))));
+    const Real small = Real(0.0078125);
+    CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({std::sqrt(1 - small * small), 0, small}),
+                     Color(small)));
+    Light sphere = light_along(slanting);
+    sphere.radius = 1;
+    ShadingPoint mirror = facing_z({0, 0, 1});
+    mirror.material.mirror = Real(0.5);
+    CHECK(diffuse_is(mirror, sphere, Color(Real(0.8))));
     CHECK(for_all([](Random& random) {
         const Lit lit = draw(random);
         return diffuse_is(lit.surface, lit.light, expected_diffuse(lit));
@@ -185,10 +202,7 @@ TEST_CASE("how far away the light is does not matter (CR §3.1)") {
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, Real(0.125)}), Color(1)));
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, 512}), Color(1)));
     CHECK(for_all([](Random& random) {
-        Lit lit = draw(random);
-        const Real scale = random.power_of_two();
-        lit.surface.point *= scale;
-        lit.light.position *= scale;
+        const Lit lit = draw_at_a_scale(random);
         return diffuse_is(lit.surface, lit.light, expected_diffuse(lit));
     }));
 }
@@ -244,6 +258,13 @@ TEST_CASE("beside R the highlight is ⟨R, V⟩ to the power of the shininess (C
     CHECK(specular_is(facing_z(slanting, 2), white, Color(Real(0.64))));
     CHECK(specular_is(facing_z(slanting, 1), white, Color(Real(0.8))));
     CHECK(specular_is(facing_z(slanting, 3), white, Color(Real(0.512))));
+    // Far beside R, and of light that grazes the surface.
+    const Real small = Real(0.015625);
+    const Real large = std::sqrt(1 - small * small);
+    CHECK(specular_is(facing_z({large, 0, small}, 1), white, Color(small)));
+    CHECK(specular_is(facing_z({-large, 0, small}), light_along({large, 0, small}), Color(1)));
+    const Real tiny = std::ldexp(Real(1), -14);
+    CHECK(specular_is(facing_z(unit(Vec3(-1, 0, tiny)), 1), light_at({4, 0, 4 * tiny}), Color(1)));
     CHECK(specular_is(facing_z(slanting, 3), light_along(slanting), Color(Real(0.021952))));
     CHECK(for_all([](Random& random) {
         const Lit lit = draw(random);
@@ -257,10 +278,7 @@ TEST_CASE(
     surface.point = {10, 0, 0};
     CHECK(specular_is(surface, light_at({13, 0, 4}), Color(1)));
     CHECK(for_all([](Random& random) {
-        Lit lit = draw(random);
-        const Real scale = random.power_of_two();
-        lit.surface.point *= scale;
-        lit.light.position *= scale;
+        const Lit lit = draw_at_a_scale(random);
         return specular_is(lit.surface, lit.light, expected_specular(lit));
     }));
 }
@@ -275,6 +293,8 @@ TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)", "[ex
     const Vec3 at_2_degrees(Real(0.03125), 0, std::sqrt(Real(0.9990234375)));
     CHECK(specular_is(facing_z(at_2_degrees, 1024), light_at({0, 0, 4}),
                       Color(std::pow(Real(0.9990234375), Real(512)))));
+    CHECK(specular_is(facing_z(at_2_degrees, 10240), light_at({0, 0, 4}),
+                      Color(std::pow(Real(0.9990234375), Real(5120)))));
     CHECK(specular_is(facing_z({0, 0, 1}, 100000), light_at({0, 0, 4}), Color(1)));
     CHECK(specular_is(facing_z(at_30_degrees, 100000), white, Color(0)));
     CHECK(for_all([](Random& random) {

@@ -140,6 +140,12 @@ Verdict lamp_is_not_shadowed(Random& random, Vec3 center, const Basis& basis, Ve
     return not_in_the_way(surface, light, lamp_in);
 }
 
+/// True if a light above the flat face is seen from the surface, which lies on a plane.
+Verdict sees_a_light_above(Random& random, const ShadingPoint& surface, const Plane& plane) {
+    const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.02));
+    return not_in_the_way(surface, random.between(1, 8) * way, plane);
+}
+
 }  // namespace
 
 TEST_CASE("the way leads from the point to the light (CR §3.2)", "[part shadow_ray][3 points]") {
@@ -271,17 +277,17 @@ TEST_CASE("an open tube throws a shadow into itself (CR §3.2)") {
     CHECK(for_all([](Random& random) {
         const auto [x, y, z] = random.basis();
         const Real size = random.between(Real(0.5), 2);
-        const Cylinder rendered{
+        const Cylinder cylinder{
             .center = random.point(3), .axis = z, .radius = size, .height = 4 * size};
         const std::optional<ShadingPoint> side =
-            seen(rendered.center, rendered.center + size * x, rendered);
+            seen(cylinder.center, cylinder.center + size * x, cylinder);
         if (!side) return Verdict{};  // rounded past it
         if (random.coin()) {
             const Vec3 beyond = random.between(-4, -2) * x + random.between(-2, 2) * z;
-            return in_the_way(*side, rendered.center + size * beyond, rendered);
+            return in_the_way(*side, cylinder.center + size * beyond, cylinder);
         }
         const Vec3 within = random.between(Real(-0.9), Real(0.5)) * x + random.between(-1, 1) * z;
-        return not_in_the_way(*side, rendered.center + size * within, rendered);
+        return not_in_the_way(*side, cylinder.center + size * within, cylinder);
     }));
 }
 
@@ -289,8 +295,7 @@ TEST_CASE("a point that is off its surface by its error still sees the light (co
     CHECK(for_all(
         [](Random& random) {
             const auto [surface, plane] = draw_off_surface(random, Real(0.98));
-            const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.02));
-            return not_in_the_way(surface, random.between(1, 8) * way, plane);
+            return sees_a_light_above(random, surface, plane);
         },
         2000));
 }
@@ -300,8 +305,7 @@ TEST_CASE("the offset is along the flat face, wherever an interpolated normal po
         [](Random& random) {
             auto [surface, plane] = draw_off_surface(random, Real(0.98));
             surface.normal = draw_leaving(random, surface.geometric_normal, Real(0.2));
-            const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.02));
-            return not_in_the_way(surface, random.between(1, 8) * way, plane);
+            return sees_a_light_above(random, surface, plane);
         },
         2000));
 }

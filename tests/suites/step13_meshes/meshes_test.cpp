@@ -48,6 +48,26 @@ const Mesh layers{
 const Ray down_z{.origin = {0, 0, 5}, .direction = {0, 0, -1}};
 const Vec3 half_and_quarters{Real(0.5), Real(0.25), Real(0.25)};
 
+/// One triangle of a long list is in the way, with its vertices behind others; the rest is aside.
+Verdict is_found_in_list(int count, int place, int first_vertex) {
+    Mesh mesh{.vertices = {{8, 1, 0}, {7, -1, 0}, {9, -1, 0}}};
+    mesh.vertices.resize(std::size_t(first_vertex), Vec3(9, 9, 9));
+    for (const Vec3& vertex : {Vec3(0, 1, 0), Vec3(-1, -1, 0), Vec3(1, -1, 0)})
+        mesh.vertices.push_back(vertex);
+    mesh.triangles.assign(std::size_t(count), {0, 1, 2});
+    const auto first = std::uint32_t(first_vertex);
+    mesh.triangles[std::size_t(place)] = {first, first + 1, first + 2};
+    const auto got = intersect(down_z, mesh, {});
+    const bool same = got && close(got->t, 5, 0) && got->triangle == std::uint32_t(place) &&
+                      close(got->weights, half_and_quarters);
+    return verdict(same, "intersect(" + code(down_z) + ", a mesh of " + std::to_string(count) +
+                             " triangles), of which number " + std::to_string(place) +
+                             " is in the way, with the vertices " + std::to_string(first) + ", " +
+                             std::to_string(first + 1) + ", " + std::to_string(first + 2) +
+                             "\n  got:      " + got_text(got) + "\n  expected: triangle " +
+                             std::to_string(place) + " at t = 5");
+}
+
 /// Triangles across a line, some of them moved aside, their vertices shuffled in one list.
 struct Stack {
     Mesh mesh;
@@ -114,6 +134,14 @@ TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (
     const Mesh one{.vertices = {{0, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, .triangles = {{0, 1, 2}}};
     CHECK(meets(down_z, one, {.t = 5, .triangle = 0, .weights = half_and_quarters}));
     CHECK(misses_mesh({.origin = {0, 2, 5}, .direction = {0, 0, -1}}, one));
+    // The same in long lists.
+    CHECK(is_found_in_list(300, 299, 3));
+    CHECK(is_found_in_list(1, 0, 600));
+    const auto in_any_list = [](Random& random) {
+        const int count = 1 + random.below(4000);
+        return is_found_in_list(count, random.below(count), 3 + random.below(1000));
+    };
+    CHECK(for_all(in_any_list, 20));
 }
 
 TEST_CASE("the closest triangle is hit, for any order of the triangles (M1, CR §4.2)") {
@@ -132,6 +160,13 @@ TEST_CASE("the closest triangle is hit, for any order of the triangles (M1, CR �
         expected.t /= length;
         return meets(ray, stack.mesh, expected);
     }));
+    // However close they are.
+    const Real gap = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? -10 : -20);
+    Mesh close_layers = layers;
+    for (const int vertex : {1, 2, 3}) close_layers.vertices[std::size_t(vertex)].z = 2 - gap;
+    CHECK(meets(down_z, close_layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
+    std::swap(close_layers.triangles[0], close_layers.triangles[1]);
+    CHECK(meets(down_z, close_layers, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
 }
 
 TEST_CASE("the weights are those of the vertices in their order, and sum to 1 (CR §4.1, M1)") {
@@ -266,6 +301,9 @@ TEST_CASE("between vertices, the normal is between theirs, by the weights (CR §
     // 1, 2, 2 over 5 is as long as 3 over 5.
     CHECK(interpolates(axes, {Real(0.2), Real(0.4), Real(0.4)}, Vec3(1, 2, 2) / Real(3)));
     CHECK(interpolates(axes, {Real(0.4), Real(0.4), Real(0.2)}, Vec3(2, 2, 1) / Real(3)));
+    // Far apart, their mean is short: (1, 2, 0) / 5.
+    CHECK(interpolates({Vec3(1, 0, 0), Vec3(Real(-0.6), Real(0.8), 0), Vec3(0, 0, 1)},
+                       {Real(0.5), Real(0.5), 0}, unit(Vec3(1, 2, 0))));
     CHECK(for_all([](Random& random) {
         // On a sphere the normal is the point's own direction, from the center.
         const std::array<Vec3, 3> normals = draw_normals(random);

@@ -231,12 +231,13 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
 Build compile_submission(const BuildDirectory& workshop, GradedFile graded, const std::string& text,
                          const fs::path& object) {
     const TemporaryFolder scratch(workshop.folder);
-    // The file has the student's name for it, relative to the compiler's folder, so that messages
-    // and __FILE__ are the same in every run.
+    // The file has the student's name for it, relative to the compiler's folder, and an age of its
+    // own, so that messages, __FILE__ and __TIMESTAMP__ are the same in every run.
     const std::string source = file_name(graded);
     const fs::path made = scratch.path() / "submission.o";
     std::ofstream(scratch.path() / source) << text;
     fs::permissions(scratch.path() / source, fs::perms(0644));
+    fs::last_write_time(scratch.path() / source, fs::file_time_type());
 
     const auto compile = [&](const Command& options) {
         Command command = compiler(workshop, graded);

@@ -203,7 +203,9 @@ bool limit(const Sandbox& seal) {
     rlimit before{};
     if (getrlimit(RLIMIT_NPROC, &before) != 0) return false;
     const rlim_t processes = std::min(before.rlim_max, processes_of_user() + rlim_t(seal.threads));
-    const rlim_t core = 1;  // with 0 it would still be piped to a program, where the system has one
+    if (getrlimit(RLIMIT_CORE, &before) != 0) return false;
+    // With 0 it would still be piped to a program, where the system has one; a caller may have 0.
+    const rlim_t core = std::min<rlim_t>(before.rlim_max, 1);
     return set(RLIMIT_CPU, cpu, cpu + 1) && set(RLIMIT_AS, memory, memory) &&
            set(RLIMIT_FSIZE, files, files) && set(RLIMIT_CORE, core, core) &&
            set(RLIMIT_STACK, stack, stack) && set(RLIMIT_NOFILE, open_files, open_files) &&
@@ -240,6 +242,7 @@ void become(const Sandbox& seal, const std::vector<std::string>& command) {
 
     std::vector<std::string> environment{"LC_ALL=C", "PATH=/usr/local/bin:/usr/bin:/bin"};
     if (!seal.writable.empty()) environment.push_back("TMPDIR=" + seal.writable.front());
+    if (!worker) environment.emplace_back("SOURCE_DATE_EPOCH=0");  // __DATE__ and __TIME__
     if (worker)
         syscall(SYS_execveat, program_descriptor, "", pointers(command).data(),
                 pointers(environment).data(), AT_EMPTY_PATH);

@@ -20,7 +20,7 @@ public:
     /// `pace`, if not null, changes the settings from row to row. Returns false, and leaves no
     /// file, if it was stopped.
     [[nodiscard]] virtual bool run(const Options& options, TimeBudget* pace,
-                                   const std::atomic<bool>& stop) const = 0;
+                                   const std::atomic<bool>& stop) = 0;
 };
 
 // Each function reads the scene in its precision. Throws InputError if the scene is wrong. A

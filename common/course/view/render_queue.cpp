@@ -1,4 +1,4 @@
-#include "common/course/view/turns.hpp"
+#include "common/course/view/render_queue.hpp"
 
 namespace rt {
 

@@ -1,4 +1,4 @@
-#include "common/program/session.hpp"
+#include "common/program/renderer.hpp"
 
 #include "common/explain/pixel_log.hpp"
 #include "common/image/animation.hpp"
@@ -23,6 +23,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <utility>
@@ -141,7 +142,7 @@ void warn_if_blank(const Scene& scene, const Program& program, const Options& op
 }
 
 bool make_picture(const Program& program, const Options& options, const Scene& scene,
-                  TimeBudget* pace, const std::atomic<bool>& stop) {
+                  Rendering* centers, TimeBudget* pace, const std::atomic<bool>& stop) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<std::string> legend;
     std::optional<Rendering> rendering;
@@ -150,6 +151,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
         RenderJob job{.threads = options.threads,
                       .settings = options.settings,
                       .row_done = [&progress] { progress.advance(); },
+                      .centers = centers,
                       .stop = &stop};
         if (pace != nullptr) job.next_settings = [pace] { return pace->next(); };
         rendering = rendering_of(scene, options, job, legend);
@@ -252,6 +254,13 @@ void explain_pixel(const Program& program, const Options& options, const Scene& 
         log_mean(log, options.settings, scene, pixel);
 }
 
+/// Returns whether the rays through the centers of pixels are the same with both settings.
+bool have_same_centers(RenderSettings a, const RenderSettings& b) {
+    a.pixel_samples = b.pixel_samples;
+    a.pixel_error = b.pixel_error;
+    return a == b;
+}
+
 class SceneRenderer : public Renderer {
 public:
     SceneRenderer(const Program& program, const Options& options)
@@ -277,8 +286,26 @@ public:
         return rt::render_pixels(scene_, settings, request);
     }
 
+    [[nodiscard]] TrialHistories trace_histories(const RenderSettings& settings,
+                                                 const TrialRequest& request) const override {
+        return rt::trace_histories(scene_, settings, request);
+    }
+
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
+                                              const TrialRequest& request) override {
+        const std::clock_t start = std::clock();
+        centers_ = rt::render_centers(
+            scene_, {.threads = request.threads, .settings = settings, .stop = request.stop});
+        if (!centers_) return {};
+        centers_settings_ = settings;
+        const auto pixels = double(centers_->image.pixels.size());
+        return {.image = &centers_->image,
+                .rays = double(centers_->rays) / pixels,
+                .seconds = double(std::clock() - start) / CLOCKS_PER_SEC / pixels};
+    }
+
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
-                           const std::atomic<bool>& stop) const override {
+                           const std::atomic<bool>& stop) override {
         if (options.requirements) {
             std::cout << options.scene << explanation(scene_);
         } else if (options.pixel) {
@@ -289,7 +316,10 @@ public:
         } else if (options.turn) {
             return make_animation(program_, options, scene_, stop);
         } else {
-            return make_picture(program_, options, scene_, pace, stop);
+            if (centers_ && !have_same_centers(centers_settings_, options.settings))
+                centers_.reset();
+            return make_picture(program_, options, scene_, centers_ ? &*centers_ : nullptr, pace,
+                                stop);
         }
         return true;
     }
@@ -299,6 +329,8 @@ private:
     RenderSettings settings_;
     Acceleration arrangement_;
     Scene scene_;
+    std::optional<Rendering> centers_;  ///< of trials
+    RenderSettings centers_settings_;
 };
 
 }  // namespace

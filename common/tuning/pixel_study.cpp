@@ -1,0 +1,283 @@
+#include "common/tuning/pixel_study.hpp"
+
+#include "common/tuning/candidates.hpp"
+#include "common/tuning/pixel_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace rt {
+
+namespace {
+
+/// The largest difference of a component, of 255.
+int largest_difference(const Rgb& a, const Rgb& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+DisplayColor display_color(const Rgb& rgb) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (rgb == not_a_color) return {nan, nan, nan};
+    return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
+}
+
+/// The pixels in an order of which each part is spread over the picture.
+std::vector<Pixel> in_spread_order(const std::vector<Pixel>& pixels) {
+    constexpr double golden_ratio = 0.6180339887498949;
+    const std::size_t count = pixels.size();
+    auto step = std::max(std::size_t(golden_ratio * double(count)), std::size_t(1));
+    while (std::gcd(step, count) > 1) ++step;
+    std::vector<Pixel> order;
+    for (std::size_t i = 0, place = 0; i < count; ++i, place = (place + step) % count)
+        order.push_back(pixels[place]);
+    return order;
+}
+
+/// The largest error with which a pixel keeps the tolerance. Two pictures of 8 bits differ by whole
+/// levels: by 3 or more if their colors differ by 2.5, give or take a half.
+double largest_error(double allowed) {
+    return std::max(allowed, std::floor(allowed) + (allowed < 1 ? 0 : 0.5));
+}
+
+/// With 95 % confidence, the largest share of `all` pixels that are beyond if `beyond` of `tried`
+/// are (Wilson 1927). The other pixels only are uncertain.
+double largest_share(double beyond, double tried, double all) {
+    const double square = 1.64 * 1.64 * std::max(1 - tried / all, 0.0);
+    const double share = beyond / tried;
+    return (beyond + square / 2 +
+            std::sqrt(square * (std::max(beyond * (1 - share), 0.0) + square / 4))) /
+           (tried + square);
+}
+
+/// The number of pixels that one pixel stands for, in which the first few rays found a difference
+/// from the center: in the others they missed it, as the center did.
+double pixels_missed(const DisplayColor& center, const PixelHistory& history) {
+    const double off = distance(center, history.steps.back().mean);
+    const double part = off / std::max({off, history.range, 1.0});
+    return 1 / (1 - std::pow(1 - std::min(part, 1.0), PixelHistory::fewest));
+}
+
+}  // namespace
+
+PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings,
+                       double allowed)
+    : runner_(runner),
+      trials_(trials),
+      reference_(settings),
+      allowed_(allowed),
+      centers_(runner.render_centers(trials, settings)),
+      strata_{{{.at_least = 32, .first = 64},
+               {.at_least = 16, .first = 128},
+               {.at_least = PixelHistory::fewest, .first = 512}}} {
+    constexpr std::size_t enough = 4096;
+    reference_.pixel_samples = right_pixel_samples;
+    while (sorted_ < enough && sort_more()) {
+    }
+}
+
+bool PixelStudy::sort_more() {
+    if (draws_ == runner_.spread().draws()) return false;
+    std::array<std::vector<Pixel>, kinds> places;
+    for (const Pixel pixel : runner_.spread().pixels(draws_++)) {
+        places[stratum_of(pixel)].push_back(pixel);
+        ++sorted_;
+    }
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+        Stratum& stratum = strata_[kind];
+        std::ranges::copy(in_spread_order(places[kind]), std::back_inserter(stratum.places));
+        stratum.pixels = runner_.pixels() * double(stratum.places.size()) / double(sorted_);
+    }
+    return true;
+}
+
+std::size_t PixelStudy::stratum_of(Pixel pixel) const {
+    if (contrast_around(pixel, 0) > 8 * allowed_) return 0;
+    return contrast_around(pixel, 1) > allowed_ ? 1 : 2;
+}
+
+int PixelStudy::contrast_around(Pixel pixel, int reach) const {
+    constexpr int most_places = 5;
+    const Image& image = *centers_.image;
+    const auto [width, height] = image.resolution;
+    std::array<const Rgb*, most_places> rows{};
+    std::array<int, most_places> columns{};
+    const int places = 2 * reach + 3;
+    for (int i = 0; i < places; ++i) {
+        const int row = std::clamp(pixel.row + i - reach - 1, 0, height - 1);
+        rows[std::size_t(i)] = &image.pixels[std::size_t(row) * std::size_t(width)];
+        columns[std::size_t(i)] = std::clamp(pixel.column + i - reach - 1, 0, width - 1);
+    }
+    int most = 0;
+    const auto compare = [&](int row, int column, int next_row, int next_column) {
+        const auto at = [&](int i, int j) { return rows[std::size_t(i)][columns[std::size_t(j)]]; };
+        most = std::max(most, largest_difference(at(row, column), at(next_row, next_column)));
+    };
+    for (int line = 1; line + 1 < places; ++line)
+        for (int place = 1; place < places; ++place) {
+            compare(line, place - 1, line, place);
+            compare(place - 1, line, place, line);
+        }
+    return most;
+}
+
+void PixelStudy::begin(double right_error) {
+    reference_.pixel_error = right_error;
+    tiles_.clear();
+    for (Stratum& stratum : strata_) {
+        stratum.traced.clear();
+        stratum.rays = 0;
+    }
+    trace_first();
+}
+
+void PixelStudy::trace_first() {
+    for (Stratum& stratum : strata_)
+        if (stratum.traced.empty()) trace_up_to(stratum.first, stratum);
+}
+
+void PixelStudy::grow(std::size_t kind) {
+    Stratum& stratum = strata_[kind];
+    const std::size_t known = stratum.traced.size();
+    if (stratum.places.size() < 2 * known) sort_more();
+    while (stratum.places.size() == known && sort_more()) {
+    }
+    trace_up_to(2 * known, stratum);
+    trace_first();  // of kinds of which the first pixels were sorted just now
+}
+
+void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum) {
+    const std::size_t known = stratum.traced.size();
+    const std::size_t count = std::min(wanted, stratum.places.size());
+    if (count <= known) return;
+    std::vector<TrialPixel> more =
+        traced(std::span(stratum.places).subspan(known, count - known), stratum.at_least);
+    for (const TrialPixel& pixel : more) stratum.rays += pixel.history.steps.back().rays;
+    std::ranges::move(more, std::back_inserter(stratum.traced));
+}
+
+double PixelStudy::Outcome::at_most() const {
+    // That all kinds are at their worst at once is less likely (Zou and Donner 2008).
+    return beyond + std::hypot(doubts[0], doubts[1], doubts[2]);
+}
+
+std::optional<PixelStudy::Growth> PixelStudy::growth(const Outcome& outcome, double share) const {
+    Outcome later = outcome;
+    std::array<double, kinds> times{1, 1, 1};  // as many trial pixels as now
+    std::optional<Growth> all;
+    while (later.at_most() > share) {
+        std::optional<std::size_t> best;
+        const auto worth = [&](std::size_t kind) {
+            return later.doubts[kind] * later.doubts[kind] / (strata_[kind].rays * times[kind]);
+        };
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            const bool has_more =
+                double(strata_[kind].traced.size()) * times[kind] < strata_[kind].pixels;
+            if (has_more && (!best || worth(kind) > worth(*best))) best = kind;
+        }
+        if (!best || later.beyond >= share) return {};
+        if (!all) all = {.kind = *best};
+        all->rays += strata_[*best].rays * times[*best];
+        times[*best] *= 2;
+        later.doubts[*best] /= std::sqrt(2);
+    }
+    return all;
+}
+
+std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> places,
+                                                       int at_least) {
+    TrialHistories histories = runner_.trace_histories(trials_, reference_, places, at_least);
+    spent_ += histories.rays;
+    seconds_ += histories.seconds;
+    std::vector<TrialPixel> pixels;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        pixels.push_back({.place = places[i],
+                          .contrast = contrast_around(places[i], 1),
+                          .few_rays = at_least == PixelHistory::fewest,
+                          .center = display_color((*centers_.image)[places[i]]),
+                          .history = std::move(histories.pixels[i])});
+    return pixels;
+}
+
+PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSettings& settings) {
+    const std::vector<PixelStep>& steps = pixel.history.steps;
+    const PixelStep& right = steps.back();
+    const bool adaptive = settings.pixel_error > 0;
+    if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
+        return {.error = distance(pixel.center, right.mean),
+                .pixels = pixel.few_rays && steps.size() > 1
+                              ? pixels_missed(pixel.center, pixel.history)
+                              : 1};
+    const auto step_of = [&](int count) {
+        return std::ranges::find(steps, count, &PixelStep::count);
+    };
+    int count = adaptive ? first_pixel_samples(settings.pixel_error) : settings.pixel_samples;
+    auto step = step_of(count);
+    while (adaptive && step != steps.end() && step->error > settings.pixel_error) {
+        count = next_pixel_samples(count, settings.pixel_samples);
+        step = step_of(count);
+    }
+    if (step == steps.end() || step->count == right.count)
+        return {.rays = right.rays * count / right.count};
+    // The right color contains the same rays, so that its difference from their mean is smaller
+    // than the error of that. With N rays, both are N^(−3/4).
+    const double others = 1 - std::pow(double(step->count) / right.count, 1.5);
+    return {.error = distance(step->mean, right.mean) / std::sqrt(others), .rays = step->rays};
+}
+
+PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings) const {
+    Outcome outcome;
+    const double limit = largest_error(allowed_);
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+        const Stratum& stratum = strata_[kind];
+        if (stratum.places.empty()) continue;
+        double beyond = 0;
+        double rays = 0;
+        for (const TrialPixel& pixel : stratum.traced) {
+            const Result with = result(pixel, settings);
+            rays += with.rays;
+            if (with.error > limit) beyond += with.pixels;
+        }
+        const auto tried = double(stratum.traced.size());
+        const double part = stratum.pixels / runner_.pixels();
+        outcome.rays += rays / tried * stratum.pixels;
+        outcome.beyond += part * beyond / tried;
+        outcome.doubts[kind] =
+            part * (largest_share(beyond, tried, stratum.pixels) - beyond / tried);
+    }
+    return outcome;
+}
+
+bool PixelStudy::tiles_keep(const RenderSettings& settings, double allowed) {
+    constexpr double pixels = double(tile_side) * tile_side;
+    std::map<int, double> errors;  // sums over the pixels of a tile, estimated
+    for (const Stratum& stratum : strata_)
+        for (const TrialPixel& pixel : stratum.traced) {
+            const Result with = result(pixel, settings);
+            errors[tile_of(pixel.place, runner_.size())] +=
+                with.error * with.pixels * stratum.pixels / double(stratum.traced.size());
+        }
+    return std::ranges::all_of(errors, [&](const auto& tile) {
+        return tile.second <= allowed * pixels || tile_keeps(tile.first, settings, allowed);
+    });
+}
+
+bool PixelStudy::tile_keeps(int tile, const RenderSettings& settings, double allowed) {
+    constexpr std::size_t enough = 64;
+    std::vector<TrialPixel>& tried = tiles_[tile];
+    if (tried.empty()) {
+        std::vector<Pixel> places;
+        for (int draw = 0; places.size() < enough && draw < runner_.spread().draws(); ++draw)
+            std::ranges::copy_if(
+                runner_.spread().pixels(draw), std::back_inserter(places),
+                [&](Pixel pixel) { return tile_of(pixel, runner_.size()) == tile; });
+        tried = traced(places, strata_[0].at_least);
+    }
+    double errors = 0;
+    for (const TrialPixel& pixel : tried) errors += result(pixel, settings).error;
+    return errors <= allowed * double(tried.size());
+}
+
+}  // namespace rt

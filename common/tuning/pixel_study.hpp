@@ -1,0 +1,126 @@
+// Trial pixels from which the error and the cost of any number of rays through pixels follow.
+#pragma once
+
+#include "common/tuning/tradeoff.hpp"
+#include "common/tuning/trial_runner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace rt {
+
+/// The number of rays through a pixel of a right picture: the error of a picture is its difference
+/// from the right one. Also the largest number with --pixel-error, if none is given.
+inline constexpr int right_pixel_samples = 1024;
+
+/// A picture of one ray a pixel, and trial pixels of three kinds: those on an edge of it, those
+/// beside one, and the others. Few pixels of the first kind give the error of a picture, and few
+/// rays through those of the last kind find what the centers miss. The rays are those of the
+/// picture: the mean of the first few is the color of a pixel with any --pixel-error, the mean of
+/// all its right color.
+class PixelStudy {
+public:
+    /// The settings contain those of rays to lights. `allowed` is the largest error of a pixel that
+    /// keeps the tolerance.
+    PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed);
+
+    /// Forgets the trial pixels, and traces rays through some, up to right colors whose estimated
+    /// error is `right_error`: settings with a --pixel-error of 1.4 times that, or more, can be
+    /// compared with them.
+    void begin(double right_error);
+
+    /// The three kinds of pixels.
+    static constexpr std::size_t kinds = 3;
+
+    /// The expected cost and error of a picture.
+    struct Outcome {
+        double rays = 0;    ///< total, of all kinds, without those through the centers
+        double beyond = 0;  ///< estimated share of pixels that do not keep the tolerance
+        std::array<double, kinds> doubts{};  ///< what each kind may add, with 95 % confidence
+
+        [[nodiscard]] double at_most() const;  ///< the share, with 95 % confidence
+    };
+
+    /// More trial pixels of one kind.
+    struct Growth {
+        std::size_t kind = 0;
+        double rays = 0;
+    };
+
+    /// The kind of which as many pixels again remove most doubt for their rays, and the rays of
+    /// this and all further growth after which the share is at most `share`, if it is as estimated.
+    /// Returns nothing if there are not enough pixels.
+    [[nodiscard]] std::optional<Growth> growth(const Outcome& outcome, double share) const;
+
+    /// Traces rays through as many pixels of that kind again.
+    void grow(std::size_t kind);
+
+    /// The outcome of settings that differ in pixel_samples and pixel_error only.
+    [[nodiscard]] Outcome outcome(const RenderSettings& settings) const;
+
+    /// Returns whether the mean error of each tile is at most `allowed`. Where few trial pixels
+    /// make a doubt, more are traced in that tile.
+    [[nodiscard]] bool tiles_keep(const RenderSettings& settings, double allowed);
+
+    /// The CPU seconds of a ray through a trial pixel.
+    [[nodiscard]] double seconds_of_a_ray() const { return seconds_ / std::max(spent_, 1.0); }
+
+    [[nodiscard]] const TrialCenters& centers() const { return centers_; }
+
+private:
+    struct TrialPixel {
+        Pixel place;
+        int contrast = 0;       ///< of its surroundings in the picture of one ray a pixel
+        bool few_rays = false;  ///< unless these differ
+        DisplayColor center{};
+        PixelHistory history;
+    };
+
+    /// Pixels of one kind.
+    struct Stratum {
+        int at_least = 0;           ///< rays through each
+        std::size_t first = 0;      ///< number that is traced first
+        double rays = 0;            ///< of all kinds, through those traced
+        double pixels = 0;          ///< number of them in the picture
+        std::vector<Pixel> places;  ///< those that may be traced, in this order
+        std::vector<TrialPixel> traced;
+    };
+
+    /// The color of a trial pixel with some settings.
+    struct Result {
+        double error = 0;
+        double rays = 0;
+        double pixels = 1;  ///< number of pixels that this one stands for
+    };
+
+    /// Sorts more pixels of the picture by kind. Returns false if all are.
+    bool sort_more();
+    [[nodiscard]] std::size_t stratum_of(Pixel pixel) const;
+    [[nodiscard]] int contrast_around(Pixel pixel, int reach) const;
+    /// Traces the first trial pixels of each kind that has none yet, but has pixels.
+    void trace_first();
+    /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known.
+    void trace_up_to(std::size_t wanted, Stratum& stratum);
+    [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least);
+    [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
+    [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);
+
+    TrialRunner& runner_;
+    Trials& trials_;
+    RenderSettings reference_;
+    double allowed_;
+    TrialCenters centers_;
+    std::array<Stratum, kinds> strata_;             ///< on edges, beside edges, and the others
+    int draws_ = 0;                                 ///< of the spread pixels
+    std::size_t sorted_ = 0;                        ///< pixels
+    std::map<int, std::vector<TrialPixel>> tiles_;  ///< those whose mean error was in doubt
+    double spent_ = 0;
+    double seconds_ = 0;
+};
+
+}  // namespace rt

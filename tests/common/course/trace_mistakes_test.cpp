@@ -1,0 +1,84 @@
+// The names of known mistakes of `trace`, by everything that they fail.
+#include "common/course/exercise/trace_mistakes.hpp"
+#include "common/system/files.hpp"
+
+#include "tests/kit/catch.hpp"
+
+#include <filesystem>
+
+using namespace rt;
+
+namespace {
+
+/// Digests of failures.
+const std::string red_for_blue = "00000000000000aa";
+const std::string black = "00000000000000bb";
+
+/// Two mistakes: the second also fails what the first fails, in the same way.
+const std::string known =
+    "# A comment.\n"
+    "mistake farthest: You keep the farthest hit: t is compared the wrong way round.\n" +
+    red_for_blue +
+    " the closest is seen (M1)\n"
+    "mistake first_hit: You return the first hit.\n" +
+    red_for_blue + " the closest is seen (M1)\n" + black + " a sphere behind the eye is not seen\n";
+
+CaseResult passes(const std::string& name) {
+    return {.name = name, .passed = true};
+}
+
+CaseResult fails(const std::string& name, const std::string& digest) {
+    return {.name = name, .failures = digest};
+}
+
+/// The mistake's name and sentence, or nothing.
+std::string recognized(const std::vector<CaseResult>& cases, const std::string& file = known) {
+    const TemporaryFolder folder(std::filesystem::temp_directory_path());
+    const std::filesystem::path path = folder.path() / "trace.txt";
+    write_text(path, file);
+    const auto mistake = recognized_trace_mistake(path, cases);
+    return mistake ? mistake->name + ": " + mistake->sentence : "";
+}
+
+const std::string farthest =
+    "farthest: You keep the farthest hit: t is compared the wrong way round.";
+const std::string first_hit = "first_hit: You return the first hit.";
+const std::string closest = "the closest is seen (M1)";
+const std::string behind = "a sphere behind the eye is not seen";
+
+}  // namespace
+
+TEST_CASE("a mistake of trace has its name if the same cases fail in the same way") {
+    CHECK(recognized({fails(closest, red_for_blue), passes(behind)}) == farthest);
+    CHECK(recognized({fails(closest, red_for_blue), fails(behind, black)}) == first_hit);
+    CHECK(recognized({fails(behind, black), fails(closest, red_for_blue)}) == first_hit);
+}
+
+TEST_CASE("a trace that fails fewer cases, more cases or others has no known mistake's name") {
+    CHECK(recognized({passes(closest), passes(behind)}).empty());
+    CHECK(recognized({}).empty());
+    CHECK(recognized({passes(closest), fails(behind, black)}).empty());
+    CHECK(recognized({fails(closest, red_for_blue), fails("another", black)}).empty());
+    CHECK(recognized({fails(closest, red_for_blue), fails(behind, black), fails("another", black)})
+              .empty());
+}
+
+TEST_CASE(
+    "a trace that fails the cases of a known mistake with other colors does not have its name") {
+    CHECK(recognized({fails(closest, black), passes(behind)}).empty());
+    CHECK(recognized({fails(closest, red_for_blue), fails(behind, red_for_blue)}).empty());
+    CHECK(recognized({fails(closest, black), fails(behind, red_for_blue)}).empty());
+}
+
+TEST_CASE("the picture, which depends on everything, does not count for the name of a mistake") {
+    const CaseResult picture = fails("the picture of the stage, by this trace (CR §2.1)", black);
+    CHECK(recognized({fails(closest, red_for_blue), picture}) == farthest);
+    CHECK(recognized({passes(closest), picture}).empty());
+}
+
+TEST_CASE("a stage without known mistakes of trace names none") {
+    const std::vector<CaseResult> cases = {fails(closest, red_for_blue)};
+    CHECK(recognized(cases, "").empty());
+    CHECK(recognized(cases, "# A comment.\n").empty());
+    CHECK_FALSE(recognized_trace_mistake("no/such/trace.txt", cases));
+}
