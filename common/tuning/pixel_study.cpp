@@ -215,7 +215,8 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
     };
     int count = adaptive ? first_pixel_samples(settings.pixel_error) : settings.pixel_samples;
     auto step = step_of(count);
-    while (adaptive && step != steps.end() && step->error > settings.pixel_error) {
+    while (adaptive && step != steps.end() && step->error > settings.pixel_error &&
+           count < settings.pixel_samples) {
         count = next_pixel_samples(count, settings.pixel_samples);
         step = step_of(count);
     }

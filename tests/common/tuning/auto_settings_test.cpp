@@ -264,6 +264,15 @@ TEST_CASE("trial pixels cost a small part of a small picture") {
     }
 }
 
+TEST_CASE("a tolerance that no number of rays keeps gets the most rays, and an end") {
+    ModelScene model = plain();
+    model.size = {.width = 64, .height = 48};
+    model.edges = 0.2;
+    for (const double allowed : {0.05, 1e-3, 1e-300})
+        CHECK(chosen(model, {.tolerance = allowed}).expected.settings.pixel_samples ==
+              right_pixel_samples);
+}
+
 TEST_CASE("one ray through a pixel is enough where there are hardly any edges") {
     ModelScene model = plain();
     model.edges = 0.002;
