@@ -3,7 +3,7 @@
 // The ray meets the wall at 0,0,-4. A light at the origin lights that point with its whole
 // brightness, since it is straight before it.
 #include "tests/kit/picture.hpp"
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
 
 using namespace rt;
 
@@ -67,6 +67,7 @@ TEST_CASE("the light of two lights adds up (CR §3.1)") {
     for (int i = 0; i < 100; ++i) hundred += "L 0,0,0 0.004 255,255,255\n";
     CHECK(shows(hundred + white_wall, {102, 102, 102}));
     CHECK(random_lights_add_up());
+    CHECK(terms_add_up());
 }
 
 TEST_CASE("ambient light counts once, however many lights there are (CR §3.1)") {
@@ -103,11 +104,7 @@ TEST_CASE("the surface is lit on the side of the eye (CR §3.1)") {
 
 TEST_CASE(
     "the option --term selects a term, and --shade normal the normal (docs/step09_phong.md)") {
-    const std::string scene =
-        "A 0.2 255,255,255\nL 0,0,0 0.4 255,255,255\npl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:10\n";
-    CHECK(shows(scene, {0, 0, 51}, {.term = PhongTerm::ambient}));
-    CHECK(shows(scene, {0, 0, 102}, {.term = PhongTerm::diffuse}));
-    CHECK(shows(scene, {51, 51, 51}, {.term = PhongTerm::specular}));
+    CHECK(term_is_selected());
     CHECK(shows("pl 0,0,-4 0,0.6,0.8 255,0,0\n", {0, 153, 204}, {.shading = Shading::normal}));
 }
 

@@ -4,10 +4,8 @@
 // 0.8 there: a brightness of 0.5 gives 0.4, which is 102 of 255. Halfway to them are 1.5,0,-2 and
 // -1.5,0,-2.
 #include "tests/kit/picture.hpp"
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
 #include "tests/suites/random_shadows.hpp"
-
-#include <array>
 
 using namespace rt;
 
@@ -18,16 +16,6 @@ const std::string red_right = "L 3,0,0 0.5 255,0,0\n";
 const std::string green_left = "L -3,0,0 0.5 0,255,0\n";
 const std::string ball_on_the_right = "sp 1.5,0,-2 0.2 9,9,9\n";
 const std::string ball_on_the_left = "sp -1.5,0,-2 0.2 9,9,9\n";
-
-/// A shape of each kind halfway to the light on the right.
-const std::array<std::string, 6> in_the_way = {
-    ball_on_the_right,
-    "pl 1.5,0,0 1,0,0 9,9,9\n",
-    "tr 1.5,-1,-2.5 1.5,-1,-1.5 1.5,1,-2 9,9,9\n",
-    "sq 1.5,0,-2 0.6,0,0.8 0.3 9,9,9\n",
-    "cy 1.5,0,-2 0,1,0 0.2 2 9,9,9\n",
-    "co 1.5,1,-2 0,-1,0 0.4 2 9,9,9\n",
-};
 
 /// A wall that crosses the ray at any angle is lit by a light at the eye.
 Verdict slanted_walls_are_lit() {
@@ -69,6 +57,7 @@ TEST_CASE("a light with a shape in the way gives nothing (CR §3.2)") {
     // Close to the light, and close to the wall.
     CHECK(shows(red_right + white_wall + "sp 2.985,0,-0.02 0.01 9,9,9\n", {0, 0, 0}));
     CHECK(shows(red_right + white_wall + "sp 0.015,0,-3.98 0.01 9,9,9\n", {0, 0, 0}));
+    CHECK(shadows_at_both_ends());
 }
 
 TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
@@ -87,10 +76,7 @@ TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {
 }
 
 TEST_CASE("every kind of shape casts a shadow (CR §3.2)") {
-    for (const std::string& shape : in_the_way) {
-        CHECK(shows(red_right + green_left + white_wall + shape, {0, 102, 0}));
-        CHECK(shows(red_right + green_left + shape + white_wall, {0, 102, 0}));
-    }
+    CHECK(every_kind_casts_a_shadow(""));
 }
 
 TEST_CASE(
@@ -139,6 +125,15 @@ TEST_CASE("the surface that is seen casts no shadow on itself (CR §3.2)") {
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,-5 2 255,255,255\n", {102, 102, 102}));
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,0 8 255,255,255\n", {102, 102, 102}));
     CHECK(slanted_walls_are_lit());
+}
+
+TEST_CASE("a lamp that lies in a ceiling is not shadowed by it (CR §2.4, §3.2)") {
+    CHECK(ceilings_leave_their_lamp());
+}
+
+TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
+    CHECK(terms_add_up());
+    CHECK(term_is_selected());
 }
 
 TEST_CASE("the picture of the stage, by this trace (CR §3.2)") {

@@ -3,11 +3,8 @@
 // The ray meets the white wall at 0,0,-4. The lights at 3,0,0 and -3,0,0 are each at a cosine of
 // 0.8 there: a brightness of 0.5 gives 0.4, which is 102 of 255. A card halfway to the right one,
 // with an edge at y = 0, leaves half of it.
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
 #include "tests/suites/random_shadows.hpp"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace rt;
 
@@ -23,16 +20,6 @@ const std::string whole_card = "sq 1.5,0,-2 0.6,0,0.8 1 9,9,9\n";
 /// Of 102 levels, three standard deviations of independent samples, 1/2 ± 3/(2 √256).
 constexpr int spread = 10;
 const RenderSettings many_samples{.shadow_samples = 256};
-
-/// So many samples of the right light are seen, each whole or not.
-Verdict shows_whole_samples(int samples) {
-    const std::string scene = red_right + white_wall + most_hidden;
-    const RenderSettings settings{.shadow_samples = samples};
-    const Rgb got = seen(scene, settings);
-    const double reached = std::round(double(got[0]) / 102 * samples);
-    const double level = std::min(reached, double(samples)) * 102 / samples;
-    return shows(scene, {std::uint8_t(std::lround(level)), 0, 0}, settings);
-}
 
 }  // namespace
 
@@ -74,7 +61,11 @@ TEST_CASE("each light has a share of its own (CR §3.3)") {
 }
 
 TEST_CASE("a single sample is seen or not, and --shadow-samples is their number (CR §3.3)") {
-    for (const int samples : {1, 2, 3, 5, 9}) CHECK(shows_whole_samples(samples));
+    CHECK(samples_are_whole());
+}
+
+TEST_CASE("each light has samples of its own (CR §3.3)") {
+    CHECK(lights_have_their_own_samples());
 }
 
 TEST_CASE("ambient light is neither shared nor counted again (CR §3.3)") {
@@ -111,4 +102,16 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(11, "A 1 255,255,255\n", false));
+}
+
+TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §3.2)") {
+    CHECK(every_kind_casts_a_shadow(""));
+    CHECK(every_kind_casts_a_shadow(" radius:0.05"));
+    CHECK(shadows_at_both_ends());
+    CHECK(ceilings_leave_their_lamp());
+}
+
+TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
+    CHECK(terms_add_up());
+    CHECK(term_is_selected());
 }

@@ -2,7 +2,8 @@
 //
 // The ray meets a mirror at 0,0,-4, which faces the eye. The wall behind the eye, at z = 6, is what
 // it shows.
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
+#include "tests/suites/mirrors.hpp"
 
 using namespace rt;
 
@@ -138,6 +139,11 @@ TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5
     CHECK(shows(light + mirror("1") + white_wall, {102, 102, 102}));
     CHECK(shows(light + mirror("1") + white_wall + "sp 0,1.5,4 0.2 9,9,9\n", {0, 0, 0}));
     CHECK(shows(light + mirror("1") + red_wall_behind, {102, 0, 0}));
+    CHECK(mirrors_show_all_terms());
+}
+
+TEST_CASE("a mirror does not show itself (CR §5.1)") {
+    CHECK(mirrors_do_not_show_themselves());
 }
 
 TEST_CASE("a mirror shows what another mirror shows (CR §5.1)") {
@@ -183,4 +189,17 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(12, bright, false));
+}
+
+TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §3.2)") {
+    CHECK(every_kind_casts_a_shadow(""));
+    CHECK(every_kind_casts_a_shadow(" radius:0.05"));
+    CHECK(shadows_at_both_ends());
+    CHECK(ceilings_leave_their_lamp());
+    CHECK(samples_are_whole());
+}
+
+TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
+    CHECK(terms_add_up());
+    CHECK(term_is_selected());
 }

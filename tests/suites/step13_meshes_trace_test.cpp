@@ -1,5 +1,6 @@
 // Stage 13, `trace`: boxes and meshes beside the other shapes, against CR §4.2 and M1.
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
+#include "tests/suites/mirrors.hpp"
 
 #include <array>
 
@@ -70,9 +71,48 @@ TEST_CASE("boxes and meshes are seen in a mirror, and are mirrors (CR §5.1)") {
     CHECK(shows(bright + wall + "0,0,-5 1 0,0,255 mirror:0.2\n" + behind, {51, 0, 204}));
 }
 
+TEST_CASE("boxes and meshes cast the shadows that a mirror shows (CR §5.1)") {
+    const std::string scene =
+        "pl 0,0,-4 0,0,1 255,255,255 mirror:1\nL 3,0,2 0.5 255,255,255\n"
+        "pl 0,0,6 0,0,-1 255,255,255\n";
+    CHECK(shows(scene, {102, 102, 102}));
+    CHECK(shows(scene + "box 1.5,0,4 0,0,1 0.2,0.2,0.2 9,9,9\n", {0, 0, 0}));
+    CHECK(shows(scene + wall + "1.5,0,4 0.2 9,9,9 dir:0.6,0,-0.8\n", {0, 0, 0}));
+}
+
 TEST_CASE("boxes and meshes are lit like other shapes (CR §3.1)") {
     const std::string light = "L 0,0,0 0.4 255,255,255\n";
     CHECK(shows(light + "box 0,0,-5 0,0,1 2,2,2 255,255,255\n", {102, 102, 102}));
     CHECK(shows(light + wall + "0,0,-5 1 255,255,255\n", {102, 102, 102}));
     CHECK(shows("A 0.2 255,255,255\n" + light + wall + "0,0,-5 1 255,255,255\n", {153, 153, 153}));
+}
+
+TEST_CASE("a mesh is lit by its interpolated normals (CR §4.1.2)") {
+    // The ridge is at 0,0,-5: its normal is the mean of the two sides, which face the eye at 45°.
+    const std::string roof = "mesh ../tests/suites/step13_meshes/roof.off 0,0,-5 1 255,255,255";
+    const std::string light = "L 0,0,0 0.4 255,255,255\n";
+    const RenderSettings normals{.shading = Shading::normal};
+    CHECK(shows(light + roof + "\n", {102, 102, 102}));
+    CHECK(shows(light + roof + " normals:flat\n", {72, 72, 72}));
+    CHECK(shows(roof + "\n", {0, 0, 255}, normals));
+    CHECK(shows(roof + " normals:flat\n", {180, 0, 180}, normals));
+}
+
+TEST_CASE("mirrors are as in stage 12 (CR §5.1)") {
+    CHECK(mirrors_show_all_terms());
+    CHECK(mirrors_do_not_show_themselves());
+    CHECK(reflections_end());
+}
+
+TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §3.2)") {
+    CHECK(every_kind_casts_a_shadow(""));
+    CHECK(every_kind_casts_a_shadow(" radius:0.05"));
+    CHECK(shadows_at_both_ends());
+    CHECK(ceilings_leave_their_lamp());
+    CHECK(samples_are_whole());
+}
+
+TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
+    CHECK(terms_add_up());
+    CHECK(term_is_selected());
 }
