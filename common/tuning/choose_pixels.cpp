@@ -23,11 +23,15 @@ constexpr double largest_pixel_error = 255;
 /// The factor from one error that is tried to the next. Every fourth needs twice as many rays.
 const double error_step = std::pow(2, 0.25);
 
-/// The settings with shadow rays that suit an error of a pixel. Their number is fixed: rays that
-/// stop once a few agree would make the mean of a pixel wrong, however many rays go through it.
-RenderSettings with_shadows(const RenderSettings& settings, bool chosen, double error) {
-    if (!chosen) return settings;
-    return with_rays(settings, int(std::bit_floor(unsigned(std::clamp(64 / error, 4., 256.)))));
+/// The settings with the rays to lights that are chosen with those through pixels: four from the
+/// only ray through a pixel, one from each of several. More from each cost up to three times as
+/// much, and seldom save anything: the rays through a pixel share their errors. None stops early:
+/// rays that stop once a few agree would make the mean of a pixel wrong, however many go through
+/// it.
+RenderSettings with_few_shadow_rays(const TrialRunner& runner, const Trials& trials,
+                                    const RenderSettings& settings) {
+    const bool chosen = trials.traits().sized_lights && !runner.aim().given.shadow_samples;
+    return chosen ? with_rays(settings, 4) : settings;
 }
 
 RenderSettings with_pixel_samples(RenderSettings settings, int count) {
@@ -40,10 +44,6 @@ RenderSettings with_pixel_error(RenderSettings settings, double error) {
     settings.pixel_samples = right_pixel_samples;
     settings.pixel_error = two_digits(error);
     return settings;
-}
-
-bool has_choice_of_shadows(const TrialRunner& runner, const Trials& trials) {
-    return trials.traits().sized_lights && !runner.aim().given.shadow_samples;
 }
 
 /// Trial pixels with their right colors, for the choice with a time budget.
@@ -63,7 +63,7 @@ public:
     }
 
     /// Adds trial pixels.
-    void add(const std::vector<Pixel>& pixels) {
+    void add(std::span<const Pixel> pixels) {
         const TrialSample right = runner_.render_pixels(trials_, reference_, pixels, 1, at_least_);
         pixels_.insert(pixels_.end(), pixels.begin(), pixels.end());
         right_.shades.insert(right_.shades.end(), right.shades.begin(), right.shades.end());
@@ -88,20 +88,6 @@ private:
     TrialSample right_;
 };
 
-/// Trial pixels, spread over the picture: the golden ratio apart, since every k-th of the cells
-/// would be in few columns.
-std::vector<Pixel> scattered(const TrialRunner& runner, std::size_t count) {
-    const std::vector<Pixel> all = runner.spread().pixels();
-    if (all.size() <= count) return all;
-    constexpr double golden_ratio = 0.6180339887498949;
-    std::vector<Pixel> some;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double place = golden_ratio * double(i);
-        some.push_back(all[std::size_t((place - std::floor(place)) * double(all.size()))]);
-    }
-    return some;
-}
-
 /// Settings, with the expected cost and error of a picture.
 struct Candidate {
     RenderSettings settings;
@@ -117,12 +103,17 @@ public:
           settings_(settings),
           study_(runner, trials, settings, allowed_) {}
 
-    /// The least accurate right colors are compared first, since most of the cost is theirs.
+    /// The least accurate right colors are compared first, since most of the cost is theirs. With
+    /// more accurate ones, rays beside edges may keep the tolerance where before only rays through
+    /// every pixel seemed to.
     [[nodiscard]] Trial best() {
-        for (double right_error = allowed_; right_error > allowed_ / 8; right_error /= 2)
-            if (const auto found = best_with(right_error)) return trial(*found);
-        const RenderSettings right = through_all(right_pixel_samples);
-        return trial({.settings = right, .outcome = study_.outcome(right)});
+        Candidate best{.settings = with_pixel_samples(settings_, right_pixel_samples)};
+        for (double right_error = allowed_; right_error > allowed_ / 16; right_error /= 2) {
+            best = best_with(right_error).value_or(best);
+            if (best.settings.pixel_error > 0 || best.settings.pixel_samples == 1) break;
+        }
+        best.outcome = study_.outcome(best.settings);
+        return trial(best);
     }
 
 private:
@@ -175,18 +166,11 @@ private:
              error < std::min(64 * allowed_, largest_pixel_error); error *= error_step)
             add(with_pixel_error(settings_, error));
         if (right_error < allowed_)
-            for (int count = 4; count < right_pixel_samples; count *= 2) add(through_all(count));
+            for (int count = 4; count < right_pixel_samples; count *= 2)
+                add(with_pixel_samples(settings_, count));
         std::ranges::stable_sort(all, {},
                                  [](const Candidate& candidate) { return candidate.outcome.rays; });
         return all;
-    }
-
-    /// The settings of rays through every pixel that send as many to lights as adaptive_settings.
-    [[nodiscard]] RenderSettings through_all(int count) const {
-        RenderSettings settings = with_pixel_samples(settings_, count);
-        if (runner_.aim().given.shadow_samples) return settings;
-        settings.shadow_samples = int(std::ceil(settings_.shadow_samples / 4.0) * std::sqrt(count));
-        return settings;
     }
 
     [[nodiscard]] Trial trial(const Candidate& candidate) const {
@@ -209,32 +193,26 @@ private:
 
 Trial keep_tolerance_of_pixels(TrialRunner& runner, Trials& trials,
                                const RenderSettings& settings) {
-    const double allowed = *runner.aim().tolerance;
-    return PixelSearch(runner, trials,
-                       with_shadows(settings, has_choice_of_shadows(runner, trials), 2 * allowed))
-        .best();
+    return PixelSearch(runner, trials, with_few_shadow_rays(runner, trials, settings)).best();
 }
 
 QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,
-                                   const RenderSettings& settings) {
+                                   const RenderSettings& given) {
     constexpr std::size_t fewest = 64;
     constexpr std::size_t most = 1024;
     constexpr double finest = 0.5;
     const double time = *runner.aim().time;
-    const bool choose_shadows = has_choice_of_shadows(runner, trials);
+    const RenderSettings settings = with_few_shadow_rays(runner, trials, given);
     PixelTrials known(runner, trials, settings, 1);
-    const std::vector<Pixel> pixels = scattered(runner, most);
-    const std::size_t parts = std::max<std::size_t>(pixels.size() / fewest, 1);
-    for (std::size_t part = 0; part < parts; ++part) {
-        std::vector<Pixel> some;
-        for (std::size_t i = part; i < pixels.size(); i += parts) some.push_back(pixels[i]);
-        known.add(some);
+    const std::vector<Pixel> pixels = in_spread_order(runner.spread().pixels());
+    for (std::size_t i = 0; i < std::min(pixels.size(), most); i += fewest) {
+        known.add(std::span(pixels).subspan(i, std::min(fewest, pixels.size() - i)));
         if (runner.seconds_since_start() > time / 20) break;
     }
     std::vector<RenderSettings> adaptive;
     for (double error = largest_pixel_error; error >= finest;
          error = std::min(error, 32 * std::sqrt(2)) / std::sqrt(2))
-        adaptive.push_back(with_pixel_error(with_shadows(settings, choose_shadows, error), error));
+        adaptive.push_back(with_pixel_error(settings, error));
     QualityLadder ladder;
     for (std::size_t i = 0; i < adaptive.size(); ++i) {
         ladder.add(known.measured(adaptive[i]));
@@ -246,8 +224,7 @@ QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,
     // There is time for more than adaptive sampling can use: it does not find every edge.
     QualityLadder whole;
     for (int count = 64; count <= right_pixel_samples; count *= 2) {
-        whole.add(known.measured(
-            with_pixel_samples(with_shadows(settings, choose_shadows, finest), count)));
+        whole.add(known.measured(with_pixel_samples(settings, count)));
         if (whole.top().seconds > time || runner.no_time_left()) break;
     }
     const Trial fits = whole.within_time(time);

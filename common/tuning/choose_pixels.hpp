@@ -20,7 +20,7 @@ namespace rt {
 /// is time for many, through every pixel. The settings of a ladder differ in thresholds only, or in
 /// the number of rays only, so that each row of a picture can have its own.
 [[nodiscard]] QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,
-                                                 const RenderSettings& settings);
+                                                 const RenderSettings& given);
 
 /// Describes the rays through a pixel, for example "16".
 [[nodiscard]] std::string pixels_in_words(const RenderSettings& settings);

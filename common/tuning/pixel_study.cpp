@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace rt {
 
@@ -22,18 +21,6 @@ DisplayColor display_color(const Rgb& rgb) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (rgb == not_a_color) return {nan, nan, nan};
     return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
-}
-
-/// The pixels in an order of which each part is spread over the picture.
-std::vector<Pixel> in_spread_order(const std::vector<Pixel>& pixels) {
-    constexpr double golden_ratio = 0.6180339887498949;
-    const std::size_t count = pixels.size();
-    auto step = std::max(std::size_t(golden_ratio * double(count)), std::size_t(1));
-    while (std::gcd(step, count) > 1) ++step;
-    std::vector<Pixel> order;
-    for (std::size_t i = 0, place = 0; i < count; ++i, place = (place + step) % count)
-        order.push_back(pixels[place]);
-    return order;
 }
 
 /// The largest error with which a pixel keeps the tolerance. Two pictures of 8 bits differ by whole

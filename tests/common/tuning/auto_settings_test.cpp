@@ -252,6 +252,18 @@ TEST_CASE("rays through pixels keep the tolerance beside edges, at about the lea
     }
 }
 
+TEST_CASE("every pixel gets rays only if no rays beside edges keep the tolerance") {
+    for (const double estimated : {1.0, 0.7, 0.5, 0.35, 0.2})
+        for (const double allowed : {1.0, 2.0, 4.0, 8.0}) {
+            ModelScene model = plain();
+            model.size = {.width = 320, .height = 240};
+            model.edges = 0.4;
+            model.estimated = estimated;
+            INFO("tolerance " << allowed << ", errors are estimated as " << estimated);
+            CHECK(chosen(model, {.tolerance = allowed}).expected.settings.pixel_error > 0);
+        }
+}
+
 TEST_CASE("trial pixels cost a small part of a small picture") {
     for (const int width : {160, 320}) {
         ModelScene model = plain();

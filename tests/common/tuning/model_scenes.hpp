@@ -22,6 +22,7 @@ struct ModelScene {
     double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
     double edges = 0;     ///< the share of the pixels on an edge: those farthest to the right
     double lost = 0;  ///< the share of these that no ray through a center leads to: the upper ones
+    double estimated = 1;  ///< the part of the error of rays that --pixel-error estimates
     bool thin_shadow =
         false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
     double ray_cost = 1e-7;
@@ -170,7 +171,7 @@ private:
             const double shade = right + off;
             all.push_back({.count = count,
                            .mean = {shade, shade, shade},
-                           .error = error,
+                           .error = model_.estimated * error,
                            .rays = double(count)});
         }
         for (auto step = all.rbegin(); step != all.rend(); ++step) {
