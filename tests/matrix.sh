@@ -1,7 +1,8 @@
 #!/bin/sh
-# matrix.sh [stage] [build folder]: runs every known mistake of a stage, or of all, and prints the
-# case of the stage's suite that catches it, for each precision: in float for the first of each
-# folder only, unless the build has -DRAYSTEPS_MISTAKES=both. All must be built.
+# matrix.sh [stage] [build folder] [log]: runs every known mistake of a stage, or of all, and prints
+# the case of the stage's suite that catches it, for each precision: in float for the first of each
+# folder only, unless the build has -DRAYSTEPS_MISTAKES=both. All must be built. With the log of a
+# run of ctest, it runs nothing.
 set -u
 root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
 build=${2-$root/build}
@@ -11,9 +12,12 @@ case ${1-all} in
     *) stage=$(basename "$root"/tests/mistakes/*"$1") ;;
 esac
 
-log=$(mktemp) || exit 2
-trap 'rm -f "$log"' EXIT
-ctest --test-dir "$build" -R "^mistake_$stage" -j "$(nproc)" > "$log" 2>&1
+log=${3-}
+[ -n "$log" ] || {
+    log=$(mktemp) || exit 2
+    trap 'rm -f "$log"' EXIT
+    ctest --test-dir "$build" -R "^mistake_$stage" -j "$(nproc)" > "$log" 2>&1
+}
 
 # "1/38 Test #7: mistake_step04_plane_one_side_float ....   Passed    0.01 sec"
 # Those of a stage's trace are in its folder main/; their suite is stepNN_…_trace.
