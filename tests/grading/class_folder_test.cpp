@@ -63,6 +63,17 @@ TEST_CASE("Moodle's folders have a student's zip inside") {
     CHECK(found.left_over[0].find("Grades.csv: ") == 0);
 }
 
+TEST_CASE("a name that is too long for a file costs nobody a submission") {
+    const Ground ground(RAYSTEPS_SEALED);
+    const std::string too_long(200, 'x');
+    ground.write("a/ann/sphere.cpp", "hers");
+    ground.write("a/ben/sphere.cpp", "his");
+    ground.write("a/ben/" + too_long, "");
+    // tar renames what the system cannot store.
+    ground.pack("class.tar", "a", {"--transform=s/xxx$/" + too_long + "/", "ann", "ben"});
+    CHECK(ground.students() == std::vector<std::string>{"ann", "ben"});
+}
+
 TEST_CASE("Canvas's files have the student's name before their own") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("doezoe_123_4567_sphere.cpp", "three");

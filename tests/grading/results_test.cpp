@@ -25,6 +25,19 @@ std::string changed(std::string text, const std::string& expected, const std::st
 
 }  // namespace
 
+TEST_CASE("results replace no file of the lecturer's, and are not among the submissions") {
+    const Results results;
+    CHECK_NOTHROW(check_results_folder(results.folder, {}));
+    CHECK_NOTHROW(check_results_folder(results.folder / "new", {results.folder}));
+    CHECK_THROWS_AS(check_results_folder(results.folder / ".", {results.folder}), InputError);
+    write(results.folder / "term.txt", "anonymous: yes");
+    CHECK_NOTHROW(check_results_folder(results.folder, {}));
+    write(results.folder / "grades.csv", "student,oral exam");
+    CHECK_THROWS_AS(check_results_folder(results.folder, {}), InputError);
+    write(results.folder / "seed.txt", "0123456789abcdef");
+    CHECK_NOTHROW(check_results_folder(results.folder, {}));
+}
+
 TEST_CASE("a mark is a file of lines: the stage's results, then one case per line") {
     const Results results;
     Mark mark{.student = "anna",

@@ -84,6 +84,13 @@ TEST_CASE("stages have weights, and some are a bonus") {
           "ben_2,4,0,4,4\r\n");
 }
 
+TEST_CASE("a lecturer's file is none that the reports replace") {
+    const Small two;
+    two.write("upload.csv", "student,Raysteps\nann_1,\nben_2,\n");
+    two.write("term.txt", "roster: ./upload.csv\n");
+    CHECK(has(two.error(), "term.txt:1: error: upload.csv is a report"));
+}
+
 TEST_CASE("a day late costs a share of the points, and no more than all") {
     const Small two;
     two.write("late.csv", "student,days\nAnn_1,2\nben_2,30\n");

@@ -123,6 +123,7 @@ std::set<int> stages_of(const Order& order) {
 void check_places(const Order& order) {
     for (const fs::path& place : order.places)
         if (!fs::exists(place)) throw InputError({place}, "does not exist");
+    check_results_folder(order.results, order.places);
 }
 
 /// Those of this part, of the students that were named.

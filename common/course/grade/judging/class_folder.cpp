@@ -8,6 +8,7 @@
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
@@ -119,11 +120,12 @@ void lay_out(const Unpacked& unpacked, const fs::path& folder) {
             continue;
         }
         fs::create_directories(to.parent_path(), failed);
-        if (failed || fs::exists(to)) continue;
+        // The name may be longer than this system's names.
+        if (failed || fs::exists(to, failed) || failed) continue;
         if (entry.kind == Entry::Kind::source || entry.kind == Entry::Kind::archive)
             fs::copy_file(entry.file, to, failed);
         else
-            write_text(to, "");
+            std::ofstream{to};
     }
 }
 

@@ -125,6 +125,19 @@ int Mark::points(bool of_trace) const {
     return any_is_own ? sum : 0;
 }
 
+void check_results_folder(const fs::path& results, const std::vector<fs::path>& submissions) {
+    std::error_code none;
+    for (const fs::path& each : submissions)
+        if (fs::equivalent(each, results, none))
+            throw InputError({results},
+                             "contains the submissions: the results need a folder of their own");
+    if (fs::exists(results / "seed.txt", none)) return;  // of an earlier run
+    for (const char* each : report_files)
+        if (fs::exists(fs::symlink_status(results / each, none)))
+            throw InputError({results / each},
+                             "is no result of an earlier run, and would be replaced");
+}
+
 fs::path student_folder(const fs::path& results, const std::string& student) {
     const bool is_folder = !student.empty() && student != "." && student != ".." &&
                            student.find_first_of(std::string("/\0", 2)) == std::string::npos;

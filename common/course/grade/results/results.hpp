@@ -1,6 +1,7 @@
 // The stored results of a submission: one file of JSON lines per stage.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -65,6 +66,15 @@ struct Mark {
 /// In the results: the files of the class's folder that belong to no submission, with the reasons,
 /// one line each.
 inline constexpr const char* left_over_file = "left_over.txt";
+
+/// The files of the results that each run writes anew.
+inline constexpr std::array report_files = {"grades.csv", "class.html", "junit.xml",
+                                            "upload.csv", "names.csv",  left_over_file};
+
+/// Throws InputError if the results would replace files of the lecturer's, or lie among the
+/// submissions as one of them.
+void check_results_folder(const std::filesystem::path& results,
+                          const std::vector<std::filesystem::path>& submissions);
 
 /// "results/students/anna". A student's name never equals the name of one of the grader's files.
 /// Throws InputError if no folder can have this name.

@@ -160,6 +160,10 @@ private:
         if (found == settings_.end()) return std::nullopt;
         line_ = found->second.second;
         const fs::path file = file_.parent_path() / found->second.first;
+        for (const char* report : report_files)
+            if (file.lexically_normal() == (file_.parent_path() / report).lexically_normal())
+                throw InputError(place(), std::string(report) +
+                                              " is a report that grading writes: rename the file");
         if (!fs::is_regular_file(file))
             throw InputError(place(), "there is no file " + file.string());
         return read_csv(file);
