@@ -64,8 +64,8 @@ inline Verdict every_kind_casts_a_shadow(const std::string& option) {
     return all;
 }
 
-/// A ball casts a shadow a hundred-thousandth of the way from the wall, and almost as close to the
-/// light: what counts ends at neither by a constant.
+/// A ball casts a shadow from a hundred-thousandth of the way to the light, and almost as close to
+/// the light: no constant cuts off either end of the way.
 inline Verdict shadows_at_both_ends() {
     const std::string scene = "L 3,0,0 0.5 255,0,0\npl 0,0,-4 0,0,1 255,255,255\n";
     Verdict all;

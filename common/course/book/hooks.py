@@ -261,10 +261,23 @@ def compress_pictures(site):
                         encoding="utf-8")
 
 
+def shorten_search_index(site):
+    """A page's whole text is there again in its sections, which alone are searched."""
+    file = site / "search/search_index.json"
+    index = json.loads(file.read_text(encoding="utf-8"))
+    places = [entry["location"] for entry in index["docs"]]
+    with_sections = {place.split("#")[0] for place in places if "#" in place}
+    for entry in index["docs"]:
+        if entry["location"] in with_sections:
+            entry["text"] = ""
+    file.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
+
+
 def on_post_build(config):
     typesetter.end()
     site = Path(config["site_dir"])
     compress_pictures(site)
+    shorten_search_index(site)
     for unused in ["404.html", "sitemap.xml*", "assets/javascripts/lunr/**/*.js", "assets/**/*.map"]:
         for file in site.glob(unused):  # for a host whose name is known, other languages, debugging
             file.unlink()
