@@ -15,7 +15,7 @@ namespace rt {
 
 /// The smallest t strictly inside the interval at which the ray hits the sphere, from outside or
 /// from inside. Returns nothing if there is none, or if a coordinate is NaN. A tangent ray hits the
-/// sphere. Lengths may be of any size with a square in Real's range: there is no epsilon.
+/// sphere. Lengths and t may be of any size with a square in Real's range: there is no epsilon.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Sphere& sphere,
                                             Interval interval);
 

@@ -172,7 +172,23 @@ TEST_CASE("squares at the extremes") {
     hold<Square>("square",
                  {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
                   Sweep::speed, Sweep::border, Sweep::point, Sweep::surface},
-                 {.off = 6, .band = 2});
+                 {.off = 6, .band = 3});
+    // A ray that starts much nearer than the side is long, as in no sweep.
+    const Case<Square> near{
+        .ray = {{Real(-1.4350641164736544), Real(-4.343630180230489), Real(5.530113892749623)},
+                {Real(0.21327073823827608), Real(-0.8606788088733925), Real(-1.11573869331664)}},
+        .shape = {.center = {Real(-1.2673453783347006), Real(0.872453267459969),
+                             Real(1.0753605853295594)},
+                  .basis = {.x = {Real(-0.30512078431300416), Real(0.5628449375958693),
+                                  Real(-0.768184146675079)},
+                            .y = {Real(-0.7599171604360033), Real(-0.6300685068234888),
+                                  Real(-0.15981109468400773)},
+                            .z = {Real(-0.5739575038755909), Real(0.534994628881376),
+                                  Real(0.6199625237165388)}},
+                  .side = Real(12.58092200582979)}};
+    Row row;
+    measure(row, near, false, intersect(near.ray, near.shape, near.interval), "");
+    CHECK(within(row.band, 3, "the ray must be moved, in u L:"));
 }
 
 TEST_CASE("cylinders at the extremes") {
