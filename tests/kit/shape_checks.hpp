@@ -4,9 +4,11 @@
 
 #include "tests/kit/for_all.hpp"
 
+#include "common/geometry/cone.hpp"
 #include "common/geometry/transform.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace rt {
 
@@ -45,13 +47,28 @@ struct Aimed {
     Vec3 normal;
 };
 
+/// Whether the direction is almost that of a line of the shape's side: there a textbook's quadratic
+/// for a cone has almost no square term, and few digits. The cone's suite has questions about that.
+template <class Shape>
+bool nearly_along_side(const Shape& /*shape*/, Vec3 /*direction*/) {
+    return false;
+}
+inline bool nearly_along_side(const Cone& cone, Vec3 direction) {
+    const Real across = cone.height * length(cross(direction, cone.axis));
+    const Real along = cone.radius * std::abs(dot(direction, cone.axis));
+    return std::abs(across - along) < Real(0.05) * (across + along);
+}
+
 /// A ray to a sample's point, from the side of its normal. Every shape here lies behind its tangent
 /// plane at that point, so the ray hits nothing before it.
 template <class Shape>
 Aimed<Shape> aimed_from_outside(const Sample<Shape>& sample, Random& random) {
-    Vec3 away = random.direction();
-    if (dot(away, sample.normal) < 0) away = -away;
-    if (dot(away, sample.normal) < Real(0.2)) away += sample.normal;  // not too grazing
+    Vec3 away;
+    do {
+        away = random.direction();
+        if (dot(away, sample.normal) < 0) away = -away;
+        if (dot(away, sample.normal) < Real(0.2)) away += sample.normal;  // not too grazing
+    } while (nearly_along_side(sample.shape, away));
     const Vec3 origin = sample.point + random.between(Real(0.5), 4) * away;
     const Real t = random.between(Real(0.25), 4);
     return {.ray = {.origin = origin, .direction = (sample.point - origin) / t},

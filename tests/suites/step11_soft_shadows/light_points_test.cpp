@@ -219,6 +219,7 @@ TEST_CASE("just outside the light, the point is still on it (contract)",
 TEST_CASE("a light far away is sampled evenly over its disc (CR §3.3)") {
     CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, 100, 0}, 8));
     CHECK(points_are_even({.position = {1, 2, 3}, .radius = 2}, {121, 2, 163}, 9));
+    CHECK(points_are_even({.position = {3, 2, 1}, .radius = Real(0.5)}, {123, 162, 1}, 10));
 }
 
 TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratum 16)",

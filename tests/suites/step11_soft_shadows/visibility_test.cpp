@@ -4,6 +4,7 @@
 #include "tests/kit/light.hpp"
 #include "tests/suites/step11_soft_shadows/share_of_light.hpp"
 
+#include "common/render/render_settings.hpp"
 #include "common/render/sampling.hpp"
 
 #include <map>
@@ -90,6 +91,12 @@ TEST_CASE("the share is that of the rays that reach the light, not of the blocke
     CHECK(share_is({.sent = 16, .reached = 0}, 0));
     CHECK(share_is({.sent = 16, .reached = 16}, 1));
     CHECK(share_is({.sent = 1, .reached = 1}, 1));
+    CHECK(share_is({.sent = most_shadow_samples, .reached = most_shadow_samples / 4}, Real(0.25)));
+    CHECK(for_all([](Random& random) {
+        const int sent = 1 + random.below(most_shadow_samples);
+        const int reached = random.below(sent + 1);
+        return share_is({.sent = sent, .reached = reached}, Real(double(reached) / sent));
+    }));
 }
 
 namespace {
@@ -147,7 +154,7 @@ TEST_CASE("the error is the same for free and blocked rays exchanged (contract)"
 }
 
 TEST_CASE("four times the rays halve the error at least, or nearly (contract)") {
-    for (const int sent : {8, 32, 128, 512}) CHECK(halves(sent));
+    for (const int sent : {8, 32, 128, 512, most_shadow_samples / 4}) CHECK(halves(sent));
     CHECK(for_all([](Random& random) { return halves(8 + 4 * random.below(127)); }));
 }
 

@@ -230,6 +230,9 @@ TEST_CASE("only the part of the ray in the interval counts (contract)") {
     CHECK(inside(ray, block, {4, 8}, Interval{.min = 4, .max = 9}));
     CHECK(outside(ray, block, Interval{.min = 0, .max = 1}));
     CHECK(outside(ray, block, Interval{.min = 9, .max = infinity}));
+    const Ray from_within{.origin = {0, 0, 0}, .direction = {0, 0, -1}};
+    CHECK(inside(from_within, block, {-3, 3}, Interval{.min = -9, .max = infinity}));
+    CHECK(inside(from_within, block, {-1, 3}, Interval{.min = -1, .max = infinity}));
 }
 
 TEST_CASE("with a coordinate that is not a number, a ray is in no box (contract)") {

@@ -137,6 +137,7 @@ TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (
     // The same in long lists.
     CHECK(is_found_in_list(300, 299, 3));
     CHECK(is_found_in_list(1, 0, 600));
+    CHECK(is_found_in_list(70000, 69999, 66000));  // more than 2^16
     const auto in_any_list = [](Random& random) {
         const int count = 1 + random.below(4000);
         return is_found_in_list(count, random.below(count), 3 + random.below(1000));
