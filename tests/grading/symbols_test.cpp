@@ -33,6 +33,14 @@ TEST_CASE("a call of the project is recognized by its mangled name") {
         CHECK(sentence_on(std::string(".quad ") + other).empty());
 }
 
+TEST_CASE("placement new, which a header defines, is nobody's replacement; operator new is") {
+    for (const std::string name : {"_ZnwmPv", "_ZnamPv", "_ZdlPvS_", "_ZdaPvS_"})
+        CHECK(sentence_on(".weak " + name + "\n.text\n" + name + ": ret").empty());
+    for (const char* other :
+         {".globl _ZnwmPv\n.text\n_ZnwmPv: ret", ".weak _Znwm\n.text\n_Znwm: ret"})
+        CHECK(sentence_on(other).find("which all programs share") != std::string::npos);
+}
+
 TEST_CASE("a name that stands for gigabytes is not demangled") {
     // P<B, B>, and 20 more types: each is P of the one before, twice.
     std::string name = "_Z1fN2rt1BE1PIS0_S0_E";
