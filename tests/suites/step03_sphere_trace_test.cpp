@@ -44,6 +44,9 @@ TEST_CASE("without a hit the pixel is the color of the scene's sky in the ray's 
 TEST_CASE("a sphere that is alone is seen in its color (M1)") {
     CHECK(shows("sp 0,0,-5 2 255,0,0\n", red));
     CHECK(shows("sp 0,0,-50 2 40,80,160\n", {40, 80, 160}));
+    // Far away, and near: CR begins at 0.001.
+    CHECK(shows("sp 0,0,-300000000 200000000 255,0,0\n", red));
+    CHECK(shows("sp 0,0,-0.006 0.002 255,0,0\n", red));
 }
 
 TEST_CASE("a sphere is seen beside others that the ray misses (CR §2.1)") {
