@@ -10,6 +10,15 @@ using namespace rt;
 using namespace rt::grade;
 namespace fs = std::filesystem;
 
+TEST_CASE("results inside a submission give nobody another's files") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("ann/sphere.cpp", "hers");
+    ground.write("ann/results/students/ben/submitted/plane.cpp", "his");
+    CHECK(ground.take("ann").files.size() == 2);
+    ground.write("ann/results/seed.txt", "7");
+    CHECK(ground.take("ann").files == Files{{3, "hers"}});
+}
+
 TEST_CASE("a file is found by its name, wherever it is") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("flat/sphere.cpp", "three");

@@ -100,13 +100,6 @@ bool are_many(const std::vector<fs::path>& entries) {
     return false;
 }
 
-/// True for the output of this run or an earlier one, which may be among the submissions.
-bool is_results(const fs::path& folder) {
-    return fs::is_directory(folder / "students") &&
-           (fs::exists(folder / "grades.csv") || !files_in(folder, ".lock.1").empty() ||
-            fs::exists(folder / "seed.txt"));
-}
-
 /// Creates the names of an archive as folders and files. Only files that may be a student's have
 /// contents; the other names are created too, so that no student is lost.
 void lay_out(const Unpacked& unpacked, const fs::path& folder) {

@@ -122,7 +122,8 @@ private:
         for (const fs::recursive_directory_iterator end; !failed && each != end;
              each.increment(failed)) {
             const bool is_folder = each->symlink_status(failed).type() == fs::file_type::directory;
-            const bool litter = is_litter(each->path().filename());
+            const bool litter =
+                is_litter(each->path().filename()) || (is_folder && is_results(each->path()));
             if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
             if (is_folder && each.depth() >= deepest) problem("Folders are too deep.");
             if (!is_folder && !litter) files.push_back(each->path());
@@ -286,6 +287,13 @@ private:
 };
 
 }  // namespace
+
+bool is_results(const fs::path& folder) {
+    std::error_code none;
+    return fs::is_directory(folder / "students", none) &&
+           (fs::exists(folder / "grades.csv", none) || !files_in(folder, ".lock.1").empty() ||
+            fs::exists(folder / "seed.txt", none));
+}
 
 SubmittedFiles take_in(const BuildDirectory& workshop, const Submission& submission) {
     Search search(workshop);

@@ -22,6 +22,10 @@ struct Submission {
     std::vector<Piece> pieces;
 };
 
+/// True for the output of this run or an earlier one, which may be among the submissions or inside
+/// one. It contains files of other students.
+[[nodiscard]] bool is_results(const std::filesystem::path& folder);
+
 /// The contents of a submission.
 struct SubmittedFiles {
     std::map<GradedFile, std::string> files;
