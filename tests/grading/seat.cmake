@@ -42,18 +42,15 @@ function(raysteps_seat stage)
     endif()
     set(fast_linker $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>)
     set(definitions $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_DEFINITIONS>)
-    set(options $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
     set(lines
         "compiler ${CMAKE_CXX_COMPILER}"
         "compile -std=c++20" "compile -O2"
-        "compile $<JOIN:$<FILTER:${options},EXCLUDE,^-W>,\ncompile >"
+        "compile $<JOIN:$<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>,\ncompile >"
         "compile ${few_errors}"
-        # Warnings are for the author of the file, not for the grader. Those that are switched on
-        # cost a fifth of the time even if they are not printed.
-        "compile -w"
+        "compile -w"  # warnings are for the author of the file, not for the grader
         "compile -D$<JOIN:${definitions},\ncompile -D>"
         ${headers}
         "link -static"
