@@ -242,7 +242,11 @@ void become(const Sandbox& seal, const std::vector<std::string>& command) {
 
     std::vector<std::string> environment{"LC_ALL=C", "PATH=/usr/local/bin:/usr/bin:/bin"};
     if (!seal.writable.empty()) environment.push_back("TMPDIR=" + seal.writable.front());
-    if (!worker) environment.emplace_back("SOURCE_DATE_EPOCH=0");  // __DATE__ and __TIME__
+    if (!worker) {
+        environment.emplace_back("SOURCE_DATE_EPOCH=0");  // __DATE__ and __TIME__
+        // The compiler may be ccache, which wants a home even so.
+        environment.insert(environment.end(), {"CCACHE_DISABLE=1", "HOME=/"});
+    }
     if (worker)
         syscall(SYS_execveat, program_descriptor, "", pointers(command).data(),
                 pointers(environment).data(), AT_EMPTY_PATH);
