@@ -77,12 +77,7 @@ function(raysteps_stage)
     endif()
 
     raysteps_compile_twice(${name}_main main.cpp)
-    if(RAYSTEPS_SANITIZE)  # compiles in a third of the time
-        raysteps_compile_without_optimizing(${name}_main_f32 f32)
-        raysteps_compile_without_optimizing(${name}_main_f64 f64)
-    else()
-        raysteps_start_from_common(${name}_main)
-    endif()
+    raysteps_start_from_common(${name}_main)
     file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
     list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
     if(handed_on)
