@@ -85,9 +85,11 @@ inline Verdict ceilings_leave_their_lamp() {
             const double x = 3 + part();
             const double y = part();
             const double z = part();
-            const Vec3 normal(random.below(10), random.below(10), 1 + random.below(9));
-            const std::string ceiling = "pl " + row(x + normal.z, y, z - normal.x) + " " +
-                                        row(normal.x, normal.y, normal.z) + " 9,9,9\n";
+            const double right = random.below(10);
+            const double up = random.below(10);
+            const double back = 1 + random.below(9);
+            const std::string ceiling =
+                "pl " + row(x + back, y, z - right) + " " + row(right, up, back) + " 9,9,9\n";
             const auto level = std::uint8_t(127.5 * (z + 4) / std::hypot(x, y, z + 4) + 0.5);
             return shows("L " + row(x, y, z) + " 0.5 255,255,255\n" + ceiling +
                              "pl 0,0,-4 0,0,1 255,255,255\n",

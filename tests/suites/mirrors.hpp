@@ -26,10 +26,13 @@ inline Verdict mirrors_do_not_show_themselves() {
     return for_all(
         [](Random& random) {
             const auto part = [&] { return std::to_string(random.below(1000) * 0.001); };
-            const std::string point = part() + "," + part() + ",-4." + part().substr(2);
+            const std::string x = part();
+            const std::string y = part();
+            const std::string point = x + "," + y + ",-4." + part().substr(2);
+            const std::string right = std::to_string(random.below(19) - 9);
+            const std::string up = std::to_string(random.below(19) - 9);
             const std::string mirror =
-                random.coin() ? "pl " + point + " " + std::to_string(random.below(19) - 9) + "," +
-                                    std::to_string(random.below(19) - 9) + ",9"
+                random.coin() ? "pl " + point + " " + right + "," + up + ",9"
                               : "sp " + point + " " + std::to_string(3 + random.below(4));
             return shows("sky 0,255,0 0,255,0\n" + mirror + " 255,255,255 mirror:1\n", {0, 255, 0},
                          {.depth = 1});
