@@ -47,8 +47,8 @@ struct Aimed {
     Vec3 normal;
 };
 
-/// Whether the direction is almost that of a line of the shape's side: there a textbook's quadratic
-/// for a cone has almost no square term, and few digits. The cone's suite has questions about that.
+/// Returns whether a ray in this direction runs almost along a line of a cone's side. A textbook's
+/// quadratic then has almost no square term, and few digits; stage 8's suite asks that separately.
 template <class Shape>
 bool nearly_along_side(const Shape& /*shape*/, Vec3 /*direction*/) {
     return false;

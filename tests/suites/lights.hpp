@@ -1,4 +1,4 @@
-// What `trace` does with lights in every stage from 9 or 10 on, in scenes of one pixel.
+// Questions about lights, for `trace` of stage 9 or 10 and all later ones: scenes of one pixel.
 //
 // The ray meets the white wall at 0,0,-4. A light at 3,0,0 is at a cosine of 0.8 there, 5 away.
 #pragma once
@@ -115,8 +115,8 @@ inline Verdict samples_are_whole() {
     return all;
 }
 
-/// Of twenty half hidden lights in one place, with one sample each, some are seen and some are not:
-/// if each has samples of its own, the opposite has a probability of 2^-19.
+/// Twenty lights in one place are half hidden, and get one sample each. If each light has samples
+/// of its own, the point sees some of them: all or none have a probability of 2^-19.
 inline Verdict lights_have_their_own_samples() {
     std::string scene = "pl 0,0,-4 0,0,1 255,255,255\nsq 1.5,1,-2 0.6,0,0.8 2 9,9,9\n";
     for (int i = 0; i < 20; ++i) scene += "L 3,0,0 0.05 255,0,0 radius:0.3\n";

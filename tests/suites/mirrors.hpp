@@ -1,4 +1,4 @@
-// What `trace` does with mirrors in stages 12 and 13, in scenes of one pixel.
+// Questions about mirrors, for `trace` of stages 12 and 13: scenes of one pixel.
 //
 // The ray meets a mirror at 0,0,-4. A wall at z = 6, behind the eye, is what it shows.
 #pragma once

@@ -28,8 +28,8 @@ std::vector<Sphere> random_spheres(Random& random, int count) {
     return spheres;
 }
 
-/// The mean time in nanoseconds of a call of `ask(ray, interval)`, which sets interval.max to the
-/// closest hit.
+/// Returns the mean time of a call of `ask(ray, interval)`, in nanoseconds. The call sets
+/// interval.max to the closest hit.
 template <class Ask>
 double time_of(const std::vector<Ray>& all, const Ask& ask) {
     const auto start = std::chrono::steady_clock::now();
