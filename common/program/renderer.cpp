@@ -14,6 +14,7 @@
 #include "common/render/pixel_samples.hpp"
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/cpu_seconds.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/row_budget.hpp"
@@ -23,7 +24,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <utility>
@@ -293,7 +293,7 @@ public:
 
     [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
                                               const TrialRequest& request) override {
-        const std::clock_t start = std::clock();
+        const double start = cpu_seconds();
         centers_ = rt::render_centers(
             scene_, {.threads = request.threads, .settings = settings, .stop = request.stop});
         if (!centers_) return {};
@@ -301,7 +301,7 @@ public:
         const auto pixels = double(centers_->image.pixels.size());
         return {.image = &centers_->image,
                 .rays = double(centers_->rays) / pixels,
-                .seconds = double(std::clock() - start) / CLOCKS_PER_SEC / pixels};
+                .seconds = (cpu_seconds() - start) / pixels};
     }
 
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,

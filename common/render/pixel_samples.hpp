@@ -156,12 +156,11 @@ private:
     return shared_settings(settings);
 }
 
-/// Traces `at_least` rays or more through a pixel, until the estimated error is that of the
-/// settings. Returns whether their colors differ.
-inline bool trace_to_error(PixelSamples& samples, const RenderSettings& settings,
-                           int at_least = 0) {
+/// Traces rays through a pixel until the estimated error is that of the settings. Returns whether
+/// their colors differ.
+inline bool trace_to_error(PixelSamples& samples, const RenderSettings& settings) {
     const int most = settings.pixel_samples;
-    int count = std::min(std::max(at_least, first_pixel_samples(settings.pixel_error)), most);
+    int count = std::min(first_pixel_samples(settings.pixel_error), most);
     samples.trace_to(count);
     while (count < most && samples.error(settings.gamma) > settings.pixel_error) {
         count = next_pixel_samples(count, most);

@@ -1,5 +1,6 @@
 #include "common/render/render.hpp"
 
+#include "common/math/spread_order.hpp"
 #include "common/render/pixel_samples.hpp"
 #include "common/render/refinement.hpp"
 #include "common/system/parallel_for.hpp"
@@ -59,12 +60,10 @@ Row render_fine_row(const Scene& scene, const RenderJob& job, const RenderSettin
 /// The order of the rows. With a time budget, successive rows are far apart, so that every part of
 /// the picture gets its share of the time. Otherwise rows are in sequence, and use data that the
 /// previous row has brought into the cache.
-std::vector<int> order_of(int rows, bool for_a_time) {
-    constexpr double golden_ratio = 0.6180339887498949;
-    int step = for_a_time ? int(golden_ratio * rows) : 1;
-    while (std::gcd(step, rows) != 1) ++step;
-    std::vector<int> order;
-    for (int i = 0, row = 0; i < rows; ++i, row = (row + step) % rows) order.push_back(row);
+std::vector<std::size_t> order_of(std::size_t rows, bool for_a_time) {
+    if (for_a_time) return spread_order(rows);
+    std::vector<std::size_t> order(rows);
+    std::iota(order.begin(), order.end(), std::size_t(0));
     return order;
 }
 
@@ -135,17 +134,17 @@ std::optional<Rendering> refine_edges(const Scene& scene, const RenderJob& job, 
         rows[row].sized_light_rays += context.sized_light_rays;
     };
     bool first = true;
-    std::vector<int> pending = order_of(int(rows.size()), job.next_settings != nullptr);
+    std::vector<std::size_t> pending = order_of(rows.size(), job.next_settings != nullptr);
     while (!pending.empty()) {
         parallel_for(job.threads, pending.size(), job.stop, [&](std::size_t i) {
-            refine_row(std::size_t(pending[i]));
+            refine_row(pending[i]);
             if (first && job.row_done) job.row_done();
         });
         if (job.stop != nullptr && *job.stop) return std::nullopt;
         first = false;
         pending.clear();
-        for (int row = 0; row < image.resolution.height; ++row)
-            if (refinement.is_pending(row)) pending.push_back(row);
+        for (std::size_t row = 0; row < rows.size(); ++row)
+            if (refinement.is_pending(int(row))) pending.push_back(row);
     }
     Rendering result = sum(std::move(image), rows);
     add_statistics(result, centers);
@@ -158,9 +157,9 @@ std::optional<Rendering> render_rows(const Scene& scene, const RenderJob& job,
                                      RenderOne render_one) {
     Image image(scene.resolution);
     std::vector<Row> rows(std::size_t(scene.resolution.height));
-    const std::vector<int> order = order_of(scene.resolution.height, job.next_settings != nullptr);
+    const std::vector<std::size_t> order = order_of(rows.size(), job.next_settings != nullptr);
     parallel_for(job.threads, order.size(), job.stop, [&](std::size_t i) {
-        rows[std::size_t(order[i])] = render_one(order[i], image);
+        rows[order[i]] = render_one(int(order[i]), image);
         if (job.row_done && job.settings.pixel_error == 0) job.row_done();
     });
     if (job.stop != nullptr && *job.stop) return std::nullopt;

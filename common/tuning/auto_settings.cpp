@@ -68,21 +68,23 @@ private:
 
     /// Chooses the rays through pixels, and those to lights with them.
     void pixels() {
+        PixelStudy study(runner_, trials_, with_few_shadow_rays(runner_, traits_, settings_),
+                         aim_.tolerance.value_or(1));
         if (aim_.time)
-            pixels_for_time();
+            pixels_for_time(study);
         else
-            choice_.expected = keep_tolerance_of_pixels(runner_, trials_, settings_);
+            choice_.expected = keep_tolerance_of_pixels(study);
         const bool chosen = traits_.sized_lights && !aim_.given.shadow_samples;
         const RenderSettings& settings = choice_.expected.settings;
         say("shadow samples", chosen ? samples_in_words(settings) : why_no_samples());
         say("pixel samples", pixels_in_words(settings));
     }
 
-    void pixels_for_time() {
-        const QualityLadder ladder = measure_pixel_ladder(runner_, trials_, settings_);
+    void pixels_for_time(PixelStudy& study) {
+        const QualityLadder ladder = measure_pixel_ladder(runner_, study);
         choice_.expected = ladder.within_time(*aim_.time);
         if (aim_.tolerance && !runner_.no_time_left()) {
-            const Trial enough = keep_tolerance_of_pixels(runner_, trials_, settings_);
+            const Trial enough = keep_tolerance_of_pixels(study);
             if (enough.seconds <= *aim_.time) {
                 choice_.expected = enough;
                 return;

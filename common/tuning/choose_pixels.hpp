@@ -9,18 +9,24 @@
 
 namespace rt {
 
+/// Returns the settings with the rays to lights that are chosen with those through pixels: four
+/// from the only ray through a pixel, one from each of several. More from each cost up to three
+/// times as much, and seldom save anything: the rays through a pixel share their errors. None stops
+/// early: rays that stop once a few agree would make the mean of a pixel wrong, however many go
+/// through it.
+[[nodiscard]] RenderSettings with_few_shadow_rays(const TrialRunner& runner,
+                                                  const SceneTraits& traits,
+                                                  const RenderSettings& settings);
+
 /// Returns the settings that keep the tolerance with few rays, or the most accurate ones found:
 /// one ray through each pixel, or more beside edges, or, where such edges are not all, more through
-/// every pixel, and with them the shadow rays, unless they are given. The result is the same in
-/// every run, because no clock decides.
-[[nodiscard]] Trial keep_tolerance_of_pixels(TrialRunner& runner, Trials& trials,
-                                             const RenderSettings& settings);
+/// every pixel. The result is the same in every run, because no clock decides.
+[[nodiscard]] Trial keep_tolerance_of_pixels(PixelStudy& study);
 
-/// Measures settings for a time budget, cheapest first: with more rays beside edges, or, if there
-/// is time for many, through every pixel. The settings of a ladder differ in thresholds only, or in
-/// the number of rays only, so that each row of a picture can have its own.
-[[nodiscard]] QualityLadder measure_pixel_ladder(TrialRunner& runner, const Trials& trials,
-                                                 const RenderSettings& given);
+/// Measures settings for a time budget, cheapest first: with more rays beside edges, or, if
+/// there is time for many, through every pixel. The settings of a ladder differ in thresholds only,
+/// or in the number of rays only, so that each row of a picture can have its own.
+[[nodiscard]] QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study);
 
 /// Describes the rays through a pixel, for example "16".
 [[nodiscard]] std::string pixels_in_words(const RenderSettings& settings);

@@ -1,5 +1,6 @@
 #include "common/tuning/pixel_study.hpp"
 
+#include "common/math/spread_order.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/pixel_errors.hpp"
 
@@ -53,6 +54,7 @@ PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings
                        double allowed)
     : runner_(runner),
       trials_(trials),
+      settings_(settings),
       reference_(settings),
       allowed_(allowed),
       centers_(runner.render_centers(trials, settings)),
@@ -74,7 +76,9 @@ bool PixelStudy::sort_more() {
     }
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         Stratum& stratum = strata_[kind];
-        std::ranges::copy(in_spread_order(places[kind]), std::back_inserter(stratum.places));
+        // Each part is spread over the picture: every k-th cell of a grid is in few columns.
+        for (const std::size_t i : spread_order(places[kind].size()))
+            stratum.places.push_back(places[kind][i]);
         stratum.pixels = runner_.pixels() * double(stratum.places.size()) / double(sorted_);
     }
     return true;
@@ -216,8 +220,25 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
 }
 
 PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings) const {
+    return outcome(settings, largest_error(allowed_));
+}
+
+Trial PixelStudy::trial(const RenderSettings& settings) const {
+    const double more = outcome(settings).rays / runner_.pixels();
+    const double seconds_of_a_ray = seconds_ / std::max(spent_, 1.0);
+    Trial trial{.settings = settings,
+                .seconds = runner_.picture_seconds(centers_.seconds + more * seconds_of_a_ray),
+                .rays = centers_.rays + more,
+                .error = largest_pixel_error};
+    const double step = std::sqrt(2);
+    while (trial.error > reference_.pixel_error &&
+           outcome(settings, trial.error / step).at_most() <= few_pixels)
+        trial.error /= step;
+    return trial;
+}
+
+PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double limit) const {
     Outcome outcome;
-    const double limit = largest_error(allowed_);
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         const Stratum& stratum = strata_[kind];
         if (stratum.places.empty()) continue;

@@ -4,7 +4,6 @@
 #include "common/tuning/tradeoff.hpp"
 #include "common/tuning/trial_runner.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -18,6 +17,9 @@ namespace rt {
 /// from the right one. Also the largest number with --pixel-error, if none is given.
 inline constexpr int right_pixel_samples = 1024;
 
+/// No error of a pixel is larger: with it, one ray through each pixel is enough.
+inline constexpr double largest_pixel_error = 255;
+
 /// A picture of one ray a pixel, and trial pixels of three kinds: those on an edge of it, those
 /// beside one, and the others. Few pixels of the first kind give the error of a picture, and few
 /// rays through those of the last kind find what the centers miss. The rays are those of the
@@ -28,6 +30,10 @@ public:
     /// The settings contain those of rays to lights. `allowed` is the largest error of a pixel that
     /// keeps the tolerance.
     PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed);
+
+    /// The settings to which those of rays through pixels are added.
+    [[nodiscard]] const RenderSettings& settings() const { return settings_; }
+    [[nodiscard]] double allowed() const { return allowed_; }
 
     /// Forgets the trial pixels, and traces rays through some, up to right colors whose estimated
     /// error is `right_error`: settings with a --pixel-error of 1.4 times that, or more, can be
@@ -60,17 +66,18 @@ public:
     /// Traces rays through as many pixels of that kind again.
     void grow(std::size_t kind);
 
-    /// The outcome of settings that differ in pixel_samples and pixel_error only.
+    /// The outcome of settings that differ in pixel_samples and pixel_error only. An error of up to
+    /// `limit` keeps the tolerance.
+    [[nodiscard]] Outcome outcome(const RenderSettings& settings, double limit) const;
     [[nodiscard]] Outcome outcome(const RenderSettings& settings) const;
+
+    /// The expected time of a picture with these settings, and the error that, with 95 %
+    /// confidence, at most one pixel in a hundred exceeds.
+    [[nodiscard]] Trial trial(const RenderSettings& settings) const;
 
     /// Returns whether the mean error of each tile is at most `allowed`. Where few trial pixels
     /// make a doubt, more are traced in that tile.
     [[nodiscard]] bool tiles_keep(const RenderSettings& settings, double allowed);
-
-    /// The CPU seconds of a ray through a trial pixel.
-    [[nodiscard]] double seconds_of_a_ray() const { return seconds_ / std::max(spent_, 1.0); }
-
-    [[nodiscard]] const TrialCenters& centers() const { return centers_; }
 
 private:
     struct TrialPixel {
@@ -112,6 +119,7 @@ private:
 
     TrialRunner& runner_;
     Trials& trials_;
+    RenderSettings settings_;
     RenderSettings reference_;
     double allowed_;
     TrialCenters centers_;

@@ -1,9 +1,8 @@
 #include "common/tuning/scene_traits.hpp"
 
 #include "common/render/pixel_samples.hpp"
-#include "common/render/refinement.hpp"
-#include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/cpu_seconds.hpp"
 #include "common/system/parallel_for.hpp"
 #include "common/tuning/input_rounding.hpp"
 
@@ -11,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
-#include <ctime>
 
 namespace rt {
 
@@ -62,7 +60,6 @@ public:
 
     [[nodiscard]] Color color(Pixel pixel) {
         context_.sized_light_rays = 0;
-        if (settings_.pixel_error > 0) return adaptive(pixel);
         const bool several = settings_.pixel_samples > 1;
         begin(pixel, several ? shared_settings(settings_) : settings_);
         return several ? mean_color(scene_, finer_rays_, pixel, context_)
@@ -91,61 +88,11 @@ public:
     /// The rays to area lights of the last pixel.
     [[nodiscard]] int light_rays() const { return int(context_.sized_light_rays); }
     [[nodiscard]] std::int64_t rays() const { return context_.rays; }
-    /// The rays through other pixels, which only decide where there are edges.
-    [[nodiscard]] std::int64_t unused_rays() const { return unused_rays_; }
 
 private:
     void begin(Pixel pixel, const RenderSettings& settings) {
         context_.settings = settings;
         context_.pixel = seed_pixel(pixel, scene_.resolution, request_.round);
-    }
-
-    [[nodiscard]] Color adaptive(Pixel pixel) {
-        if (request_.at_least == 0) {
-            const Color center = center_color(pixel);
-            const auto rays = context_.rays;
-            const auto light_rays = context_.sized_light_rays;
-            const bool beside_edge = is_beside_edge(pixel);
-            unused_rays_ += context_.rays - rays;
-            context_.rays = rays;
-            context_.sized_light_rays = light_rays;
-            if (!beside_edge) return center;
-        }
-        begin(pixel, adaptive_settings(settings_));
-        PixelSamples samples(scene_, finer_rays_, pixel, context_);
-        trace_to_error(samples, settings_, request_.at_least);
-        return samples.mean();
-    }
-
-    [[nodiscard]] Color center_color(Pixel pixel) {
-        begin(pixel, settings_);
-        return trace(scene_, pixel_ray_(pixel), context_);
-    }
-
-    /// Returns whether one of the pixels around it, or it, differs from a neighbor: as Refinement,
-    /// except for edges that it follows farther.
-    [[nodiscard]] bool is_beside_edge(Pixel pixel) {
-        constexpr int reach = 2;
-        constexpr int side = 2 * reach + 1;
-        Image around({.width = side, .height = side});
-        const auto clamped = [](int place, int size) { return std::clamp(place, 0, size - 1); };
-        for (int row = 0; row < side; ++row)
-            for (int column = 0; column < side; ++column) {
-                const Pixel there{
-                    .row = clamped(pixel.row + row - reach, scene_.resolution.height),
-                    .column = clamped(pixel.column + column - reach, scene_.resolution.width)};
-                around[{.row = row, .column = column}] =
-                    to_rgb(center_color(there), settings_.gamma);
-            }
-        Refinement refinement(around.resolution, 2 * settings_.pixel_error);
-        for (int row = 0; row < side; ++row) refinement.compare(around, row);
-        bool is_marked = false;
-        for (int row = 1; row + 1 < side; ++row)
-            refinement.take(row, [&](Pixel marked) {
-                is_marked = is_marked || (1 <= marked.column && marked.column + 1 < side);
-                return false;
-            });
-        return is_marked;
     }
 
     const Scene& scene_;
@@ -154,13 +101,11 @@ private:
     PixelRays pixel_ray_;
     FinerRays finer_rays_;
     Context context_{};
-    std::int64_t unused_rays_ = 0;
 };
 
 /// The total cost of the pixels of a trial.
 struct Cost {
     double rays = 0;
-    double unused_rays = 0;
     double seconds = 0;
 };
 
@@ -171,19 +116,15 @@ Cost draw(const Scene& scene, const RenderSettings& settings, const TrialRequest
     constexpr std::size_t together = 16;  // pixels in one unit of a thread's work
     const std::size_t count = request.pixels.size();
     std::atomic<std::int64_t> rays = 0;
-    std::atomic<std::int64_t> unused_rays = 0;
-    const std::clock_t start = std::clock();
+    const double start = cpu_seconds();
     const auto draw_part = [&](std::size_t part) {
         PixelTrial trial(scene, settings, request);
         const std::size_t end = std::min((part + 1) * together, count);
         for (std::size_t i = part * together; i < end; ++i) draw_one(trial, i);
         rays += trial.rays();
-        unused_rays += trial.unused_rays();
     };
     parallel_for(request.threads, (count + together - 1) / together, request.stop, draw_part);
-    return {.rays = double(rays),
-            .unused_rays = double(unused_rays),
-            .seconds = double(std::clock() - start) / CLOCKS_PER_SEC};
+    return {.rays = double(rays), .seconds = cpu_seconds() - start};
 }
 
 }  // namespace
@@ -219,8 +160,7 @@ TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
     });
     if (count == 0) return sample;
     sample.rays = cost.rays / double(count);
-    const double used = cost.rays / std::max(cost.rays + cost.unused_rays, 1.0);
-    sample.seconds = used * cost.seconds / double(count);
+    sample.seconds = cost.seconds / double(count);
     return sample;
 }
 

@@ -35,8 +35,7 @@ using DisplayColor = std::array<double, 3>;
 struct TrialRequest {
     std::span<const Pixel> pixels;
     int round = 0;     ///< each round uses its own random samples
-    int at_least = 0;  ///< with a pixel_error: the least number of rays through every pixel; 0 for
-                       ///< one ray, and more where rays through the centers around it find an edge
+    int at_least = 0;  ///< of a history: the least number of rays through every pixel
     int threads = 1;
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null
@@ -104,8 +103,8 @@ public:
     /// Builds a hierarchy for each kind of shape with at least this many shapes.
     virtual void build_acceleration(std::size_t hierarchy_from) = 0;
 
-    /// Renders the pixels. The result does not depend on the number of threads. If stopped early,
-    /// it is meaningless.
+    /// Renders the pixels, with settings that have no pixel_error. The result does not depend on
+    /// the number of threads. If stopped early, it is meaningless.
     [[nodiscard]] virtual TrialSample render_pixels(const RenderSettings& settings,
                                                     const TrialRequest& request) const = 0;
 

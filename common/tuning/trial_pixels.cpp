@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 namespace rt {
 
@@ -55,17 +54,6 @@ std::vector<bool> SpreadPixels::with_neighbors(const std::vector<bool>& marked) 
                     all[std::size_t(r * columns_ + c)] = true;
         }
     return all;
-}
-
-std::vector<Pixel> in_spread_order(const std::vector<Pixel>& pixels) {
-    constexpr double golden_ratio = 0.6180339887498949;
-    const std::size_t count = pixels.size();
-    auto step = std::max(std::size_t(golden_ratio * double(count)), std::size_t(1));
-    while (std::gcd(step, count) > 1) ++step;
-    std::vector<Pixel> order;
-    for (std::size_t i = 0, place = 0; i < count; ++i, place = (place + step) % count)
-        order.push_back(pixels[place]);
-    return order;
 }
 
 std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count, int part) {

@@ -57,10 +57,6 @@ private:
     int columns_;
 };
 
-/// The pixels in an order of which each part is spread over the picture: the golden ratio apart,
-/// since every k-th of the cells would be in few columns.
-[[nodiscard]] std::vector<Pixel> in_spread_order(const std::vector<Pixel>& pixels);
-
 /// Returns about `count` of the pixels, spread evenly: every k-th, or all. Parts 0 and 1 have no
 /// pixel in common if there are enough for both.
 [[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count,

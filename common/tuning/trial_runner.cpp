@@ -8,12 +8,9 @@ double TrialRunner::limit() const {
 }
 
 TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSettings& settings,
-                                       std::span<const Pixel> pixels, int round, int at_least) {
-    TrialSample sample = trials.render_pixels(settings, {.pixels = pixels,
-                                                         .round = round,
-                                                         .at_least = at_least,
-                                                         .threads = aim_.threads,
-                                                         .stop = &stop_});
+                                       std::span<const Pixel> pixels, int round) {
+    TrialSample sample = trials.render_pixels(
+        settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
     if (stop_) throw Stopped();
     drawn_ += pixels.size();
     rays_ += sample.rays * double(pixels.size());

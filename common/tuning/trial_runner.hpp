@@ -28,11 +28,10 @@ public:
     /// The largest error that is not significant.
     [[nodiscard]] double limit() const;
 
-    /// Renders the pixels with these settings. Another `round` uses other random samples, and
-    /// `at_least` is that of a TrialRequest. Throws Stopped if the program is to stop.
+    /// Renders the pixels with these settings. Another `round` uses other random samples. Throws
+    /// Stopped if the program is to stop.
     [[nodiscard]] TrialSample render_pixels(const Trials& trials, const RenderSettings& settings,
-                                            std::span<const Pixel> pixels, int round,
-                                            int at_least = 0);
+                                            std::span<const Pixel> pixels, int round);
 
     /// Traces the histories of pixels, or renders the centers, as `trials` describes. Throws
     /// Stopped if the program is to stop.

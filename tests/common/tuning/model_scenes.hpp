@@ -55,13 +55,6 @@ inline double error_of(const RenderSettings& settings) {
 /// A pixel on an edge: the error of one ray, of which n rays leave n^(−3/4).
 inline constexpr double one_center_error = 60;
 
-/// The rays through a pixel on an edge.
-inline double pixel_rays(const RenderSettings& settings, bool is_found) {
-    if (settings.pixel_error == 0) return settings.pixel_samples;
-    const double enough = std::pow(one_center_error / settings.pixel_error, 4.0 / 3);
-    return is_found ? std::clamp(enough, 8., double(settings.pixel_samples)) : 1;
-}
-
 /// The rays at which --pixel-error stops in a pixel on an edge.
 inline int stopped_rays(double pixel_error) {
     int count = first_pixel_samples(pixel_error);
@@ -105,7 +98,7 @@ public:
         TrialSample sample;
         for (const Pixel pixel : request.pixels) {
             const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
-            const double edge = edge_rays(pixel, settings, request);
+            const double edge = settings.pixel_samples;
             const double shade = shade_of(pixel, settings, request.round, in_penumbra) +
                                  edge_error(pixel, edge, request.round);
             sample.shades.push_back({shade, shade, shade});
@@ -202,13 +195,6 @@ private:
 
     [[nodiscard]] bool is_on_edge(Pixel pixel) const {
         return model_.size.width - pixel.column <= model_.edges * model_.size.width;
-    }
-    [[nodiscard]] double edge_rays(Pixel pixel, const RenderSettings& settings,
-                                   const TrialRequest& request) const {
-        const double found = pixel_rays(settings, !is_lost(pixel) || request.at_least > 0);
-        return is_on_edge(pixel) || settings.pixel_error == 0
-                   ? found
-                   : std::max(1., double(request.at_least));
     }
     [[nodiscard]] double edge_error(Pixel pixel, double rays, int round) const {
         if (!is_on_edge(pixel)) return 0;

@@ -1,6 +1,7 @@
 // Every scene of the project with --tolerance and --time. For a tolerance: the number of pixels
 // within it, and the cost of the picture with its trials, beside the cheapest of other candidate
 // within it. For a time: the run time of the program.
+#include "common/system/cpu_seconds.hpp"
 #include "common/tuning/choose_samples.hpp"
 
 #include "tests/measurements/accuracy/certain_shades.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <limits>
 
 using namespace rt;
@@ -23,10 +23,6 @@ constexpr double tolerances[] = {1, 4};
 constexpr double times[] = {1, 3};  ///< seconds
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const std::atomic<bool> going_on = false;
-
-double processor_seconds() {
-    return double(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// The right colors, and the pixels whose error with one ray per light exceeds each tolerance.
 struct Truth {
@@ -197,10 +193,10 @@ void measure_tolerances(const std::filesystem::path& scene,
         const auto open_float = [&]() -> Trials& {
             return *(in_float = f32::make_renderer(program, options));
         };
-        const double start = processor_seconds();
+        const double start = cpu_seconds();
         const AutoSettings choice =
             choose(*session, open_float, options, Clock::now(), going_on).value();
-        const double trials = processor_seconds() - start;
+        const double trials = cpu_seconds() - start;
         const TrialSample sample =
             rendered(choice.in_float ? *in_float : *session, choice.expected.settings);
         const Kept share = kept(sample, truth, i);

@@ -3,11 +3,11 @@
 #include "common/program/load_meshes.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
+#include "common/system/cpu_seconds.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <memory>
 
@@ -27,9 +27,9 @@ Scene loaded(const std::string& file, Resolution size, std::size_t hierarchy_fro
 
 Drawing timed(const Scene& scene, const RenderSettings& settings) {
     Drawing drawing;
-    const std::clock_t start = std::clock();
+    const double start = cpu_seconds();
     drawing.image = std::move(render(scene, {.settings = settings}).value().image);
-    drawing.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    drawing.seconds = cpu_seconds() - start;
     return drawing;
 }
 

@@ -1,16 +1,17 @@
 #include "tests/measurements/accuracy/time_ratio.hpp"
 
+#include "common/system/cpu_seconds.hpp"
+
 #include <algorithm>
-#include <ctime>
 #include <limits>
 #include <utility>
 
 namespace rt {
 
 Drawing timed(const std::function<Image()>& draw) {
-    const std::clock_t start = std::clock();
+    const double start = cpu_seconds();
     Image image = draw();
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    const double seconds = cpu_seconds() - start;
     return {.image = std::move(image), .seconds = seconds};
 }
 
