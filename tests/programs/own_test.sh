@@ -125,8 +125,8 @@ cp page_5.cpp mine/main.cpp
 
 own 2 mine "$build/step10_shadows" 60
 says "mine/build/tracer: error: no such program"
-says "cmake -S mine -B mine/build"
-cmake -S mine -B mine/build > out 2>&1 && cmake --build mine/build >> out 2>&1 ||
+says "cmake -G Ninja -S mine -B mine/build"
+cmake -G Ninja -S mine -B mine/build > out 2>&1 && cmake --build mine/build >> out 2>&1 ||
     fail "plain cmake builds it"
 own 0 mine "$build/step10_shadows" 60
 [ "$(grep -c '^✓ ' out)" = 3 ] || fail "three pictures agree"

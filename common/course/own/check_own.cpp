@@ -104,9 +104,9 @@ fs::path own_program(const fs::path& folder) {
     const fs::path program = folder / "build/tracer";
     if (fs::is_regular_file(program)) return fs::absolute(program);
     const std::string name = folder.string();
-    throw InputError({program.string()}, "no such program: build it with cmake -S " + name +
-                                             " -B " + name + "/build && cmake --build " + name +
-                                             "/build");
+    throw InputError({program.string()}, "no such program: build it with cmake -G Ninja -S " +
+                                             name + " -B " + name + "/build && cmake --build " +
+                                             name + "/build");
 }
 
 int check_own(const OwnCheck& check) {

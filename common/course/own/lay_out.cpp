@@ -46,7 +46,7 @@ target_link_libraries(tracer PRIVATE glm::glm)
 
 constexpr const char* readme = R"(# A ray tracer of my own
 
-    cmake -S . -B build
+    cmake -G Ninja -S . -B build
     cmake --build build
     build/tracer scene.rt picture.ppm
 
@@ -175,7 +175,8 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
         left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
     if (!left_out.empty()) std::printf("left out, as not started: %s\n", left_out.c_str());
     std::printf(
-        "build: cmake -S %s -B %s/build && cmake --build %s/build\nread:  docs/your_own.md\n",
+        "build: cmake -G Ninja -S %s -B %s/build && cmake --build %s/build\n"
+        "read:  docs/your_own.md\n",
         name.c_str(), name.c_str(), name.c_str());
     return 0;
 }
