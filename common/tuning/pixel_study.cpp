@@ -2,6 +2,7 @@
 
 #include "common/math/spread_order.hpp"
 #include "common/tuning/candidates.hpp"
+#include "common/tuning/choose_samples.hpp"
 #include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>
