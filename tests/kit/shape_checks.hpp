@@ -63,12 +63,14 @@ inline bool nearly_along_side(const Cone& cone, Vec3 direction) {
 /// plane at that point, so the ray hits nothing before it.
 template <class Shape>
 Aimed<Shape> aimed_from_outside(const Sample<Shape>& sample, Random& random) {
+    constexpr int most_tries = 100;  // a reduced case may repeat a direction without end
     Vec3 away;
-    do {
+    for (int i = 0; i < most_tries; ++i) {
         away = random.direction();
         if (dot(away, sample.normal) < 0) away = -away;
         if (dot(away, sample.normal) < Real(0.2)) away += sample.normal;  // not too grazing
-    } while (nearly_along_side(sample.shape, away));
+        if (!nearly_along_side(sample.shape, away)) break;
+    }
     const Vec3 origin = sample.point + random.between(Real(0.5), 4) * away;
     const Real t = random.between(Real(0.25), 4);
     return {.ray = {.origin = origin, .direction = (sample.point - origin) / t},
