@@ -1,6 +1,7 @@
 #include "common/course/own/check_own.hpp"
 
 #include "common/course/exercise/image_diff.hpp"
+#include "common/course/own/lay_out.hpp"
 #include "common/course/own/ppm.hpp"
 #include "common/image/png.hpp"
 #include "common/system/files.hpp"
@@ -103,10 +104,8 @@ Image reference_picture(const OwnCheck& check, const std::string& scene) {
 fs::path own_program(const fs::path& folder) {
     const fs::path program = folder / "build/tracer";
     if (fs::is_regular_file(program)) return fs::absolute(program);
-    const std::string name = folder.string();
-    throw InputError({program.string()}, "no such program: build it with cmake -G Ninja -S " +
-                                             name + " -B " + name + "/build && cmake --build " +
-                                             name + "/build");
+    throw InputError({program.string()},
+                     "no such program: build it with " + own_build_command(folder));
 }
 
 int check_own(const OwnCheck& check) {

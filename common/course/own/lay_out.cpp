@@ -167,18 +167,19 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(folder, target);
 
-    const std::string name = destination.string();
-    std::printf("%s: your files of %zu stages, and the headers that they include\n", name.c_str(),
-                layout.stages().size());
+    std::printf("%s: your files of %zu stages, and the headers that they include\n",
+                destination.c_str(), layout.stages().size());
     std::string left_out;
     for (const int stage : layout.left_out())
         left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
     if (!left_out.empty()) std::printf("left out, as not started: %s\n", left_out.c_str());
-    std::printf(
-        "build: cmake -G Ninja -S %s -B %s/build && cmake --build %s/build\n"
-        "read:  docs/your_own.md\n",
-        name.c_str(), name.c_str(), name.c_str());
+    std::printf("build: %s\nread:  docs/your_own.md\n", own_build_command(destination).c_str());
     return 0;
+}
+
+std::string own_build_command(const fs::path& folder) {
+    const std::string build = (folder / "build").string();
+    return "cmake -G Ninja -S " + folder.string() + " -B " + build + " && cmake --build " + build;
 }
 
 }  // namespace rt

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace rt {
 
@@ -11,5 +12,9 @@ namespace rt {
 /// stages do not lead to. The folder appears complete or not at all. Throws InputError if it exists
 /// and is not empty, or if no stage is started. Returns 0.
 int lay_out_own(const std::filesystem::path& project, const std::filesystem::path& destination);
+
+/// The shell command that builds the program in the folder. With Ninja, since `./course` installs
+/// it and not make, CMake's default.
+[[nodiscard]] std::string own_build_command(const std::filesystem::path& folder);
 
 }  // namespace rt
