@@ -4,6 +4,7 @@
 
 #include <unistd.h>  // isatty, which standard C++ does not have
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -32,14 +33,12 @@ int terminal_columns() {
     return said > 0 ? said : 80;
 }
 
-Progress::Progress(bool shown, int total) : shown_(shown), total_(total) {}
-
-Progress::~Progress() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+Progress::Progress(bool shown, int total) : total_(total) {
+    if (shown) status_.emplace("");
 }
 
 void Progress::advance() {
-    if (!shown_) return;
+    if (!status_) return;
     const std::lock_guard lock(mutex_);
     ++done_;
     const Clock::time_point now = Clock::now();
@@ -47,8 +46,9 @@ void Progress::advance() {
     last_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double left = seconds * (total_ - done_) / done_;
-    std::fprintf(stderr, "\r%4d %%, %.0f s left\033[K", 100 * done_ / total_, left);
-    std::fflush(stderr);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%4d %%, %.0f s left", 100 * done_ / total_, left);
+    status_->show(text.data());
 }
 
 }  // namespace rt

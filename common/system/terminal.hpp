@@ -1,8 +1,11 @@
 // Output to the terminal, and its properties.
 #pragma once
 
+#include "common/system/status_line.hpp"
+
 #include <chrono>
 #include <mutex>
+#include <optional>
 
 namespace rt {
 
@@ -16,15 +19,11 @@ void finish_output();
 /// The width of the terminal in characters, as the terminal reports it.
 [[nodiscard]] int terminal_columns();
 
-/// A progress line "  45 %, 3 s left" on the standard error stream, rewritten in place and erased
-/// at the end. Any thread may report progress.
+/// A status line "  45 %, 3 s left". Any thread may report progress.
 class Progress {
 public:
     /// Prints nothing unless `shown`.
     Progress(bool shown, int total);
-    ~Progress();
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
 
     /// Counts one more of the total as done.
     void advance();
@@ -32,7 +31,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    bool shown_;
+    std::optional<StatusLine> status_;
     int total_;
     int done_ = 0;
     Clock::time_point start_ = Clock::now();

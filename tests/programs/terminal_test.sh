@@ -1,7 +1,8 @@
 #!/bin/sh
-# Output on a terminal that a pipe does not get: terminal_test.sh BUILD_FOLDER
+# Output on a terminal that a pipe does not get, or only in part: terminal_test.sh BUILD_FOLDER PROJECT
 # Needs util-linux' script, which runs a program on a terminal; status 77 if it is not installed.
 build=$1
+project=$2
 script --version 2> /dev/null | grep -q util-linux || exit 77
 . "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
@@ -20,5 +21,30 @@ seen | grep -Eq ' [0-9]+ %, [0-9]+ s left' || fail "progress is shown on a termi
 COLUMNS=10 "$build/step03_sphere" -o a.png --preview --size 40x40 2> err > out
 [ "$(grep -c '▀' out)" = 5 ] || fail "--preview draws 10 x 10 pixels in 5 lines"
 [ "$(head -n 1 out | grep -o '▀' | wc -l)" = 10 ] || fail "--preview is 10 characters wide"
+
+# A build of 7 seconds tells in a pipe how far it is: first the script, then its program. A terminal
+# gets nothing more. Other programs take the place of cmake and ninja.
+mkdir -p fakes bare/build
+printf '#!/bin/sh\nexit 0\n' > bare/build/course
+printf '#!/bin/sh\necho -- Detecting\n' > fakes/cmake
+cat > fakes/ninja << 'END'
+#!/bin/sh
+for i in 1 2 3 4 5 6 7; do
+    printf '[%d/7] ./course: Building a.cpp\n[%d 7 1.0] Building CXX object a.cpp.o\n' $i $i
+    sleep 1
+done
+END
+chmod +x bare/build/course fakes/*
+cp "$project/course" bare
+PATH=$PWD/fakes:$PATH bare/course 2> err
+[ "$(grep -c '^configuring ' err) $(wc -l < err)" = "1 2" ] || fail "the script has one line more in 7 s"
+grep -q '^\[[67]/7\] ./course: Building a.cpp$' err || fail "the line contains the share and the file"
+if [ -x "$build/course" ]; then
+    PATH=$PWD/fakes:$PATH "$build/course" run 3 --quiet -o a.png --size 4x3 2> err
+    grep -Eq '^building: +[0-9]+ %, [0-9.]+ s left: a.cpp$' err || fail "its program has a line, too"
+    [ "$(wc -l < err)" = 1 ] || fail "but only one in 7 s"
+    PATH=$PWD/fakes:$PATH script -qec "$build/course run 3 --quiet -o a.png --size 4x3" /dev/null < /dev/null > out
+    [ "$(wc -l < out)" = 0 ] || fail "a terminal has one line, which is erased"
+fi
 
 exit $failed

@@ -5,9 +5,10 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
-#include "common/system/terminal.hpp"
+#include "common/system/status_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 
@@ -42,15 +43,10 @@ const std::vector<File> files = {
     {"choices", "choices", {"choices"}, 1, 120, true},
 };
 
-/// "measuring: 45 %, 80 s left", in place.
+/// "measuring: 45 %, 80 s left"
 class Meter {
 public:
     explicit Meter(double all) : all_(all) {}
-    ~Meter() {
-        if (shown_) std::fputs("\r\033[K", stderr);
-    }
-    Meter(const Meter&) = delete;
-    Meter& operator=(const Meter&) = delete;
 
     /// Finishes the previous part, and starts one with this expected duration.
     void begin(double seconds) {
@@ -60,20 +56,21 @@ public:
         explain();
     }
 
-    void explain() const {
-        if (!shown_) return;
+    void explain() {
         const Clock::time_point now = Clock::now();
         const double slower = done_ > 0 ? Seconds(begun_ - start_).count() / done_ : 1;
         const double done = done_ + std::min(Seconds(now - begun_).count() / slower, part_);
-        std::fprintf(stderr, "\rmeasuring: %.0f %%, %.0f s left\033[K", 100 * done / all_,
-                     slower * (all_ - done));
+        std::array<char, 64> text{};
+        std::snprintf(text.data(), text.size(), "measuring: %.0f %%, %.0f s left",
+                      100 * done / all_, slower * (all_ - done));
+        status_.show(text.data());
     }
 
 private:
     using Clock = std::chrono::steady_clock;
     using Seconds = std::chrono::duration<double>;
 
-    bool shown_ = errors_on_terminal();
+    StatusLine status_{"measuring …"};
     double all_;
     double done_ = 0;
     double part_ = 0;
@@ -82,7 +79,7 @@ private:
 };
 
 /// All that a program prints. Throws ProgramError if it fails.
-std::string output_of(const std::string& program, const Meter& meter) {
+std::string output_of(const std::string& program, Meter& meter) {
     std::string output;
     const auto hear = [&](std::string_view piece) {
         output += piece;

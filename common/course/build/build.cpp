@@ -2,11 +2,11 @@
 
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/build/status_line.hpp"
 #include "common/course/build/student_objects.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <thread>
 
 namespace rt {
 
@@ -34,6 +35,9 @@ std::string file_of(const std::string& edge) {
 /// Parses the output of ninja, line by line.
 class Listener {
 public:
+    /// Nothing new was printed for a while.
+    void wait() { status_.show_again(); }
+
     void hear(const std::string& line) {
         int done = 0;
         int total = 0;
@@ -72,7 +76,7 @@ public:
     }
 
 private:
-    void show_progress(int done, int total, double seconds, const std::string& file) const {
+    void show_progress(int done, int total, double seconds, const std::string& file) {
         if (done == 0 || total == 0) return;
         std::array<char, 64> share{};
         std::snprintf(share.data(), share.size(),
@@ -97,8 +101,11 @@ public:
     BuildLock()
         : file_(open((build_folder / "building").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
         if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-        const StatusLine status("waiting for another build …");
-        flock(file_, LOCK_EX);
+        StatusLine status("waiting for another build …");
+        while (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+            status.show_again();
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
     }
     ~BuildLock() { close(file_); }
     BuildLock(const BuildLock&) = delete;
@@ -117,6 +124,7 @@ Build try_build(const std::vector<std::string>& targets) {
     Listener listener;
     std::string line;  // the last one, whose end is not printed yet
     const int status = run_heard(command, Streams::both, [&](std::string_view piece) {
+        if (piece.empty()) listener.wait();
         line += piece;
         for (std::size_t end; (end = line.find('\n')) != std::string::npos; line.erase(0, end + 1))
             listener.hear(line.substr(0, end + 1));

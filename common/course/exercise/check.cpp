@@ -3,7 +3,6 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/build/status_line.hpp"
 #include "common/course/exercise/cases.hpp"
 #include "common/course/exercise/diagnosis.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
@@ -18,6 +17,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
 #include "common/system/terminal.hpp"
 
 #include <algorithm>

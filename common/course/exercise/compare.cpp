@@ -2,7 +2,6 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/build/status_line.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/course/exercise/log_text.hpp"
@@ -10,6 +9,7 @@
 #include "common/image/preview.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/status_line.hpp"
 #include "common/system/terminal.hpp"
 
 #include <unistd.h>

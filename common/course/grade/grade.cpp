@@ -198,7 +198,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     go_on(grading.workshop);
     std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", submissions.size(),
                  grading.stages.size(), grading.seed.c_str());
-    Progress progress(errors_on_terminal(), int(submissions.size()));
+    Progress progress(true, int(submissions.size()));
     std::atomic<bool> failed = false;
     parallel_for(order.jobs, submissions.size(), &stop, [&](std::size_t i) {
         const std::string why = judge.judge(submissions[i]);

@@ -3,12 +3,12 @@
 #include "common/course/book/site.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/build/status_line.hpp"
 #include "common/course/handout/for_students.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
 
 #include <sys/utsname.h>
 
@@ -27,7 +27,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::minutes time_limit{5};
-constexpr std::chrono::minutes build_time_limit{60};
 constexpr const char* archive_ending = ".tar.gz";
 
 /// The output of git ls-files; nothing if the project is not a clone.
@@ -203,7 +202,7 @@ void add_book(const fs::path& folder) {
 /// Builds the archives for another kind of processor, in a build folder of their own.
 fs::path build_archives(const std::string& processor) {
     const fs::path folder = build_folder / ("handout_" + processor);
-    const StatusLine status("building for " + processor + " …");
+    StatusLine status("building for " + processor + " …");
     const Command configure{"cmake", "-S", project_folder.string(), "-B", folder.string(), "-G",
                             "Ninja", "-DCMAKE_SYSTEM_NAME=Linux",
                             "-DCMAKE_SYSTEM_PROCESSOR=" + processor,
@@ -214,9 +213,13 @@ fs::path build_archives(const std::string& processor) {
                             "-DZLIB_LIBRARY=/dev/null", "-DZLIB_INCLUDE_DIR=/usr/include"};
     for (const Command& command :
          {configure, Command{"ninja", "-C", folder.string(), "archives"}}) {
-        const ProcessResult ending = run_captured(command, build_time_limit);
-        if (ending.status != 0)
-            throw ProgramError("error: " + command[0] + " failed\n" + ending.output);
+        std::string output;
+        const auto hear = [&](std::string_view piece) {
+            output += piece;
+            status.show_again();
+        };
+        if (run_heard(command, Streams::both, hear) != 0)
+            throw ProgramError("error: " + command[0] + " failed\n" + output);
     }
     return folder / "archives";
 }
