@@ -37,13 +37,15 @@ bool may_be_replaced(std::FILE* file) {
 void check_place(const std::string& file) {
     const fs::path target = behind_links(file);
     std::error_code not_there;
-    const fs::file_status status = fs::status(target, not_there);
+    const fs::file_status status = fs::status(file, not_there);  // also of a pipe: /dev/stdout
+    if (file == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
+        throw InputError({file},
+                         "is not the name of a file: a picture is not written to a folder, a "
+                         "device, a pipe or the standard output");
     if (!fs::exists(status)) {
         if (!target.has_filename()) fail_to_write(file, "it is the name of a folder");
         return;
     }
-    if (!fs::is_regular_file(status))
-        throw InputError({file}, "is a folder or a device: expected a name for the picture");
     std::FILE* const older = std::fopen(target.string().c_str(), "r+b");
     if (older == nullptr) fail_to_write(file, std::strerror(errno));
     const bool replaced = may_be_replaced(older);

@@ -47,6 +47,17 @@ refused "a folder's name" other/
 refused "a file for a folder" own.rt/a.png
 refused "a device" /dev/null
 [ -c /dev/null ] || fail "a device stays one"
+refused "the standard output" -
+grep -q 'the standard output$' err || fail "- is not the standard output, and the error says so"
+if [ -e /dev/stdout ]; then
+    { "$build/step03_sphere" own.rt --size 4x3 -o /dev/stdout 2> err; echo $? > status; } | cat > out
+    [ "$(cat status)" = 2 ] && [ ! -s out ] || fail "/dev/stdout in a pipe: status 2, and nothing in the pipe"
+    grep -q '^/dev/stdout: error: is not the name of a file: ' err && [ "$(wc -l < err)" = 1 ] ||
+        fail "/dev/stdout in a pipe: the error says what is wrong"
+fi
+mkfifo fifo.png
+refused "a named pipe" fifo.png
+[ -p fifo.png ] || fail "a named pipe stays one"
 ln -s own.rt linked.rt
 refused "the scene itself" ./own.rt
 refused "the scene by another name" linked.rt

@@ -170,7 +170,8 @@ TEST_CASE("a picture that cannot be written is an error with a reason, and leave
     CHECK(refusal(scratch.file("file/deep/a.png")).find(": error: ") != std::string::npos);
     CHECK(refusal(scratch.file("folder.png")) ==
           scratch.file("folder.png") +
-              ": error: is a folder or a device: expected a name for the picture");
+              ": error: is not the name of a file: a picture is not written to a folder, a device, "
+              "a pipe or the standard output");
     CHECK_THROWS_AS(check_writable(scratch.file("folder.png")), InputError);
     CHECK_THROWS_AS(check_writable(scratch.file("file/a.png")), InputError);
     CHECK_THROWS_AS(check_writable(scratch.file("file")), InputError);
