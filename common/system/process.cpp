@@ -3,6 +3,7 @@
 #include "common/system/descriptors.hpp"
 #include "common/system/end_with_parent.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/orphans.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -55,6 +56,14 @@ int become(char** arguments, const Launch& launch, pid_t parent) {
     return errno;
 }
 
+/// The status from waitpid.
+int wait_for(pid_t process) {
+    int answer = 0;
+    while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
+    note_end(process);
+    return answer;
+}
+
 pid_t start(const Command& command, const Launch& launch) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -69,13 +78,14 @@ pid_t start(const Command& command, const Launch& launch) {
         error = become(arguments.data(), launch, parent);
         _exit(write(failure[1], &error, sizeof error) == sizeof error ? 1 : 2);
     }
+    if (process > 0) note_start(process);
     lock.unlock();
     close(failure[1]);
     // Nothing can be read after a successful exec.
     while (process > 0 && read(failure[0], &error, sizeof error) == -1 && errno == EINTR) continue;
     close(failure[0]);
     if (error == 0) return process;
-    if (process > 0) waitpid(process, nullptr, 0);
+    if (process > 0) wait_for(process);
     throw InputError({}, command[0] + " cannot be started: " + std::strerror(error));
 }
 
@@ -118,13 +128,6 @@ void listen(int ear, int milliseconds, const std::function<bool(std::string_view
     close(ear);
 }
 
-/// The status from waitpid.
-int wait_for(pid_t process) {
-    int answer = 0;
-    while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
-    return answer;
-}
-
 /// Returns whether the process has ended. It keeps its number until wait_for.
 bool has_ended(pid_t process) {
     siginfo_t about{};
@@ -164,6 +167,7 @@ int run_heard(const Command& command, Streams streams,
 
 ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                            const std::atomic<bool>* cancelled, std::size_t most_output) {
+    const Orphans orphans;
     const Group group = cancelled == nullptr ? Group::callers : Group::its_own;
     const HeardProgram program = start_heard(command, {.signal = SIGKILL, .group = group});
     const pid_t process = program.process;

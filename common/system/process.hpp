@@ -45,9 +45,10 @@ struct ProcessResult {
 
 /// Runs a program with its output captured, and stops it after `limit`. Throws InputError if it
 /// cannot be started. With `cancelled`, the program and its children are stopped when `*cancelled`
-/// becomes true, children that it has left are ended with it, and Ctrl-C is handled by the caller
+/// becomes true, and Ctrl-C is handled by the caller
 /// instead of the program. To stop it, SIGTERM is sent, and SIGKILL a fifth of a second later. The
-/// program is also stopped when the calling thread ends.
+/// program is also stopped when the calling thread ends. On Linux, processes that it leaves running
+/// are ended, too.
 [[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                                          const std::atomic<bool>* cancelled = nullptr,
                                          std::size_t most_output = 64 * 1024);
