@@ -115,4 +115,17 @@ is_answered_at_once("connections that are closed at once")
 began = time.monotonic()
 if status(slow[-2].recv(100)) != 408 or not 3 < time.monotonic() - began < 7:
     fail("a slow connection is ended after 5 s")
+
+# Connections that request a large answer (view_test.sh makes it large), and read nothing of it.
+readers = []
+for _ in range(24):
+    reader = socket.socket()
+    reader.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1024)
+    reader.connect((host, int(port)))
+    reader.sendall(request(start + "difference.js").encode())
+    readers.append(reader)
+time.sleep(0.5)
+is_answered_at_once("connections that do not read their answers")
+for reader in readers:
+    reader.close()
 sys.exit(failed)

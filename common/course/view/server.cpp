@@ -29,6 +29,7 @@ constexpr int most_in_kernel = 128;  // not accepted yet
 constexpr std::size_t longest_head = 8192;
 constexpr std::chrono::seconds patience_with_request{5};
 constexpr std::chrono::seconds patience_with_reader{10};
+constexpr std::chrono::milliseconds patience_while_others_wait{250};  ///< for each piece
 
 /// A connection, and a pipe: when its other end is closed, all waiting ends. (On macOS, shutdown of
 /// the listening socket would end nothing.)
@@ -52,10 +53,15 @@ bool wait_for(Connection connection, short event, Clock::time_point deadline) {
     }
 }
 
-void send_all(Connection connection, const std::string& bytes) {
+/// Sends all bytes, or gives up a reader who is too slow.
+void send_all(Connection connection, const std::string& bytes,
+              const std::function<bool()>& others_wait) {
     const Clock::time_point deadline = Clock::now() + patience_with_reader;
-    for (std::size_t sent = 0; sent < bytes.size();) {
-        if (!wait_for(connection, POLLOUT, deadline)) return;
+    for (std::size_t sent = 0; sent < bytes.size() && Clock::now() < deadline;) {
+        const bool is_ready =
+            wait_for(connection, POLLOUT, Clock::now() + patience_while_others_wait);
+        if (!is_ready && others_wait()) return;
+        if (!is_ready) continue;
         // A reader who disconnected must not end the program, as SIGPIPE would.
         const ssize_t count = send(connection.socket, bytes.data() + sent, bytes.size() - sent,
                                    send_without_signal | MSG_DONTWAIT);
@@ -217,7 +223,10 @@ void Server::work(const Answer& answer) {
             mine.splice(mine.end(), queue_, queue_.begin());
         }
         const Connection connection{mine.front().socket, end_[0]};
-        send_all(connection, to_bytes(respond(mine.front(), answer)));
+        send_all(connection, to_bytes(respond(mine.front(), answer)), [this] {
+            const std::scoped_lock lock(mutex_);
+            return over_ || !queue_.empty();
+        });
         close_kindly(connection);
     }
 }
