@@ -18,7 +18,6 @@ bool is_letter(char c) {
 }
 
 Token trimmed(Token token) {
-    constexpr std::string_view blanks = " \t\r\v\f";
     const std::size_t begin = std::min(token.text.find_first_not_of(blanks), token.text.size());
     token.text.remove_prefix(begin);
     token.column += static_cast<int>(begin);
@@ -177,8 +176,8 @@ Token ElementLine::take_word(std::string_view field) {
 std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
     const Token token = take(field, at_end() ? 1 : words_of_field());
     const auto parts = three_parts(token);
-    const bool blanks = token.text.find_first_of(" \t\r\v\f") != std::string_view::npos;
-    if (parts && blanks) {
+    const bool has_blanks = token.text.find_first_of(blanks) != std::string_view::npos;
+    if (parts && has_blanks) {
         warn(token, "blank in triple", "blanks around the commas of " + quoted(token.text));
     }
     if (parts) return *parts;
@@ -211,7 +210,12 @@ void ElementLine::skip_to_triple(std::string_view field) {
 }
 
 std::string ElementLine::missing(std::string_view field) const {
-    return what(field) + " is missing: expected \"" + std::string(form_.layout) + "\"";
+    std::string text = what(field) + " is missing: expected \"" + std::string(form_.layout) + "\"";
+    const std::string_view word =
+        line_.comment.text.substr(0, line_.comment.text.find_first_of(blanks));
+    if (field.ends_with("color") && word.starts_with('#') && word.size() > 1)
+        text += "; " + quoted(word) + " starts a comment, and a color is r,g,b as in 255,0,0";
+    return text;
 }
 
 Token ElementLine::end_of_line() const {

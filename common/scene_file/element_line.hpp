@@ -84,6 +84,9 @@ protected:
     void skip_to_triple(std::string_view field);
 
     [[nodiscard]] bool at_end() const { return next_ == line_.tokens.size(); }
+
+    /// The message that the field is missing. If a comment is where a color should be, `#red` say,
+    /// the message explains that.
     [[nodiscard]] std::string missing(std::string_view field) const;
     [[nodiscard]] Token end_of_line() const;
 

@@ -6,7 +6,6 @@ namespace rt {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 /// The offset of the line's comment; the line's size if it has none.

@@ -8,6 +8,9 @@
 
 namespace rt {
 
+/// What separates words: also CR, vertical tab and form feed.
+inline constexpr std::string_view blanks = " \t\r\v\f";
+
 /// A word without blanks. The column, in bytes, counts from 1.
 struct Token {
     std::string_view text;

@@ -123,11 +123,14 @@ TEST_CASE("lenient reading takes #rrggbb for a color where the line would have n
         CHECK(read.warnings.empty());
         CHECK(read.scene.spheres.at(0).material.color == orange);
     }
-    for (const std::string rest :
-         {"#ff330", "#ff33001", "#f3", "#ff330g", "# f30", "##f30", "#", "// #f30"})
-        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + rest) ==
-              "scene.rt:2:11: error: a sphere's color is missing: expected "
-              "\"sp position diameter color\"");
+    const std::string missing =
+        "scene.rt:2:11: error: a sphere's color is missing: expected \"sp position diameter "
+        "color\"";
+    for (const std::string rest : {"# f30", "#", "#\tf30", "// #f30"})
+        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + rest) == missing);
+    for (const std::string word : {"#ff330", "#ff33001", "#f3", "#ff330g", "##f30", "#red"})
+        CHECK(lenient_refusal(camera + "sp 1,2,3 4 " + word + " spec:1") ==
+              missing + "; \"" + word + "\" starts a comment, and a color is r,g,b as in 255,0,0");
     CHECK(lenient(camera + "#f30 #123456\nA 0.5#ff3300\n").scene.ambient->color == Color(1));
 }
 
@@ -147,6 +150,7 @@ TEST_CASE("lenient reading takes 60 degrees for a field of view that is missing"
           std::vector<std::string>{
               "scene.rt:1:15: warning: a camera's field of view is missing: expected "
               "\"C position direction fov\"; it is 60"});
+    CHECK(lenient("C 0,0,0 0,0,-1 #60\n").warnings == read.warnings);
 }
 
 TEST_CASE("lenient reading ignores an R of which all words are key:value") {
@@ -166,6 +170,10 @@ TEST_CASE("lenient reading takes light without a color for white") {
     CHECK(read.warnings ==
           std::vector<std::string>{"scene.rt:2:6: warning: the ambient light's color is missing: "
                                    "expected \"A ratio color\"; it is white"});
+    CHECK(lenient(camera + "A 0.5 #white\n").warnings ==
+          std::vector<std::string>{"scene.rt:2:6: warning: the ambient light's color is missing: "
+                                   "expected \"A ratio color\"; \"#white\" starts a comment, and "
+                                   "a color is r,g,b as in 255,0,0; it is white"});
 }
 
 TEST_CASE("of several R or A the last counts in lenient reading; cameras all stay") {
