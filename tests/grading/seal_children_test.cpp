@@ -1,0 +1,55 @@
+// The end of a sealed process, and of its children.
+#include "tests/grading/seal_ground.hpp"
+#include "tests/kit/catch.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <tuple>
+
+using namespace rt;
+
+TEST_CASE("a process that ends, for any reason, ends all of its children") {
+    const Ground ground;
+    const std::string scratch = ground.folder / "scratch";
+    const Words building{"work=building", "wall=60", "write=" + scratch,
+                         "read=" + (ground.folder / "attacker").string()};
+    const std::string attacker = ground.folder / "attacker";
+    // The attacks sleep for a minute: a condition that becomes true much earlier is not due to
+    // their own end.
+    const auto soon = [](auto holds) {
+        const auto start = std::chrono::steady_clock::now();
+        while (!holds()) {
+            if (std::chrono::steady_clock::now() - start > std::chrono::seconds(20)) return false;
+            usleep(10000);
+        }
+        return true;
+    };
+    for (const Who& who : everybody(ground)) {
+        if (geteuid() == 0 && is_ordinary(who))
+            REQUIRE(chown(scratch.c_str(), ordinary_user, ordinary_user) == 0);
+        for (const auto& [limits, attack, count] :
+             {std::tuple(building, "children", 3), std::tuple(Words{}, "sleep", 1)}) {
+            INFO(who.name + ": " + attack);
+            // The grader is killed.
+            const Command command = sealed(ground, who, limits, {attack});
+            const pid_t grader = fork();
+            if (grader == 0) _exit(run_captured(command, std::chrono::seconds(60)).status);
+            CHECK(soon([&, all = count] { return processes_of(attacker) == all; }));
+            kill(grader, SIGKILL);
+            waitpid(grader, nullptr, 0);
+            CHECK(soon([&] { return processes_of(attacker) == 0; }));
+            // It has reached its limit, and is stopped.
+            CHECK(run_captured(command, std::chrono::seconds(1)).out_of_time);
+            CHECK(soon([&] { return processes_of(attacker) == 0; }));
+            const std::atomic<bool> stop = true;
+            const auto start = std::chrono::steady_clock::now();
+            CHECK(run_captured(command, std::chrono::seconds(60), &stop).status != done);
+            CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+            CHECK(soon([&] { return processes_of(attacker) == 0; }));
+        }
+    }
+}
