@@ -138,38 +138,38 @@ function(raysteps_compile_without_optimizing target precision)
     target_precompile_headers(${target} REUSE_FROM raysteps_unoptimized_${precision})
 endfunction()
 
-# raysteps_precompile_contract(<stage>)
+# raysteps_precompile(<name> <header>)
 #
-# Defines <stage>_contract_f32 and _f64, for g++: the stage's header, precompiled in a folder
-# <header>.hpp.gch of a tree that can be searched before the project's.
-function(raysteps_precompile_contract stage)
-    string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${stage}/\\1.hpp" header ${stage})
+# Defines <name>_f32 and _f64, for g++: the header, precompiled in a folder <header>.gch of a tree that
+# can be searched before the project's.
+function(raysteps_precompile name header)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/${header}.gch/all.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
-    raysteps_compile_twice(${stage}_contract ${source})
-    foreach(target IN ITEMS ${stage}_contract_f32 ${stage}_contract_f64)
+    raysteps_compile_twice(${name} ${source})
+    foreach(target IN ITEMS ${name}_f32 ${name}_f64)
         target_compile_options(${target} PRIVATE "SHELL:-x c++-header")
-        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON)
+        set_target_properties(${target} PROPERTIES
+            EXCLUDE_FROM_ALL ON RAYSTEPS_HEADER ${header})
         # For an #include after others, where g++ accepts no precompiled header.
         file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${header}
             CONTENT "#include \"${PROJECT_SOURCE_DIR}/${header}\"\n")
     endforeach()
 endfunction()
 
-# raysteps_start_from_contract(<name> <stage> <source>...)
+# raysteps_start_from(<header> <name> <source>...)
 #
 # Compiles <name>_f32 and <name>_f64, of these sources, in a third of the time with g++: their own
-# #include of the stage's header, if it is the first, finds the precompiled one. It hides no missing
-# #include.
-function(raysteps_start_from_contract name stage)
+# #include of the header that <header>_f32 and _f64 have precompiled, if it is the first, finds that.
+# It hides no missing #include.
+function(raysteps_start_from header name)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${stage}/\\1.hpp" header ${stage})
-        foreach(target IN ITEMS ${stage}_contract_f32 ${stage}_contract_f64)
-            set(folder ${PROJECT_BINARY_DIR}/steps/${stage}/CMakeFiles/${target}.dir)
+        foreach(precision IN ITEMS f32 f64)
+            get_target_property(file ${header}_${precision} RAYSTEPS_HEADER)
+            get_target_property(folder ${header}_${precision} BINARY_DIR)
+            string(APPEND folder /CMakeFiles/${header}_${precision}.dir)
             set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
-                ${folder}/${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
-            string(REPLACE ${stage}_contract ${name} user ${target})
-            target_include_directories(${user} BEFORE PRIVATE ${folder})
+                ${folder}/${file}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+            target_include_directories(${name}_${precision} BEFORE PRIVATE ${folder})
         endforeach()
     endif()
 endfunction()

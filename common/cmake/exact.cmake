@@ -40,14 +40,21 @@ endif()
 # raysteps_exact_program(<stage> <number> <stage of the program>...)
 #
 # Defines the program stepNN_name_exact and the library stepNN_name_exact_picture_f64: the picture
-# part, from a main.cpp with the exact closest-hit query.
+# part, with the exact closest-hit query in main.cpp and in all files queries.cpp.
 function(raysteps_exact_program name number)
     raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
     set(picture ${name}_exact_picture_f64)
     add_library(${picture} INTERFACE)
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
-    foreach(part IN LISTS handed_on ITEMS ${name}_exact_main raysteps_render)
-        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${part}_f64>)
+    foreach(part IN LISTS handed_on ITEMS raysteps_render)
+        target_sources(${picture} INTERFACE
+            $<FILTER:$<TARGET_OBJECTS:${part}_f64>,EXCLUDE,/queries\\.cpp>)
+    endforeach()
+    target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${name}_exact_main_f64>)
+    foreach(stage IN LISTS ARGN)
+        if(TARGET ${stage}_exact_queries_f64)
+            target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${stage}_exact_queries_f64>)
+        endif()
     endforeach()
     set(common raysteps_common)
     if(number LESS 13)

@@ -1,14 +1,16 @@
 include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
 include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 
-# raysteps_stage()
+# raysteps_stage([LOOPS_OVER <stage>])
 #
 # Defines the targets of the stage in the current folder: its reference, the student's file if there
-# is one, and the executable with the stage's name, built from every stage up to this one.
+# is one, and the executable with the stage's name, built from every stage up to this one. LOOPS_OVER
+# names a kind of shape of which this stage's shape consists.
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
-# stepNN_name_contract_f64    the precompiled header of the stage's header, for these
+# stepNN_name_contract_f64    the stage's header, precompiled for these; for student/main.cpp it is
+#                             raysteps_main_contract_f64: common/render/stage.hpp
 # stepNN_name_f64             the selected one of these two, by option
 # stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
 # stepNN_name                 the executable; _reference_program and _checked are the same program built
@@ -20,8 +22,10 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 #                             files beside a main.cpp, except story.cpp; and meshes or their refusal
 # stepNN_name_chosen_picture_f64  the same with student/main.cpp, if there is one, by the same option
 # stepNN_name_picture_without_main_f64  the same without either
-# stepNN_name_unity_f64       the picture and the references, compiled as a unity build
+# stepNN_name_unity_f64       the picture and the references, compiled as unity builds: one for each
+#                             kind of shape, and one for the rest
 function(raysteps_stage)
+    cmake_parse_arguments(PARSE_ARGV 0 stage "" "LOOPS_OVER" "")
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
 
@@ -39,15 +43,18 @@ function(raysteps_stage)
         raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
-    raysteps_precompile_contract(${name})
+    string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${name}/\\1.hpp" contract ${name})
+    raysteps_precompile(${name}_contract ${contract})
     set(chosen reference)
     set(chosen_main main)
-    foreach(part IN ITEMS student student_main)
-        if(${part})
-            raysteps_compile_twice(${name}_${part} ${${part}})
-            raysteps_start_from_contract(${name}_${part} ${name} ${${part}})
-        endif()
-    endforeach()
+    if(student)
+        raysteps_compile_twice(${name}_student ${student})
+        raysteps_start_from(${name}_contract ${name}_student ${student})
+    endif()
+    if(student_main)
+        raysteps_compile_twice(${name}_student_main ${student_main})
+        raysteps_start_from(raysteps_main_contract ${name}_student_main ${student_main})
+    endif()
     if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
         if(student)
             set(chosen student)
@@ -59,6 +66,7 @@ function(raysteps_stage)
     raysteps_collect(${name} ${name}_${chosen})
     if(exact)
         raysteps_exact(${name}_certified ${exact})
+        raysteps_exact(${name}_exact_queries queries.cpp)
         if(number LESS 13)  # stage 13's includes the reference
             raysteps_exact_rest(${name} ${reference})
         endif()
@@ -66,15 +74,6 @@ function(raysteps_stage)
         add_library(${name}_certified_f64 ALIAS ${name}_reference_f64)
     endif()
     set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
-
-    set(meshes raysteps_without_meshes)
-    if(number GREATER_EQUAL 13)
-        if(NOT TARGET raysteps_mesh_file)
-            message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev provides OpenMesh")
-            return()
-        endif()
-        set(meshes raysteps_meshes)
-    endif()
 
     raysteps_compile_twice(${name}_main main.cpp)
     raysteps_start_from_common(${name}_main)
@@ -88,6 +87,16 @@ function(raysteps_stage)
         endif()
         set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED_LIBRARIES ${name}_shared)
     endif()
+
+    set(meshes raysteps_without_meshes)
+    if(number GREATER_EQUAL 13)
+        if(NOT TARGET raysteps_mesh_file)
+            message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev provides OpenMesh")
+            return()
+        endif()
+        set(meshes raysteps_meshes)
+    endif()
+
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
     raysteps_collect(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
     raysteps_collect(${name}_picture ${name}_main ${name}_picture_without_main)
@@ -129,20 +138,46 @@ endfunction()
 
 # raysteps_unity(<stage> <meshes> <part>...)
 #
-# Defines <stage>_unity_f32 and _f64: the stage's picture, with its main.cpp and these parts
-# compiled as a unity build, so that calls between them are inlined: this saves up to a fifth of a
-# picture's time (docs/reference/speed.md). With a student's file, programs are linked from separate parts
-# instead, so that a change compiles only one.
+# Defines <stage>_unity_f32 and _f64: the stage's picture, with its main.cpp and these parts, so that
+# calls between them are inlined: this saves up to a fifth of a picture's time
+# (docs/reference/speed.md). With a student's file, programs are linked from separate parts instead,
+# so that a change compiles only one.
+# The parts of a stage that has queries.cpp are compiled as one for the programs of all later stages:
+# <stage>_queries_unity. In it, a query inlines the `intersect` that it calls, with the parts of the
+# stage that the shape LOOPS_OVER. All other parts are compiled as one for each program.
 # Separate parts are slower mainly because g++ assembles a returned std::optional<Real> in memory,
 # stores one byte of it and loads eight, which stalls. -O3 makes nothing faster.
 function(raysteps_unity stage meshes)
-    set(sources main.cpp)
+    get_property(kinds GLOBAL PROPERTY RAYSTEPS_QUERIES)
+    set(separate ${kinds})
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/queries.cpp)
+        set(parts)
+        foreach(each IN ITEMS ${stage} ${stage_LOOPS_OVER})
+            list(APPEND parts ${each}_shared ${each}_reference)
+        endforeach()
+        raysteps_compile_as_one(${stage}_queries_unity ${parts})
+        list(REMOVE_ITEM kinds "${stage_LOOPS_OVER}")
+        list(APPEND kinds ${stage})
+        list(APPEND separate ${stage})
+        set_property(GLOBAL PROPERTY RAYSTEPS_QUERIES "${kinds}")
+    endif()
+    foreach(kind IN LISTS separate)
+        list(REMOVE_ITEM ARGN ${kind}_shared ${kind}_reference)
+    endforeach()
+    list(TRANSFORM kinds APPEND _queries_unity)
+    raysteps_compile_as_one(${stage}_unity_objects ${stage}_main ${ARGN})
+    raysteps_collect(${stage}_unity ${stage}_unity_objects ${kinds} ${meshes})
+endfunction()
+
+# raysteps_compile_as_one(<name> <part>...)
+#
+# Defines two object libraries of the sources of all parts, compiled as one: <name>_f32 and <name>_f64.
+function(raysteps_compile_as_one name)
+    set(sources)
     foreach(part IN LISTS ARGN)
         list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
     endforeach()
-    raysteps_compile_twice(${stage}_unity_objects ${sources})
-    raysteps_start_from_common(${stage}_unity_objects)
-    set_target_properties(${stage}_unity_objects_f32 ${stage}_unity_objects_f64 PROPERTIES
-        UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    raysteps_collect(${stage}_unity ${stage}_unity_objects ${meshes})
+    raysteps_compile_twice(${name} ${sources})
+    raysteps_start_from_common(${name})
+    set_target_properties(${name}_f32 ${name}_f64 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
 endfunction()

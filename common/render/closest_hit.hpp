@@ -84,14 +84,7 @@ public:
 
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives) {
-        // The rest is not inlined here, so that an empty list costs one branch. Inside that
-        // function everything is inlined, `intersect` included, in a unity build
-        // (common/cmake/stage.cmake).
-        if (primitives.empty()) return;
-        if (watch_ == nullptr) [[likely]]
-            test_list(primitives);
-        else
-            watch_list(primitives);
+        if (!primitives.empty()) test_list(primitives);
     }
 
     /// The closest hit in the lists tested so far, or nothing.
@@ -111,11 +104,7 @@ private:
     }
 
     template <class Shape>
-    [[gnu::noinline, gnu::flatten]] void test_list(const PrimitiveList<Shape>& primitives) {
-        primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
-            keep(primitive, intersect(ray_, primitive.shape, interval_));
-        });
-    }
+    void test_list(const PrimitiveList<Shape>& primitives);
 
     template <class Shape>
     [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
@@ -226,11 +215,7 @@ public:
 
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives) {
-        if (primitives.empty()) return;
-        if (state_ == open) [[likely]]
-            state_ = test_list(primitives) ? hit : open;
-        else if (state_ == watched)
-            watch_list(primitives);
+        if (!primitives.empty() && !found()) test_list(primitives);
     }
 
     /// Tests only the primitives of a short list whose bit in `chosen` is set.
@@ -245,23 +230,17 @@ public:
         }
     }
 
-    [[nodiscard]] bool found() const { return state_ == hit || state_ == watched_hit; }
+    [[nodiscard]] bool found() const { return state_ >= hit; }
 
 private:
-    // The states of a query. A single comparison shows that it goes on, and is not watched.
+    // The states of a query. A single comparison shows that it goes on, or that it is not watched.
     static constexpr std::uint8_t open = 0;
-    static constexpr std::uint8_t hit = 1;
-    static constexpr std::uint8_t watched = 2;
+    static constexpr std::uint8_t watched = 1;
+    static constexpr std::uint8_t hit = 2;
     static constexpr std::uint8_t watched_hit = 3;
 
     template <class Shape>
-    [[nodiscard, gnu::noinline, gnu::flatten]] bool test_list(
-        const PrimitiveList<Shape>& primitives) {
-        return primitives.traverse_any(slabs_, interval_,
-                                       [this](const Primitive<Shape>& primitive) {
-                                           return occludes(ray_, primitive.shape, interval_);
-                                       });
-    }
+    void test_list(const PrimitiveList<Shape>& primitives);
 
     template <class Shape>
     [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
@@ -310,6 +289,47 @@ private:
     std::uint8_t state_;
     bool is_recorded_ = false;
 };
+
+// Not inlined in `test`, so that an empty list costs one branch. In the unity build of a kind of
+// shape (common/cmake/stage.cmake) everything is inlined here, `intersect` included.
+
+template <class Shape>
+[[gnu::noinline, gnu::flatten]] void ClosestHit::test_list(const PrimitiveList<Shape>& primitives) {
+    if (watch_ != nullptr) [[unlikely]]
+        return watch_list(primitives);
+    primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
+        keep(primitive, intersect(ray_, primitive.shape, interval_));
+    });
+}
+
+template <class Shape>
+[[gnu::noinline, gnu::flatten]] void AnyHit::test_list(const PrimitiveList<Shape>& primitives) {
+    if (state_ == watched) [[unlikely]]
+        return watch_list(primitives);
+    if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
+            return occludes(ray_, primitive.shape, interval_);
+        }))
+        state_ = hit;
+}
+
+// Both are compiled once for each kind of shape, in the file queries.cpp of its stage, and not in
+// each file with a query.
+extern template void ClosestHit::test_list(const PrimitiveList<Sphere>&);
+extern template void ClosestHit::test_list(const PrimitiveList<Plane>&);
+extern template void ClosestHit::test_list(const PrimitiveList<Triangle>&);
+extern template void ClosestHit::test_list(const PrimitiveList<Square>&);
+extern template void ClosestHit::test_list(const PrimitiveList<Cylinder>&);
+extern template void ClosestHit::test_list(const PrimitiveList<Cone>&);
+extern template void ClosestHit::test_list(const PrimitiveList<OrientedBox>&);
+extern template void ClosestHit::test_list(const PrimitiveList<MeshInstance>&);
+extern template void AnyHit::test_list(const PrimitiveList<Sphere>&);
+extern template void AnyHit::test_list(const PrimitiveList<Plane>&);
+extern template void AnyHit::test_list(const PrimitiveList<Triangle>&);
+extern template void AnyHit::test_list(const PrimitiveList<Square>&);
+extern template void AnyHit::test_list(const PrimitiveList<Cylinder>&);
+extern template void AnyHit::test_list(const PrimitiveList<Cone>&);
+extern template void AnyHit::test_list(const PrimitiveList<OrientedBox>&);
+extern template void AnyHit::test_list(const PrimitiveList<MeshInstance>&);
 
 }  // namespace RT_PRECISION
 }  // namespace rt

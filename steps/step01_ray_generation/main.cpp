@@ -1,6 +1,7 @@
 // A ray for every pixel; the color shows its direction.
-#include "common/image/to_rgb.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/image/to_rgb.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"
 #include "steps/step01_ray_generation/ray_generation.hpp"

@@ -1,6 +1,7 @@
 // The camera in any direction; the sky has lines of latitude and longitude that show it.
-#include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/math/vector.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // Spheres, and the closest hit among them.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 

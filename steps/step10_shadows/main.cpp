@@ -1,6 +1,7 @@
 // Shadows: an occluded light contributes nothing.
-#include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/math/vector.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

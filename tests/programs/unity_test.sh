@@ -1,5 +1,5 @@
 #!/bin/sh
-# Each stage's program is linked from the unity build of its parts, without which pictures take up to a
+# Each stage's program is linked from unity builds of its parts, without which pictures take up to a
 # fifth longer and nothing else changes (common/cmake/stage.cmake): unity_test.sh BUILD PROJECT STAGE…
 build=$1
 project=$2
@@ -13,12 +13,12 @@ ninja -C "$build" -t query "$@" > "$folder/programs" || fail "not every stage is
 for stage in "$@"; do
     awk -v program="$stage:" '/^[^ ]/ { on = $0 == program } on' "$folder/programs" > "$folder/inputs"
     for precision in f32 f64; do
-        unity=${stage}_unity_objects_$precision.dir/Unity/unity_0_cxx.cxx
-        grep -q "/$unity\.o" "$folder/inputs" || fail "$stage is not linked from $unity"
+        sed -n "s|^ *|$build/|; s|\(_unity[a-z_]*_$precision\.dir/Unity/unity_0_cxx\.cxx\)\.o$|\1|p" "$folder/inputs" |
+            xargs cat > "$folder/unity" 2> /dev/null
         for part in "steps/$stage/main.cpp" "steps/$stage/reference/" common/render/render.cpp; do
-            grep -q "$part" "$build/steps/$stage/CMakeFiles/$unity" || fail "$unity does not include $part"
+            grep -q "$part" "$folder/unity" || fail "$stage: no unity build in $precision includes $part"
         done
     done
-    ! grep "_\(reference\|main\)_f[36][24]\.dir/" "$folder/inputs" || fail "$stage is linked from separate parts"
+    ! grep "_\(reference\|main\|shared\)_f[36][24]\.dir/" "$folder/inputs" || fail "$stage is linked from separate parts"
 done
 exit $failed

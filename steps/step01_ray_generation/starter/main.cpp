@@ -1,8 +1,9 @@
 // Your main.cpp of stage 1: the picture, pixel by pixel (M1, "bilan"). The page's part "The loop
 // over the pixels" explains it. Without this file, the program uses the main.cpp in the folder
 // above.
-#include "common/image/to_rgb.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/image/to_rgb.hpp"
 #include "common/stages/todo.hpp"
 
 #include "steps/step01_ray_generation/direction_color.hpp"

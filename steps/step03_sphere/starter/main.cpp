@@ -1,8 +1,9 @@
 // Your trace of stage 3: the color seen along a ray (M1, "plusieurs objets"; CR §2.1). The page's
 // part "The closest of several" explains it. Without this file, the program uses the main.cpp in
 // the folder above.
-#include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/math/vector.hpp"
 #include "common/stages/todo.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"

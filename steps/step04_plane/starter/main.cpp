@@ -3,9 +3,10 @@
 // ClosestHit, of common/render/closest_hit.hpp, is your loop of stage 3 for a list of any kind of
 // shape, with bounding boxes around the shapes of a long list: test a list after the other, then
 // call hit(). Include the header of each kind that you test.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,8 +1,9 @@
 // Your trace of stage 5. This stage adds triangles: scene.triangles, of
 // "steps/step05_triangle/triangle.hpp", is tested too.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

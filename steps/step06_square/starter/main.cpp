@@ -1,8 +1,9 @@
 // Your trace of stage 6. This stage adds squares: scene.squares, of
 // "steps/step06_square/square.hpp", is tested too.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

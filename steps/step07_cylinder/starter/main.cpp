@@ -1,8 +1,9 @@
 // Your trace of stage 7. This stage adds cylinders: scene.cylinders, of
 // "steps/step07_cylinder/cylinder.hpp", is tested too.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

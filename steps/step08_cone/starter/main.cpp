@@ -1,9 +1,10 @@
 // Your trace of stage 8. This stage adds cones: scene.cones, of "steps/step08_cone/cone.hpp", is
 // tested too. The next stages test all these kinds by one call: visit_shapes(closest, scene), of
 // "steps/step08_cone/all_shapes.hpp".
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

@@ -3,9 +3,10 @@
 // shading_point(*hit, ray) is the point that the functions of "steps/step09_phong/phong.hpp" take.
 // Fill a PhongTerms: the ambient term, if there is scene.ambient, and the diffuse and the specular
 // term of each light of scene.lights. visible_sum(terms, context) is their sum.
+#include "common/render/stage.hpp"
+
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/stage.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"

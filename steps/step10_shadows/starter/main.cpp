@@ -5,8 +5,9 @@
 //     AnyHit any_hit(way.ray, way.interval, context);
 //     visit_shapes(any_hit, scene);
 // and then any_hit.found().
-#include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/math/vector.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

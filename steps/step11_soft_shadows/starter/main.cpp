@@ -6,8 +6,9 @@
 // with a seed for each pixel, light and bounce: sample_seed(context.pixel, 1 + its index in
 // scene.lights, context.bounces), of "common/render/sampling.hpp". A light whose radius is 0 is a
 // point, as before. "steps/step11_soft_shadows/soft_shadows.hpp" has ShadowRays and visibility.
-#include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
+
+#include "common/math/vector.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"

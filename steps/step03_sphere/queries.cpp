@@ -1,0 +1,15 @@
+// The queries of rays among spheres, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step03_sphere/sphere.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Sphere>&);
+template void AnyHit::test_list(const PrimitiveList<Sphere>&);
+template void PotentialOccluders::collect(const PrimitiveList<Sphere>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt

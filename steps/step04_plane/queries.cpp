@@ -1,0 +1,15 @@
+// The queries of rays among planes, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step04_plane/plane.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Plane>&);
+template void AnyHit::test_list(const PrimitiveList<Plane>&);
+template void PotentialOccluders::collect(const PrimitiveList<Plane>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt

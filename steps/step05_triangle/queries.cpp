@@ -1,0 +1,15 @@
+// The queries of rays among triangles, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step05_triangle/triangle.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Triangle>&);
+template void AnyHit::test_list(const PrimitiveList<Triangle>&);
+template void PotentialOccluders::collect(const PrimitiveList<Triangle>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt

@@ -1,0 +1,15 @@
+// The queries of rays among squares, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step06_square/square.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Square>&);
+template void AnyHit::test_list(const PrimitiveList<Square>&);
+template void PotentialOccluders::collect(const PrimitiveList<Square>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt

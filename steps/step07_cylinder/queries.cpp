@@ -1,0 +1,15 @@
+// The queries of rays among cylinders, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step07_cylinder/cylinder.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Cylinder>&);
+template void AnyHit::test_list(const PrimitiveList<Cylinder>&);
+template void PotentialOccluders::collect(const PrimitiveList<Cylinder>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt

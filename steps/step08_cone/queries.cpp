@@ -1,0 +1,15 @@
+// The queries of rays among cones, compiled once for the programs of all stages.
+#include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
+
+#include "steps/step08_cone/cone.hpp"
+
+namespace rt {
+inline namespace RT_PRECISION {
+
+template void ClosestHit::test_list(const PrimitiveList<Cone>&);
+template void AnyHit::test_list(const PrimitiveList<Cone>&);
+template void PotentialOccluders::collect(const PrimitiveList<Cone>&);
+
+}  // namespace RT_PRECISION
+}  // namespace rt
