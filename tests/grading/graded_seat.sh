@@ -28,10 +28,10 @@ done
 sed 's|.*|/&$|' "$work/callable" > "$work/endings"
 grep -f "$work/endings" "$work/parts" > "$work/callable"
 
-# The functions that the objects of a kind export.
+# The functions that the objects of a kind export. Those that a queries.cpp instantiates are weak.
 functions() {
     while read -r object; do "$nm" -g -P --defined-only "$object"; done < "$work/$1" |
-        awk '$2 == "T" { print $1 }'
+        awk '$2 == "T" || $2 == "W" && /ClosestHit9test_listI|AnyHit9test_listI|PotentialOccluders7collectI/ { print $1 }'
 }
 
 { echo main; functions callable; } > "$work/kept"

@@ -97,7 +97,7 @@ function(raysteps_graded_seat file stage own objects)
             if(NOT other STREQUAL stage)
                 list(APPEND callable "${other}_shared_f64.dir/.*")
             elseif(NOT stage STREQUAL "step03_sphere")  # whose main.cpp has its own loop
-                list(APPEND callable "${stage}_shared_f64.dir/queries.*")
+                list(APPEND callable "${stage}_shared_f64.dir/.*queries\\.cpp.*")
             endif()
         endif()
     endforeach()
