@@ -109,6 +109,8 @@ course 2 own tracer
 says "tracer: error: exists already"
 course 2 own --check tracer
 says "tracer/build/tracer: error: no such program"
+course 2 own --check ""
+says 'own: expected a name, not ""'
 
 # A forbidden include in a graded file: it passes here, with a warning. An allowed one: the headers
 # of its own header. A comment includes nothing. A second source file: linked here, with a warning.

@@ -102,6 +102,7 @@ Image reference_picture(const OwnCheck& check, const std::string& scene) {
 }  // namespace
 
 fs::path own_program(const fs::path& folder) {
+    if (folder.empty()) throw InputError({}, "own: expected a name, not \"\"");
     const fs::path program = folder / "build/tracer";
     if (fs::is_regular_file(program)) return fs::absolute(program);
     throw InputError({program.string()},
