@@ -22,10 +22,15 @@ std::string whole(const std::string& scene) {
     return "R 1 1\n" + std::string(has_camera ? "" : "C 0,0,0 0,0,-1 60\n") + scene;
 }
 
+/// Of a long text only the first lines.
 std::string indented(const std::string& lines) {
+    constexpr int most = 40;
     std::istringstream in(lines);
     std::string out;
-    for (std::string line; std::getline(in, line);) out += "\n              " + line;
+    int count = 0;
+    for (std::string line; std::getline(in, line);)
+        if (++count <= most) out += "\n              " + line;
+    if (count > most) out += "\n              and " + std::to_string(count - most) + " more lines";
     return out;
 }
 
@@ -40,12 +45,20 @@ Scene scene_of(const std::string& text) {
 }  // namespace
 
 Rgb seen(const std::string& text, const RenderSettings& settings) {
-    return to_rgb(traced(scene_of(whole(text)), settings));
+    return to_rgb(seen_unrounded(text, settings));
+}
+
+Color seen_unrounded(const std::string& text, const RenderSettings& settings) {
+    return traced(scene_of(whole(text)), settings);
 }
 
 std::string scene_color(Rgb color) {
     return std::to_string(color[0]) + "," + std::to_string(color[1]) + "," +
            std::to_string(color[2]);
+}
+
+std::string told_of_pixel(const std::string& what, const std::string& scene) {
+    return what + "\n  scene:    save it to render it" + indented(whole(scene));
 }
 
 Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& settings,
@@ -54,16 +67,19 @@ Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& sett
     bool close = true;
     for (std::size_t i = 0; i < got.size(); ++i)
         close = close && std::abs(got[i] - expected[i]) <= difference;
-    return verdict(close, "the color of the only pixel, of 255" +
-                              ("\n  scene:    save it to render it" + indented(whole(scene))) +
+    return verdict(close, told_of_pixel("the color of the only pixel, of 255", scene) +
                               "\n  got:      " + text(got) + "\n  expected: " + text(expected));
+}
+
+Image picture_seen(const std::string& text, Resolution resolution, const RenderSettings& settings) {
+    Scene scene = scene_of(whole(text));
+    scene.resolution = resolution;
+    return rendered(scene, settings);
 }
 
 Verdict shows_in_every_pixel(const std::string& text, Rgb expected,
                              const RenderSettings& settings) {
-    Scene scene = scene_of(whole(text));
-    scene.resolution = {.width = 3, .height = 2};
-    const Image image = rendered(scene, settings);
+    const Image image = picture_seen(text, {.width = 3, .height = 2}, settings);
     for (Pixel pixel; pixel.row < 2; ++pixel.row)
         for (pixel.column = 0; pixel.column < 3; ++pixel.column)
             if (!fits(image[pixel], expected, {0, 0, 0}))

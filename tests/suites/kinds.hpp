@@ -114,6 +114,43 @@ inline Verdict closest_of_random_shapes_is_seen(int stage, const std::string& he
         40);
 }
 
+/// Of two spheres that almost coincide, the closer one is seen: t is not rounded to float. In float
+/// they coincide.
+inline Verdict almost_equal_t_differ(const std::string& head) {
+    Verdict all;
+    if (sizeof(Real) == sizeof(float)) return all;
+    const std::string near = "sp 0,0,-5 2 255,0,0\n";
+    const std::string far = "sp 0,0,-5.000000001 2 0,0,255\n";
+    keep_first(all, shows(head + near + far, {255, 0, 0}));
+    keep_first(all, shows(head + far + near, {255, 0, 0}));
+    return all;
+}
+
+/// A sphere and a plane are seen from any distance: no constant ends the search, at either end.
+inline Verdict all_distances_are_seen(const std::string& head) {
+    Verdict all;
+    for (const std::string shape :
+         {"sp 0,0,-3000000000000 2000000000000", "pl 0,0,-2000000000000 0,0,1",
+          "sp 0,0,-0.0000006 0.0000002", "pl 0,0,-0.0000005 0,0,1"})
+        keep_first(all, shows(head + shape + " 255,0,0\n", {255, 0, 0}));
+    return all;
+}
+
+/// The closest of a long list of one kind is seen, whether it is the first or the last in the file.
+inline Verdict closest_of_a_long_list_is_seen(int stage, const std::string& head, bool torch) {
+    constexpr int count = 1100;
+    Verdict all;
+    for (const Kind& kind : kinds_until(stage)) {
+        const std::string closest = kind.line(4, "255,0,0");
+        std::string others;
+        for (int i = 1; i < count; ++i) others += kind.line(4 + 3 * i, "0,0,255");
+        const auto light = std::uint8_t(255 * (torch ? kind.torch : 1) + 0.5);
+        keep_first(all, shows(head + closest + others, {light, 0, 0}));
+        keep_first(all, shows(head + others + closest, {light, 0, 0}));
+    }
+    return all;
+}
+
 /// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
 /// `head` has the lights; `torch` is true if a torch lights the scene.
 inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
@@ -128,6 +165,9 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
         }
     }
     keep_first(all, closest_of_random_shapes_is_seen(stage, head, torch));
+    keep_first(all, closest_of_a_long_list_is_seen(stage, head, torch));
+    keep_first(all, almost_equal_t_differ(head));
+    keep_first(all, all_distances_are_seen(head));
     return all;
 }
 
@@ -144,6 +184,7 @@ inline Verdict nothing_is_black_or_sky() {
     }
     keep_first(all, shows(sky, {128, 0, 128}));
     keep_first(all, shows(sky + "C 0,0,0 0,0.6,-0.8 60\n", {204, 0, 51}));
+    keep_first(all, shows(sky + "C 0,0,0 0,-0.6,-0.8 60\n", {51, 0, 204}));
     keep_first(all, shows(sky + "C 0,0,0 0,-1,0 60\nsp 3,0,-5 2 0,255,0\n", {0, 0, 255}));
     return all;
 }

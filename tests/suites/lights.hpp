@@ -8,8 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace rt {
+
+/// A number with two decimals, for sentences.
+inline std::string decimal(Real number) {
+    std::array<char, 32> buffer;
+    std::snprintf(buffer.data(), buffer.size(), "%.2f", double(number));
+    return buffer.data();
+}
 
 /// The terms of all lights add up, and the ambient term counts once, from an eye anywhere.
 inline Verdict terms_add_up() {
@@ -17,12 +25,14 @@ inline Verdict terms_add_up() {
     const std::string shining = "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:1\n";
     const std::string ambient = "A 0.2 255,255,255\n";
     const std::string light = "L 0,0,0 0.4 255,255,255\n";
+    const std::string half_light = "L 0,0,0 0.2 255,255,255\n";
     std::string twenty;
     for (int i = 0; i < 20; ++i) twenty += "L 0,0,0 0.02 255,255,255\n";
     Verdict all;
     keep_first(all, shows(ambient + wall, {51, 51, 51}));
     keep_first(all, shows(ambient + light + wall, {153, 153, 153}));
-    keep_first(all, shows(twenty + wall, {102, 102, 102}));
+    keep_first(all, shows(ambient + half_light + half_light + wall, {153, 153, 153}));
+    keep_first(all, shows(ambient + twenty + wall, {153, 153, 153}));
     keep_first(all, shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 255,0,0\n" + shining, {76, 0, 0}));
     // The eye is at 0.8 of the direction of reflection.
     keep_first(all, shows("C 6,0,0 0,0,-1 60\nL 9,0,0 0.5 255,255,255\n" + shining, {51, 51, 153}));
@@ -40,7 +50,8 @@ inline Verdict term_is_selected() {
     return all;
 }
 
-/// A shape of each kind of stages 3 to 8, halfway to the light on the right.
+/// A shape of each kind of stages 3 to 8, in the order of all_kinds, halfway to the light on the
+/// right.
 inline const std::array<std::string, 6> halfway_shapes = {
     "sp 1.5,0,-2 0.2 9,9,9\n",
     "pl 1.5,0,0 1,0,0 9,9,9\n",
@@ -50,6 +61,13 @@ inline const std::array<std::string, 6> halfway_shapes = {
     "co 1.5,1,-2 0,-1,0 0.4 2 9,9,9\n",
 };
 
+/// This many shapes of the kind behind the wall, where they block no light.
+inline std::string behind_the_wall(const Kind& kind, int count) {
+    std::string lines;
+    for (int i = 0; i < count; ++i) lines += kind.line(9 + 3 * i, "9,9,9");
+    return lines;
+}
+
 /// Each kind of shape takes the light on the right away, and not the one on the left. `option`
 /// follows each light.
 inline Verdict every_kind_casts_a_shadow(const std::string& option) {
@@ -57,9 +75,13 @@ inline Verdict every_kind_casts_a_shadow(const std::string& option) {
         "L 3,0,0 0.5 255,0,0" + option + "\nL -3,0,0 0.5 0,255,0" + option + "\n";
     const std::string wall = "pl 0,0,-4 0,0,1 255,255,255\n";
     Verdict all;
-    for (const std::string& shape : halfway_shapes) {
+    for (std::size_t i = 0; i < halfway_shapes.size(); ++i) {
+        const std::string& shape = halfway_shapes[i];
         keep_first(all, shows(lights + wall + shape, {0, 102, 0}));
         keep_first(all, shows(lights + shape + wall, {0, 102, 0}));
+        // As the last of a long list.
+        const std::string others = behind_the_wall(all_kinds[i], 300);
+        keep_first(all, shows(lights + wall + others + shape, {0, 102, 0}));
     }
     return all;
 }
@@ -71,6 +93,8 @@ inline Verdict shadows_at_both_ends() {
     Verdict all;
     keep_first(all, shows(scene + "sp 0.00003,0,-3.99996 0.00004 9,9,9\n", {0, 0, 0}));
     keep_first(all, shows(scene + "sp 2.99988,0,-0.00016 0.00016 9,9,9\n", {0, 0, 0}));
+    if (sizeof(Real) > sizeof(float))  // and from a ten-millionth
+        keep_first(all, shows(scene + "sp 0.0000003,0,-3.9999996 0.0000004 9,9,9\n", {0, 0, 0}));
     return all;
 }
 
@@ -98,20 +122,72 @@ inline Verdict ceilings_leave_their_lamp() {
         20);
 }
 
-/// A single sample of an area light is seen or not, and --shadow-samples is their number. The card
-/// hides most of the light.
+/// The light on the right, of radius 0.3, and a card halfway to it, which hides three quarters of
+/// it: its edge is at 0.4 of the radius, as seen from the wall.
+inline const std::string red_light_and_wall =
+    "L 3,0,0 0.5 255,0,0 radius:0.3\npl 0,0,-4 0,0,1 255,255,255\n";
+inline const std::string three_quarters_hidden = "sq 1.5,0.94,-2 0.6,0,0.8 2 9,9,9\n";
+
+/// The share of that light that the scene's only pixel shows. Its whole light is 0.4.
+inline Real share_seen(const std::string& scene, int samples) {
+    return seen_unrounded(scene, {.shadow_samples = samples}).r / Real(0.4);
+}
+
+inline std::string told_of_share(const std::string& scene, int samples) {
+    return told_of_pixel(
+        "the share of an area light that reaches the surface, with "
+        "--shadow-samples " +
+            std::to_string(samples),
+        scene);
+}
+
+/// The share is a whole number of these samples.
+inline Verdict share_is_of_samples(const std::string& scene, int samples) {
+    const Real reached = share_seen(scene, samples) * Real(samples);
+    // A few roundings of the light's terms, and one for each sample where they are added one by
+    // one.
+    const Real rounding = Real(samples) * Real(256 + samples) * epsilon;
+    const Real whole = std::round(reached);
+    const bool is_of_samples =
+        std::abs(reached - whole) <= rounding && whole >= 0 && whole <= Real(samples);
+    return verdict(is_of_samples, told_of_share(scene, samples) + "\n  got:      that of " +
+                                      decimal(reached) +
+                                      " samples\n  expected: that of a whole number of samples");
+}
+
+/// A single sample of an area light is seen or not, and --shadow-samples is their number.
 inline Verdict samples_are_whole() {
-    const std::string scene =
-        "L 3,0,0 0.5 255,0,0 radius:0.3\npl 0,0,-4 0,0,1 255,255,255\n"
-        "sq 1.5,0.94,-2 0.6,0,0.8 2 9,9,9\n";
     Verdict all;
-    for (const int samples : {1, 2, 3, 5, 9}) {
-        const RenderSettings settings{.shadow_samples = samples};
-        const Rgb got = seen(scene, settings);
-        const double reached = std::round(double(got[0]) / 102 * samples);
-        const double level = std::min(reached, double(samples)) * 102 / samples;
-        keep_first(all, shows(scene, {std::uint8_t(std::lround(level)), 0, 0}, settings));
-    }
+    // Of a prime number of samples, no smaller number has these shares.
+    for (const int samples : {1, 2, 3, 5, 97, 499, 997})
+        keep_first(all, share_is_of_samples(red_light_and_wall + three_quarters_hidden, samples));
+    return all;
+}
+
+/// If 1/64 of a light is seen, or hidden, some of 1024 samples differ from the others, however many
+/// of the first agree: for independent points, none or four times as many have a probability of
+/// 10^-6.
+inline Verdict small_shares_are_seen() {
+    constexpr int samples = 1024;
+    Verdict all;
+    // The edge is at 0.912 of the light's radius, above, below, to the left and to the right.
+    const auto card = [](const std::string& center) {
+        return "sq " + center + " 0.6,0,0.8 1 9,9,9\n";
+    };
+    const auto is_small = [&](const std::string& center, bool hidden) {
+        const std::string scene = red_light_and_wall + card(center);
+        const Real share = share_seen(scene, samples);
+        const Real small = hidden ? share : 1 - share;
+        return verdict(small > 0 && small < Real(0.0625),
+                       told_of_share(scene, samples) + "\n  got:      " + decimal(share) +
+                           "\n  expected: about " + (hidden ? "0.016" : "0.984"));
+    };
+    for (const std::string center :
+         {"1.5,0.3632,-2", "1.5,-0.3632,-2", "1.79056,0,-2.21792", "1.20944,0,-1.78208"})
+        keep_first(all, is_small(center, true));
+    for (const std::string center :
+         {"1.5,0.6368,-2", "1.5,-0.6368,-2", "2.00944,0,-2.38208", "0.99056,0,-1.61792"})
+        keep_first(all, is_small(center, false));
     return all;
 }
 
@@ -122,6 +198,62 @@ inline Verdict lights_have_their_own_samples() {
     for (int i = 0; i < 20; ++i) scene += "L 3,0,0 0.05 255,0,0 radius:0.3\n";
     const RenderSettings one{.shadow_samples = 1};
     return shows(scene, {102, 0, 0}, one, 97);
+}
+
+/// In a picture of 64 pixels that all see the same half of a light, with one sample each, some
+/// pixels of a row differ, and some of a column. If each pixel has samples of its own, all agree in
+/// each row with a probability of 2^-56.
+inline Verdict pixels_have_their_own_samples() {
+    constexpr int size = 8;
+    return for_all(
+        [](Random& random) {
+            // An edge of the triangle crosses the light's center.
+            const double angle = double(random.between(0, 2 * pi));
+            const double c = std::cos(angle);
+            const double s = std::sin(angle);
+            const auto row = [](double x, double y, double z) {
+                return " " + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z);
+            };
+            const std::string scene = "C 0,0,0 0,0,-1 0.01\nL" + row(3 * c, 3 * s, 0) +
+                                      " 0.5 255,0,0 radius:0.3\npl 0,0,-4 0,0,1 255,255,255\ntr" +
+                                      row(2.3 * c, 2.3 * s, -2.6) + row(0.7 * c, 0.7 * s, -1.4) +
+                                      row(1.5 * c - s, 1.5 * s + c, -2) + " 9,9,9\n";
+            const Image image =
+                picture_seen(scene, {.width = size, .height = size}, {.shadow_samples = 1});
+            bool differ_in_a_row = false;
+            bool differ_in_a_column = false;
+            for (Pixel pixel; pixel.row < size; ++pixel.row)
+                for (pixel.column = 0; pixel.column < size; ++pixel.column) {
+                    differ_in_a_row |= image[pixel] != image[{pixel.row, 0}];
+                    differ_in_a_column |= image[pixel] != image[{0, pixel.column}];
+                }
+            return verdict(
+                differ_in_a_row && differ_in_a_column,
+                told_of_pixel("the pixels of a picture of 8 x 8, with --shadow-samples 1", scene) +
+                    "\n  got:      all pixels of a row agree, or all of a column"
+                    "\n  expected: each pixel has samples of its own");
+        },
+        3);
+}
+
+/// Area lights are as in stage 11: each light has the share of its own samples that reach it.
+inline Verdict area_lights_are_sampled() {
+    const std::string other = "L -3,0,0 0.5 0,255,0 radius:0.3\n";
+    const RenderSettings many{.shadow_samples = 256};
+    Verdict all;
+    keep_first(all, shows(red_light_and_wall + other, {102, 102, 0}));
+    keep_first(all,
+               shows(red_light_and_wall + three_quarters_hidden + other, {26, 102, 0}, many, 10));
+    // The eye is at 0.8 of the direction of reflection.
+    keep_first(all, shows("L 3,0,0 0.5 255,255,255 radius:0.3\n"
+                          "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:1\n" +
+                              three_quarters_hidden,
+                          {13, 13, 38}, many, 10));
+    keep_first(all, samples_are_whole());
+    keep_first(all, small_shares_are_seen());
+    keep_first(all, lights_have_their_own_samples());
+    keep_first(all, pixels_have_their_own_samples());
+    return all;
 }
 
 }  // namespace rt

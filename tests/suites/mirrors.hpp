@@ -40,6 +40,59 @@ inline Verdict mirrors_do_not_show_themselves() {
         40);
 }
 
+/// A mirror shows black, or the sky, where its ray meets nothing, and so does a second mirror.
+inline Verdict mirrors_show_black_or_sky() {
+    const std::string bright = "A 1 255,255,255\n";
+    const std::string sky = "sky 0,0,255 255,0,0\n";
+    const Rgb black = {0, 0, 0};
+    const Rgb level = {128, 0, 128};
+    // The normals of mirrors that send the ray to the right, to the left, up and down, and back.
+    const std::string up = "0,0.70710678,0.70710678";
+    const std::string down = "0,-0.70710678,0.70710678";
+    const auto first = [](const std::string& normal) {
+        return "pl 0,0,-4 " + normal + " 255,255,255 mirror:1\n";
+    };
+    Verdict all;
+    for (const std::string level_ray :
+         {"0.70710678,0,0.70710678", "-0.70710678,0,0.70710678", "0,0,1"}) {
+        keep_first(all, shows(bright + first(level_ray), black));
+        keep_first(all, shows(bright + first(level_ray) + sky, level));
+    }
+    keep_first(all, shows(bright + first(up), black));
+    keep_first(all, shows(bright + first(up) + sky, {255, 0, 0}));
+    keep_first(all, shows(bright + first(down), black));
+    keep_first(all, shows(bright + first(down) + sky, {0, 0, 255}));
+    // The second mirror lies below, and sends the ray to each side.
+    for (const std::string normal :
+         {"-0.70710678,0.70710678,0", "0.70710678,0.70710678,0", "0,0.70710678,0.70710678"}) {
+        const std::string second = "pl 0,-5,-4 " + normal + " 255,255,255 mirror:1\n";
+        keep_first(all, shows(bright + first(down) + second, black));
+        keep_first(all, shows(bright + first(down) + second + sky, level));
+    }
+    return all;
+}
+
+/// A mirror that sends the ray up shows a ball that is close to it, of any size.
+inline Verdict mirrors_show_what_is_close() {
+    const std::string scene =
+        "A 1 255,255,255\npl 0,0,-4 0,0.70710678,0.70710678 255,255,255 mirror:1\n"
+        "pl 0,9,0 0,-1,0 0,0,255\n";
+    Verdict all;
+    keep_first(all, shows(scene + "sp 0,0.06,-4 0.04 0,255,0\n", {0, 255, 0}));
+    keep_first(all, shows(scene + "sp 0,0.0006,-4 0.0004 0,255,0\n", {0, 255, 0}));
+    if (sizeof(Real) > sizeof(float))
+        keep_first(all, shows(scene + "sp 0,0.0000006,-4 0.0000004 0,255,0\n", {0, 255, 0}));
+    return all;
+}
+
+/// What a mirror shows has soft shadows, too: a quarter of a light that is behind the eye.
+inline Verdict mirrors_show_soft_shadows() {
+    return shows(
+        "pl 0,0,-4 0,0,1 255,255,255 mirror:1\npl 0,0,6 0,0,-1 255,255,255\n"
+        "L 3,0,2 0.5 255,0,0 radius:0.3\nsq 1.5,0.94,4 0.6,0,-0.8 2 9,9,9\n",
+        {26, 0, 0}, {.shadow_samples = 256}, 10);
+}
+
 /// The sky is seen in a mirror, and --depth is the largest number of reflections.
 inline Verdict reflections_end() {
     const std::string two =
@@ -50,6 +103,15 @@ inline Verdict reflections_end() {
     keep_first(all, shows(two, {0, 0, 128}, {.depth = 0}));
     keep_first(all, shows(two, {64, 0, 128}, {.depth = 1}));
     keep_first(all, shows(two, {64, 0, 159}, {.depth = 2}));
+    // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
+    keep_first(all, shows(two, {85, 0, 170}, {.depth = 100}, 2));
+    // Between perfect mirrors, ten apart, the ray climbs by one on each way: it meets a wall after
+    // 90 reflections.
+    const std::string hall =
+        "A 1 255,255,255\npl 0,0,-4 0,0,1 255,255,255 mirror:1\n"
+        "pl 0,0,6 0,0,-1 255,255,255 mirror:1\nC 0,0,0 0,1,-10 60\npl 0,89.9,0 0,-1,0 255,0,0\n";
+    keep_first(all, shows(hall, {255, 0, 0}, {.depth = 90}));
+    keep_first(all, shows(hall, {0, 0, 0}, {.depth = 89}));
     return all;
 }
 

@@ -37,8 +37,9 @@ TEST_CASE("without a hit the pixel is the color of the scene's sky in the ray's 
     CHECK(shows(sky + "C 0,0,0 0,1,0 60\n", {255, 0, 0}));        // straight up
     CHECK(shows(sky + "C 0,0,0 0,-1,0 60\n", {0, 0, 255}));       // straight down
     CHECK(shows(sky + "C 0,0,0 0,0.6,-0.8 60\n", {204, 0, 51}));  // its height is 0.6: 80 % of it
-    CHECK(shows(sky + "sp 3,0,-5 2 0,255,0\n", {128, 0, 128}));   // beside a sphere
-    CHECK(shows(sky + "sp 0,0,-5 2 0,255,0\n", {0, 255, 0}));     // behind a sphere
+    CHECK(shows(sky + "C 0,0,0 0,-0.6,-0.8 60\n", {51, 0, 204}));
+    CHECK(shows(sky + "sp 3,0,-5 2 0,255,0\n", {128, 0, 128}));  // beside a sphere
+    CHECK(shows(sky + "sp 0,0,-5 2 0,255,0\n", {0, 255, 0}));    // behind a sphere
 }
 
 TEST_CASE("a sphere that is alone is seen in its color (M1)") {
@@ -46,7 +47,10 @@ TEST_CASE("a sphere that is alone is seen in its color (M1)") {
     CHECK(shows("sp 0,0,-50 2 40,80,160\n", {40, 80, 160}));
     // Far away, and near: CR begins at 0.001.
     CHECK(shows("sp 0,0,-300000000 200000000 255,0,0\n", red));
+    CHECK(shows("sp 0,0,-3000000000000 2000000000000 255,0,0\n", red));
     CHECK(shows("sp 0,0,-0.006 0.002 255,0,0\n", red));
+    CHECK(shows("sp 0,0,-0.0006 0.0002 255,0,0\n", red));
+    CHECK(shows("sp 0,0,-0.0000006 0.0000002 255,0,0\n", red));
 }
 
 TEST_CASE("a sphere is seen beside others that the ray misses (CR §2.1)") {
@@ -72,6 +76,8 @@ TEST_CASE(
         {"sp 0,0,-0.02 0.02 255,0,0\n", "sp 0,0,-0.2 0.2 0,255,0\n", "sp 0,0,-2 2 0,0,255\n"},
         red));
     CHECK(closest_of_random_shapes_is_seen(3, "", true));
+    CHECK(closest_of_a_long_list_is_seen(3, "", true));
+    CHECK(almost_equal_t_differ(""));
 }
 
 TEST_CASE("a sphere behind the eye is not seen, nor does it hide another (PHY)") {

@@ -99,6 +99,39 @@ Verdict hits_behind(Real passed, Random& random) {
     return hits({.origin = origin, .direction = (point - origin) / t}, cone, t);
 }
 
+/// A ray at up to 45° to the rim's plane, from outside or from inside, where it may come through
+/// the open end, meets the side a little before the rim, or misses a little beyond it. A small cone
+/// near the world's origin: in float a textbook's formula has z_p to 10^-5 there, and the margin is
+/// 12·10^-5.
+Verdict ends_at_its_rim(Random& random) {
+    constexpr Real margin = Real(0x1p-14);
+    const Basis basis = random.basis();
+    const Cone cone{.apex = random.point(Real(0.25)),
+                    .axis = basis.z,
+                    .radius = random.between(Real(0.5), Real(0.9)),
+                    .height = random.between(2, 3)};
+    const bool inside = random.coin();
+    const Vec3 point = on_side(cone, basis, (inside ? 1 - margin : 1 + margin) * cone.height, 0);
+    const Real t = random.between(Real(0.5), 1) * cone.radius;
+    const bool outwards = random.coin();
+    // Beyond the rim and inwards, it leads away from the cone: another hit is not possible.
+    const Real slope = random.between(outwards || inside ? -1 : 0, 1);
+    const Vec3 direction = (outwards ? basis.x : -basis.x) + slope * basis.z;
+    const Ray ray{.origin = point - t * direction, .direction = direction};
+    return inside ? hits(ray, cone, t) : misses(ray, cone);
+}
+
+/// A ray across the axis, a little beyond the apex, misses: the other nappe is not there.
+Verdict ends_at_its_apex(Random& random) {
+    constexpr Real margin = Real(0x1p-14);
+    const Basis basis = random.basis();
+    Cone cone = draw_cone(random, basis.z);
+    cone.apex = random.point(Real(0.25));
+    const Vec3 beyond = cone.apex - margin * cone.height * basis.z;
+    const Real back = random.between(Real(0.5), 1);
+    return misses({.origin = beyond - back * basis.x, .direction = basis.x}, cone);
+}
+
 /// Multiplied by h², as well as by itself, the discriminant contains six lengths.
 constexpr Units small_cone = is_float ? Units{.size = -16} : tiny_shape;
 
@@ -283,10 +316,13 @@ TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)", "[exact]") {
     CHECK(for_all([](Random& random) {
         const auto [cone, x, y] = draw_in_eighths(random);
         const bool inside = random.coin();
-        const Vec3 point = cone.apex + (inside ? 1 - hair : 1 + hair) * cone.height * (x + y);
+        const Real z = (inside ? 1 - hair : 1 + hair) * cone.height;
+        const Vec3 on_axis = cone.apex + z * y;
         const Real t = random.eighths(1, 9);
-        const Ray ray{.origin = point + t * x, .direction = -x};
-        return inside ? hits(ray, cone, t) : misses(ray, cone);
+        const bool from_axis = random.coin();
+        const Ray ray = from_axis ? Ray{.origin = on_axis, .direction = x}
+                                  : Ray{.origin = on_axis + (z + t) * x, .direction = -x};
+        return inside ? hits(ray, cone, from_axis ? z : t) : misses(ray, cone);
     }));
 }
 
@@ -359,6 +395,8 @@ TEST_CASE("the side ends at its rim, and not 0.1 % further (MRT §8)") {
         const auto aimed = aimed_from_outside(sample, random);
         return hits(aimed.ray, aimed.shape, aimed.t);
     }));
+    CHECK(for_all(ends_at_its_rim));
+    CHECK(for_all(ends_at_its_apex));
 }
 
 TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part normal]") {

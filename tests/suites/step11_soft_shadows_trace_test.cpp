@@ -62,10 +62,12 @@ TEST_CASE("each light has a share of its own (CR §3.3)") {
 
 TEST_CASE("a single sample is seen or not, and --shadow-samples is their number (CR §3.3)") {
     CHECK(samples_are_whole());
+    CHECK(small_shares_are_seen());
 }
 
 TEST_CASE("each light has samples of its own (CR §3.3)") {
     CHECK(lights_have_their_own_samples());
+    CHECK(pixels_have_their_own_samples());
 }
 
 TEST_CASE("ambient light is neither shared nor counted again (CR §3.3)") {

@@ -67,17 +67,7 @@ TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §
 }
 
 TEST_CASE("a mirror shows black, or the sky, where its ray meets nothing (CR §5.1)") {
-    // Mirrors that send the ray to the right, to the left, up and down, and back.
-    const std::string sky = "sky 0,0,255 255,0,0\n";
-    const Rgb level = {128, 0, 128};
-    CHECK(reflects("0.70710678,0,0.70710678", "", {0, 0, 0}));
-    CHECK(reflects("-0.70710678,0,0.70710678", "", {0, 0, 0}));
-    CHECK(reflects("0,0.70710678,0.70710678", "", {0, 0, 0}));
-    CHECK(reflects("0,-0.70710678,0.70710678", "", {0, 0, 0}));
-    CHECK(reflects("0.70710678,0,0.70710678", sky, level));
-    CHECK(reflects("0,0.70710678,0.70710678", sky, {255, 0, 0}));
-    CHECK(reflects("0,-0.70710678,0.70710678", sky, {0, 0, 255}));
-    CHECK(reflects("0,0,1", sky, level));
+    CHECK(mirrors_show_black_or_sky());
 }
 
 TEST_CASE("where the reflections end, it is black (CR §5.1)") {
@@ -131,6 +121,7 @@ TEST_CASE("each ray of a picture has its own reflections (CR §5.1)") {
 TEST_CASE("a mirror shows the closest of what it faces (CR §5.1)") {
     CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,3 2 0,255,0\n", {0, 255, 0}));
     CHECK(shows(bright + "sp 0,0,3 2 0,255,0\n" + red_wall_behind + mirror("1"), {0, 255, 0}));
+    CHECK(mirrors_show_what_is_close());
 }
 
 TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5.1)") {
@@ -140,6 +131,7 @@ TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5
     CHECK(shows(light + mirror("1") + white_wall + "sp 0,1.5,4 0.2 9,9,9\n", {0, 0, 0}));
     CHECK(shows(light + mirror("1") + red_wall_behind, {102, 0, 0}));
     CHECK(mirrors_show_all_terms());
+    CHECK(mirrors_show_soft_shadows());
 }
 
 TEST_CASE("a mirror does not show itself (CR §5.1)") {
@@ -166,17 +158,7 @@ TEST_CASE("two mirrors that face each other end, and give no more light than the
 }
 
 TEST_CASE("the option --depth is the largest number of reflections (CR §5.1)") {
-    const std::string two =
-        bright + mirror("0.5", "0,0,255") + "pl 0,0,6 0,0,-1 255,0,0 mirror:0.5\n";
-    CHECK(shows(two, {0, 0, 128}, {.depth = 0}));
-    CHECK(shows(two, {64, 0, 128}, {.depth = 1}));
-    CHECK(shows(two, {64, 0, 159}, {.depth = 2}));
-    // Between perfect mirrors, ten apart, the ray climbs by one on each way: it meets a wall after
-    // 90 reflections.
-    const std::string hall = bright + mirror("1") + "pl 0,0,6 0,0,-1 255,255,255 mirror:1\n" +
-                             "C 0,0,0 0,1,-10 60\npl 0,89.9,0 0,-1,0 255,0,0\n";
-    CHECK(shows(hall, {255, 0, 0}, {.depth = 90}));
-    CHECK(shows(hall, {0, 0, 0}, {.depth = 89}));
+    CHECK(reflections_end());
 }
 
 TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
@@ -196,7 +178,7 @@ TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §
     CHECK(every_kind_casts_a_shadow(" radius:0.05"));
     CHECK(shadows_at_both_ends());
     CHECK(ceilings_leave_their_lamp());
-    CHECK(samples_are_whole());
+    CHECK(area_lights_are_sampled());
 }
 
 TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
