@@ -250,6 +250,18 @@ course 0 check 3
 says "Your code prints:"
 says "  I am here"
 
+# A file that is saved while it is compiled is compiled again. The compile waits for the pipe.
+mkfifo $stage/student/pipe
+{ cat $stage/reference/sphere.cpp; echo '#include "pipe"'; } > $mine
+./course run 3 -o picture.png > /dev/null 2>&1 &
+exec 9> $stage/student/pipe  # goes on when the compiler reads it
+echo '#error saved too early' > $mine
+exec 9>&-
+wait
+course 2 run 3 -o picture.png
+says "saved too early"
+rm $stage/student/pipe
+
 # A suite that something else ends is no verdict.
 mv build/step03_sphere_test_double kept
 printf '#!/bin/sh\nkill -TERM $$\n' > build/step03_sphere_test_double

@@ -123,6 +123,7 @@ Build try_build(const std::vector<std::string>& targets) {
     const BuildLock lock;
     Listener listener;
     std::string line;  // the last one, whose end is not printed yet
+    const auto began = std::filesystem::file_time_type::clock::now();
     const int status = run_heard(command, Streams::both, [&](std::string_view piece) {
         if (piece.empty()) listener.wait();
         line += piece;
@@ -130,6 +131,7 @@ Build try_build(const std::vector<std::string>& targets) {
             listener.hear(line.substr(0, end + 1));
     });
     if (!line.empty()) listener.hear(line);
+    outdate_objects(began);
     return {.succeeded = status == 0, .output = listener.end()};
 }
 

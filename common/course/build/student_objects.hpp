@@ -10,6 +10,10 @@ namespace rt {
 /// True for the path of a student's object in the build folder.
 [[nodiscard]] bool is_student_object(const std::string& path);
 
+/// Makes objects older than the student's files that were saved since the build began: ninja
+/// compares a file with the end of its compile, so it would not compile them again.
+void outdate_objects(std::filesystem::file_time_type build_began);
+
 /// Keeps the compiler's output on an object beside it: it is printed only when a file is compiled.
 void keep_warnings(const std::filesystem::path& object, const std::string& output);
 

@@ -1,5 +1,5 @@
 // Your trace of stage 3: the color seen along a ray (M1, "plusieurs objets"; CR §2.1). The page's
-// part "The closest of several" explains it. Without this file, the program uses the main.cpp in
+// part "The nearest of several" explains it. Without this file, the program uses the main.cpp in
 // the folder above.
 #include "common/render/stage.hpp"
 
