@@ -96,14 +96,15 @@ double ulps_between(Real got, const Number& expected) {
     return abs((Number(got) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
 }
 
-/// True if the answer is right for a ray that is moved by this much, across itself or along.
+/// True if the answer is right for a ray that is moved by this much, across itself or along, or
+/// both at 45°.
 template <class Shape>
 bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double distance) {
     constexpr int ways = 16;
     const glm::dvec3 d =
         glm::normalize(glm::dvec3(asked.ray.direction / largest_component(asked.ray.direction)));
-    const glm::dvec3 aside = std::abs(d.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-    const glm::dvec3 x = glm::normalize(glm::cross(d, aside));
+    const glm::dvec3 other = std::abs(d.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 x = glm::normalize(glm::cross(d, other));
     const glm::dvec3 y = glm::cross(d, x);
     const auto shape = exact(asked.shape);
     const auto interval = exact(asked.interval);
@@ -113,11 +114,15 @@ bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double di
         ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
         return same(got, answer(ray, shape, interval), rounding(asked, distance));
     };
+    // At an end of the interval and beside an edge, neither a move across nor one along is enough.
+    if (right(d) || right(-d)) return true;
     for (int i = 0; i < ways; ++i) {
         const double angle = 2 * std::numbers::pi * i / ways;
-        if (right(std::cos(angle) * x + std::sin(angle) * y)) return true;
+        const glm::dvec3 aside = std::cos(angle) * x + std::sin(angle) * y;
+        if (right(aside) || right(glm::normalize(aside + d)) || right(glm::normalize(aside - d)))
+            return true;
     }
-    return right(d) || right(-d);
+    return false;
 }
 
 }  // namespace
@@ -134,6 +139,11 @@ Judgment judged(const Case<Shape>& asked, std::optional<Real> got) {
         Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
     if (!judgment.wrong) judgment.ulps = ulps_between(*got, expected.roots[*expected.first]);
     return judgment;
+}
+
+template <class Shape>
+bool starts_on(const Case<Shape>& asked) {
+    return off_surface(exact(asked.ray.origin), exact(asked.shape)) <= 16 * unit_of(asked, {});
 }
 
 template <class Shape>
@@ -168,21 +178,27 @@ std::optional<Real> exact_answer(const Case<Shape>& asked) {
 }
 
 template Judgment judged(const Case<Sphere>&, std::optional<Real>);
+template bool starts_on(const Case<Sphere>&);
 template double band(const Case<Sphere>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Sphere>&);
 template Judgment judged(const Case<Plane>&, std::optional<Real>);
+template bool starts_on(const Case<Plane>&);
 template double band(const Case<Plane>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Plane>&);
 template Judgment judged(const Case<Triangle>&, std::optional<Real>);
+template bool starts_on(const Case<Triangle>&);
 template double band(const Case<Triangle>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Triangle>&);
 template Judgment judged(const Case<Square>&, std::optional<Real>);
+template bool starts_on(const Case<Square>&);
 template double band(const Case<Square>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Square>&);
 template Judgment judged(const Case<Cylinder>&, std::optional<Real>);
+template bool starts_on(const Case<Cylinder>&);
 template double band(const Case<Cylinder>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cylinder>&);
 template Judgment judged(const Case<Cone>&, std::optional<Real>);
+template bool starts_on(const Case<Cone>&);
 template double band(const Case<Cone>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cone>&);
 

@@ -21,6 +21,11 @@ struct Judgment {
 template <class Shape>
 [[nodiscard]] Judgment judged(const Case<Shape>& asked, std::optional<Real> got);
 
+/// Whether the ray starts within 16 u L of the surface: then the start of the interval is as near
+/// to a hit as its rounding.
+template <class Shape>
+[[nodiscard]] bool starts_on(const Case<Shape>& asked);
+
 /// The backward error: the largest move of the ray, in u L, that makes a wrong answer right. An
 /// answer that a move by `known` makes right is not examined further, and gives `known`.
 template <class Shape>

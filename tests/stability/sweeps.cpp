@@ -261,8 +261,80 @@ Line draw_line(Random& random, Sweep sweep, const Shape& shape) {
     return ways[std::size_t(random.below(3))](random, shape);
 }
 
+// The shape of a mixed case is about the origin, where nothing is lost to the coordinates; many are
+// along the axes of the world.
+
+Real any_size(Random& random) {
+    return decades(random, -6, 6);
+}
+
+Vec3 any_axis(Random& random) {
+    return random.coin() ? random.axes().z : random.direction();
+}
+
+void mix(Random& /*random*/, Sphere& sphere) {
+    sphere = {.center = {}, .radius = 1};
+}
+
+void mix(Random& random, Plane& plane) {
+    plane = {.point = {}, .normal = any_size(random) * any_axis(random)};
+}
+
+void mix(Random& random, Triangle& triangle) {
+    const Vec3 b = any_axis(random);
+    triangle = {.a = {}, .b = b, .c = any_size(random) * any_axis(random)};
+}
+
+void mix(Random& random, Square& square) {
+    square = {.basis = random.coin() ? random.axes() : random.basis(), .side = 1};
+    square.one_sided = random.coin();
+}
+
+void mix(Random& random, Cylinder& cylinder) {
+    cylinder = {.axis = any_axis(random), .radius = 1, .height = any_size(random)};
+}
+
+void mix(Random& random, Cone& cone) {
+    cone = {.axis = any_axis(random), .radius = 1, .height = any_size(random)};
+}
+
+/// Whole numbers that are not all 0.
+Vec3 rounded(Vec3 v) {
+    const Vec3 whole = round(v);
+    return whole == Vec3(0) ? Vec3(0, 0, 1) : whole;
+}
+
+/// Starts from 1e-3 to 1e8 away, in any of the ways above, all moved by up to 1e18. One ray in four
+/// consists of whole numbers, as in scenes that people write.
+template <class Shape>
+Real draw_mixed(Random& random, Case<Shape>& drawn) {
+    mix(random, drawn.shape);
+    const std::array kinds = {Sweep::moderate, Sweep::grazing,  Sweep::border,
+                              Sweep::point,    Sweep::parallel, Sweep::surface};
+    const Sweep kind = kinds[std::size_t(random.below(int(kinds.size())))];
+    Line line = draw_line(random, kind, drawn.shape);
+    Real distance = kind == Sweep::surface ? 0 : decades(random, -3, 8);
+    Transform transform;
+    if (random.coin()) transform.translation = decades(random, -6, 18) * random.direction();
+    if (random.below(4) == 0) {
+        line.point = round(line.point);
+        line.direction = rounded(Real(4) * line.direction);
+        distance = std::round(distance);
+        transform.translation = round(transform.translation);
+    } else {
+        line.direction *= decades(random, -9, 9);
+        distance /= length(line.direction);
+        transform.scale = any_size(random);
+    }
+    const Vec3 origin = line.point - distance * line.direction;
+    drawn.ray = {.origin = transformed(origin, transform), .direction = line.direction};
+    drawn.shape = transformed(drawn.shape, transform);
+    return line.beside;
+}
+
 template <class Shape>
 Real draw_case(Random& random, Sweep sweep, Case<Shape>& drawn) {
+    if (sweep == Sweep::mixed) return draw_mixed(random, drawn);
     draw(random, drawn.shape);
     if constexpr (requires { narrow(random, drawn.shape); })
         if (sweep == Sweep::sliver) narrow(random, drawn.shape);
@@ -293,8 +365,9 @@ Interval around(Random& random, Real t) {
 }
 
 std::string name(Sweep sweep) {
-    const std::array names = {"moderate", "distance", "grazing",  "offset", "scale",   "speed",
-                              "border",   "point",    "parallel", "sliver", "surface", "range"};
+    const std::array names = {"moderate", "distance", "grazing", "offset",   "scale",
+                              "speed",    "border",   "point",   "parallel", "sliver",
+                              "surface",  "range",    "mixed"};
     return names[std::size_t(sweep)];
 }
 

@@ -1,4 +1,5 @@
-// Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades.
+// Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades, and
+// the last one several at once.
 #pragma once
 
 #include "common/geometry/cone.hpp"
@@ -27,6 +28,7 @@ enum class Sweep {
     sliver,    ///< triangles 1e-1 to 1e-8 as wide as long
     surface,   ///< from the surface, to rounding, or near it; half of them along it
     range,     ///< in double: 1e-140 to 1e140 times as large, directions 1e-150 to 1e150 long
+    mixed,     ///< several of these at once, sizes 1e-6 to 1e6 in one shape, or whole numbers
 };
 
 [[nodiscard]] std::string name(Sweep sweep);

@@ -1,5 +1,7 @@
 #include "steps/step06_square/square.hpp"
 
+#include "common/math/compensated.hpp"
+
 #include <cmath>
 
 namespace rt {
@@ -20,12 +22,19 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     const Real slope = dot(d, z);
     if (square.one_sided && !(slope < 0)) return std::nullopt;
     const Real inverse_slope = 1 / slope;
-    const Real near = -dot(o, z) * inverse_slope;
-    // Relative to the ray's point at `near`, which is close to the square's plane despite rounding:
-    // the remaining errors depend on the square's size and not on the distance of the origin.
-    const Vec3 p = o + near * d;
-    const Real height = dot(p, z);
-    const Real t = near - height * inverse_slope;
+    // Relative to a point p of the ray's line that is close to the square's plane: the remaining
+    // errors depend on the square's size and not on the distance of the origin. If the slope is
+    // little more than a rounding error, p is far away and no closer to the plane than the origin:
+    // then p is the origin.
+    const Real height_of_o = dot(o, z);
+    Real t_near = -height_of_o * inverse_slope;
+    Real height = dot(fused_at(o, t_near, d), z);
+    if (!(std::abs(height) <= std::abs(height_of_o) / 2)) {
+        t_near = 0;
+        height = height_of_o;
+    }
+    const Vec3 p = fused_at(o, t_near, d);
+    const Real t = t_near - height * inverse_slope;
     if (!interval.contains(t)) return std::nullopt;  // a ray in the square's plane has t NaN
 
     // |p.x − p.z d.x / d.z| ≤ side / 2 multiplied by |d.z|, in object space: the test without the

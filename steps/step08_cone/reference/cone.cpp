@@ -4,7 +4,6 @@
 #include "common/math/vector.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace rt {
@@ -45,23 +44,28 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     if (!(discriminant >= 0)) return std::nullopt;  // NaN must miss
 
     const Real a = off_cone(cone, d);
-    const Real b = hh * dot(cross(p, cone.axis), cross(d, cone.axis)) -
-                   rr * dot(p, cone.axis) * dot(d, cone.axis);
+    const Real d_along = dot(d, cone.axis);
+    const Real b =
+        hh * dot(cross(p, cone.axis), cross(d, cone.axis)) - rr * dot(p, cone.axis) * d_along;
     const Real c = off_cone(cone, p);
     const Real q = -(b + std::copysign(cone.height * std::sqrt(discriminant), b));
 
     // The roots are q / a and c / q, so that neither is a difference. A ray along the surface has a
     // = 0: q / a is infinite, and c / q is its only root, −c / b with MRT's b. The order of the
-    // roots depends on the sign of a.
-    std::array<Real, 2> roots = {q / a, c / q};
-    if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
-    for (const Real root : roots) {
+    // roots depends on the sign of a. Through the apex c / q is 0 / 0, and both are q / a.
+    const Real first = std::min(q / a, c / q);
+    const Real last = std::max(q / a, c / q);
+    for (const Real root : {first, last}) {
+        // A ray that is steeper than the side hits each nappe once, this one last if it runs up the
+        // axis. For other rays z decides, but here both roots may round to points behind the apex.
+        const Vec3 point = p + root * d;
+        const bool on_nappe =
+            a < 0 ? root == (d_along > 0 ? last : first) : dot(point, cone.axis) >= 0;
         // On the cone, z ≤ h means: at most as far from the apex as the rim. For a flat cone, z
         // alone determines that distance poorly.
-        const Vec3 point = p + root * d;
+        const bool below_rim = dot(point, point) <= rr + hh;
         const Real t = (t_closest + root) * (slow / shrink);
-        if (dot(point, cone.axis) >= 0 && dot(point, point) <= rr + hh && interval.contains(t))
-            return t;
+        if (on_nappe && below_rim && interval.contains(t)) return t;
     }
     return std::nullopt;
 }
