@@ -54,10 +54,15 @@ fs::path headers_of(const BuildDirectory& workshop, GradedFile graded) {
     return workshop.folder / "headers" / name_of(graded);
 }
 
-/// The one that costs most to compile.
+/// The one that costs most to compile. All main.cpp share that of stage 1, whose precompiled form
+/// g++ recognizes by the content of each header.
 fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
-    if (graded.is_trace) return headers_of(workshop, graded) / "common/render/stage.hpp";
+    if (graded.is_trace) return headers_of(workshop, {1, true}) / "common/render/stage.hpp";
     return headers_of(workshop, graded) / stage_header(graded.stage);
+}
+
+fs::path precompiled(const fs::path& header) {
+    return header.string() + ".gch";
 }
 
 StageFunctions functions_of(const BuildDirectory& workshop, GradedFile graded) {
@@ -193,8 +198,8 @@ void go_on(const BuildDirectory& workshop) {
 }
 
 void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
-    const TemporaryFolder scratch(workshop.folder);
     const std::string header = header_of(workshop, graded).string();
+    const TemporaryFolder scratch(workshop.folder);
     const std::string made = scratch.path() / "header.gch";
     Command compile = compiler(workshop, graded);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
@@ -203,7 +208,7 @@ void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
     if (ending.status != 0)
         throw ProgramError("error: the headers of " + name_of(graded) +
                            " do not compile in the sandbox\n" + ending.output);
-    take(made, header + ".gch", fs::perms(0644));
+    take(made, precompiled(header), fs::perms(0644));
 }
 
 ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,
@@ -243,12 +248,16 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
         Command command = compiler(workshop, graded);
         command.insert(command.end(), options.begin(), options.end());
         command.insert(command.end(), {"-c", source, "-o", made});
-        return run_sealed(workshop, scratch.path(), {headers_of(workshop, graded)}, command);
+        return run_sealed(workshop, scratch.path(),
+                          {headers_of(workshop, graded), precompiled(header_of(workshop, graded))},
+                          command);
     };
-    // The stage's precompiled header works only as the first include, so it is included first. A
-    // file that does not compile this way is compiled unchanged.
-    ProcessResult compiled = compile({"-include", header_of(workshop, graded)});
-    if (compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
+    // The precompiled header works only as the first include, so it is included first. A file that
+    // does not compile this way is compiled unchanged.
+    const fs::path header = header_of(workshop, graded);
+    const bool starts_from_it = fs::exists(precompiled(header));
+    ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{});
+    if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
     if (compiled.status != 0)
         return {.words = told_of_compile(compiled, workshop, graded, scratch)};
 
