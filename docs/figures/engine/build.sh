@@ -66,7 +66,7 @@ sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
     common/program/turntable.cpp common/stages/stages.cpp common/system/escaping.cpp \
     common/system/huge_pages.cpp common/system/input_error.cpp \
     steps/step02*/pixel_rays.cpp steps/step11*/lighting.cpp steps/step12*/reflection.cpp \
-    steps/step13*/mesh_instance.cpp steps/*/reference/*.cpp
+    steps/step13*/mesh_instance.cpp steps/*/queries.cpp steps/*/reference/*.cpp
 
 # The log of --pixel, which no picture has, stays undefined. More inlining takes a sixth of the time.
 module picture_double picture.hpp -O2 -msimd128 -mllvm -inline-threshold=700 -Wl,--allow-undefined \
