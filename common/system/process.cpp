@@ -147,8 +147,8 @@ int run_process(const Command& command) {
     const auto previous = std::signal(SIGINT, SIG_IGN);
     const int answer = wait_for(start(command, {}));
     std::signal(SIGINT, previous);
-    // A shell would report the crash, but it only sees this process. An end by Ctrl-C is none, nor by
-    // a reader that has read enough, such as `head`.
+    // A shell would report the crash, but it only sees this process. An end by Ctrl-C is none, nor
+    // by a reader that has read enough, such as `head`.
     const std::string crashed = crash(answer);
     if (!crashed.empty() && WTERMSIG(answer) != SIGINT && WTERMSIG(answer) != SIGPIPE)
         std::fprintf(stderr, "error: %s crashed: %s\n", command[0].c_str(), crashed.c_str());

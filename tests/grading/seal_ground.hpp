@@ -7,11 +7,8 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
-#include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -27,16 +24,7 @@ using Words = std::vector<std::string>;
 
 /// A folder that everyone may enter, with the programs in it.
 struct Ground {
-    Ground() {
-        fs::permissions(folder, fs::perms(0755));
-        fs::copy_file(RAYSTEPS_SEALED, folder / "sealed");
-        fs::copy_file(RAYSTEPS_ATTACKER, folder / "attacker");
-        fs::copy_file(RAYSTEPS_ATTACKER, folder / "launcher");  // not counted as an attack
-        fs::create_directory(folder / "scratch");
-        fs::permissions(folder / "scratch", fs::perms(0777));
-        std::ofstream(folder / "secret") << "expected values";
-        fs::permissions(folder / "secret", fs::perms(0666));
-    }
+    Ground();
 
     TemporaryFolder temporary;
     const fs::path& folder = temporary.path();
@@ -53,54 +41,19 @@ struct Who {
 /// another test.
 inline const uid_t ordinary_user = 50000 + uid_t(getpid()) % 10000;
 
-inline bool is_ordinary(const Who& who) {
-    return geteuid() != 0 || (!who.before.empty() && who.before[0] == "setpriv");
-}
+[[nodiscard]] bool is_ordinary(const Who& who);
 
-inline std::vector<Who> everybody(const Ground& ground) {
-    std::vector<Who> all{{"whoever runs this", {}}};
-    const std::string user = std::to_string(ordinary_user);
-    if (geteuid() == 0)
-        all.push_back({"an ordinary user",
-                       {"setpriv", "--reuid=" + user, "--regid=" + user, "--clear-groups"}});
-    for (std::size_t i = 0, count = all.size(); i < count; ++i) {
-        Who who = all[i];
-        who.name += ", without namespaces";
-        who.before.insert(who.before.end(), {ground.folder / "launcher", "--no-namespaces"});
-        all.push_back(who);
-    }
-    return all;
-}
+[[nodiscard]] std::vector<Who> everybody(const Ground& ground);
 
-inline Command sealed(const Ground& ground, const Who& who, const Words& limits,
-                      const Words& attack) {
-    Command command = who.before;
-    command.push_back(ground.folder / "sealed");
-    command.insert(command.end(), limits.begin(), limits.end());
-    command.insert(command.end(), {"--", ground.folder / "attacker"});
-    command.insert(command.end(), attack.begin(), attack.end());
-    return command;
-}
-
-inline ProcessResult run(const Ground& ground, const Who& who, const Words& limits,
-                         const Words& attack) {
-    return run_captured(sealed(ground, who, limits, attack), std::chrono::seconds(60));
-}
-
-inline int status(const Ground& ground, const Who& who, const Words& limits, const Words& attack) {
-    return run(ground, who, limits, attack).status;
-}
+/// The result of an attack in the sandbox, with these limits.
+[[nodiscard]] ProcessResult run(const Ground& ground, const Who& who, const Words& limits,
+                                const Words& attack);
+[[nodiscard]] int status(const Ground& ground, const Who& who, const Words& limits,
+                         const Words& attack);
+[[nodiscard]] Command sealed(const Ground& ground, const Who& who, const Words& limits,
+                             const Words& attack);
 
 /// The number of processes of a program.
-inline int processes_of(const fs::path& program) {
-    int count = 0;
-    for (const auto& each : fs::directory_iterator("/proc")) {
-        std::ifstream in(each.path() / "cmdline");
-        std::string line;
-        std::getline(in, line, '\0');
-        count += line == program.string();
-    }
-    return count;
-}
+[[nodiscard]] int processes_of(const fs::path& program);
 
 }  // namespace rt

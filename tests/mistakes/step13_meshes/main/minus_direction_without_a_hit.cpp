@@ -60,7 +60,8 @@ Color trace(const Scene& scene, const Ray& ray, Context& context) {
     closest.test(scene.boxes);
     closest.test(scene.meshes);
     const std::optional<Hit> hit = closest.hit();
-    if (!hit) return context.bounces > 0 && !scene.sky ? Color(-ray.direction) : background(scene, ray);
+    if (!hit)
+        return context.bounces > 0 && !scene.sky ? Color(-ray.direction) : background(scene, ray);
     if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
 
     const ShadingPoint surface = shading_point(*hit, ray);
