@@ -252,14 +252,19 @@ course 0 check 3
 says "Your code prints:"
 says "  I am here"
 
-# A file that is saved while it is compiled is compiled again. The compile waits for the pipe.
+# A file that is saved while it is compiled is compiled again. The compile waits for the pipe, and
+# that of the other precision, too.
 mkfifo $stage/student/pipe
 { cat $stage/reference/sphere.cpp; echo '#include "pipe"'; } > $mine
 ./course run 3 -o picture.png > /dev/null 2>&1 &
-exec 9> $stage/student/pipe  # goes on when the compiler reads it
+run=$!
+exec 9> $stage/student/pipe  # goes on when a compiler reads it
 echo '#error saved too early' > $mine
+while sleep 0.1; do : > $stage/student/pipe; done 9>&- &
+writer=$!
 exec 9>&-
-wait
+wait $run
+kill $writer
 course 2 run 3 -o picture.png
 says "saved too early"
 rm $stage/student/pipe
