@@ -252,6 +252,16 @@ course 0 check 3
 says "Your code prints:"
 says "  I am here"
 
+# A suite that something else ends is no verdict.
+mv build/step03_sphere_test_double kept
+printf '#!/bin/sh\nkill -TERM $$\n' > build/step03_sphere_test_double
+chmod +x build/step03_sphere_test_double
+course 2 check 3
+says "step03_sphere_test_double was told to stop before its end"
+says_not "your code crashed"
+mv kept build/step03_sphere_test_double
+touch build/step03_sphere_test_double
+
 # A file that is saved while it is compiled is compiled again. The compile waits for the pipe, and
 # that of the other precision, too.
 mkfifo $stage/student/pipe
@@ -268,16 +278,6 @@ kill $writer
 course 2 run 3 -o picture.png
 says "saved too early"
 rm $stage/student/pipe
-
-# A suite that something else ends is no verdict.
-mv build/step03_sphere_test_double kept
-printf '#!/bin/sh\nkill -TERM $$\n' > build/step03_sphere_test_double
-chmod +x build/step03_sphere_test_double
-course 2 check 3
-says "step03_sphere_test_double was told to stop before its end"
-says_not "your code crashed"
-mv kept build/step03_sphere_test_double
-touch build/step03_sphere_test_double
 
 # A crash, an endless loop.
 printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s\n%s\n}\n' $stage \
