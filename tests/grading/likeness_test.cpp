@@ -104,6 +104,7 @@ TEST_CASE("right answers that were written apart are not near") {
     }
     const Similarity found = results.found();
     CHECK(found.same.empty());
+    for (const NearFiles& each : found.near) UNSCOPED_INFO(each.one << " is near " << each.other);
     CHECK(found.near.empty());
 }
 
