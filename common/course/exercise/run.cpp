@@ -4,6 +4,7 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/handout/manifest.hpp"
+#include "common/stages/graded_file.hpp"
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
@@ -70,9 +71,10 @@ int run_tests(std::optional<int> stage, const Command& words) {
                    {"--output-on-failure", "--progress", "--no-label-summary", "--no-tests=error"});
     std::vector<std::string> targets;
     if (stage) {
-        const std::string name = stage_target(*stage);
-        targets = {name + "_test_float", name + "_test_double"};
-        command.insert(command.end(), {"-L", "^" + name + "$"});
+        for (const GradedFile each : files_of(*stage))
+            for (const char* suite : {"_test_float", "_test_double"})
+                targets.push_back(name_of(each) + suite);
+        command.insert(command.end(), {"-L", "^" + stage_target(*stage) + "$"});
     }
     command.insert(command.end(), words.begin(), words.end());
     choose_reference("");
