@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// What separates words: also CR, vertical tab and form feed.
+/// The characters that separate words, CR, vertical tab and form feed among them.
 inline constexpr std::string_view blanks = " \t\r\v\f";
 
 /// A word without blanks. The column, in bytes, counts from 1.

@@ -1,4 +1,4 @@
-// What the kernel, or the user, lacks for the sandbox: then nothing unsealed starts.
+// Tests of a sandbox that lacks a layer, of the kernel or of the user: nothing starts unsealed.
 #include "common/course/grade/sandbox/layers.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
 #include "tests/grading/seal_ground.hpp"

@@ -22,7 +22,7 @@ std::string whole(const std::string& scene) {
     return "R 1 1\n" + std::string(has_camera ? "" : "C 0,0,0 0,0,-1 60\n") + scene;
 }
 
-/// Of a long text only the first lines.
+/// The lines of a text, indented; only the first 40 of a longer one.
 std::string indented(const std::string& lines) {
     constexpr int most = 40;
     std::istringstream in(lines);

@@ -21,8 +21,8 @@ struct Judgment {
 template <class Shape>
 [[nodiscard]] Judgment judged(const Case<Shape>& asked, std::optional<Real> got);
 
-/// Whether the ray starts within 16 u L of the surface: then the start of the interval is as near
-/// to a hit as its rounding.
+/// Returns whether the ray starts within 16 u L of the surface: then the start of the interval is
+/// as near to a hit as its rounding.
 template <class Shape>
 [[nodiscard]] bool starts_on(const Case<Shape>& asked);
 

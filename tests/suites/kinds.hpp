@@ -114,8 +114,8 @@ inline Verdict closest_of_random_shapes_is_seen(int stage, const std::string& he
         40);
 }
 
-/// Of two spheres that almost coincide, the closer one is seen: t is not rounded to float. In float
-/// they coincide.
+/// Two spheres almost coincide, and the closer one is seen: t is not rounded to float. Only in
+/// double, because in float they coincide.
 inline Verdict almost_equal_t_differ(const std::string& head) {
     Verdict all;
     if (sizeof(Real) == sizeof(float)) return all;

@@ -158,7 +158,7 @@ inline Verdict share_is_of_samples(const std::string& scene, int samples) {
 /// A single sample of an area light is seen or not, and --shadow-samples is their number.
 inline Verdict samples_are_whole() {
     Verdict all;
-    // Of a prime number of samples, no smaller number has these shares.
+    // Prime numbers: a loop with fewer samples has other shares.
     for (const int samples : {1, 2, 3, 5, 97, 499, 997})
         keep_first(all, share_is_of_samples(red_light_and_wall + three_quarters_hidden, samples));
     return all;

@@ -85,7 +85,8 @@ inline Verdict mirrors_show_what_is_close() {
     return all;
 }
 
-/// What a mirror shows has soft shadows, too: a quarter of a light that is behind the eye.
+/// A mirror shows soft shadows: of a light behind the eye, a quarter reaches the wall in the
+/// mirror.
 inline Verdict mirrors_show_soft_shadows() {
     return shows(
         "pl 0,0,-4 0,0,1 255,255,255 mirror:1\npl 0,0,6 0,0,-1 255,255,255\n"

@@ -1,4 +1,5 @@
-// What programs leave running: tests/programs/course_test.sh runs the rest of process.hpp.
+// Tests of the processes that programs leave running. tests/programs/course_test.sh runs the rest
+// of process.hpp.
 #include "common/system/process.hpp"
 #include "tests/kit/catch.hpp"
 

@@ -198,8 +198,8 @@ void go_on(const BuildDirectory& workshop) {
 }
 
 void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
-    const std::string header = header_of(workshop, graded).string();
     const TemporaryFolder scratch(workshop.folder);
+    const std::string header = header_of(workshop, graded).string();
     const std::string made = scratch.path() / "header.gch";
     Command compile = compiler(workshop, graded);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
