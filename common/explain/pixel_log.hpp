@@ -39,7 +39,7 @@ private:
 // shape's stage defines it (in its story.cpp) from the documents' formulas, independent of the
 // stage's `intersect`. Each returns the reason for a miss; an empty string for a hit. The file of
 // each kind of shape in common/geometry declares its own.
-std::string explain(PixelLog& log, const Ray& ray, const MeshInstance& instance);
+const char* explain(PixelLog& log, const Ray& ray, const MeshInstance& instance);
 
 /// A description, "a mesh of 12 triangles, …": no C++ code that constructs the mesh.
 std::string code(const MeshInstance& instance);

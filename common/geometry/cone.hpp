@@ -6,7 +6,6 @@
 #include "common/geometry/shape_formulas.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -76,7 +75,7 @@ inline constexpr auto shape_record<Cone> = record_of("Cone", field("apex", &Cone
 
 /// The smallest width, the measure for a displacement.
 [[nodiscard]] inline Real smallest_width(const Cone& cone) {
-    return std::min(cone.radius, cone.height);
+    return glm::min(cone.radius, cone.height);
 }
 
 /// A point of the surface: equal areas of the unit square map to equal areas of the surface.
@@ -94,7 +93,7 @@ inline constexpr auto shape_record<Cone> = record_of("Cone", field("apex", &Cone
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Cone& cone);
+const char* explain(PixelLog& log, const Ray& ray, const Cone& cone);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Cone& cone,
                                                   Interval interval);
 

@@ -6,7 +6,6 @@
 #include "common/geometry/shape_formulas.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -68,7 +67,7 @@ inline constexpr auto shape_record<Cylinder> = record_of("Cylinder",
 
 /// The smallest width, the measure for a displacement.
 [[nodiscard]] inline Real smallest_width(const Cylinder& cylinder) {
-    return std::min(cylinder.radius, cylinder.height);
+    return glm::min(cylinder.radius, cylinder.height);
 }
 
 /// A point of the surface: equal areas of the unit square map to equal areas of the surface.
@@ -81,11 +80,11 @@ inline constexpr auto shape_record<Cylinder> = record_of("Cylinder",
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Cylinder& cylinder) {
     const geometry::Meridian at = geometry::meridian(point - cylinder.center, cylinder.axis);
     return std::hypot(at.across - cylinder.radius,
-                      std::max(std::abs(at.along) - cylinder.height / 2, Real(0)));
+                      glm::max(std::abs(at.along) - cylinder.height / 2, Real(0)));
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder);
+const char* explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Cylinder& cylinder,
                                                   Interval interval);
 

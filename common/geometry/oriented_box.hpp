@@ -6,7 +6,6 @@
 #include "common/geometry/shape_formulas.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -67,7 +66,8 @@ inline constexpr auto shape_record<OrientedBox> =
 
 /// The smallest width, the measure for a displacement.
 [[nodiscard]] inline Real smallest_width(const OrientedBox& box) {
-    return 2 * std::min({box.half_size.x, box.half_size.y, box.half_size.z});
+    const Vec3 half = box.half_size;
+    return 2 * glm::min(half.x, glm::min(half.y, half.z));
 }
 
 /// A point of the surface: a third of the unit square maps to the two faces across each axis, and
@@ -75,7 +75,7 @@ inline constexpr auto shape_record<OrientedBox> =
 [[nodiscard]] inline Vec3 surface_point(const OrientedBox& box, Vec2 place) {
     const auto& [x, y, z] = box.basis;
     // The index of the face, and the position in it.
-    const auto face = std::min(int(6 * place.x), 5);
+    const auto face = glm::min(int(6 * place.x), 5);
     const Real part = 6 * place.x - Real(face);
     const Real side = face % 2 == 0 ? -1 : 1;
     Vec3 in_box(2 * part - 1, 2 * place.y - 1, side);
@@ -92,10 +92,10 @@ inline constexpr auto shape_record<OrientedBox> =
     const Vec3 in_box(dot(from_center, x), dot(from_center, y), dot(from_center, z));
     const Vec3 beyond = abs(in_box) - box.half_size;
     const Real outside = length(glm::max(beyond, Vec3(0)));
-    return outside > 0 ? outside : -std::max({beyond.x, beyond.y, beyond.z});
+    return outside > 0 ? outside : -glm::max(beyond.x, glm::max(beyond.y, beyond.z));
 }
 
 // Defined by the stage, in story.cpp.
-std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box);
+const char* explain(PixelLog& log, const Ray& ray, const OrientedBox& box);
 
 }  // namespace rt

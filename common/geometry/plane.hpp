@@ -44,7 +44,7 @@ inline constexpr auto shape_record<Plane> = record_of("Plane", field("point", &P
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Plane& plane);
+const char* explain(PixelLog& log, const Ray& ray, const Plane& plane);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Plane& plane,
                                                   Interval interval);
 

@@ -11,7 +11,6 @@
 
 #include <concepts>
 #include <optional>
-#include <string>
 #include <tuple>
 
 namespace rt {

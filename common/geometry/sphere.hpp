@@ -6,7 +6,6 @@
 #include "common/geometry/shape_formulas.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -60,7 +59,7 @@ inline constexpr auto shape_record<Sphere> = record_of("Sphere", field("center",
 /// A point of the surface: equal areas of the unit square map to equal areas of the surface.
 [[nodiscard]] inline Vec3 surface_point(const Sphere& sphere, Vec2 place) {
     const Real z = 1 - 2 * place.y;
-    const Real across = std::sqrt(std::max(1 - z * z, Real(0)));
+    const Real across = std::sqrt(glm::max(1 - z * z, Real(0)));
     const Real angle = 2 * pi * place.x;
     return sphere.center +
            sphere.radius * Vec3(across * std::cos(angle), across * std::sin(angle), z);
@@ -72,7 +71,7 @@ inline constexpr auto shape_record<Sphere> = record_of("Sphere", field("center",
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Sphere& sphere);
+const char* explain(PixelLog& log, const Ray& ray, const Sphere& sphere);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Sphere& sphere,
                                                   Interval interval);
 

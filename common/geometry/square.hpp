@@ -6,7 +6,6 @@
 #include "common/geometry/shape_formulas.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -75,14 +74,14 @@ inline constexpr auto shape_record<Square> = record_of("Square", field("center",
 [[nodiscard]] inline Real distance_to_surface(Vec3 point, const Square& square) {
     const Vec3 from_center = point - square.center;
     const auto beyond = [&](Vec3 axis) {
-        return std::max(std::abs(dot(from_center, axis)) - square.side / 2, Real(0));
+        return glm::max(std::abs(dot(from_center, axis)) - square.side / 2, Real(0));
     };
     return length(
         Vec3(beyond(square.basis.x), beyond(square.basis.y), dot(from_center, square.basis.z)));
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Square& square);
+const char* explain(PixelLog& log, const Ray& ray, const Square& square);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Square& square,
                                                   Interval interval);
 

@@ -7,7 +7,6 @@
 #include "common/math/compensated.hpp"
 #include "common/math/vector.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt {
@@ -71,7 +70,7 @@ inline constexpr auto shape_record<Triangle> = record_of("Triangle", field("a", 
     // Twice the area divided by the longest side: the smallest height.
     const Vec3 ab = triangle.b - triangle.a;
     const Vec3 ac = triangle.c - triangle.a;
-    const Real longest = std::max({length(ab), length(ac), length(ac - ab)});
+    const Real longest = glm::max(length(ab), glm::max(length(ac), length(ac - ab)));
     return longest > 0 ? length(cross(ab, ac)) / longest : 0;
 }
 
@@ -90,13 +89,14 @@ inline constexpr auto shape_record<Triangle> = record_of("Triangle", field("a", 
                         dot(cross(c - b, point - b), n) >= 0 &&
                         dot(cross(a - c, point - c), n) >= 0;
     if (inside && n != Vec3(0)) return std::abs(dot(point - a, unit(n)));
-    return std::min({geometry::distance_to_segment(point, a, b),
-                     geometry::distance_to_segment(point, b, c),
-                     geometry::distance_to_segment(point, c, a)});
+    const Real to_ab = geometry::distance_to_segment(point, a, b);
+    const Real to_bc = geometry::distance_to_segment(point, b, c);
+    const Real to_ca = geometry::distance_to_segment(point, c, a);
+    return glm::min(to_ab, glm::min(to_bc, to_ca));
 }
 
 // Defined by the stage, in story.cpp and exact/.
-std::string explain(PixelLog& log, const Ray& ray, const Triangle& triangle);
+const char* explain(PixelLog& log, const Ray& ray, const Triangle& triangle);
 [[nodiscard]] std::optional<ExactRoot> exact_root(const Ray& ray, const Triangle& triangle,
                                                   Interval interval);
 

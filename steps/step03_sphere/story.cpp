@@ -2,7 +2,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Sphere& sphere) {
+const char* explain(PixelLog& log, const Ray& ray, const Sphere& sphere) {
     const Vec3 from_center = ray.origin - sphere.center;
     log.line("r_s0 = o_r − o", text(from_center));
     const auto roots = explain_quadratic(

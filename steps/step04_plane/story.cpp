@@ -2,7 +2,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Plane& plane) {
+const char* explain(PixelLog& log, const Ray& ray, const Plane& plane) {
     const Real distance = dot(plane.point - ray.origin, plane.normal);
     const Real approach = dot(ray.direction, plane.normal);
     log.line("⟨o − o_r, n⟩", text(distance));

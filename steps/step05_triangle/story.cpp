@@ -2,7 +2,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Triangle& triangle) {
+const char* explain(PixelLog& log, const Ray& ray, const Triangle& triangle) {
     const auto& [a, b, c] = triangle;
     const Vec3 n = cross(b - a, c - a);
     const Real approach = dot(ray.direction, n);

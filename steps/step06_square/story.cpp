@@ -4,7 +4,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Square& square) {
+const char* explain(PixelLog& log, const Ray& ray, const Square& square) {
     const auto& [x_axis, y_axis, normal] = square.basis;
     const Real approach = dot(ray.direction, normal);
     log.line("X, Y, Z", text(x_axis) + ", " + text(y_axis) + ", " + text(normal));

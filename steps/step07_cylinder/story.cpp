@@ -4,7 +4,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder) {
+const char* explain(PixelLog& log, const Ray& ray, const Cylinder& cylinder) {
     // v ∧ Z has the length of the component of v in the plane of X and Y, for any choice of these.
     const Vec3 from_center = ray.origin - cylinder.center;
     const Vec3 o = cross(from_center, cylinder.axis);

@@ -2,7 +2,7 @@
 
 namespace rt {
 
-std::string explain(PixelLog& log, const Ray& ray, const Cone& cone) {
+const char* explain(PixelLog& log, const Ray& ray, const Cone& cone) {
     const Vec3 from_apex = ray.origin - cone.apex;
     const Real slope = cone.radius / cone.height;
     // x_u x_v + y_u y_v − (r / h)² z_u z_v of two vectors u and v: the three coefficients of MRT

@@ -22,7 +22,7 @@ bool is_ahead(const Ray& ray, const Mesh& mesh, const std::array<std::uint32_t, 
 
 }  // namespace
 
-std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box) {
+const char* explain(PixelLog& log, const Ray& ray, const OrientedBox& box) {
     const auto& [center, basis, half_size] = box;
     constexpr std::array<const char*, 3> names = {"u", "v", "w"};
     const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
@@ -48,7 +48,7 @@ std::string explain(PixelLog& log, const Ray& ray, const OrientedBox& box) {
     return "";
 }
 
-std::string explain(PixelLog& log, const Ray& ray, const MeshInstance& instance) {
+const char* explain(PixelLog& log, const Ray& ray, const MeshInstance& instance) {
     const Transform& placement = instance.placement;
     const Vec3 from_place = ray.origin - placement.translation;
     const Basis& basis = placement.rotation;
