@@ -171,6 +171,16 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
     return all;
 }
 
+/// Each kind of shape is seen, at its brightness, by an eye that looks along 0,0,1.
+inline Verdict all_are_seen_from_the_other_side(int stage) {
+    Verdict all;
+    for (const Kind& kind : kinds_until(stage)) {
+        const auto light = std::uint8_t(255 * kind.torch + 0.5);
+        keep_first(all, shows("C 0,0,0 0,0,1 60\n" + kind.line(-5, "0,255,0"), {0, light, 0}));
+    }
+    return all;
+}
+
 /// Without a hit the pixel is black, or has the color of the scene's sky in the ray's direction,
 /// and beside a shape that stands aside too. A color below 0 is black: rays have all directions.
 inline Verdict nothing_is_black_or_sky() {

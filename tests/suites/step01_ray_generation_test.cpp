@@ -85,7 +85,7 @@ TEST_CASE("pixels are equal squares around the middle, in any picture (MRT §1)"
         // Up to 128 times as wide as high: 2 pixNorm - 1 as printed is good to u times that.
         const Resolution size{.width = 64 + random.below(8129), .height = 64 + random.below(8129)};
         const Pixel pixel = random_pixel(size, random);
-        const Real fov = random.between(Real(0.01), Real(2.5));
+        const Real fov = random.between(Real(0.01), 3);
         return on_screen(pixel, size, fov, center_of(pixel, size, fov));
     }));
 }

@@ -51,6 +51,7 @@ TEST_CASE("a sphere that is alone is seen in its color (M1)") {
     CHECK(shows("sp 0,0,-0.006 0.002 255,0,0\n", red));
     CHECK(shows("sp 0,0,-0.0006 0.0002 255,0,0\n", red));
     CHECK(shows("sp 0,0,-0.0000006 0.0000002 255,0,0\n", red));
+    CHECK(all_are_seen_from_the_other_side(3));
 }
 
 TEST_CASE("a sphere is seen beside others that the ray misses (CR §2.1)") {

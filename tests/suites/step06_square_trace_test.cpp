@@ -11,6 +11,7 @@ TEST_CASE("every kind of shape so far is seen (M1, \"plusieurs objets\")", "[par
         CHECK(shows(kind.line(5, "0,255,0"), {0, light, 0}));
         CHECK(shows(kind.other_side(5, "0,255,0"), {0, light, 0}));
     }
+    CHECK(all_are_seen_from_the_other_side(6));
 }
 
 TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {

@@ -69,6 +69,13 @@ TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
     CHECK(random_lights_are_blocked(""));
 }
 
+TEST_CASE("a dim light is blocked as a bright one is (CR §3.2)") {
+    for (const std::string light : {"L 3,0,0 0.05 255,0,0\n", "L 3,0,0 0.5 25,0,0\n"}) {
+        CHECK(shows(light + white_wall, {10, 0, 0}));
+        CHECK(shows(light + white_wall + ball_on_the_right, {0, 0, 0}));
+    }
+}
+
 TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {
     const std::string ambient = "A 0.2 255,255,255\n";
     CHECK(shows(ambient + red_right + white_wall + ball_on_the_right, {51, 51, 51}));

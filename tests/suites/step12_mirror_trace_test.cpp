@@ -146,6 +146,10 @@ TEST_CASE("a mirror shows what another mirror shows (CR §5.1)") {
     CHECK(shows(bright + first + "pl 0,-5,0 -0.70710678,0.70710678,0 0,0,255 mirror:0.5\n" +
                     "pl -7,0,0 1,0,0 0,255,0\n",
                 {0, 128, 128}));
+    // The green wall is lit at a cosine of 0.8, and a ball halfway to the light hides it.
+    const std::string lit_wall = "pl -7,0,0 1,0,0 0,255,0\nL -3,-5,-1 0.5 255,255,255\n";
+    CHECK(shows(first + second + lit_wall, {0, 102, 0}));
+    CHECK(shows(first + second + lit_wall + "sp -5,-5,-2.5 0.4 9,9,9\n", {0, 0, 0}));
 }
 
 TEST_CASE("two mirrors that face each other end, and give no more light than there is (CR §5.1)") {

@@ -17,6 +17,32 @@ const std::array<std::string, 2> in_the_way = {
     wall + "1.5,0,-2 0.2 9,9,9 dir:0.6,0,0.8\n",
 };
 
+/// grid.off has 26 x 20 squares of side 1, row by row from the origin, each cut in two triangles:
+/// below the diagonal, and above it.
+constexpr int columns_of_grid = 26;
+constexpr int triangles_of_grid = 2 * columns_of_grid * 20;
+
+/// The grid is moved so that the middle of this triangle is at the point, x,0,z.
+std::string grid_around(int triangle, double x, double z, const std::string& color) {
+    constexpr double scale = 0.01;
+    const bool above = triangle % 2 == 1;
+    const double middle_x = triangle / 2 % columns_of_grid + (above ? 1.0 : 2.0) / 3;
+    const double middle_y = triangle / 2 / columns_of_grid + (above ? 2.0 : 1.0) / 3;
+    const auto text = [](double number) { return std::to_string(number); };
+    return "mesh ../tests/suites/step13_meshes/grid.off " + text(x - scale * middle_x) + "," +
+           text(-scale * middle_y) + "," + text(z) + " " + text(scale) + " " + color + "\n";
+}
+
+/// The triangle is seen, and in the middle of the way to a light it casts a shadow.
+Verdict triangle_is_met(int triangle) {
+    Verdict all;
+    keep_first(all, shows(bright + grid_around(triangle, 0, -4, "0,255,0"), {0, 255, 0}));
+    keep_first(all, shows("L 3,0,0 0.5 255,0,0\npl 0,0,-4 0,0,1 255,255,255\n" +
+                              grid_around(triangle, 1.5, -2, "9,9,9"),
+                          {0, 0, 0}));
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace]") {
@@ -54,10 +80,27 @@ TEST_CASE("boxes and meshes cast shadows (CR §3.2)") {
     CHECK(shows(scene, {102, 102, 0}));
     for (std::size_t i = 0; i < in_the_way.size(); ++i) {
         CHECK(shows(scene + in_the_way[i], {0, 102, 0}));
-        const std::string others = behind_the_wall(all_kinds[6 + i], 300);
-        CHECK(shows(scene + others + in_the_way[i], {0, 102, 0}));
+        CHECK(blocks_at_any_place(scene, all_kinds[6 + i], in_the_way[i], {0, 102, 0}));
     }
     CHECK(shows(scene + "sp 1.5,0,-2 0.2 9,9,9\n", {0, 102, 0}));  // and so do earlier shapes
+}
+
+TEST_CASE("a mesh of any scale casts a shadow up to the light (CR §3.2, HAI)") {
+    const std::string scene =
+        "L 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\npl 0,0,-4 0,0,1 255,255,255\n";
+    for (const std::string scale : {"0.01", "0.2", "1", "10"}) {
+        const std::string option = " " + scale + " 9,9,9 dir:0.6,0,0.8\n";
+        // At nine tenths of its way, and at eleven.
+        CHECK(shows(scene + wall + "2.7,0,-0.4" + option, {0, 102, 0}));
+        CHECK(shows(scene + wall + "3.3,0,0.4" + option, {102, 102, 0}));
+    }
+}
+
+TEST_CASE("each triangle of a large mesh is seen, and casts a shadow (CR §4.2)") {
+    CHECK(for_all([](Random& random) { return triangle_is_met(random.below(triangles_of_grid)); },
+                  30));
+    for (const int triangle : {0, 1, triangles_of_grid - 2, triangles_of_grid - 1})
+        CHECK(triangle_is_met(triangle));
 }
 
 TEST_CASE("boxes and meshes hide an area light (CR §3.3)") {

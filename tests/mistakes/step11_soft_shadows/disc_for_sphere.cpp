@@ -1,6 +1,6 @@
 // origin: invented: a disc across the center
 // caught by: the point is on the light, on the side that is seen (CR §3.3, erratum 16)
-// sentence: You aim at a disc through the light's center: points inside the light, and from nearby its rim is not what is seen as the rim of the sphere.
+// sentence: Right so far: these are the points of the disc, which are right from far away. The next part is the visible ball: from nearby the rim of the disc is not what is seen as the rim of the light.
 #define sample_light(...) correct_light_point(__VA_ARGS__)
 #include "steps/step11_soft_shadows/reference/soft_shadows.cpp"
 #undef sample_light

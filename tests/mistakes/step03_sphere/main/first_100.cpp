@@ -1,6 +1,6 @@
 // origin: invented: an array of 100 objects, as in C
 // caught by: the closest of several spheres is seen, in any order of the file (M1, "plusieurs objets")
-// sentence: You test the first 100 spheres of the list. A scene may have any number.
+// sentence: You test a fixed number of spheres of the list. A scene may have any number.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

@@ -1,6 +1,6 @@
 // origin: invented: an array of 100 objects, as in C
 // caught by: every kind of shape casts a shadow (CR §3.2)
-// sentence: You test the first 100 shapes of a list in the way of the light. A scene may have any number.
+// sentence: You test a fixed number of shapes of a list in the way of the light. A scene may have any number.
 #include "common/math/vector.hpp"
 #include "common/render/stage.hpp"
 

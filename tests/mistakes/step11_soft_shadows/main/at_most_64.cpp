@@ -1,6 +1,6 @@
 // origin: invented: at most 64 samples, whatever the option is
 // caught by: a single sample is seen or not, and --shadow-samples is their number (CR §3.3)
-// sentence: You trace 64 samples at most. context.settings.shadow_samples is their number.
+// sentence: You trace a fixed number of samples at most. context.settings.shadow_samples is their number.
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 
