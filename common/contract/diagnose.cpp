@@ -61,7 +61,8 @@ int diagnose(const std::vector<std::string>& words) {
         nothing_is_written ? std::vector<Mistake>{}
                            : recognized(probes, answers, read_case_results(content_of(words[3])));
     for (const Mistake& mistake : mistakes)
-        std::cout << "mistake: " << mistake.name << ": " << mistake.sentence << '\n';
+        std::cout << (mistake.is_earlier_part() ? "" : "mistake: " + mistake.name + ": ")
+                  << mistake.sentence << '\n';
     if (!mistakes.empty()) return 1;
 
     Asked reference(words[2]);

@@ -165,6 +165,31 @@ bool fails_like(const Probes& probes, std::size_t mistake, const Functions& also
     return true;
 }
 
+/// The functions whose wrong answers are the mistake's.
+Functions explained(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
+    Functions functions;
+    for (const Callee* const callee : wrong_functions(probes, answers))
+        if (errs_in(probes, mistake, *callee) && answers_like(probes, mistake, *callee, answers))
+            functions.insert(callee);
+    return functions;
+}
+
+/// Without the mistakes that explain the answers of only some of the functions that another one
+/// explains: the same answers can come from the function itself, or from one that it calls.
+void keep_widest(const Probes& probes, const std::vector<Answer>& answers,
+                 std::vector<std::size_t>& mistakes) {
+    std::vector<Functions> functions;
+    for (const std::size_t mistake : mistakes)
+        functions.push_back(explained(probes, mistake, answers));
+    std::size_t place = 0;
+    std::erase_if(mistakes, [&](std::size_t) {
+        const Functions& own = functions[place++];
+        return std::ranges::any_of(functions, [&](const Functions& other) {
+            return other.size() > own.size() && std::ranges::includes(other, own);
+        });
+    });
+}
+
 /// The mistake may be made in one of the functions where it can be made, and not in the others.
 bool is_recognized(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
                    const CaseResults& results) {
@@ -277,11 +302,14 @@ bool is_recognisable(const Probes& probes, const std::string& mistake) {
 
 std::vector<Mistake> recognized(const Probes& probes, const std::vector<Answer>& answers,
                                 const CaseResults& results) {
+    std::vector<std::size_t> candidates;
+    for (std::size_t i = 0; i < probes.mistakes.size(); ++i)
+        if (is_recognized(probes, i, answers, results)) candidates.push_back(i);
+    keep_widest(probes, answers, candidates);
     std::vector<Mistake> found;
     std::set<std::string> sentences;
     bool open = false;
-    for (std::size_t i = 0; i < probes.mistakes.size(); ++i) {
-        if (!is_recognized(probes, i, answers, results)) continue;
+    for (const std::size_t i : candidates) {
         open = open || errs_in_open(probes, i);
         if (sentences.insert(probes.mistakes[i].sentence).second)
             found.push_back(probes.mistakes[i]);

@@ -21,6 +21,10 @@ struct Mistake {
     std::string name;
     std::string sentence;
     std::vector<bool> fails = {};  ///< in the order of Probes::cases
+
+    /// True for the right answer of an earlier part of the stage: there is nothing wrong about it,
+    /// the next part is to be written.
+    [[nodiscard]] bool is_earlier_part() const { return sentence.starts_with("Right so far: "); }
 };
 
 struct Probe {
@@ -59,9 +63,11 @@ struct Probes {
 /// The mistakes that the answers to all probes, in their order, and the results of the suite show.
 /// The answers equal the mistake's for every probe of a function in which it differs from the
 /// reference; other such functions are right. The failing cases are the mistake's: others only if
-/// they call another wrong function, and fewer only if they call one that is right. A mistake in an
-/// open function must be the only one with these failing cases. Without results, the answers alone
-/// decide, and no mistake of an open function is recognized.
+/// they call another wrong function, and fewer only if they call one that is right. Of two
+/// mistakes, one of which explains the wrong answers of the other's functions and of more, the
+/// wider is recognized. A mistake in an open function must be the only one with these failing
+/// cases. Without results, the answers alone decide, and no mistake of an open function is
+/// recognized.
 [[nodiscard]] std::vector<Mistake> recognized(const Probes& probes,
                                               const std::vector<Answer>& answers,
                                               const CaseResults& results);

@@ -65,6 +65,37 @@ TEST_CASE("a mistake that can be made in two functions is recognized in one") {
     CHECK(named(right, right, {{"diffuse", true}, {"specular", true}}) == 0);
 }
 
+TEST_CASE("of two mistakes that explain one function, the one that explains more is recognized") {
+    const Probes probes = read_probes(
+        "stage 9\nmistake eye_reversed: You take the ray for V.\n"
+        "mistake reflected_sign: R has the wrong sign.\n"
+        "case reflected: reflected\ncase specular_term: specular\n"
+        "fails .x eye_reversed\nfails xx reflected_sign\n"
+        "call reflected({0, 0, 1}, {0, 0, 1})\nright {0, 0, 1}\n"
+        "wrong {0, 0, -1} | reflected_sign\n"
+        "call specular_term(ShadingPoint{{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}, 0, "
+        "Material{{1, 1, 1}, 1, 2, 0}}, Light{{0, 0, 2}, 1, {1, 1, 1}, 0})\n"
+        "right {1, 1, 1}\nwrong {0, 0, 0} | eye_reversed reflected_sign\n");
+    const Answer& right = probes.probes[0].right;
+    const Answer& turned = probes.probes[0].mistaken[1];
+    const Answer& black = probes.probes[1].mistaken[0];
+    const auto both =
+        recognized(probes, {turned, black}, {{"reflected", false}, {"specular", false}});
+    REQUIRE(both.size() == 1);
+    CHECK(both.front().name == "reflected_sign");
+    const auto one = recognized(probes, {right, black}, {{"reflected", true}, {"specular", false}});
+    REQUIRE(!one.empty());
+    CHECK(one.front().name == "eye_reversed");
+}
+
+TEST_CASE("the right answer of an earlier part is no mistake") {
+    const Probes probes = read_probes(
+        "stage 11\nmistake half: You go half way round.\n"
+        "mistake disc: Right so far: a disc. Next: the ball.\n");
+    CHECK_FALSE(probes.mistakes[0].is_earlier_part());
+    CHECK(probes.mistakes[1].is_earlier_part());
+}
+
 TEST_CASE("a mistake is recognized beside another one, in another function") {
     Tangent known;
     known.answers[1].value->parts[2].number = -1;
