@@ -174,20 +174,22 @@ Functions explained(const Probes& probes, std::size_t mistake, const std::vector
     return functions;
 }
 
-/// Without the mistakes that explain the answers of only some of the functions that another one
-/// explains: the same answers can come from the function itself, or from one that it calls.
-void keep_widest(const Probes& probes, const std::vector<Answer>& answers,
-                 std::vector<std::size_t>& mistakes) {
+/// The mistakes without those that explain the answers of only some of the functions that another
+/// one explains: the same answers can come from the function itself, or from one that it calls.
+std::vector<std::size_t> widest(const Probes& probes, const std::vector<Answer>& answers,
+                                const std::vector<std::size_t>& mistakes) {
     std::vector<Functions> functions;
     for (const std::size_t mistake : mistakes)
         functions.push_back(explained(probes, mistake, answers));
-    std::size_t place = 0;
-    std::erase_if(mistakes, [&](std::size_t) {
-        const Functions& own = functions[place++];
-        return std::ranges::any_of(functions, [&](const Functions& other) {
-            return other.size() > own.size() && std::ranges::includes(other, own);
-        });
-    });
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+        const bool is_within_another =
+            std::ranges::any_of(functions, [&own = functions[i]](const Functions& other) {
+                return other.size() > own.size() && std::ranges::includes(other, own);
+            });
+        if (!is_within_another) kept.push_back(mistakes[i]);
+    }
+    return kept;
 }
 
 /// The mistake may be made in one of the functions where it can be made, and not in the others.
@@ -305,11 +307,10 @@ std::vector<Mistake> recognized(const Probes& probes, const std::vector<Answer>&
     std::vector<std::size_t> candidates;
     for (std::size_t i = 0; i < probes.mistakes.size(); ++i)
         if (is_recognized(probes, i, answers, results)) candidates.push_back(i);
-    keep_widest(probes, answers, candidates);
     std::vector<Mistake> found;
     std::set<std::string> sentences;
     bool open = false;
-    for (const std::size_t i : candidates) {
+    for (const std::size_t i : widest(probes, answers, candidates)) {
         open = open || errs_in_open(probes, i);
         if (sentences.insert(probes.mistakes[i].sentence).second)
             found.push_back(probes.mistakes[i]);

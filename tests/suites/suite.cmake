@@ -86,6 +86,8 @@ set(step13_meshes_parts boxes oriented_boxes frames meshes scenes)
 #
 # The suite of a stage, and the student's own tests: the chosen file, with the references of all
 # others. <stage>_context_f32 and _f64 are everything that such a program needs beside that file.
+# <stage>_suites_float and _double build this suite and that of `trace`; `./course check` waits for
+# the line that they print then.
 function(raysteps_stage_suite stage)
     set(others ${stages})
     list(REMOVE_ITEM others ${stage})
@@ -113,6 +115,15 @@ function(raysteps_stage_suite stage)
         raysteps_contract(${stage})
     endif()
     raysteps_trace_suite(${stage})
+    foreach(word IN ITEMS float double)
+        set(both ${stage}_suites_${word})
+        add_custom_target(${both} COMMAND ${CMAKE_COMMAND} -E true COMMENT ${both})
+        foreach(program IN ITEMS ${stage}_test_${word} ${stage}_trace_test_${word})
+            if(TARGET ${program})
+                add_dependencies(${both} ${program})
+            endif()
+        endforeach()
+    endforeach()
     if(RAYSTEPS_MISTAKES)
         raysteps_answers(${stage} ${stage})
         if(TARGET course)

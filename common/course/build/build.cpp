@@ -35,6 +35,8 @@ std::string file_of(const std::string& edge) {
 /// Parses the output of ninja, line by line.
 class Listener {
 public:
+    explicit Listener(const std::function<void(const std::string&)>& done) : done_(done) {}
+
     /// Nothing new was printed for a while.
     void wait() { status_.show_again(); }
 
@@ -51,6 +53,7 @@ public:
             object_ = compiles ? edge.substr(compiling.size()) : "";
             if (!object_.empty()) warnings_[object_] = "";
             in_failure_ = false;
+            done_(edge);
         } else if (line.rfind("FAILED: ", 0) == 0) {
             failures_.emplace_back();
             in_failure_ = skip_ = true;
@@ -85,6 +88,7 @@ private:
         status_.show(share.data() + file);
     }
 
+    const std::function<void(const std::string&)>& done_;
     StatusLine status_{"building …"};
     std::string object_;                           ///< the student's object that was compiled last
     std::map<std::string, std::string> warnings_;  ///< of each student's object
@@ -117,11 +121,12 @@ private:
 
 }  // namespace
 
-Build try_build(const std::vector<std::string>& targets) {
+Build try_build(const std::vector<std::string>& targets,
+                const std::function<void(const std::string& edge)>& done) {
     Command command = {"env", "NINJA_STATUS=[%f %t %e] ", "ninja", "-C", build_folder.string()};
     command.insert(command.end(), targets.begin(), targets.end());
     const BuildLock lock;
-    Listener listener;
+    Listener listener(done);
     std::string line;  // the last one, whose end is not printed yet
     const auto began = std::filesystem::file_time_type::clock::now();
     const int status = run_heard(command, Streams::both, [&](std::string_view piece) {

@@ -1,6 +1,7 @@
 // Quiet builds.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@ struct Build {
 };
 
 /// Builds the targets in the build folder, or everything if the list is empty. Shows the progress
-/// on a terminal.
-[[nodiscard]] Build try_build(const std::vector<std::string>& targets);
+/// on a terminal. Calls `done` after each edge, with its description; meanwhile the build goes on.
+[[nodiscard]] Build try_build(
+    const std::vector<std::string>& targets,
+    const std::function<void(const std::string& edge)>& done = [](const std::string&) {});
 
 /// The same, but throws ProgramError if the build fails, with the first error in the form of
 /// compiler_errors.hpp.

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <functional>
 #include <thread>
 
 namespace rt {
@@ -50,13 +51,20 @@ struct Judged {
     }
 };
 
-/// Builds the suites in a precision, "double" or "float", with other targets. Prints the first
-/// error, if there is one.
-bool is_built(const Workbook& workbook, const std::string& word, std::vector<std::string> targets) {
+/// Builds the suites in both precisions, and the program for the picture. Calls `judge_double` as
+/// soon as the suites in double are built, while the rest of the build goes on; the first time, the
+/// rest is large, and waits for it. Prints the first error, if there is one.
+bool is_built(const Workbook& workbook, const std::function<void()>& judge_double) {
     const std::string name(stage_name(workbook.stage()));
-    targets.push_back(name + "_test_" + word);
-    if (workbook.has_trace()) targets.push_back(name + "_trace_test_" + word);
-    const Build built = try_build(targets);
+    const std::string in_double = name + "_suites_double";
+    const std::string in_float = name + "_suites_float";
+    const auto done = [&](const std::string& edge) {
+        if (edge == in_double) judge_double();
+    };
+    Build built{.succeeded = true};
+    if (!std::filesystem::exists(build_folder / (name + "_test_float")))
+        built = try_build({in_double});
+    if (built.succeeded) built = try_build({in_double, in_float, name + "_checked"}, done);
     if (!built.succeeded) std::fputs(first_error(built.output).c_str(), stdout);
     return built.succeeded;
 }
@@ -281,15 +289,14 @@ int check(int stage) {
         throw InputError({}, name + " is not started: ./course start " + std::to_string(stage));
     choose_reference("");
     const std::string files = workbook.fingerprint();
-    if (!is_built(workbook, "double", {})) return 1;
-    Judged in_double = judge(workbook, "double");
-    show_double(in_double, stage);
-
-    Judged in_float = in_double;
-    if (in_double.suite.ended.empty()) {  // else float would crash too, or take as long
-        if (!is_built(workbook, "float", {name + "_checked"})) return 1;
-        in_float = judge(workbook, "float");
-    }
+    Judged in_double;
+    const auto judge_double = [&] {
+        in_double = judge(workbook, "double");
+        show_double(in_double, stage);
+    };
+    if (!is_built(workbook, judge_double)) return 1;
+    // Float would crash too, or take as long.
+    Judged in_float = in_double.suite.ended.empty() ? judge(workbook, "float") : in_double;
     const Judgment judgment = judgment_of(std::move(in_double), std::move(in_float));
     remember(judgment, files, workbook);
     if (judgment.in_double.suite.ended.empty()) show_float(judgment);

@@ -4,7 +4,6 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/handout/manifest.hpp"
-#include "common/stages/graded_file.hpp"
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
@@ -71,9 +70,7 @@ int run_tests(std::optional<int> stage, const Command& words) {
                    {"--output-on-failure", "--progress", "--no-label-summary", "--no-tests=error"});
     std::vector<std::string> targets;
     if (stage) {
-        for (const GradedFile each : files_of(*stage))
-            for (const char* suite : {"_test_float", "_test_double"})
-                targets.push_back(name_of(each) + suite);
+        targets = {stage_target(*stage, "_suites_float"), stage_target(*stage, "_suites_double")};
         command.insert(command.end(), {"-L", "^" + stage_target(*stage) + "$"});
     }
     command.insert(command.end(), words.begin(), words.end());
