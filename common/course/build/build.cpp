@@ -53,7 +53,7 @@ public:
             object_ = compiles ? edge.substr(compiling.size()) : "";
             if (!object_.empty()) warnings_[object_] = "";
             in_failure_ = false;
-            done_(edge);
+            if (done_) done_(edge);
         } else if (line.rfind("FAILED: ", 0) == 0) {
             failures_.emplace_back();
             in_failure_ = skip_ = true;
@@ -124,6 +124,7 @@ private:
 Build try_build(const std::vector<std::string>& targets,
                 const std::function<void(const std::string& edge)>& done) {
     Command command = {"env", "NINJA_STATUS=[%f %t %e] ", "ninja", "-C", build_folder.string()};
+    if (done) command.insert(command.end(), {"-k", "0"});
     command.insert(command.end(), targets.begin(), targets.end());
     const BuildLock lock;
     Listener listener(done);

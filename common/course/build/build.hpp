@@ -14,10 +14,10 @@ struct Build {
 };
 
 /// Builds the targets in the build folder, or everything if the list is empty. Shows the progress
-/// on a terminal. Calls `done` after each edge, with its description; meanwhile the build goes on.
-[[nodiscard]] Build try_build(
-    const std::vector<std::string>& targets,
-    const std::function<void(const std::string& edge)>& done = [](const std::string&) {});
+/// on a terminal. Calls `done` after each edge, with its description; meanwhile the build goes on,
+/// and after an error too, with what does not need the failed edge.
+[[nodiscard]] Build try_build(const std::vector<std::string>& targets,
+                              const std::function<void(const std::string& edge)>& done = {});
 
 /// The same, but throws ProgramError if the build fails, with the first error in the form of
 /// compiler_errors.hpp.
