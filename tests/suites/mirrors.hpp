@@ -62,9 +62,10 @@ inline Verdict mirrors_show_black_or_sky() {
     keep_first(all, shows(bright + first(up) + sky, {255, 0, 0}));
     keep_first(all, shows(bright + first(down), black));
     keep_first(all, shows(bright + first(down) + sky, {0, 0, 255}));
-    // The second mirror lies below, and sends the ray to each side.
+    // The second mirror lies below, and sends the ray to each side and back: away from the first
+    // mirror, not along it, where rounding would decide whether it is hit very far away.
     for (const std::string normal :
-         {"-0.70710678,0.70710678,0", "0.70710678,0.70710678,0", "0,0.70710678,0.70710678"}) {
+         {"-0.5,0.70710678,0.5", "0.5,0.70710678,0.5", "0,0.70710678,0.70710678"}) {
         const std::string second = "pl 0,-5,-4 " + normal + " 255,255,255 mirror:1\n";
         keep_first(all, shows(bright + first(down) + second, black));
         keep_first(all, shows(bright + first(down) + second + sky, level));
