@@ -9,6 +9,7 @@
 //   // message: defines main          the student's message contains it
 //   // message without: root:         the message does not contain it
 //   // stubs: normal torch            these files of ../stubs are appended to it
+//   // processor: 25                  its grading takes at most these seconds of processor time
 //
 // @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
 // them.
@@ -20,6 +21,7 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,6 +49,14 @@ std::string replaced(std::string text, const std::string& word, const std::strin
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at))
         text.replace(at, word.size(), by);
     return text;
+}
+
+/// The processor time of all processes that have ended, in seconds.
+double processor_time() {
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    return double(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           double(used.ru_utime.tv_usec + used.ru_stime.tv_usec) * 1e-6;
 }
 
 struct Attack {
@@ -82,6 +92,7 @@ struct Grade {
     std::string message;
     bool compiled = false;
     std::chrono::duration<double> time{};
+    double processor_time = 0;
 };
 
 std::set<std::string> passed_cases(const std::string& report) {
@@ -110,6 +121,8 @@ public:
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
         const GradedFile file = attack.file();
+        precompile(file);
+        const double used = processor_time();
         const std::string text = replaced(replaced(attack.submission(), "@ROOT@", RAYSTEPS_ROOT),
                                           "@RESULTS@", results());
         fs::remove(worker());
@@ -134,6 +147,7 @@ public:
             grade.message += content(report());
         }
         grade.time = std::chrono::steady_clock::now() - start;
+        grade.processor_time = processor_time() - used;
         return grade;
     }
 
@@ -159,6 +173,13 @@ public:
     }
 
 private:
+    /// As in a class of two submissions or more.
+    void precompile(GradedFile file) {
+        const GradedFile first =
+            file.is_trace ? GradedFile(1, true) : file;  // one for all main.cpp
+        if (precompiled_.insert(name_of(first)).second) grade::precompile_header(workshop_, first);
+    }
+
     [[nodiscard]] fs::path object() const { return folder_ / "submission.o"; }
     [[nodiscard]] fs::path worker() const { return folder_ / "worker"; }
     [[nodiscard]] fs::path report() const { return folder_ / "report.txt"; }
@@ -168,6 +189,7 @@ private:
     TemporaryFolder temporary_;
     const fs::path& folder_ = temporary_.path();
     grade::BuildDirectory workshop_;
+    std::set<std::string> precompiled_;
 };
 
 std::string stage_file(const std::string& stage, const std::string& folder) {
@@ -292,11 +314,12 @@ TEST_CASE("attacks earn nothing and do no harm") {
         const std::string secret = attack.said("message without", "");
         CHECK((secret.empty() || grade.message.find(secret) == std::string::npos));
         CHECK(grade.time < longest_grading * grade::busy());
+        CHECK(grade.processor_time < std::stod(attack.said("processor", "60")));
         CHECK(grader.is_unharmed());
         CHECK(grader.workers_left() == 0);
         CHECK(getpid() == me);
-        std::printf("%-32s %2zu of %2zu cases, %4.1f s\n", attack.name.c_str(), grade.passed.size(),
-                    most, grade.time.count());
+        std::printf("%-32s %2zu of %2zu cases, %4.1f s, processor %4.1f s\n", attack.name.c_str(),
+                    grade.passed.size(), most, grade.time.count(), grade.processor_time);
         std::fflush(stdout);
     }
     CHECK((only != nullptr || count >= 40));

@@ -21,8 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-constexpr int wall_seconds = 30;  // on an idle machine; a tool computes for at most 15 seconds
-constexpr int header_megabytes = 256;
+constexpr ToolLimits of_header{.megabytes = 256};
+// An honest file compiles in a second or two. With the limits of a first compile, a file that takes
+// all its time before an error would take it twice.
+constexpr ToolLimits of_second_compile{.processor_seconds = 5, .wall_seconds = 10};
 
 /// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
 using Options = std::multimap<std::string, std::string>;
@@ -203,8 +205,8 @@ void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
     const std::string made = scratch.path() / "header.gch";
     Command compile = compiler(workshop, graded);
     compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
-    const ProcessResult ending = run_sealed(
-        workshop, scratch.path(), {headers_of(workshop, graded)}, compile, header_megabytes);
+    const ProcessResult ending =
+        run_sealed(workshop, scratch.path(), {headers_of(workshop, graded)}, compile, of_header);
     if (ending.status != 0)
         throw ProgramError("error: the headers of " + name_of(graded) +
                            " do not compile in the sandbox\n" + ending.output);
@@ -213,12 +215,16 @@ void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
 
 ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,
                          const std::vector<fs::path>& readable, const Command& command,
-                         int megabytes) {
-    const int wall = int(wall_seconds * busy());
-    Command sealed{workshop.sealed, "work=building",
-                   "cpu=15",        "wall=" + std::to_string(wall),
-                   "memory=1500",   "file=" + std::to_string(megabytes),
-                   "threads=1000",  "write=" + writable.string()};
+                         const ToolLimits& limits) {
+    const int wall = int(limits.wall_seconds * busy());
+    Command sealed{workshop.sealed,
+                   "work=building",
+                   "cpu=" + std::to_string(limits.processor_seconds),
+                   "wall=" + std::to_string(wall),
+                   "memory=1500",
+                   "file=" + std::to_string(limits.megabytes),
+                   "threads=1000",
+                   "write=" + writable.string()};
     for (const fs::path& each : readable) sealed.push_back("read=" + each.string());
     for (const fs::path& each : folders_of(command)) sealed.push_back("read=" + each.string());
     sealed.push_back("--");
@@ -244,20 +250,23 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
     fs::permissions(scratch.path() / source, fs::perms(0644));
     fs::last_write_time(scratch.path() / source, fs::file_time_type());
 
-    const auto compile = [&](const Command& options) {
+    const auto compile = [&](const Command& options, const ToolLimits& limits) {
         Command command = compiler(workshop, graded);
         command.insert(command.end(), options.begin(), options.end());
         command.insert(command.end(), {"-c", source, "-o", made});
         return run_sealed(workshop, scratch.path(),
                           {headers_of(workshop, graded), precompiled(header_of(workshop, graded))},
-                          command);
+                          command, limits);
     };
     // The precompiled header works only as the first include, so it is included first. A file that
     // does not compile this way is compiled unchanged.
     const fs::path header = header_of(workshop, graded);
     const bool starts_from_it = fs::exists(precompiled(header));
-    ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{});
-    if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) compiled = compile({});
+    ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{}, {});
+    if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) {
+        const ProcessResult unchanged = compile({}, of_second_compile);
+        if (!is_bomb(unchanged)) compiled = unchanged;
+    }
     if (compiled.status != 0)
         return {.words = told_of_compile(compiled, workshop, graded, scratch)};
 

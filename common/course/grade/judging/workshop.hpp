@@ -61,12 +61,19 @@ struct Build {
 /// The sandbox of the stage's worker: the value of RAYSTEPS_LIMITS.
 [[nodiscard]] std::string worker_limits(int stage);
 
+/// The limits of a tool: of the size of each file that it writes, of its processor time, and of its
+/// time by the clock on an idle machine.
+struct ToolLimits {
+    int megabytes = 32;
+    int processor_seconds = 15;
+    int wall_seconds = 30;
+};
+
 /// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
-/// its -isystem options; it may write only to its working folder, files of at most this many
-/// megabytes.
+/// its -isystem options; it may write only to its working folder.
 [[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop,
                                        const std::filesystem::path& writable,
                                        const std::vector<std::filesystem::path>& readable,
-                                       const Command& command, int megabytes = 32);
+                                       const Command& command, const ToolLimits& limits = {});
 
 }  // namespace rt::grade
