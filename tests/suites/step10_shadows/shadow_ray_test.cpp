@@ -33,13 +33,14 @@ Verdict met(const ShadingPoint& surface, Vec3 light, const Shape& shape, bool ex
     const ShadowRay way = shadow_ray(surface, light);
     const std::optional<Real> t = intersect(way.ray, shape, way.interval);
     const std::string name = expected ? "in_the_way" : "not_in_the_way";
-    const bool is_way = way.interval.min < way.interval.max;
-    return verdict(is_way && t.has_value() == expected,
-                   told(surface, light, way) + "\n  which has " + got_text(t) + " with " +
-                       code(shape) +
-                       "\n  expected: " + (expected ? "a hit" : "no hit, and min < max") +
-                       "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" +
-                       code(light) + ", " + code(shape) + "));");
+    const bool is_way = way.interval.min < way.interval.max && way.ray.direction != Vec3(0);
+    return verdict(
+        is_way && t.has_value() == expected,
+        told(surface, light, way) + "\n  which has " + got_text(t) + " with " + code(shape) +
+            "\n  expected: " +
+            (expected ? "a hit" : "no hit, min < max, and a direction that is not zero") +
+            "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" + code(light) + ", " +
+            code(shape) + "));");
 }
 
 /// The shape throws its shadow on the surface.
