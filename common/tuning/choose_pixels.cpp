@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -14,8 +15,8 @@ namespace rt {
 
 namespace {
 
-/// The factor from one error that is tried to the next. Every fourth needs twice as many rays.
-const double error_step = std::pow(2, 0.25);
+/// The factor from one error that is tried to the next. Every eighth needs twice as many rays.
+const double error_step = std::pow(2, 0.125);
 
 RenderSettings with_pixel_samples(RenderSettings settings, int count) {
     settings.pixel_samples = count;
@@ -101,7 +102,7 @@ private:
             all.push_back({.settings = settings, .outcome = study_.outcome(settings)});
         };
         add(with_pixel_samples(settings_, 1));
-        for (double error = right_error * error_step * error_step;
+        for (double error = right_error * std::numbers::sqrt2;
              error < std::min(64 * allowed_, largest_pixel_error); error *= error_step)
             add(with_pixel_error(settings_, error));
         if (right_error < allowed_)
@@ -132,7 +133,7 @@ Trial keep_tolerance_of_pixels(PixelStudy& study) {
 QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study) {
     constexpr double finest = 0.5;
     const double time = *runner.aim().time;
-    study.begin(finest / (error_step * error_step));
+    study.begin(finest / std::numbers::sqrt2);
     const RenderSettings most = with_pixel_samples(study.settings(), right_pixel_samples);
     while (runner.seconds_since_start() < time / 20) {
         const auto growth = study.growth(study.outcome(most), few_pixels);

@@ -17,7 +17,9 @@ std::string levels(double value) {
 
 double two_digits(double value) {
     const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
-    return std::stod(number(digit * std::floor(value / digit)));
+    // The tolerance is that of rounding: 3.9999999 is a 4 that was computed.
+    constexpr double rounding = 1e-9;
+    return std::stod(number(digit * std::floor(value / digit * (1 + rounding))));
 }
 
 std::string line(const std::string& what, const std::string& why) {

@@ -2,6 +2,7 @@
 #include "tests/common/tuning/model_scenes.hpp"
 
 #include "common/tuning/pixel_study.hpp"
+#include "common/tuning/wording.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -376,4 +377,11 @@ TEST_CASE("a pace takes its time on a machine that is slower or faster than expe
             const double most = 16 * slower;  // with the last
             CHECK(now == Approx(std::clamp(wanted, least, most)).epsilon(0.05));
         }
+}
+
+TEST_CASE("a threshold has two digits, and one that is computed is not one step lower") {
+    CHECK(two_digits(std::pow(std::pow(2, 0.125), 16)) == 4);  // 3.9999999999999973
+    CHECK(two_digits(1.4) == 1.4);                             // 1.4 / 0.1 is below 14
+    CHECK(two_digits(3.99) == 3.9);
+    CHECK(two_digits(127.9) == 120);
 }
