@@ -19,6 +19,7 @@
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/row_budget.hpp"
 #include "common/tuning/scene_traits.hpp"
+#include "common/tuning/stops_sampling.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -261,6 +262,32 @@ bool have_same_centers(RenderSettings a, const RenderSettings& b) {
     return a == b;
 }
 
+/// Returns whether the settings, or those that are chosen, sample a light until an error is
+/// reached.
+bool samples_to_error(const Options& options) {
+    const RenderSettings& settings = options.settings;
+    if (settings.shadow_error > 0) return settings.shadow_samples == most_shadow_samples;
+    const bool chosen = options.tolerance || options.time;
+    return chosen && options.given.pixel_samples && !options.given.shadow_samples;
+}
+
+/// Throws InputError if a light with a size would be sampled a million times: a student's loop
+/// takes all samples.
+void refuse_endless_sampling(const Trials& trials, const Program& program, const Options& options) {
+    if (program.stage < soft_shadow_stage || !samples_to_error(options)) return;
+    RenderSettings settings = options.settings;
+    settings.pixel_samples = 1;
+    settings.pixel_error = 0;
+    if (!trials.traits().sized_lights || stops_sampling(trials, settings)) return;
+    const std::string stage = std::to_string(program.stage);
+    throw InputError({}, "your trace takes all samples of a light, where " +
+                             std::string(options.settings.shadow_error > 0
+                                             ? "--shadow-error"
+                                             : "--tolerance or --time with --samples") +
+                             " needs one that stops: add --shadow-samples N, or --reference " +
+                             stage + " to ./course");
+}
+
 class SceneRenderer : public Renderer {
 public:
     SceneRenderer(const Program& program, const Options& options)
@@ -337,7 +364,9 @@ private:
 
 std::unique_ptr<Renderer> RT_PRECISION::make_renderer(const Program& program,
                                                       const Options& options) {
-    return std::make_unique<SceneRenderer>(program, options);
+    auto renderer = std::make_unique<SceneRenderer>(program, options);
+    if (!options.requirements) refuse_endless_sampling(*renderer, program, options);
+    return renderer;
 }
 
 #ifndef RT_FLOAT

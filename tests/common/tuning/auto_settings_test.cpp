@@ -2,6 +2,7 @@
 #include "tests/common/tuning/model_scenes.hpp"
 
 #include "common/tuning/pixel_study.hpp"
+#include "common/tuning/stops_sampling.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <catch2/catch.hpp>
@@ -384,4 +385,44 @@ TEST_CASE("a threshold has two digits, and one that is computed is not one step 
     CHECK(two_digits(1.4) == 1.4);                             // 1.4 / 0.1 is below 14
     CHECK(two_digits(3.99) == 3.9);
     CHECK(two_digits(127.9) == 120);
+}
+
+namespace {
+
+/// A trace that takes all samples of a light, whatever the error.
+class EndlessTrials : public ModelTrials {
+public:
+    using ModelTrials::ModelTrials;
+
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        RenderSettings all = settings;
+        all.shadow_error = 0;
+        TrialSample sample = ModelTrials::render_pixels(all, request);
+        sample.rays = 1 + settings.shadow_samples;
+        return sample;
+    }
+};
+
+/// One that stops after as few samples as show an error.
+class StoppingTrials : public EndlessTrials {
+public:
+    using EndlessTrials::EndlessTrials;
+
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        TrialSample sample = EndlessTrials::render_pixels(settings, request);
+        if (settings.shadow_error > 100) sample.rays = 1 + std::min(settings.shadow_samples, 8);
+        return sample;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a trace that takes all samples of a light, whatever the error, is recognized") {
+    ModelScene model = soft(0.1);
+    CHECK_FALSE(stops_sampling(EndlessTrials(model), {}));
+    CHECK(stops_sampling(StoppingTrials(model), {}));
+    ModelScene without_light;
+    CHECK(stops_sampling(ModelTrials(without_light), {}));
 }
