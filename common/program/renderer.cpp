@@ -20,6 +20,7 @@
 #include "common/tuning/row_budget.hpp"
 #include "common/tuning/scene_traits.hpp"
 #include "common/tuning/stops_sampling.hpp"
+#include "common/tuning/wording.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -109,8 +110,8 @@ void report(const Rendering& rendering, const Options& options, const TimeBudget
         std::printf(", %lld of them to lights with a size",
                     static_cast<long long>(rendering.sized_light_rays));
     if (pace != nullptr)
-        std::printf("; 99 of 100 pixels within %.2g of 255, according to the trials",
-                    pace->error());
+        std::printf("; 99 of 100 pixels within %s of 255, according to the trials",
+                    number(pace->error()).c_str());
     std::printf("\n");
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;

@@ -1,6 +1,7 @@
 #include "common/program/shade_picture.hpp"
 
 #include "common/image/color_scale.hpp"
+#include "common/tuning/wording.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,12 +141,12 @@ std::vector<std::string> keys(const PixelValues& values, const Scene& scene, Sha
     const std::size_t named = std::min(largest.size(), most_shapes_named);
     std::sort(largest.begin(), largest.begin() + std::ptrdiff_t(named));
     for (std::size_t i = 0; i < named; ++i) {
-        const auto& [number, count] = largest[i];
+        const auto& [value, count] = largest[i];
         const std::string name =
-            shading == Shading::id ? name_of_shape(number, scene) : std::to_string(number);
-        lines.push_back(hex(color(number)) + "  " + name +
-                        formatted(", %.2g %% of the pixels",
-                                  100 * double(count) / double(values.numbers.size())));
+            shading == Shading::id ? name_of_shape(value, scene) : std::to_string(value);
+        lines.push_back(hex(color(value)) + "  " + name + ", " +
+                        number(100 * double(count) / double(values.numbers.size())) +
+                        " % of the pixels");
     }
     if (named < largest.size())
         lines.push_back("and " + std::to_string(largest.size() - named) + " smaller ones");

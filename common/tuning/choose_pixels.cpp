@@ -146,6 +146,7 @@ QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study)
         ladder.add(study.trial(with_pixel_error(study.settings(), error)));
         if (ladder.top().seconds > time) return ladder;
     }
+    if (ladder.top().error <= runner.limit()) return ladder;  // no better picture could be seen
     // There is time for more than adaptive sampling can use: it does not find every edge.
     QualityLadder whole;
     for (int count = 64; count <= right_pixel_samples; count *= 2) {

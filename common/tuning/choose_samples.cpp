@@ -113,12 +113,14 @@ private:
     }
 
     /// The fraction of the pixels in penumbras that may exceed the tolerance on average, so that
-    /// the random rays of the final picture do not break the promise.
+    /// the random rays of the final picture do not break the promise: with more confidence than
+    /// the trials have, because both must be right.
     [[nodiscard]] double few() const {
         const double all = share_ * all_pixels();
         const double promised =
             std::min(few_in_penumbrae, few_pixels / std::max(share_, few_pixels));
-        return all < 1 ? promised : double(allowed_outliers(std::size_t(all), promised)) / all;
+        return all < 1 ? promised
+                       : double(allowed_outliers(std::size_t(all), promised, certain_99)) / all;
     }
 
     Judged judged(RenderSettings settings, std::size_t fewest = 64) {
@@ -176,8 +178,11 @@ private:
     }
 
     /// Settings for penumbras whose rays cost less than trials would, because they have few pixels.
+    /// In so few pixels, two that exceed the tolerance may break the promise.
     [[nodiscard]] Trial untried() {
-        return judged(to_error(settings_, least_error(), 2 * usual_agree()), 1).trial;
+        constexpr int fewest_agree = 48;
+        const int agree = std::max(2 * usual_agree(), fewest_agree);
+        return judged(to_error(settings_, least_error(), agree), 1).trial;
     }
 
     /// Searches for settings that meet the tolerance.

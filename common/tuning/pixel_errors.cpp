@@ -21,8 +21,7 @@ std::vector<double> distances(const TrialSample& a, const TrialSample& b) {
     return all;
 }
 
-std::size_t allowed_outliers(std::size_t tried, double share) {
-    constexpr double certain = 1.64;  // number of standard errors for 95 %
+std::size_t allowed_outliers(std::size_t tried, double share, double certain) {
     if (share >= 1) return tried;
     const double expected = share * double(tried);
     return std::size_t(std::max(expected - certain * std::sqrt(expected * (1 - share)), 0.));

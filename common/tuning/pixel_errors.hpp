@@ -11,9 +11,14 @@ namespace rt {
 /// The differences between the pixels of two samples, in 8-bit levels.
 [[nodiscard]] std::vector<double> distances(const TrialSample& a, const TrialSample& b);
 
-/// The number of trial pixels that may exceed the tolerance, such that with 95 % confidence at most
+/// Numbers of standard errors for 95 % and 99 % confidence.
+inline constexpr double certain_95 = 1.64;
+inline constexpr double certain_99 = 2.33;
+
+/// The number of trial pixels that may exceed the tolerance, such that with this confidence at most
 /// the fraction `share` of all pixels does.
-[[nodiscard]] std::size_t allowed_outliers(std::size_t tried, double share);
+[[nodiscard]] std::size_t allowed_outliers(std::size_t tried, double share,
+                                           double certain = certain_95);
 
 /// The largest distance after the `allowed_outliers` largest ones are removed; 0 if none remains.
 [[nodiscard]] double quantile(std::size_t allowed_outliers, std::vector<double> distances);

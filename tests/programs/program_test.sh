@@ -237,7 +237,12 @@ done
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 --samples 2 > out
 grep -q "^  equivalent .* --samples 2 --shadow-samples" out || fail "--tolerance keeps --samples"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
-grep -q '; 99 of 100 pixels within [0-9.e+-]* of 255' out || fail "--time tells the error"
+grep -q '; 99 of 100 pixels within [0-9.]* of 255' out || fail "--time tells the error"
+"$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.001 > out
+grep -q '; 99 of 100 pixels within [0-9.]* of 255' out || fail "--time tells a large error"
+printf 'C 0,0,0 0,0,-1 60\npl 0,0,-5 0,0,1 255,0,0\n' > wall.rt
+"$build/step04_plane" wall.rt -o 1.png --size 8x6 --shade id > out
+grep -q 'plane 1, 100 % of the pixels' out || fail "--shade id tells the share of all pixels"
 # No smaller one than its trials can show.
 printf 'C 0,0,5 0,0,-1 60\nL 0,9,0 0.5 255,255,255 radius:1\nsp 0,0,0 2 255,0,0\n' > lone.rt
 "$build/step11_soft_shadows" lone.rt -o 1.png --size 40x30 --time 0.1 --samples 1 > out
