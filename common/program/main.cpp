@@ -70,7 +70,12 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     rt::OpenFloat other;
     if (!options.precision_given && !exact)
         other = [&]() -> rt::Trials& {
-            return *(in_float = open(program, options, rt::Precision::f32));
+            try {
+                return *(in_float = open(program, options, rt::Precision::f32));
+            } catch (const rt::InputError&) {
+                reading = false;
+                throw;
+            }
         };
     const bool shown = !options.quiet && rt::errors_on_terminal();
     if (shown) std::cerr << "trying settings\r" << std::flush;

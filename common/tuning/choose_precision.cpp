@@ -1,5 +1,6 @@
 #include "common/tuning/choose_precision.hpp"
 
+#include "common/system/input_error.hpp"
 #include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/wording.hpp"
 
@@ -86,7 +87,13 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
     if (runner.no_time_left())
         return in_double(": float may be sufficient, but there is no time to try it");
 
-    Trials& in_float = open_float();
+    Trials* opened = nullptr;
+    try {
+        opened = &open_float();
+    } catch (const InputError&) {  // double has read the same files
+        return in_double(": float cannot represent a number of the scene");
+    }
+    Trials& in_float = *opened;
     if (chosen.hierarchy_from) in_float.build_acceleration(*chosen.hierarchy_from);
     RenderSettings settings = with_one_shadow_ray(chosen.expected.settings, runner.aim());
     if (!runner.aim().given.pixel_samples) {

@@ -243,6 +243,11 @@ grep -q '; 99 of 100 pixels within [0-9.]* of 255' out || fail "--time tells a l
 printf 'C 0,0,0 0,0,-1 60\npl 0,0,-5 0,0,1 255,0,0\n' > wall.rt
 "$build/step04_plane" wall.rt -o 1.png --size 8x6 --shade id > out
 grep -q 'plane 1, 100 % of the pixels' out || fail "--shade id tells the share of all pixels"
+# A scene that only double can represent is no error where float is tried.
+printf 'A 0.3 9,9,9\nC 0,0,0 0,0,-1 60\nL 0,5,0 1 255,255,255 radius:0.5\nsp 0,0,-5e-300 2e-300 9,0,0\n' > tiny.rt
+for words in "--tolerance 4" "--time 0.5"; do
+    holds "$words and tiny" "$build/step11_soft_shadows" tiny.rt -o 1.png --size 40x30 --quiet $words
+done
 # No smaller one than its trials can show.
 printf 'C 0,0,5 0,0,-1 60\nL 0,9,0 0.5 255,255,255 radius:1\nsp 0,0,0 2 255,0,0\n' > lone.rt
 "$build/step11_soft_shadows" lone.rt -o 1.png --size 40x30 --time 0.1 --samples 1 > out
