@@ -156,7 +156,8 @@ rm -r "$folder/results/slurm"
 (cd "$folder/local" && find . -type f) | sort > "$folder/files"
 (cd "$folder/results" && find . -type f) | sort | diff "$folder/files" - || fail "files (expected first)"
 while read -r file; do
-    cmp "$folder/local/$file" "$folder/results/$file" || fail "$file is not the same"
+    cmp "$folder/local/$file" "$folder/results/$file" ||
+        { diff "$folder/local/$file" "$folder/results/$file"; fail "$file is not the same"; }
 done < "$folder/files"
 cat "$folder/results/grades.csv"
 echo "$(wc -l < "$folder/files") files are the same"
