@@ -66,7 +66,7 @@ struct Build {
 struct ToolLimits {
     int megabytes = 32;
     int processor_seconds = 15;
-    int wall_seconds = 30;
+    int wall_seconds = 20;
 };
 
 /// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
