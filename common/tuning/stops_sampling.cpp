@@ -6,11 +6,11 @@
 namespace rt {
 
 bool stops_sampling(const Trials& trials, const RenderSettings& settings) {
-    constexpr int fewest = 8;     // that show an error (stage 11)
-    constexpr int more = 64;      // a light that is sampled so often counts for all other rays
+    constexpr int few = 8;        // that show an error (stage 11)
+    constexpr int many = 64;      // a light that is sampled so often counts for all other rays
     constexpr double any = 1e30;  // also in float
     constexpr std::size_t enough = 512;
-    RenderSettings to_any_error = with_rays(settings, more);
+    RenderSettings to_any_error = with_rays(settings, many);
     to_any_error.shadow_error = any;
     const std::vector<Pixel> pixels = some_of(SpreadPixels(trials.resolution()).pixels(), enough);
     const std::atomic<bool> going_on = false;
@@ -18,8 +18,8 @@ bool stops_sampling(const Trials& trials, const RenderSettings& settings) {
         return trials.render_pixels(tried, {.pixels = pixels, .threads = 1, .stop = &going_on})
             .rays;
     };
-    const double not_stopped = rays(with_rays(settings, more));
-    const double least = rays(with_rays(settings, fewest));
+    const double not_stopped = rays(with_rays(settings, many));
+    const double least = rays(with_rays(settings, few));
     // Where no pixel sees a light with a size, all are the same, and nothing needs to stop.
     return rays(to_any_error) <= (least + not_stopped) / 2;
 }
