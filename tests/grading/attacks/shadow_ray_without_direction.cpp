@@ -1,5 +1,6 @@
-// attack: a shadow ray whose direction is zero meets nothing, and so no shape that is not in the
-// way ceiling: as a stub stage: step10_shadows
+// attack: a shadow ray whose direction is zero meets nothing: no shape is in the way
+// ceiling: as a stub
+// stage: step10_shadows
 #include "steps/step10_shadows/shadows.hpp"
 
 namespace rt {
