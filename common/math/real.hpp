@@ -14,6 +14,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+// <math.h>, and not <cmath> alone: with it abs(x) of a Real is no function of int, with or without
+// std::.
+#include <math.h>
+
 #include <limits>
 
 #ifdef RT_FLOAT

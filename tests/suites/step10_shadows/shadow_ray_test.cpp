@@ -8,6 +8,8 @@
 #include "tests/kit/light.hpp"
 #include "tests/kit/shape_checks.hpp"
 
+#include <cmath>
+
 using namespace rt;
 
 namespace {
@@ -109,7 +111,7 @@ OffSurface draw_off_surface(Random& random, Real depth) {
 Vec3 draw_leaving(Random& random, Vec3 side, Real least_cosine) {
     const Real cosine = random.between(least_cosine, 1);
     const Vec3 v = random.direction();
-    const Vec3 aside = abs(dot(v, side)) < Real(0.9) ? v : Vec3(v.y, v.z, v.x);
+    const Vec3 aside = std::abs(dot(v, side)) < Real(0.9) ? v : Vec3(v.y, v.z, v.x);
     const Vec3 across = cross(side, aside);
     if (across == Vec3(0)) return side;
     return cosine * side + std::sqrt(1 - cosine * cosine) * unit(across);
