@@ -36,6 +36,14 @@ void on_interrupt(int /*signal*/) {
     stop = true;
 }
 
+/// The time in which a scene is read, which an error ends, too.
+struct Reading {
+    Reading() { reading = true; }
+    ~Reading() { reading = false; }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+};
+
 #ifdef RT_EXACT
 constexpr bool exact = true;
 constexpr auto open_float = rt::f64::make_renderer;  // never called: the precision is fixed
@@ -57,10 +65,8 @@ std::unique_ptr<rt::Renderer> open(const rt::Program& program, const rt::Options
                                    rt::Precision precision) {
     const auto make_renderer =
         precision == rt::Precision::f32 ? open_float : rt::f64::make_renderer;
-    reading = true;
-    std::unique_ptr<rt::Renderer> session = make_renderer(program, options);
-    reading = false;
-    return session;
+    const Reading while_reading;
+    return make_renderer(program, options);
 }
 
 /// Renders with automatic settings, for a tolerance or a time.
@@ -70,12 +76,7 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     rt::OpenFloat other;
     if (!options.precision_given && !exact)
         other = [&]() -> rt::Trials& {
-            try {
-                return *(in_float = open(program, options, rt::Precision::f32));
-            } catch (const rt::InputError&) {
-                reading = false;
-                throw;
-            }
+            return *(in_float = open(program, options, rt::Precision::f32));
         };
     const bool shown = !options.quiet && rt::errors_on_terminal();
     if (shown) std::cerr << "trying settings\r" << std::flush;
@@ -98,10 +99,8 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
 }
 
 std::vector<std::string> read_risks(const rt::Options& options) {
-    reading = true;
-    std::vector<std::string> risks = rt::f64::risks_in_float(options);
-    reading = false;
-    return risks;
+    const Reading while_reading;
+    return rt::f64::risks_in_float(options);
 }
 
 void explain_risks(const rt::Options& options) {

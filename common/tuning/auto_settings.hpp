@@ -40,7 +40,7 @@ struct AutoSettings {
     std::vector<std::string> reasons;  ///< report lines: each setting chosen, and the reason
 };
 
-/// Opens the same scene in float precision.
+/// Opens the same scene in float precision. Throws InputError if float cannot represent it.
 using OpenFloat = std::function<Trials&()>;
 
 /// Renders a few pixels of the scene with different settings, and chooses hierarchy, reflection

@@ -20,7 +20,7 @@ bool stops_sampling(const Trials& trials, const RenderSettings& settings) {
     };
     const double not_stopped = rays(with_rays(settings, many));
     const double least = rays(with_rays(settings, few));
-    // Where no pixel sees a light with a size, all are the same, and nothing needs to stop.
+    // The three counts are equal if no pixel sees a light with a size: then nothing needs to stop.
     return rays(to_any_error) <= (least + not_stopped) / 2;
 }
 

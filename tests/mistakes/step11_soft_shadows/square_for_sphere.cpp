@@ -1,4 +1,4 @@
-// origin: the first part of the stage, where a later one is asked
+// origin: the answer to the first part of the stage
 // caught by: a light far away is sampled evenly over its disc (CR §3.3)
 // sentence: Right so far: these are the points of CR's cube, put at the center of the light. The next part is the disc: the corners of the square are outside of the light.
 #include "common/math/vector.hpp"
