@@ -93,12 +93,12 @@ Exact mean_color(const Image& image, Pixel corner) {
     return sum / 64.0;
 }
 
-/// The same as picture_matches, but another right sample_light assigns other points to the samples,
-/// which makes another noise: means of 8 × 8 pixels are compared. The error of a pixel in the
-/// penumbra is some 5 of 255 (16 rays), that of a mean an eighth of it, and two means differ by
-/// less than 6 of 255.
+/// Like picture_matches, but another right sample_light assigns other points to the samples, which
+/// makes another noise: means of 8 × 8 pixels of a small picture are compared. The error of a pixel
+/// in the penumbra is some 5 of 255 (16 rays), that of a mean an eighth of it, and two means differ
+/// by less than 6 of 255.
 Verdict picture_matches_on_average(const std::string& name) {
-    const Image reference = read_png(project_file("docs/pictures/" + name + ".png"));
+    const Image reference = read_png(project_file("docs/pictures/small/" + name + ".png"));
     Scene scene =
         load_scene(project_file("scenes/" + name + ".rt"), orthonormal_basis, {.strict = true});
     build_acceleration(scene);
@@ -117,7 +117,7 @@ Verdict picture_matches_on_average(const std::string& name) {
                 std::to_string(corner.row + 4) + "," + std::to_string(corner.column + 4);
             first = "\n  first:    around row,column " + place +
                     "\n  got:      " + text(Vec3(got)) + "\n  expected: " + text(Vec3(expected)) +
-                    "\n  see:      ./course run " + name + " --pixel " + place;
+                    "\n  see:      ./course run " + name + " --size 128x96 --pixel " + place;
         }
     return verdict(different == 0, "The picture of scenes/" + name + ".rt differs in " +
                                        std::to_string(different) +
