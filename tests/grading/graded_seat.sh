@@ -29,8 +29,9 @@ sed 's|.*|/&$|' "$work/callable" > "$work/endings"
 grep -f "$work/endings" "$work/parts" > "$work/callable"
 
 # The functions that the objects of a kind export. Those that a queries.cpp instantiates are weak.
+# One nm for all: it loads LLVM at each start where that is installed.
 functions() {
-    while read -r object; do "$nm" -g -P --defined-only "$object"; done < "$work/$1" |
+    xargs -r "$nm" -g -P --defined-only < "$work/$1" |
         awk '$2 == "T" || $2 == "W" && /ClosestHit9test_listI|AnyHit9test_listI|PotentialOccluders7collectI/ { print $1 }'
 }
 
