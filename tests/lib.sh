@@ -10,3 +10,8 @@ fail() {
     sed 's/^/    /' "$folder/out" "$folder/err" 2> /dev/null || true
     failed=1
 }
+
+# True if util-linux' script is there and can open a terminal: some containers have none.
+has_terminal() {
+    script -qec true /dev/null < /dev/null > "$folder/terminal" 2>&1
+}

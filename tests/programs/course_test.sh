@@ -36,7 +36,7 @@ says "build cannot be written: copy the project to a folder of yours"
 rm build
 
 # On a terminal, the first build shows what it does and how far it is.
-if script --version 2> /dev/null | grep -q util-linux; then
+if has_terminal; then
     script -qec ./course /dev/null < /dev/null > out
     grep -q -e '-- Detecting CXX' out || fail "configuring is shown"
     grep -q '\[[1-9][0-9]*/[1-9][0-9]*\] ./course: Building CXX object' out || fail "building is shown"

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Output on a terminal that a pipe does not get, or only in part: terminal_test.sh BUILD_FOLDER PROJECT
-# Needs util-linux' script, which runs a program on a terminal; status 77 if it is not installed.
+# Status 77 if no program can be run on a terminal.
 build=$1
 project=$2
-script --version 2> /dev/null | grep -q util-linux || exit 77
 . "$(dirname "$0")/../lib.sh"
+has_terminal || { cat "$folder/terminal"; exit 77; }
 cd "$folder" || exit 1
 
 # seen ARGUMENTS…: the terminal's output for a picture that takes about a second.

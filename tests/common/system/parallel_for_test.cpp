@@ -1,7 +1,7 @@
 // Work that is shared among threads.
 #include "common/system/parallel_for.hpp"
 
-#include <catch2/catch.hpp>
+#include "tests/kit/catch.hpp"
 
 #include <algorithm>
 #include <chrono>

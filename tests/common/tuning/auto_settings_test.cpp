@@ -1,11 +1,10 @@
 // The choices of --tolerance and --time, for model scenes with known errors and costs.
 #include "tests/common/tuning/model_scenes.hpp"
+#include "tests/kit/catch.hpp"
 
 #include "common/tuning/pixel_study.hpp"
 #include "common/tuning/stops_sampling.hpp"
 #include "common/tuning/wording.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <numeric>

@@ -5,10 +5,9 @@
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
+#include "tests/kit/catch.hpp"
 #include "tests/kit/picture.hpp"
 #include "tests/kit/random.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <filesystem>
 

@@ -1,12 +1,12 @@
 // Model scenes with known errors and costs, in place of trials on a real one.
 #pragma once
 
+#include "tests/kit/catch.hpp"
+
 #include "common/system/hash.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/choose_depth.hpp"
 #include "common/tuning/penumbrae.hpp"
-
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <cstdint>
