@@ -291,13 +291,17 @@ TEST_CASE("headers in another folder are accessible to a compiler, if all users 
     CHECK(closed.words.find("Permission denied") != std::string::npos);
 }
 
-TEST_CASE("attacks earn nothing and do no harm") {
+namespace {
+
+/// All whose names begin with one of these letters.
+void attack_with(char first, char last) {
     Grader grader;
     const pid_t me = getpid();
     const char* only = std::getenv("RAYSTEPS_ATTACK");  // to look at one
     int count = 0;
     for (const fs::path& file : files_in(RAYSTEPS_ATTACKS, ".cpp")) {
         const Attack attack{.name = file.stem(), .text = content(file)};
+        if (attack.name[0] < first || attack.name[0] > last) continue;
         if (only != nullptr && attack.name != only) continue;
         if (!is_built(attack.stage())) continue;  // stage 13 is not, without OpenMesh
         ++count;
@@ -322,5 +326,18 @@ TEST_CASE("attacks earn nothing and do no harm") {
                     grade.passed.size(), most, grade.time.count(), grade.processor_time);
         std::fflush(stdout);
     }
-    CHECK((only != nullptr || count >= 40));
+    CHECK((only != nullptr || count >= 30));
+}
+
+}  // namespace
+
+// Three tests, which CI runs at the same time: most attacks wait for a limit.
+TEST_CASE("attacks a to h earn nothing and do no harm") {
+    attack_with('a', 'h');
+}
+TEST_CASE("attacks i to r earn nothing and do no harm") {
+    attack_with('i', 'r');
+}
+TEST_CASE("attacks s to z earn nothing and do no harm") {
+    attack_with('s', 'z');
 }

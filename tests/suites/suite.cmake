@@ -58,11 +58,12 @@ function(raysteps_suite name)
 endfunction()
 
 # raysteps_test(<name> [LABEL <label>] SOURCES <source>... LIBRARIES <library>...
-#               [DEFINITIONS <definition>...] [NEEDS <target>...])
+#               [DEFINITIONS <definition>...] [NEEDS <target>...] [CASES <pattern>])
 #
-# The test <name>, a program of test cases that call no stage. NEEDS are built before it.
+# The test <name>, a program of test cases that call no stage. NEEDS are built before it. CASES are
+# those that the test runs, by default all.
 function(raysteps_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;CASES" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
     add_executable(${name}_test ${test_SOURCES})
     target_link_libraries(${name}_test PRIVATE
         ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options)
@@ -70,7 +71,7 @@ function(raysteps_test name)
     if(test_NEEDS)
         add_dependencies(${name}_test ${test_NEEDS})
     endif()
-    add_test(NAME ${name} COMMAND ${name}_test)
+    add_test(NAME ${name} COMMAND ${name}_test ${test_CASES})
     set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}")
 endfunction()
 
