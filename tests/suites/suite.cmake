@@ -5,6 +5,7 @@
 function(raysteps_suite_objects name precision)
     add_library(${name} OBJECT ${ARGN})
     target_link_libraries(${name} PRIVATE raysteps_kit_${precision}_options)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # three quarters of -O2's time
     if(NOT suite_headers)
         set(suite_headers raysteps_kit)
     endif()
