@@ -2,8 +2,9 @@
 # The rooms of common/ are layers: rooms_test.sh PROJECT_FOLDER
 #
 # Fails if a file includes one of a room beside or above its own, if common/course includes anything
-# of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, and if a file
-# lies flat in common/ or in no room.
+# of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, if a file
+# lies flat in common/ or in no room, and if a test includes Catch2 itself: tests/kit/catch.hpp knows
+# both of its versions.
 cd "$1" || exit 2
 
 # Prints what is wrong in lines "FILE INCLUDED", and nothing for those that are right.
@@ -43,6 +44,11 @@ flat() {
     find common -maxdepth 1 -type f ! -name CMakeLists.txt | sed 's/$/: lies in no room/'
 }
 
+catch2() {
+    grep -rlE --include='*.?pp' '^ *# *include <catch2/' tests | grep -v '^tests/kit/' |
+        sed 's/$/: includes Catch2 itself/'
+}
+
 # The rules themselves: of these lines each is wrong.
 missed=$({
     echo "common/math/real.hpp common/geometry/ray.hpp"
@@ -57,5 +63,5 @@ missed=$({
 [ "$missed" = 8 ] || { echo "of 8 wrong includes only $missed are found"; exit 1; }
 [ "$(includes | wc -l)" -gt 500 ] || { echo "includes are not found"; exit 1; }
 
-wrong=$(includes | judge; flat)
+wrong=$(includes | judge; flat; catch2)
 [ -z "$wrong" ] || { echo "$wrong"; exit 1; }
