@@ -95,16 +95,20 @@ private:
         return kind;
     }
 
-    /// All settings that can be compared with right colors of that error, the cheapest first.
+    /// The settings that can be compared with right colors of that error and may keep the
+    /// tolerance, the cheapest first.
     [[nodiscard]] std::vector<Candidate> candidates(double right_error) const {
         std::vector<Candidate> all;
         const auto add = [&](const RenderSettings& settings) {
             all.push_back({.settings = settings, .outcome = study_.outcome(settings)});
         };
         add(with_pixel_samples(settings_, 1));
+        constexpr double far_beyond = 3 * few_pixels;
         for (double error = right_error * std::numbers::sqrt2;
-             error < std::min(64 * allowed_, largest_pixel_error); error *= error_step)
+             error < std::min(64 * allowed_, largest_pixel_error); error *= error_step) {
             add(with_pixel_error(settings_, error));
+            if (all.back().outcome.beyond > far_beyond) break;  // a larger error has more
+        }
         if (right_error < allowed_)
             for (int count = 4; count < right_pixel_samples; count *= 2)
                 add(with_pixel_samples(settings_, count));

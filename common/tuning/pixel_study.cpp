@@ -43,9 +43,8 @@ double largest_share(double beyond, double tried, double all) {
 
 /// The number of pixels that one pixel stands for, in which the first few rays found a difference
 /// from the center: in the others they missed it, as the center did.
-double pixels_missed(const DisplayColor& center, const PixelHistory& history) {
-    const double off = distance(center, history.steps.back().mean);
-    const double part = off / std::max({off, history.range, 1.0});
+double pixels_missed(double off, double range) {
+    const double part = off / std::max({off, range, 1.0});
     return 1 / (1 - std::pow(1 - std::min(part, 1.0), PixelHistory::fewest));
 }
 
@@ -146,7 +145,7 @@ void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum) {
     if (count <= known) return;
     std::vector<TrialPixel> more =
         traced(std::span(stratum.places).subspan(known, count - known), stratum.at_least);
-    for (const TrialPixel& pixel : more) stratum.rays += pixel.history.steps.back().rays;
+    for (const TrialPixel& pixel : more) stratum.rays += pixel.steps.back().rays;
     std::ranges::move(more, std::back_inserter(stratum.traced));
 }
 
@@ -185,39 +184,42 @@ std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> pl
     seconds_ += histories.seconds;
     std::vector<TrialPixel> pixels;
     for (std::size_t i = 0; i < places.size(); ++i)
-        pixels.push_back({.place = places[i],
-                          .contrast = contrast_around(places[i], 1),
-                          .few_rays = at_least == PixelHistory::fewest,
-                          .center = display_color((*centers_.image)[places[i]]),
-                          .history = std::move(histories.pixels[i])});
+        pixels.push_back(compared(places[i], std::move(histories.pixels[i]), at_least));
     return pixels;
 }
 
+PixelStudy::TrialPixel PixelStudy::compared(Pixel place, PixelHistory history, int at_least) const {
+    const PixelStep& right = history.steps.back();
+    const DisplayColor center = display_color((*centers_.image)[place]);
+    TrialPixel pixel{.place = place,
+                     .contrast = contrast_around(place, 1),
+                     .center_off = distance(center, right.mean)};
+    const bool few_rays = at_least == PixelHistory::fewest && history.steps.size() > 1;
+    if (few_rays) pixel.center_seen = pixels_missed(pixel.center_off, history.range);
+    for (const PixelStep& step : history.steps) {
+        // The right color contains the same rays, so that its difference from their mean is smaller
+        // than the error of that. With N rays, both are N^(−3/4).
+        const double others = 1 - std::pow(double(step.count) / right.count, 1.5);
+        pixel.offs.push_back(others > 0 ? distance(step.mean, right.mean) / std::sqrt(others) : 0);
+    }
+    pixel.steps = std::move(history.steps);
+    return pixel;
+}
+
 PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSettings& settings) {
-    const std::vector<PixelStep>& steps = pixel.history.steps;
-    const PixelStep& right = steps.back();
     const bool adaptive = settings.pixel_error > 0;
     if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
-        return {.error = distance(pixel.center, right.mean),
-                .pixels = pixel.few_rays && steps.size() > 1
-                              ? pixels_missed(pixel.center, pixel.history)
-                              : 1};
-    const auto step_of = [&](int count) {
-        return std::ranges::find(steps, count, &PixelStep::count);
-    };
+        return {.error = pixel.center_off, .pixels = pixel.center_seen};
+    const std::vector<PixelStep>& steps = pixel.steps;
     int count = adaptive ? first_pixel_samples(settings.pixel_error) : settings.pixel_samples;
-    auto step = step_of(count);
-    while (adaptive && step != steps.end() && step->error > settings.pixel_error &&
+    std::size_t step = PixelHistory::step_of(count);
+    while (adaptive && step < steps.size() && steps[step].error > settings.pixel_error &&
            count < settings.pixel_samples) {
         count = next_pixel_samples(count, settings.pixel_samples);
-        step = step_of(count);
+        step = PixelHistory::step_of(count);
     }
-    if (step == steps.end() || step->count == right.count)
-        return {.rays = right.rays * count / right.count};
-    // The right color contains the same rays, so that its difference from their mean is smaller
-    // than the error of that. With N rays, both are N^(−3/4).
-    const double others = 1 - std::pow(double(step->count) / right.count, 1.5);
-    return {.error = distance(step->mean, right.mean) / std::sqrt(others), .rays = step->rays};
+    if (step >= steps.size()) return {.rays = steps.back().rays * count / steps.back().count};
+    return {.error = pixel.offs[step], .rays = steps[step].rays};
 }
 
 PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings) const {

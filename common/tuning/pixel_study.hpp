@@ -82,10 +82,11 @@ public:
 private:
     struct TrialPixel {
         Pixel place;
-        int contrast = 0;       ///< of its surroundings in the picture of one ray a pixel
-        bool few_rays = false;  ///< unless these differ
-        DisplayColor center{};
-        PixelHistory history;
+        int contrast = 0;          ///< of its surroundings in the picture of one ray a pixel
+        double center_off = 0;     ///< error of the ray through the center
+        double center_seen = 1;    ///< number of pixels for which this error stands
+        std::vector<double> offs;  ///< error of the mean after each step
+        std::vector<PixelStep> steps;
     };
 
     /// Pixels of one kind.
@@ -98,7 +99,7 @@ private:
         std::vector<TrialPixel> traced;
     };
 
-    /// The color of a trial pixel with some settings.
+    /// A trial pixel with some settings.
     struct Result {
         double error = 0;
         double rays = 0;
@@ -114,6 +115,7 @@ private:
     /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known.
     void trace_up_to(std::size_t wanted, Stratum& stratum);
     [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least);
+    [[nodiscard]] TrialPixel compared(Pixel place, PixelHistory history, int at_least) const;
     [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
     [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);
 

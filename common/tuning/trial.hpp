@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -69,6 +70,14 @@ struct PixelHistory {
         if (count < power) return power;
         while (2 * power <= count) power *= 2;
         return count + power / 4;
+    }
+
+    /// The index of the step after `count` rays, a number at which --pixel-error may stop.
+    [[nodiscard]] static constexpr std::size_t step_of(int count) {
+        if (count < 2 * fewest) return 0;
+        const auto power = std::bit_floor(unsigned(count));
+        const auto doublings = std::size_t(std::bit_width(power / (2 * fewest)) - 1);
+        return 1 + 4 * doublings + (unsigned(count) - power) / (power / 4);
     }
 
     std::vector<PixelStep> steps;
