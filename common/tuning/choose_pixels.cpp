@@ -127,7 +127,8 @@ private:
 RenderSettings with_few_shadow_rays(const TrialRunner& runner, const SceneTraits& traits,
                                     const RenderSettings& settings) {
     const bool chosen = traits.sized_lights && !runner.aim().given.shadow_samples;
-    return chosen ? with_rays(settings, 4) : settings;
+    constexpr std::size_t few_shapes = 24;
+    return chosen ? with_rays(settings, traits.shapes <= few_shapes ? 32 : 16) : settings;
 }
 
 Trial keep_tolerance_of_pixels(PixelStudy& study) {

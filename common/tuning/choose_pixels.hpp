@@ -9,11 +9,11 @@
 
 namespace rt {
 
-/// Returns the settings with the rays to lights that are chosen with those through pixels: four
-/// from the only ray through a pixel, one from each of several. More from each cost up to three
-/// times as much, and seldom save anything: the rays through a pixel share their errors. None stops
-/// early: rays that stop once a few agree would make the mean of a pixel wrong, however many go
-/// through it.
+/// Returns the settings with the rays to lights that are chosen with those through pixels: 16 to
+/// each light from the only ray through a pixel, 4 from each of several, and twice as many in a
+/// scene of few shapes. Where a shaft (shaft.hpp) leaves few shapes in the way, they take hardly
+/// longer than one, and save rays through pixels. None stops early: rays that stop once a few agree
+/// would make the mean of a pixel wrong, however many go through it.
 [[nodiscard]] RenderSettings with_few_shadow_rays(const TrialRunner& runner,
                                                   const SceneTraits& traits,
                                                   const RenderSettings& settings);
