@@ -80,7 +80,7 @@ private:
     /// then be certain to keep the tolerance. `rays` are those of the cheapest that does, if any.
     [[nodiscard]] std::optional<std::size_t> best_growth(std::span<const Candidate> cheaper,
                                                          std::optional<double> rays) const {
-        constexpr double chance = 0.5;  // what is estimated of them may be wrong
+        constexpr double chance = 0.75;  // what is estimated of them may be wrong
         std::optional<std::size_t> kind;
         double least = 0;
         for (const auto& [settings, outcome] : cheaper) {

@@ -1,17 +1,19 @@
 // Measures the promise of --tolerance about the rays through pixels, and its cost. The picture of
 // each scene with the chosen settings is compared with one of 1,024 rays through each pixel. The
-// rays of the trials and of the picture are given in units of those of the cheapest settings found
-// that keep the same promise. The arguments are the tolerance, one scene (or "all"), and the width.
+// rays of the trials and of the picture, and the processor time from the scene's file to the
+// picture's, are given in units of those of the fastest settings found that keep the same promise.
+// The arguments are the tolerance, one scene (the file, a name, or "all"), and the width.
 #include "common/program/load_meshes.hpp"
 #include "common/program/renderer.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
+#include "common/system/cpu_seconds.hpp"
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/trial_pixels.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
-#include "tests/measurements/accuracy/drawing.hpp"
+#include "tests/measurements/accuracy/time_ratio.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +26,8 @@ using namespace rt;
 
 namespace {
 
-Resolution size{.width = 160, .height = 120};
+Resolution size{.width = 640, .height = 480};
+const Program program{.stage = 13, .root = RAYSTEPS_ROOT};
 const std::atomic<bool> going_on = false;
 
 /// The scene of the program, with the rays of trials counted.
@@ -71,6 +74,7 @@ struct Outcome {
     double beyond = 0;      ///< share of the pixels off by more than the tolerance
     double worst_tile = 0;  ///< largest mean difference of a tile
     double rays = 0;
+    double seconds = 0;
 
     [[nodiscard]] bool keeps(double tolerance) const {
         return beyond <= 0.01 && worst_tile <= 2 * tolerance;
@@ -92,8 +96,9 @@ public:
     }
 
     [[nodiscard]] Outcome outcome(const RenderSettings& settings) const {
+        const double start = cpu_seconds();
         const Rendering rendering = render(scene_, {.settings = settings}).value();
-        Outcome outcome{.rays = double(rendering.rays)};
+        Outcome outcome{.rays = double(rendering.rays), .seconds = cpu_seconds() - start};
         std::map<int, std::pair<double, int>> tiles;
         for (Pixel pixel; pixel.row < size.height; ++pixel.row)
             for (pixel.column = 0; pixel.column < size.width; ++pixel.column) {
@@ -109,27 +114,40 @@ public:
         return outcome;
     }
 
-    /// The fewest rays with which a picture keeps the promise: of one ray for each pixel, numbers
-    /// of rays, and errors in steps of a tenth, with 4, 16 or 64 rays to a light.
-    [[nodiscard]] std::pair<double, RenderSettings> cheapest(RenderSettings settings) const {
-        std::pair found{std::numeric_limits<double>::infinity(), settings};
-        const auto try_one = [&](const RenderSettings& tried) {
-            const Outcome it = outcome(tried);
-            if (it.keeps(tolerance_) && it.rays < found.first) found = {it.rays, tried};
-            return it.rays <= 1.1 * found.first;
+    /// The fastest settings found with which a picture keeps the promise, and their rays: one ray
+    /// for each pixel, or a --pixel-error in steps of an eighth of an octave, with 4, 16, 32 or 64
+    /// rays to a light.
+    [[nodiscard]] std::pair<RenderSettings, double> fastest(RenderSettings settings) const {
+        std::pair found{settings, 0.0};
+        double least = std::numeric_limits<double>::infinity();
+        const auto keeps = [&] {
+            const Outcome it = outcome(settings);
+            if (!it.keeps(tolerance_)) return false;
+            if (it.seconds < least) {
+                least = it.seconds;
+                found = {settings, it.rays};
+            }
+            return true;
         };
+        const double step = std::pow(2, 0.125);
         settings.shadow_error = settings.shadow_agree = 0;
-        for (const int shadow_samples : {4, 16, 64}) {
-            if (!sized_lights_ && shadow_samples > 4) break;
+        for (const int shadow_samples : {32, 16, 64, 4}) {
+            if (!sized_lights_ && shadow_samples != 4) continue;
             settings.shadow_samples = shadow_samples;
-            settings.pixel_samples = 1024;
-            for (settings.pixel_error = 16 * tolerance_; settings.pixel_error > tolerance_ / 4;
-                 settings.pixel_error /= 1.1)
-                if (!try_one(settings)) break;
+            settings.pixel_samples = 1;
             settings.pixel_error = 0;
-            for (settings.pixel_samples = 1; settings.pixel_samples <= 1024;
-                 settings.pixel_samples *= 2)
-                if (!try_one(settings)) break;
+            if (keeps()) continue;
+            settings.pixel_samples = 1024;
+            settings.pixel_error = 2 * tolerance_;
+            if (keeps()) {  // not every larger error has more pixels beyond the tolerance
+                for (int misses = 0; misses < 2 && settings.pixel_error < 128;) {
+                    settings.pixel_error *= step;
+                    misses = keeps() ? 0 : misses + 1;
+                }
+            } else {
+                do settings.pixel_error /= step;
+                while (settings.pixel_error > tolerance_ / 8 && !keeps());
+            }
         }
         return found;
     }
@@ -141,25 +159,53 @@ private:
     Image exact_;
 };
 
+/// The processor time from the scene's file to the picture's. With a tolerance, the trials are
+/// a part of it.
+Drawing whole_time(Options options) {
+    options.threads = 1;
+    options.quiet = true;
+    options.output = (std::filesystem::temp_directory_path() / "pixel_promises.png").string();
+    const double start = cpu_seconds();
+    auto session = f64::make_renderer(program, options);
+    if (options.tolerance) {
+        std::unique_ptr<Renderer> in_float;
+        const OpenFloat open_float = [&]() -> Trials& {
+            return *(in_float = f32::make_renderer(program, options));
+        };
+        const auto choice = choose(*session, open_float, options, Clock::now(), going_on);
+        options.settings = choice->expected.settings;
+        options.hierarchy_from = choice->hierarchy_from;
+        if (choice->in_float) {
+            options.precision = Precision::f32;
+            session = std::move(in_float);
+        }
+    }
+    (void)session->run(options, nullptr, going_on);
+    return {.image = {}, .seconds = cpu_seconds() - start};
+}
+
 void measure(const std::filesystem::path& scene, double tolerance) {
     Options options{};
     options.scene = scene.string();
     options.size = size;
-    options.tolerance = tolerance;
-    const auto session = f64::make_renderer({.stage = 13, .root = RAYSTEPS_ROOT}, options);
+    Options with_tolerance = options;
+    with_tolerance.tolerance = tolerance;
+    const auto session = f64::make_renderer(program, options);
     CountedTrials trials(*session);
-    const auto choice = choose(trials, {}, options, Clock::now(), going_on);
+    const auto choice = choose(trials, {}, with_tolerance, Clock::now(), going_on);
     const RenderSettings& settings = choice->expected.settings;
     const Subject subject(scene, tolerance);
     const Outcome picture = subject.outcome(settings);
-    const auto [fewest, least] = subject.cheapest(settings);
-    const double one = subject.outcome({.shadow_samples = settings.shadow_samples}).rays;
-    std::printf("%s,%d,%g,%d,%g,%d,%.5f,%.3f,%.3f,%.3f,%.3f,%.2f,%d,%g,%d\n", scene.stem().c_str(),
-                size.width, tolerance, settings.pixel_samples, settings.pixel_error,
-                settings.shadow_samples, picture.beyond, picture.worst_tile, picture.rays / one,
-                trials.rays() / fewest, picture.rays / fewest,
-                (trials.rays() + picture.rays) / fewest, least.pixel_samples, least.pixel_error,
-                least.shadow_samples);
+    const auto [fastest, rays] = subject.fastest(settings);
+    options.settings = fastest;
+    const TimeRatio time =
+        time_ratio([&] { return whole_time(with_tolerance); }, [&] { return whole_time(options); });
+    std::printf("%s,%d,%g,%d,%g,%d,%.5f,%.3f,%.3f,%.3f,%.3f,%.2f,%.2f,%.2f,%d,%g,%d\n",
+                scene.stem().c_str(), size.width, tolerance, settings.pixel_samples,
+                settings.pixel_error, settings.shadow_samples, picture.beyond, picture.worst_tile,
+                trials.rays() / rays, picture.rays / rays, (trials.rays() + picture.rays) / rays,
+                time.time, time.least, time.greatest, fastest.pixel_samples, fastest.pixel_error,
+                fastest.shadow_samples);
     std::fflush(stdout);
 }
 
@@ -171,8 +217,9 @@ int main(int count, char** arguments) {
     if (count > 3) size.width = std::atoi(arguments[3]);
     size.height = size.width * 3 / 4;
     std::puts(
-        "scene,width,tolerance,samples,pixel_error,shadow_samples,beyond,worst_tile,one_ray,"
-        "trials,picture,cost,cheapest_samples,cheapest_pixel_error,cheapest_shadow_samples");
+        "scene,width,tolerance,samples,pixel_error,shadow_samples,beyond,worst_tile,trials,picture,"
+        "rays,time,least,greatest,fastest_samples,fastest_pixel_error,fastest_shadow_samples");
+    if (std::filesystem::is_regular_file(only)) return measure(only, tolerance), 0;
     for (const auto& scene : scenes_for_choices())
         if (only == "all" || scene.stem() == only) measure(scene, tolerance);
 }
