@@ -69,7 +69,7 @@ private:
     /// Chooses the rays through pixels, and those to lights with them.
     void pixels() {
         PixelStudy study(runner_, trials_, with_few_shadow_rays(runner_, traits_, settings_),
-                         aim_.tolerance.value_or(1));
+                         aim_.tolerance.value_or(1), traits_.sized_lights);
         if (aim_.time)
             pixels_for_time(study);
         else

@@ -25,10 +25,12 @@ DisplayColor display_color(const Rgb& rgb) {
     return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
 }
 
-/// The largest error with which a pixel keeps the tolerance. Two pictures of 8 bits differ by whole
-/// levels: by 3 or more if their colors differ by 2.5, give or take a half.
-double largest_error(double allowed) {
-    return std::max(allowed, std::floor(allowed) + (allowed < 1 ? 0 : 0.5));
+/// The chance that a pixel with this error does not keep the tolerance. Two pictures of 8 bits
+/// differ by whole levels: colors that differ by 2.3 differ by 3 levels in 3 of 10 cases, and by 2
+/// otherwise.
+double chance_beyond(double error, double allowed) {
+    if (allowed < 1) return error > allowed ? 1 : 0;  // before rounding
+    return std::clamp(error - std::floor(allowed), 0.0, 1.0);
 }
 
 /// With 95 % confidence, the largest share of `all` pixels that are beyond if `beyond` of `tried`
@@ -51,8 +53,9 @@ double pixels_missed(double off, double range) {
 }  // namespace
 
 PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings,
-                       double allowed)
-    : runner_(runner),
+                       double allowed, bool soft)
+    : soft_(soft),
+      runner_(runner),
       trials_(trials),
       settings_(settings),
       reference_(settings),
@@ -198,8 +201,8 @@ PixelStudy::TrialPixel PixelStudy::compared(Pixel place, PixelHistory history, i
     if (few_rays) pixel.center_seen = pixels_missed(pixel.center_off, history.range);
     for (const PixelStep& step : history.steps) {
         // The right color contains the same rays, so that its difference from their mean is smaller
-        // than the error of that. With N rays, both are N^(−3/4).
-        const double others = 1 - std::pow(double(step.count) / right.count, 1.5);
+        // than the error of that. With N rays, errors are N^(−3/4), those of soft shadows N^(−1/2).
+        const double others = 1 - std::pow(double(step.count) / right.count, soft_ ? 1.2 : 1.5);
         pixel.offs.push_back(others > 0 ? distance(step.mean, right.mean) / std::sqrt(others) : 0);
     }
     pixel.steps = std::move(history.steps);
@@ -222,12 +225,8 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
     return {.error = pixel.offs[step], .rays = steps[step].rays};
 }
 
-PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings) const {
-    return outcome(settings, largest_error(allowed_));
-}
-
 Trial PixelStudy::trial(const RenderSettings& settings) const {
-    const double more = outcome(settings).rays / runner_.pixels();
+    const double more = outcome(settings, allowed_).rays / runner_.pixels();
     const double seconds_of_a_ray = seconds_ / std::max(spent_, 1.0);
     Trial trial{.settings = settings,
                 .seconds = runner_.picture_seconds(centers_.seconds + more * seconds_of_a_ray),
@@ -240,7 +239,7 @@ Trial PixelStudy::trial(const RenderSettings& settings) const {
     return trial;
 }
 
-PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double limit) const {
+PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double allowed) const {
     Outcome outcome;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         const Stratum& stratum = strata_[kind];
@@ -250,7 +249,7 @@ PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double l
         for (const TrialPixel& pixel : stratum.traced) {
             const Result with = result(pixel, settings);
             rays += with.rays;
-            if (with.error > limit) beyond += with.pixels;
+            beyond += with.pixels * chance_beyond(with.error, allowed);
         }
         const auto tried = double(stratum.traced.size());
         const double part = stratum.pixels / runner_.pixels();

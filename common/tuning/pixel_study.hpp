@@ -28,8 +28,9 @@ inline constexpr double largest_pixel_error = 255;
 class PixelStudy {
 public:
     /// The settings contain those of rays to lights. `allowed` is the largest error of a pixel that
-    /// keeps the tolerance.
-    PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed);
+    /// keeps the tolerance. `soft` is whether a light has a size.
+    PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed,
+               bool soft = false);
 
     /// The settings to which those of rays through pixels are added.
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
@@ -66,10 +67,12 @@ public:
     /// Traces rays through as many pixels of that kind again.
     void grow(std::size_t kind);
 
-    /// The outcome of settings that differ in pixel_samples and pixel_error only. An error of up to
-    /// `limit` keeps the tolerance.
-    [[nodiscard]] Outcome outcome(const RenderSettings& settings, double limit) const;
-    [[nodiscard]] Outcome outcome(const RenderSettings& settings) const;
+    /// The outcome of settings that differ in pixel_samples and pixel_error only, for an error of a
+    /// pixel of up to `allowed`.
+    [[nodiscard]] Outcome outcome(const RenderSettings& settings, double allowed) const;
+    [[nodiscard]] Outcome outcome(const RenderSettings& settings) const {
+        return outcome(settings, allowed_);
+    }
 
     /// The expected time of a picture with these settings, and the error that, with 95 %
     /// confidence, at most one pixel in a hundred exceeds.
@@ -119,6 +122,7 @@ private:
     [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
     [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);
 
+    bool soft_;
     TrialRunner& runner_;
     Trials& trials_;
     RenderSettings settings_;
