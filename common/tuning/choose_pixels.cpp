@@ -66,13 +66,14 @@ private:
                 return candidate.outcome.at_most() <= few_pixels &&
                        study_.tiles_keep(candidate.settings, 2 * allowed_);
             });
-            const auto growth =
-                best_growth(std::span(all.begin(), best),
-                            best == all.end() ? std::nullopt : std::optional(best->outcome.rays));
+            const bool found = best != all.end();
+            auto growth = best_growth(std::span(all.begin(), best),
+                                      found ? std::optional(best->outcome.rays) : std::nullopt);
+            if (!growth && found) growth = cheap_growth(best->outcome);
             if (growth)
                 study_.grow(*growth);
             else
-                return best == all.end() ? std::nullopt : std::optional(*best);
+                return found ? std::optional(*best) : std::nullopt;
         }
     }
 
@@ -93,6 +94,17 @@ private:
             }
         }
         return kind;
+    }
+
+    /// The kind of trial pixels of which more remove most doubt, as long as all trials are a small
+    /// part of the picture's rays: settings that seem not to keep the tolerance may do.
+    [[nodiscard]] std::optional<std::size_t> cheap_growth(
+        const PixelStudy::Outcome& outcome) const {
+        constexpr double small_part = 0.04;
+        const auto growth = study_.growth(outcome, (outcome.beyond + outcome.at_most()) / 2);
+        const double picture = outcome.rays + study_.center_rays();
+        if (!growth || study_.spent() > small_part * picture) return {};
+        return growth->kind;
     }
 
     /// The settings that can be compared with right colors of that error and may keep the

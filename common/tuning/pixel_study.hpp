@@ -36,6 +36,10 @@ public:
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
     [[nodiscard]] double allowed() const { return allowed_; }
 
+    /// The rays through the centers of the picture's pixels, and through all trial pixels so far.
+    [[nodiscard]] double center_rays() const { return centers_.rays * runner_.pixels(); }
+    [[nodiscard]] double spent() const { return spent_; }
+
     /// Forgets the trial pixels, and traces rays through some, up to right colors whose estimated
     /// error is `right_error`: settings with a --pixel-error of 1.4 times that, or more, can be
     /// compared with them.
