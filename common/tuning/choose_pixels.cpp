@@ -158,7 +158,8 @@ QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study)
         study.grow(growth->kind);
     }
     QualityLadder ladder;
-    for (double error = largest_pixel_error; error >= finest;
+    constexpr double almost = 0.99;  // the steps are rounded
+    for (double error = largest_pixel_error; error > almost * finest;
          error = std::min(error, 32 * std::sqrt(2)) / std::sqrt(2)) {
         ladder.add(study.trial(with_pixel_error(study.settings(), error)));
         if (ladder.top().seconds > time) return ladder;

@@ -355,6 +355,13 @@ TEST_CASE("a time is filled by rays through pixels, beside edges first") {
     CHECK(much.expected.seconds == Approx(1000).epsilon(0.1));
 }
 
+TEST_CASE("much time is filled down to an estimated error of half a level") {
+    ModelScene model = plain();
+    model.edges = 0.2;
+    model.ray_cost = 1e-5;
+    CHECK(chosen(model, {.time = 1e5}).expected.settings.pixel_error == 0.5);
+}
+
 TEST_CASE("a time is not filled where more rays change nothing that is seen") {
     ModelScene model = plain();
     model.edges = 0.001;
