@@ -68,8 +68,8 @@ private:
 
     /// Chooses the rays through pixels, and those to lights with them.
     void pixels() {
-        PixelStudy study(runner_, trials_, with_few_shadow_rays(runner_, traits_, settings_),
-                         aim_.tolerance.value_or(1), traits_.sized_lights);
+        const RenderSettings lit = with_few_shadow_rays(runner_, trials_, traits_, settings_);
+        PixelStudy study(runner_, trials_, lit, aim_.tolerance.value_or(1), traits_.sized_lights);
         if (aim_.time)
             pixels_for_time(study);
         else

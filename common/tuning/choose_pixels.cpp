@@ -136,11 +136,17 @@ private:
 
 }  // namespace
 
-RenderSettings with_few_shadow_rays(const TrialRunner& runner, const SceneTraits& traits,
-                                    const RenderSettings& settings) {
-    const bool chosen = traits.sized_lights && !runner.aim().given.shadow_samples;
+RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
+                                    const SceneTraits& traits, const RenderSettings& settings) {
+    if (!traits.sized_lights || runner.aim().given.shadow_samples) return settings;
     constexpr std::size_t few_shapes = 24;
-    return chosen ? with_rays(settings, traits.shapes <= few_shapes ? 32 : 16) : settings;
+    constexpr std::size_t enough = 128;
+    const RenderSettings usual = with_rays(settings, traits.shapes <= few_shapes ? 32 : 16);
+    if (!runner.aim().time) return usual;
+    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+    const double seconds = runner.render_pixels(trials, usual, pixels, 0).seconds;
+    const bool is_long = runner.picture_seconds(seconds) > *runner.aim().time / 4;
+    return is_long ? with_rays(settings, 4) : usual;
 }
 
 Trial keep_tolerance_of_pixels(PixelStudy& study) {

@@ -13,8 +13,9 @@ namespace rt {
 /// each light from the only ray through a pixel, 4 from each of several, and twice as many in a
 /// scene of few shapes. Where a shaft (shaft.hpp) leaves few shapes in the way, they take hardly
 /// longer than one, and save rays through pixels. None stops early: rays that stop once a few agree
-/// would make the mean of a pixel wrong, however many go through it.
-[[nodiscard]] RenderSettings with_few_shadow_rays(const TrialRunner& runner,
+/// would make the mean of a pixel wrong, however many go through it. If the rays through the
+/// centers then took more than a quarter of the time given, it is 4 to each light.
+[[nodiscard]] RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
                                                   const SceneTraits& traits,
                                                   const RenderSettings& settings);
 

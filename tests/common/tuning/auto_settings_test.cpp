@@ -355,6 +355,20 @@ TEST_CASE("a time is filled by rays through pixels, beside edges first") {
     CHECK(much.expected.seconds == Approx(1000).epsilon(0.1));
 }
 
+TEST_CASE("a light with a size gets 32 rays, fewer among many shapes, and 4 if time is short") {
+    ModelScene model = soft(0.5);
+    model.edges = 0.1;
+    const auto rays = [&](const Aim& aim) {
+        return chosen(model, aim).expected.settings.shadow_samples;
+    };
+    CHECK(rays({.tolerance = 2}) == 32);
+    model.traits.shapes = 1000;
+    CHECK(rays({.tolerance = 2}) == 16);
+    model.ray_cost = 1e-5;  // 3 s for one ray through each pixel
+    CHECK(rays({.time = 1000}) == 16);
+    CHECK(rays({.time = 5}) == 4);
+}
+
 TEST_CASE("much time is filled down to an estimated error of half a level") {
     ModelScene model = plain();
     model.edges = 0.2;
