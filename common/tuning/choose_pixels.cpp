@@ -170,7 +170,9 @@ QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study)
         ladder.add(study.trial(with_pixel_error(study.settings(), error)));
         if (ladder.top().seconds > time) return ladder;
     }
-    if (ladder.top().error <= runner.limit()) return ladder;  // no better picture could be seen
+    // Estimated, not with confidence: a doubt would fill the time with rays that nobody sees.
+    constexpr double seen = 1;
+    if (study.outcome(ladder.top().settings, seen).beyond <= few_pixels) return ladder;
     // There is time for more than adaptive sampling can use: it does not find every edge.
     QualityLadder whole;
     for (int count = 64; count <= right_pixel_samples; count *= 2) {
