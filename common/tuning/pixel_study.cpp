@@ -50,6 +50,10 @@ double pixels_missed(double off, double range) {
     return 1 / (1 - std::pow(1 - std::min(part, 1.0), PixelHistory::fewest));
 }
 
+/// With N rays, the square of an error is N^(−1.5) on an edge, and about N^(−1.2) in a soft shadow.
+constexpr double fall = 1.5;
+constexpr double soft_fall = 1.2;
+
 }  // namespace
 
 PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings,
@@ -197,12 +201,18 @@ PixelStudy::TrialPixel PixelStudy::compared(Pixel place, PixelHistory history, i
     TrialPixel pixel{.place = place,
                      .contrast = contrast_around(place, 1),
                      .center_off = distance(center, right.mean)};
-    const bool few_rays = at_least == PixelHistory::fewest && history.steps.size() > 1;
-    if (few_rays) pixel.center_seen = pixels_missed(pixel.center_off, history.range);
+    // The ray through the center sends as many rays to a light as 4 of the others together. In a
+    // penumbra, the difference contains the errors of both.
+    const bool few_rays = at_least == PixelHistory::fewest;
+    if (soft_ && !few_rays)
+        pixel.center_off /= std::sqrt(1 + std::pow(4.0 / right.count, soft_fall));
+    if (few_rays && history.steps.size() > 1)
+        pixel.center_seen = pixels_missed(pixel.center_off, history.range);
     for (const PixelStep& step : history.steps) {
         // The right color contains the same rays, so that its difference from their mean is smaller
-        // than the error of that. With N rays, errors are N^(−3/4), those of soft shadows N^(−1/2).
-        const double others = 1 - std::pow(double(step.count) / right.count, soft_ ? 1.2 : 1.5);
+        // than the error of that.
+        const double others =
+            1 - std::pow(double(step.count) / right.count, soft_ ? soft_fall : fall);
         pixel.offs.push_back(others > 0 ? distance(step.mean, right.mean) / std::sqrt(others) : 0);
     }
     pixel.steps = std::move(history.steps);
