@@ -35,6 +35,7 @@ public:
     /// The settings to which those of rays through pixels are added.
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
     [[nodiscard]] double allowed() const { return allowed_; }
+    [[nodiscard]] bool soft() const { return soft_; }
 
     /// The rays through the centers of the picture's pixels, and through all trial pixels so far.
     [[nodiscard]] double center_rays() const { return centers_.rays * runner_.pixels(); }
