@@ -61,7 +61,8 @@ public:
 
 private:
     /// The share of the pixels that may be beyond the tolerance. A picture of 1,024 rays sends as
-    /// many to a light: of cornell_mirror.rt, 0.26 % of its own pixels are off by more than one level.
+    /// many to a light: of cornell_mirror.rt, 0.26 % of its own pixels are off by more than one
+    /// level.
     [[nodiscard]] static double allowed_share(const PixelStudy& study) {
         constexpr double noise = 0.0026;
         return study.soft() && study.allowed() < 2 ? few_pixels - noise : few_pixels;
