@@ -170,7 +170,7 @@ fi
 for _ in first second; do
     course 0 check 3
     says "$mine:"
-    says "warning: no previous declaration"
+    says "warning: no previous "  # declaration, or clang++: prototype
     says "anonymous namespace"
     says_not "is defined twice"
 done
