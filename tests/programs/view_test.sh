@@ -49,6 +49,22 @@ address=$(head -n 1 address)
 origin=${address%/*/}
 port=${origin##*:}
 
+# Programs are built for the page before anything is started, too.
+mkdir -p empty/steps
+ln -s "$project/scenes" empty/scenes
+echo "the compiler's words" > empty/compiler_says
+"$build/view_server" empty built 5 > nothing_started &
+other=$!
+tries=0
+until grep -qs http nothing_started || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
+tries=0
+until curl -s -m 20 "$(head -n 1 nothing_started)news?page=1&stage=5" | grep -q "the compiler's words"; do
+    [ $((tries += 1)) -lt 100 ] || { fail "programs are built with nothing started"; break; }
+    sleep 0.1
+done
+kill -INT $other
+wait $other
+
 # ---- access control
 
 # status WORDS…: the status that curl gets.

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -40,7 +41,7 @@ private:
 
     struct Stage {
         StageStatus news;
-        std::string built_from;
+        std::optional<std::string> built_from;  ///< nothing before the first build
         Clock::time_point asked;
     };
 
