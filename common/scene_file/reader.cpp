@@ -29,9 +29,10 @@ void check_is_text(std::string_view text, const SceneReport& report) {
         report.fail(1, 1, "text in UTF-16: expected UTF-8, as which an editor can save it");
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find('\n'));
-        const std::size_t zero = line.find('\0');
-        if (zero != std::string_view::npos) {
-            report.fail(number, static_cast<int>(zero) + 1, "a zero byte: expected text");
+        const auto zero = std::find(line.begin(), line.end(), '\0');
+        if (zero != line.end()) {
+            report.fail(number, static_cast<int>(zero - line.begin()) + 1,
+                        "a zero byte: expected text");
         }
         if (line.size() > longest_line) {
             report.fail(number, static_cast<int>(longest_line) + 1,
