@@ -1,25 +1,35 @@
 #!/bin/sh
-# Builds targets for another platform, and compares pictures with this machine's:
-#     sh tests/platforms/platform.sh PLATFORM [TARGET…]
+# Builds for another platform, runs the suites, and compares pictures with this machine's:
+#     sh tests/platforms/platform.sh PLATFORM         all that docs/reference/building.md says of it
+#     sh tests/platforms/platform.sh PLATFORM ci      a selection, in a minute or two
+#     sh tests/platforms/platform.sh PLATFORM TARGET…
 #
 #     libcxx     clang++ 16 with libc++, the compiler and the library of macOS; long double is double
 #     oldest     g++ 11, that of Ubuntu 22.04
 #     aarch64    a cross compiler of g++; its programs run in qemu
 #     windows    mingw-w64's g++; its programs run in wine
 #
-# Without a target: step05_triangle. `libcxx syntax` and `libcxx syntax all` run syntax.sh alone.
-# Targets step*_test_* are run, and the other step* draw their scene in both precisions; each
-# picture must have the bytes of ./build's, which this builds too.
+# `libcxx syntax` and `libcxx syntax all` run syntax.sh alone.
+# Targets *_test_* are run, and the other step* draw their scene in both precisions; each picture
+# must have the bytes of ./build's, which this builds too.
 # Debian's packages are unpacked in build/platforms, and nothing is installed, except for cross
 # compilers and emulators, which are named if they are missing.
+# shellcheck disable=SC2046  # no name has a blank
 set -eu
 platform=${1:-none}
 [ $# = 0 ] || shift
-[ $# != 0 ] || set -- step05_triangle
+what=${1:-all}
 root=$(CDPATH='' cd -- "$(dirname "$0")/../.." && pwd -P)
 tools=$root/build/platforms/tools
-build=$root/build/platforms/$platform
+build=build/platforms/$platform
+options=
+emulator=
+suffix=
+size=320x240
+scenes=  # those of the pictures, if not the stage's own
+also=  # commands after the suites and the pictures
 mkdir -p "$tools/packages"
+cd "$root"
 
 fail() {
     echo "error: $1" >&2
@@ -30,78 +40,134 @@ need() {
     command -v "$1" > /dev/null || [ -x "$1" ] || fail "$1 is missing: apt-get install $2" 2
 }
 
-# unpack PACKAGE…
-unpack() {
-    for package in "$@"; do
-        [ ! -e "$tools/packages/$package" ] || continue
-        (cd "$tools/packages" && apt-get -qq download "$package" 2> "$package.log" ||
-            { apt-get -qq update && apt-get -qq download "$package" 2> "$package.log"; }) ||
-            { cat "$tools/packages/$package.log" >&2; fail "$package cannot be downloaded: apt-get update" 2; }
-        dpkg -x "$tools/packages/$package"_*.deb "$tools"
-        : > "$tools/packages/$package"
+# shellcheck source=tests/platforms/libraries.sh
+. "$root/tests/platforms/libraries.sh"
+
+# stages: the programs of all stages
+stages() {
+    for stage in steps/step*; do
+        [ ! -d "$stage" ] || echo "${stage#*/}"
     done
 }
 
-# The headers of the libraries, and zlib and libpng from Debian's sources: libraries TARGET-TRIPLE
-libraries() {
-    unpack libglm-dev libcli11-dev catch2
-    mkdir -p "$tools/source/lists/partial" "$tools/source/parts" "$tools/$1"
-    cd "$tools/source"
-    if ! ls libpng*.tar.* zlib*.tar.* > /dev/null 2>&1; then
-        cat /etc/apt/sources.list.d/*.sources 2> /dev/null | sed 's/^Types:.*/Types: deb-src/' > parts/all.sources
-        sed -n 's/^deb /deb-src /p' /etc/apt/sources.list 2> /dev/null > parts/all.list || :
-        set -- "$1" -qq -o Dir::State::Lists="$PWD/lists" -o Dir::Etc::SourceList=/dev/null \
-            -o Dir::Etc::SourceParts="$PWD/parts" -o Dir::Cache::SrcPkgCache= -o Dir::Cache::PkgCache=
-        triple=$1
-        shift
-        apt-get "$@" update
-        apt-get "$@" source --download-only --tar-only libpng1.6 zlib
-        set -- "$triple"
-        for archive in libpng*.orig.tar.* zlib*.orig.tar.*; do tar -xf "$archive"; done
-    fi
-    if [ ! -e "$tools/$1/lib/libpng.a" ]; then
-        mkdir -p "$tools/$1/lib" "$tools/$1/include" "$tools/$1/objects"
-        cp zlib-*/zlib.h zlib-*/zconf.h libpng-*/png.h libpng-*/pngconf.h "$tools/$1/include"
-        cp libpng-*/scripts/pnglibconf.h.prebuilt "$tools/$1/include/pnglibconf.h"
-        for source in zlib-*/[a-fh-z]*.c libpng-*/png*.c; do
-            case $source in */pngtest.c) continue ;; esac
-            "$1-gcc" -O2 -DPNG_ARM_NEON_OPT=0 -I"$tools/$1/include" -c "$source" \
-                -o "$tools/$1/objects/$(basename "$source").o"
+# suites: those of all stages, in both precisions
+suites() {
+    for stage in $(stages); do
+        for suite in "$stage" "${stage}_trace"; do
+            [ ! -e "tests/suites/${suite}_test.cpp" ] && [ ! -d "tests/suites/$suite" ] ||
+                echo "${suite}_test_float ${suite}_test_double"
         done
-        (cd "$tools/$1/objects" && "$1-ar" rcs ../lib/libz.a [a-oq-z]*.o && "$1-ar" rcs ../lib/libpng.a p*.o)
-    fi
-    cd "$root"
-    set -- "$tools/$1"
-    options="$options -Dglm_DIR=$tools/usr/share/cmake/glm -DCLI11_DIR=$tools/usr/share/cmake/CLI11
-        -DCatch2_DIR=$tools/usr/lib/cmake/Catch2 -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON
-        -DPNG_PNG_INCLUDE_DIR=$1/include -DPNG_LIBRARY=$1/lib/libpng.a
-        -DZLIB_INCLUDE_DIR=$1/include -DZLIB_LIBRARY=$1/lib/libz.a -DRAYSTEPS_ANY_PROCESSOR=ON
-        -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"
+    done
 }
 
-options=
-emulator=
-suffix=
+# A student's stage 5, in a copy of the project.
+first_stage() {
+    ninja_here step05_triangle
+    sh tests/platforms/student.sh "$root" $options
+}
+
+# A student's way through stage 3, in a copy of the project.
+way() {
+    CXX=$tools/clang++ CXXFLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE LDFLAGS=$linker \
+        sh tests/programs/course_test.sh "$root"
+}
+
+# The page of `./course view` in Chromium, if that is installed.
+page() {
+    sh tests/programs/view_test.sh "$root/$build" "$root" || [ $? = 77 ]
+}
+
+# The tests of CMake.
+tests() {
+    ctest --test-dir "$build" --output-on-failure
+}
+
+# run SUITE: prints its last line, or everything if it fails
+run() {
+    $emulator "$build/$1$suffix" > "$build/$1.log" 2>&1 || { cat "$build/$1.log"; return 1; }
+    echo "$1: $(grep 'All tests passed' "$build/$1.log")"
+}
+
+# ninja_here TARGET: for this machine
+ninja_here() {
+    [ -e build/build.ninja ] || cmake -S . -B build -G Ninja
+    ninja -C build "$1"
+}
+
+# draw STAGE SCENE: the same bytes as this machine's
+draw() {
+    for precision in float double; do
+        drawing="scenes/$2.rt --size $size --precision $precision -o $build"
+        "build/$1" $drawing/here.png
+        $emulator "$build/$1$suffix" $drawing/there.png
+        cmp "$build/here.png" "$build/there.png" || return
+        echo "$2, $precision: $(md5sum < "$build/there.png")"
+    done
+}
+
+# The targets, by the platform's name and what is asked. In a selection, what another compiler or
+# library accepts is compiled without optimization, and what another processor or system does with it.
+case $platform-$what in
+    libcxx-all)
+        set -- $(stages) $(suites) hierarchy_test_float hierarchy_test_double \
+            mesh_reader_test_float mesh_reader_test_double course course_test view_server
+        also="first_stage way page"
+        ;;
+    libcxx-ci)
+        set --
+        also=first_stage
+        options=-DCMAKE_BUILD_TYPE=None
+        ;;
+    oldest-all)
+        set -- all
+        also=tests
+        ;;
+    oldest-ci)
+        set -- step13_meshes step05_triangle_test_double course
+        scenes="step05_triangle step12_mirror step13_meshes"
+        options=-DCMAKE_BUILD_TYPE=None
+        ;;
+    aarch64-all)
+        set -- step05_triangle step12_mirror step13_meshes step03_sphere_test_float \
+            step03_sphere_test_double step05_triangle_test_float step05_triangle_test_double \
+            hierarchy_test_float hierarchy_test_double mesh_reader_test_float mesh_reader_test_double
+        size=160x120
+        ;;
+    aarch64-ci)
+        set -- step13_meshes step03_sphere_test_float step05_triangle_test_double
+        scenes="step05_triangle step12_mirror step13_meshes"
+        ;;
+    windows-all) set -- $(stages) $(suites) ;;
+    windows-ci)
+        set -- step12_mirror step05_triangle_test_double
+        scenes="step05_triangle step12_mirror"
+        ;;
+esac
+if [ "$what" = ci ]; then
+    build=$build/ci
+    size=80x60
+fi
 case $platform in
     libcxx)
         unpack clang-16 libclang-cpp16 libllvm16 libclang-common-16-dev libc++-16-dev libc++1-16 \
             libc++abi-16-dev libc++abi1-16 libunwind-16 libunwind-16-dev
         llvm=$tools/usr/lib/llvm-16
+        linker=-Wl,-rpath,$llvm/lib
         cat > "$tools/clang++" << END
 #!/bin/sh
 LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu exec $llvm/bin/clang++ -stdlib=libc++ "\$@"
 END
         chmod +x "$tools/clang++"
-        [ "$1" != syntax ] || exec sh "$root/tests/platforms/syntax.sh" "$tools/clang++" ${2-}
-        # OpenMesh and Debian's Boost are made for libstdc++.
-        options="-DCMAKE_CXX_COMPILER=$tools/clang++ -DRAYSTEPS_ANY_PROCESSOR=ON
-            -DCMAKE_CXX_FLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE
-            -DCMAKE_EXE_LINKER_FLAGS=-Wl,-rpath,$llvm/lib
-            -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"
+        [ "$what" != syntax ] || exec sh tests/platforms/syntax.sh "$tools/clang++" "${2-}"
+        # Debian's Boost is too old for libc++ in C++20.
+        options="$options -DCMAKE_CXX_COMPILER=$tools/clang++ -DRAYSTEPS_ANY_PROCESSOR=ON
+            -DCMAKE_CXX_FLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE -DCMAKE_EXE_LINKER_FLAGS=$linker
+            -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"
+        openmesh_if_needed libcxx "$tools/clang++" "$@"
         ;;
     oldest)
-        unpack g++-11 gcc-11 gcc-11-base cpp-11 libstdc++-11-dev libgcc-11-dev
-        options="-DCMAKE_CXX_COMPILER=$tools/usr/bin/g++-11"
+        unpack g++-11 gcc-11 gcc-11-base cpp-11 libstdc++-11-dev libstdc++6 libgcc-11-dev
+        options="$options -DCMAKE_CXX_COMPILER=$tools/usr/bin/g++-11"
         ;;
     aarch64)
         need aarch64-linux-gnu-g++ g++-aarch64-linux-gnu
@@ -109,43 +175,41 @@ END
         emulator="qemu-aarch64-static -L /usr/aarch64-linux-gnu"
         options="-DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
             -DCMAKE_C_COMPILER=aarch64-linux-gnu-gcc -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++"
-        libraries aarch64-linux-gnu
+        headers
+        from_packages arm64 aarch64-linux-gnu
         ;;
     windows)
         need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
         need /usr/lib/wine/wine64 wine64
-        emulator="env WINEDEBUG=-all WINEPREFIX=$tools/wine WINEPATH=Z:$tools/bin /usr/lib/wine/wine64"
+        emulator="env WINEDEBUG=-all WINEPREFIX=$tools/wine /usr/lib/wine/wine64"
         suffix=.exe
         options="-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR=AMD64
             -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix
             -DCMAKE_CXX_COMPILER=x86_64-w64-mingw32-g++-posix
             -DCMAKE_RC_COMPILER=x86_64-w64-mingw32-windres -DCMAKE_EXE_LINKER_FLAGS=-static"
-        libraries x86_64-w64-mingw32
+        wine_folder /usr/lib/x86_64-linux-gnu/wine/x86_64-windows
+        headers
+        png_from_source x86_64-w64-mingw32
+        openmesh_if_needed x86_64-w64-mingw32 x86_64-w64-mingw32-g++-posix "$@"
         ;;
     *) fail "expected libcxx, oldest, aarch64 or windows, not \"$platform\"" 2 ;;
 esac
 
-cd "$root"
-# An archive of CMake's precompiled headers, or mold, may not fit another compiler.
-cmake -S . -B "$build" -G Ninja $options
-ninja -C "$build" "$@"
-
+if [ $# != 0 ]; then
+    cmake -S . -B "$build" -G Ninja $options
+    ninja -C "$build" "$@"
+fi
 failed=0
+[ "${1-}" != all ] || set -- $(stages)
 for target in "$@"; do
     case $target in
-        *_test_*) $emulator "$build/$target$suffix" || failed=1 ;;
+        *_test_*) run "$target" || failed=1 ;;
         step*)
-            ninja -C build "$target"
-            scene=scenes/$target.rt
-            for precision in float double; do
-                options="--size 320x240 --precision $precision -o"
-                "build/$target" "$scene" $options "$build/here.png"
-                $emulator "$build/$target$suffix" "$scene" $options "build/platforms/$platform/there.png"
-                cmp "$build/here.png" "$build/there.png" || failed=1
-                md5sum "$build/there.png"
-            done
+            ninja_here "$target"
+            for scene in ${scenes:-$target}; do draw "$target" "$scene" || failed=1; done
             ;;
     esac
 done
-[ $failed = 0 ] && echo "$platform: the same bytes"
+for part in $also; do "$part" || failed=1; done
+[ $failed != 0 ] || echo "$platform: passed, with the same bytes"
 exit $failed
