@@ -23,6 +23,7 @@ root=$(CDPATH='' cd -- "$(dirname "$0")/../.." && pwd -P)
 tools=$root/build/platforms/tools
 build=build/platforms/$platform
 options=
+linking=  # options of the linker
 emulator=
 suffix=
 size=320x240
@@ -63,12 +64,12 @@ suites() {
 # A student's stage 5, in a copy of the project.
 first_stage() {
     ninja_here step05_triangle
-    sh tests/platforms/student.sh "$root" $options
+    LDFLAGS=$linking sh tests/platforms/student.sh "$root" $options
 }
 
 # A student's way through stage 3, in a copy of the project.
 way() {
-    CXX=$tools/clang++ CXXFLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE LDFLAGS=$linker \
+    CXX=$tools/clang++ CXXFLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE LDFLAGS=$linking \
         sh tests/programs/course_test.sh "$root"
 }
 
@@ -77,9 +78,9 @@ page() {
     sh tests/programs/view_test.sh "$root/$build" "$root" || [ $? = 77 ]
 }
 
-# The tests of CMake.
+# The tests of CMake but the counts of this machine's compiler, and the pages as a site.
 tests() {
-    ctest --test-dir "$build" --output-on-failure
+    ctest --test-dir "$build" --output-on-failure -E '^(instruction_counts|book)$'
 }
 
 # run SUITE: prints its last line, or everything if it fails
@@ -97,6 +98,8 @@ ninja_here() {
 # draw STAGE SCENE: the same bytes as this machine's
 draw() {
     for precision in float double; do
+        # In float, the C library's sine, cosine or power differs in the last digit: a pixel differs by 1.
+        case $platform-$2-$precision in windows-step1[12]_*-float) continue ;; esac
         drawing="scenes/$2.rt --size $size --precision $precision -o $build"
         "build/$1" $drawing/here.png
         $emulator "$build/$1$suffix" $drawing/there.png
@@ -134,7 +137,7 @@ case $platform-$what in
         size=160x120
         ;;
     aarch64-ci)
-        set -- step13_meshes step03_sphere_test_float step05_triangle_test_double
+        set -- step13_meshes step03_sphere_test_float step05_triangle_test_float
         scenes="step05_triangle step12_mirror step13_meshes"
         ;;
     windows-all) set -- $(stages) $(suites) ;;
@@ -152,7 +155,7 @@ case $platform in
         unpack clang-16 libclang-cpp16 libllvm16 libclang-common-16-dev libc++-16-dev libc++1-16 \
             libc++abi-16-dev libc++abi1-16 libunwind-16 libunwind-16-dev
         llvm=$tools/usr/lib/llvm-16
-        linker=-Wl,-rpath,$llvm/lib
+        linking=-Wl,-rpath,$llvm/lib
         cat > "$tools/clang++" << END
 #!/bin/sh
 LD_LIBRARY_PATH=$tools/usr/lib/x86_64-linux-gnu exec $llvm/bin/clang++ -stdlib=libc++ "\$@"
@@ -161,7 +164,7 @@ END
         [ "$what" != syntax ] || exec sh tests/platforms/syntax.sh "$tools/clang++" "${2-}"
         # Debian's Boost is too old for libc++ in C++20.
         options="$options -DCMAKE_CXX_COMPILER=$tools/clang++ -DRAYSTEPS_ANY_PROCESSOR=ON
-            -DCMAKE_CXX_FLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE -DCMAKE_EXE_LINKER_FLAGS=$linker
+            -DCMAKE_CXX_FLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE
             -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"
         openmesh_if_needed libcxx "$tools/clang++" "$@"
         ;;
@@ -181,12 +184,15 @@ END
     windows)
         need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
         need /usr/lib/wine/wine64 wine64
+        need ld.lld lld
         emulator="env WINEDEBUG=-all WINEPREFIX=$tools/wine /usr/lib/wine/wine64"
         suffix=.exe
         options="-DCMAKE_SYSTEM_NAME=Windows -DCMAKE_SYSTEM_PROCESSOR=AMD64
             -DCMAKE_C_COMPILER=x86_64-w64-mingw32-gcc-posix
             -DCMAKE_CXX_COMPILER=x86_64-w64-mingw32-g++-posix
-            -DCMAKE_RC_COMPILER=x86_64-w64-mingw32-windres -DCMAKE_EXE_LINKER_FLAGS=-static"
+            -DCMAKE_RC_COMPILER=x86_64-w64-mingw32-windres"
+        linking="-static -B$tools/lld"
+        fast_linker
         wine_folder /usr/lib/x86_64-linux-gnu/wine/x86_64-windows
         headers
         png_from_source x86_64-w64-mingw32
@@ -196,7 +202,7 @@ END
 esac
 
 if [ $# != 0 ]; then
-    cmake -S . -B "$build" -G Ninja $options
+    LDFLAGS=$linking cmake -S . -B "$build" -G Ninja $options
     ninja -C "$build" "$@"
 fi
 failed=0
