@@ -108,6 +108,15 @@ draw() {
     done
 }
 
+# A hand-out for two kinds of processors, on the other one: stage 5 from the archives.
+handed_out() (
+    rm -rf "$build/handout"
+    ./course handout "$build/handout" --also aarch64 && cmake -S "$build/handout" -B "$build/handed_out" -G Ninja $options &&
+        ninja -C "$build/handed_out" step05_triangle step05_triangle_test_double || return
+    build=$build/handed_out
+    run step05_triangle_test_double && draw step05_triangle step05_triangle
+)
+
 # The targets, by the platform's name and what is asked. In a selection, what another compiler or
 # library accepts is compiled without optimization, and what another processor or system does with it.
 case $platform-$what in
@@ -135,6 +144,7 @@ case $platform-$what in
             step03_sphere_test_double step05_triangle_test_float step05_triangle_test_double \
             hierarchy_test_float hierarchy_test_double mesh_reader_test_float mesh_reader_test_double
         size=160x120
+        also=handed_out
         ;;
     aarch64-ci)
         set -- step13_meshes step03_sphere_test_float step05_triangle_test_float
