@@ -15,3 +15,9 @@ fail() {
 has_terminal() {
     script -qec true /dev/null < /dev/null > "$folder/terminal" 2>&1
 }
+
+# copy_project PROJECT: into the folder, without what is built, drawn, or a student's
+copy_project() {
+    (cd "$1" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
+        --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
+}

@@ -30,7 +30,7 @@ public:
     /// The settings contain those of rays to lights. `allowed` is the largest error of a pixel that
     /// keeps the tolerance. `soft` is whether a light has a size.
     PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed,
-               bool soft = false);
+               bool soft);
 
     /// The settings to which those of rays through pixels are added.
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }

@@ -11,8 +11,7 @@ stage=step05_triangle
 mine=steps/$stage/student/triangle.cpp
 server=
 trap 'kill $server 2> /dev/null; rm -rf "$folder"' EXIT
-(cd "$project" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
-    --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
+copy_project "$project"
 cd "$folder" || exit 1
 mkdir "steps/$stage/student"
 cp "steps/$stage/reference/triangle.cpp" $mine

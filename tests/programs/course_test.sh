@@ -5,8 +5,7 @@
 # parts are built there again, so that this is a part of .ci/run, and not of `./course test`.
 project=$1
 . "$(dirname "$0")/../lib.sh"
-(cd "$project" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
-    --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
+copy_project "$project"
 cd "$folder" || exit 1
 stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp

@@ -318,7 +318,7 @@ TEST_CASE("rare edges that the first trial pixels miss are traced when they are 
     model.edges = 1.0 / model.size.width;  // one column
     ModelTrials trials(model);
     TrialRunner runner(model.size, {.tolerance = 2}, going_on);
-    PixelStudy study(runner, trials, {}, 2);
+    PixelStudy study(runner, trials, {}, 2, false);
     study.begin(1);
     for (int times = 0; times < 8; ++times) {
         study.grow(2);
