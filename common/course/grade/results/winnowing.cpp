@@ -42,7 +42,7 @@ std::size_t end_of_text(std::string_view source, std::size_t at) {
     return std::min(at + 1, source.size());
 }
 
-std::size_t end_of_line(std::string_view source, std::size_t at) {
+std::size_t line_end(std::string_view source, std::size_t at) {
     while (at < source.size() && source[at] != '\n') at += source[at] == '\\' ? 2 : 1;
     return std::min(at, source.size());
 }
@@ -94,7 +94,7 @@ std::string normalized(std::string_view source) {
     for (std::size_t at = 0; at < source.size();) {
         const char each = source[at];
         if (source.substr(at).starts_with("//") || each == '#') {
-            at = end_of_line(source, at);
+            at = line_end(source, at);
         } else if (source.substr(at).starts_with("/*")) {
             at = after(source, "*/", at + 2);
         } else if (source.substr(at).starts_with("::")) {
