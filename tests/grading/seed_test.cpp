@@ -97,7 +97,7 @@ TEST_CASE("a graded suite reveals the seed in no message") {
     write_text(file, "00000000000d15ea\n");  // 857578
     const auto reported = [&](const std::string& variable) {
         (void)run_captured(
-            {"env", variable, std::string("RAYSTEPS_WORKER=") + RAYSTEPS_WRONG,
+            {"env", variable, "RAYSTEPS_WORKER=" RAYSTEPS_WRONG,
              "RAYSTEPS_REPORT=" + report.string(), RAYSTEPS_SUITE, "--out", "/dev/null"},
             std::chrono::seconds(60));
         return read_text(report);

@@ -69,6 +69,8 @@ function(raysteps_test name)
     target_link_libraries(${name}_test PRIVATE
         ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options)
     target_compile_definitions(${name}_test PRIVATE ${test_DEFINITIONS})
+    target_compile_options(${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_precompile_headers(${name}_test REUSE_FROM raysteps_kit_f64)
     if(test_NEEDS)
         add_dependencies(${name}_test ${test_NEEDS})
     endif()
