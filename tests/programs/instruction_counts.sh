@@ -4,7 +4,7 @@
 # The same scene is rendered by the first stage with all its features and by later stages, with more
 # features: area lights, mirrors, meshes. The number of executed instructions for the picture may
 # differ by 1 %. The instructions before the first pixel, such as for reading the options, are
-# subtracted: they are those for a picture of one pixel.
+# subtracted: they are those for a picture of one pixel of the stage's first scene here.
 # Needs valgrind; status 77 if it is not installed.
 build=$1
 scenes=$2/scenes
@@ -25,10 +25,11 @@ instructions() {
 # cost STAGE SCENE PRECISION: the instructions from the first pixel on. Each is counted once.
 cost() {
     kept=$1.$2.$3
+    start=$1.$3
+    [ -s "$start" ] || instructions "$1" "$2" "$3" 1x1 > "$start"
     [ -e "$kept" ] || {
         picture=$(instructions "$1" "$2" "$3" 64x48)
-        start=$(instructions "$1" "$2" "$3" 1x1)
-        [ -n "$picture" ] && [ -n "$start" ] && echo $((picture - start)) > "$kept"
+        [ -n "$picture" ] && [ -s "$start" ] && echo $((picture - $(cat "$start"))) > "$kept"
     }
     cat "$kept" 2> /dev/null
 }
