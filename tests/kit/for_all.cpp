@@ -12,11 +12,11 @@ namespace {
 thread_local bool is_drawing = false;
 
 /// Until the end of a scope, inputs are random.
-struct Drawing {
-    Drawing() { is_drawing = true; }
-    ~Drawing() { is_drawing = false; }
-    Drawing(const Drawing&) = delete;
-    Drawing& operator=(const Drawing&) = delete;
+struct DrawingInputs {
+    DrawingInputs() { is_drawing = true; }
+    ~DrawingInputs() { is_drawing = false; }
+    DrawingInputs(const DrawingInputs&) = delete;
+    DrawingInputs& operator=(const DrawingInputs&) = delete;
 };
 
 Verdict replay(const Property& property, const std::vector<double>& choices) {
@@ -60,7 +60,7 @@ bool is_drawn() {
 }
 
 Verdict for_all(const Property& property, int cases) {
-    const Drawing drawing;
+    const DrawingInputs until_the_end;
     for (int i = 0; i < cases; ++i) {
         Random random(draw_number(std::uint64_t(i)));
         if (property(random).holds) continue;
