@@ -88,8 +88,9 @@ set(step13_meshes_parts boxes oriented_boxes frames meshes scenes)
 
 # raysteps_stage_suite(<stage>)
 #
-# The suite of a stage, and the student's own tests: the chosen file, with the references of all
-# others. <stage>_context_f32 and _f64 are everything that such a program needs beside that file.
+# The suite of a stage, and the student's own tests: the chosen file, with the references of the
+# stages before it, so that a first check compiles no others. <stage>_context_f32 and _f64 are all that
+# a program needs beside that file if it calls any stage.
 # <stage>_suites_float and _double build this suite and that of `trace`; `./course check` waits for
 # the line that they print then.
 function(raysteps_stage_suite stage)
@@ -97,6 +98,15 @@ function(raysteps_stage_suite stage)
     list(REMOVE_ITEM others ${stage})
     list(TRANSFORM others APPEND _reference)
     raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
+    # Every picture calls stage 2, and light_points.cpp of the kit stage 11.
+    set(before step02_camera_basis_reference step11_soft_shadows_reference)
+    foreach(other IN LISTS others)
+        if(other STRLESS stage)
+            list(APPEND before ${other})
+        endif()
+    endforeach()
+    list(REMOVE_DUPLICATES before)
+    list(REMOVE_ITEM before ${stage}_reference)
 
     set(suite ${stage})
     if(DEFINED ${stage}_parts)
@@ -111,7 +121,7 @@ function(raysteps_stage_suite stage)
         set(sanitized SANITIZED_IN_DOUBLE)
     endif()
     raysteps_suite(${stage} ${sanitized} LABEL ${stage} SOURCES ${suite} ${own_tests}
-        STAGES ${stage} ${stage}_context)
+        STAGES ${stage} raysteps_common ${stage}_picture ${before})
     if(TARGET course)
         file(GLOB starter CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/*.cpp)
         list(FILTER starter EXCLUDE REGEX "/main\\.cpp$")
@@ -138,8 +148,8 @@ endfunction()
 
 # raysteps_trace_suite(<stage>)
 #
-# <stage>_trace_test_float and _double, in stage 1 and from stage 3 on: the chosen main.cpp, with the references of
-# all stages.
+# <stage>_trace_test_float and _double, in stage 1 and from stage 3 on: the chosen main.cpp, with the
+# references of its stage and of those before it.
 function(raysteps_trace_suite stage)
     set(suite suites/${stage}_trace_test.cpp)
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${suite})
@@ -148,7 +158,7 @@ function(raysteps_trace_suite stage)
     raysteps_collect(${stage}_trace_context
         raysteps_common raysteps_references ${stage}_picture_without_main)
     raysteps_suite(${stage}_trace ${sanitized} LABEL ${stage} SOURCES ${suite}
-        STAGES raysteps_common raysteps_references ${stage}_chosen_picture)
+        STAGES raysteps_common ${before} ${stage}_reference ${stage}_chosen_picture)
     if(TARGET course)
         raysteps_starter(${stage}_trace ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/main.cpp)
         raysteps_trace_contract(${stage})
