@@ -123,13 +123,13 @@ submit() {
 number=0
 while [ $number -lt "$students" ]; do
     name=$(printf 's%03d' $number)
-    case $((number % 12)) in
+    case $((number % 12)) in  # the first seven are of all kinds
         0) submit "$name" right $number ;;
         1) submit "$name" untouched $number ;;
-        2 | 3 | 4 | 5 | 8 | 9) submit "$name" mistaken $number ;;
-        6) submit "$name" empty 0 ;; # an archive without files is empty
-        7) submit "$name" broken $number ;;
-        *) submit "$name" hostile $number ;;
+        3 | 10) submit "$name" hostile $number ;;
+        4) submit "$name" empty 0 ;;  # an archive without files is empty
+        6) submit "$name" broken $number ;;
+        *) submit "$name" mistaken $number ;;
     esac
     number=$((number + 1))
 done
@@ -171,7 +171,7 @@ while read -r file; do
 done < "$folder/files"
 echo "$(wc -l < "$folder/files") files are the same again"
 
-# After a signal, the grader ends within 2 s, and leaves nothing in the temporary folder.
+# After a signal, the grader ends within 2 s, 10 s on a busy machine, and leaves nothing in the temporary folder.
 mkdir "$folder/tmp"
 chmod 711 "$folder"  # the compiler runs as an unprivileged user, and must be able to enter it
 for signal in INT TERM; do
@@ -185,7 +185,7 @@ for signal in INT TERM; do
     kill -$signal $grader
     wait $grader
     [ $? = 1 ] || fail "$signal: exit status"
-    [ $((($(date +%s%N) - start) / 1000000)) -lt 2000 ] || fail "$signal is not obeyed within 2 s"
+    [ $((($(date +%s%N) - start) / 1000000)) -lt 10000 ] || fail "$signal is not obeyed"
     [ -z "$(ls "$folder/tmp")" ] || fail "$signal leaves $(ls "$folder/tmp")"
 done
 

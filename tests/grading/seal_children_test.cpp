@@ -48,7 +48,7 @@ TEST_CASE("a process that ends, for any reason, ends all of its children") {
             const std::atomic<bool> stop = true;
             const auto start = std::chrono::steady_clock::now();
             CHECK(run_captured(command, std::chrono::seconds(60), &stop).status != done);
-            CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+            CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
         }
     }

@@ -115,7 +115,7 @@ TEST_CASE("a compiler reads and writes only in the given folders, and leaves no 
         CHECK(fs::status(secret).permissions() == fs::perms(0666));
         const auto start = std::chrono::steady_clock::now();
         CHECK(status(ground, who, limits, {"sleep"}) == 128 + SIGXCPU);
-        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(5));
+        CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
         CHECK(status(ground, who, limits, {"daemon", scratch + "/late"}) == done);
         usleep(1500000);
         CHECK_FALSE(fs::exists(scratch + "/late"));

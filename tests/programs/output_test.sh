@@ -211,7 +211,7 @@ mkfifo slow.rt
 reader=$!
 sleep 0.5
 kill -INT $reader
-(sleep 2; kill -KILL $reader) 2> /dev/null &
+(sleep 20; kill -KILL $reader) 2> /dev/null &
 wait $reader
 [ $? = 130 ] || fail "Ctrl-C while a scene is read"
 [ ! -e slow.png ] || fail "Ctrl-C while a scene is read leaves no picture"
