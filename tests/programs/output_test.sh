@@ -211,9 +211,11 @@ mkfifo slow.rt
 reader=$!
 sleep 0.5
 kill -INT $reader
-(sleep 20; kill -KILL $reader) 2> /dev/null &
+(sleep 20; kill -KILL $reader) > /dev/null 2>&1 &
+killer=$!
 wait $reader
 [ $? = 130 ] || fail "Ctrl-C while a scene is read"
+kill $killer
 [ ! -e slow.png ] || fail "Ctrl-C while a scene is read leaves no picture"
 
 # A system that cannot create threads makes the same picture. (Sanitizers need more memory.)
