@@ -9,6 +9,8 @@
 
 #include "common/scene/light.hpp"
 
+#include <algorithm>  // which takes as long to read as the rest, unless it is precompiled with it
+
 namespace rt {
 inline namespace RT_PRECISION {
 
