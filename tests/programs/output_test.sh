@@ -145,6 +145,7 @@ ln -s precious linked.png.part
 "$build/step03_sphere" neighbor.png.part -o neighbor.png --size 3x2 --quiet || fail "an odd name"
 "$build/step03_sphere" own.rt -o linked.png --size 3x2 --quiet || fail "a link beside it"
 cmp -s own.rt neighbor.png.part && cmp -s own.rt precious || fail "neighbors are as they were"
+rm neighbor.png.part linked.png.part
 
 # Without permission nothing is written; a write-protected picture stays.
 if [ "$(id -u)" != 0 ]; then
