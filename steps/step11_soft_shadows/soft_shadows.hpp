@@ -9,7 +9,7 @@
 
 #include "common/scene/light.hpp"
 
-#include <algorithm>  // which takes as long to read as the rest, unless it is precompiled with it
+#include <algorithm>  // precompiled with the contract, it halves the compile time of answers
 
 namespace rt {
 inline namespace RT_PRECISION {

@@ -171,7 +171,8 @@ while read -r file; do
 done < "$folder/files"
 echo "$(wc -l < "$folder/files") files are the same again"
 
-# After a signal, the grader ends within 2 s, 10 s on a busy machine, and leaves nothing in the temporary folder.
+# After a signal, the grader ends within 2 s, or 10 s on a busy machine, and leaves nothing in the
+# temporary folder.
 mkdir "$folder/tmp"
 chmod 711 "$folder"  # the compiler runs as an unprivileged user, and must be able to enter it
 for signal in INT TERM; do

@@ -89,8 +89,8 @@ set(step13_meshes_parts boxes oriented_boxes frames meshes scenes)
 # raysteps_stage_suite(<stage>)
 #
 # The suite of a stage, and the student's own tests: the chosen file, with the references of the
-# stages before it, so that a first check compiles no others. <stage>_context_f32 and _f64 are all that
-# a program needs beside that file if it calls any stage.
+# stages before it, so that a first check compiles no others. <stage>_context_f32 and _f64 are
+# everything that a program needs beside that file if it calls all stages.
 # <stage>_suites_float and _double build this suite and that of `trace`; `./course check` waits for
 # the line that they print then.
 function(raysteps_stage_suite stage)
