@@ -25,6 +25,7 @@
 #include <ctime>
 #include <functional>
 #include <thread>
+#include <utility>
 
 namespace rt {
 
@@ -58,12 +59,14 @@ bool is_built(const Workbook& workbook, const std::function<void()>& judge_doubl
     const std::string name(stage_name(workbook.stage()));
     const std::string in_double = name + "_suites_double";
     const std::string in_float = name + "_suites_float";
+    bool judged = false;
     const auto done = [&](const std::string& edge) {
-        if (edge == in_double) judge_double();
+        if (edge != in_double || std::exchange(judged, true)) return;
+        judge_double();
     };
     Build built{.succeeded = true};
     if (!std::filesystem::exists(build_folder / (name + "_test_float")))
-        built = try_build({in_double});
+        built = try_build({in_double}, done);
     if (built.succeeded) built = try_build({in_double, in_float, name + "_checked"}, done);
     if (!built.succeeded) std::fputs(first_error(built.output).c_str(), stdout);
     return built.succeeded;
