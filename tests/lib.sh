@@ -21,3 +21,29 @@ copy_project() {
     (cd "$1" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
         --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
 }
+
+# course STATUS WORDS…: runs ./course; its output is in the folder's file out, without the lines of a
+# build of more than 5 seconds, on a busy machine.
+course() {
+    expected=$1
+    shift
+    ./course "$@" > "$folder/all" 2>&1
+    came=$?
+    grep -v '^building: \|^\[[0-9]*/[0-9]*\] ./course: ' "$folder/all" > "$folder/out"
+    [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
+}
+
+# What the folder's file out says.
+says() { grep -qF -- "$1" "$folder/out" || fail "it says \"$1\""; }
+says_not() { ! grep -qF -- "$1" "$folder/out" || fail "it does not say \"$1\""; }
+
+# until_true SECONDS COMMAND…: waits for a condition; false if it is not met within that time
+until_true() {
+    tries=$(($1 * 20))
+    shift
+    until "$@" > /dev/null 2>&1; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.05
+    done
+}

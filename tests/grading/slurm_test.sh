@@ -22,17 +22,6 @@ done
 . "$(dirname "$0")/../lib.sh"
 chmod 755 "$folder"
 
-# Waits for a condition: until SECONDS COMMAND...
-until_true() {
-    tries=$(($1 * 5))
-    shift
-    while ! "$@" > /dev/null 2>&1; do
-        tries=$((tries - 1))
-        [ $tries -gt 0 ] || return 1
-        sleep 0.2
-    done
-}
-
 is_gone() { ! kill -0 "$1" 2> /dev/null; }
 end_daemon() {
     pid=$(cat "$folder/$1" 2> /dev/null) || return 0

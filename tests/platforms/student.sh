@@ -18,17 +18,6 @@ cp "steps/$stage/reference/triangle.cpp" $mine
 mkdir build
 cmake -S . -B build -G Ninja "$@" > out || { fail "it is configured"; exit 1; }
 
-# course STATUS WORDS…: runs it; its output is in the file out.
-course() {
-    expected=$1
-    shift
-    ./course "$@" > out 2>&1
-    came=$?
-    [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
-}
-
-says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
-
 course 0 check 5
 says "cases pass, in float and double"
 says "the same picture as the reference's"
@@ -38,14 +27,13 @@ cmp mine.png ours.png || fail "the same bytes as the project's build"
 
 ./course view 5 > address 2>&1 &
 server=$!
-tries=0
-until grep -qs '^http' address || [ $((tries += 1)) -gt 3000 ]; do sleep 0.1; done
+until_true 300 grep '^http' address
 address=$(sed -n 's/^\(http[^ ]*\).*/\1/p' address | head -n 1)
 # asked QUESTION FILE: as the page does
 asked() { curl -s -f -m 300 -o "$2" "$address$1"; }
 drawing="picture?stage=5&page=1&order=1&moved=0&shrink=4&precision=0&shade=0&term=0"
-tries=0
-until asked "news?page=1&stage=5" out && asked "$drawing&whose=1" ours.png || [ $((tries += 1)) -gt 3000 ]; do sleep 0.1; done
+drawn() { asked "news?page=1&stage=5" out && asked "$drawing&whose=1" ours.png; }
+until_true 300 drawn
 asked "$drawing&whose=0" mine.png || fail "view draws the student's picture"
 cmp mine.png ours.png || fail "view draws the reference's picture, the same"
 kill -INT $server

@@ -11,20 +11,6 @@ stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp
 trace=$stage/student/main.cpp
 
-# course STATUS WORDS…: runs it; its output is in the file out.
-course() {
-    expected=$1
-    shift
-    ./course "$@" > all 2>&1
-    came=$?
-    # A build of more than 5 seconds, on a busy machine, says how far it is.
-    grep -v '^building: \|^\[[0-9]*/[0-9]*\] ./course: ' all > out
-    [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
-}
-
-says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
-says_not() { ! grep -qF -- "$1" out || fail "it does not say \"$1\""; }
-
 # Answers without a build.
 course 2 check 3
 says "nothing is started yet: ./course start 3"
@@ -304,8 +290,7 @@ if command -v curl > /dev/null; then
     chmod +x fakes/*
     PATH=$PWD/fakes:$PATH build/course book > address 2> err &
     server=$!
-    tries=0
-    until grep -qs http address || [ $((tries += 1)) -gt 600 ]; do sleep 0.05; done
+    until_true 30 grep http address
     own=$(sed 's,build/book/index.html.*,own_,;q' address)
     none=0000000000000000 one=000000000000f03f
     question=0300$none$none$none$none${none}000000000000f0bf$none${none}00000000000014c0$one${none}000000000000f07f
@@ -373,16 +358,9 @@ says "std::optional<Real> intersect("
 cp $stage/reference/sphere.cpp $mine
 ./course watch 3 > watched 2>&1 &
 watcher=$!
-tries=0
-until grep -q "cases pass, in float and double" watched || [ $tries = 300 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+until_true 30 grep "cases pass, in float and double" watched
 printf 'int broken(\n' >> $mine
-until grep -q "^$mine:.*: error: " watched || [ $tries = 600 ]; do
-    sleep 0.1
-    tries=$((tries + 1))
-done
+until_true 30 grep "^$mine:.*: error: " watched
 kill $watcher
 cp watched out
 says "cases pass, in float and double"

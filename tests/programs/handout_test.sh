@@ -8,17 +8,6 @@ project=$1
 cd "$folder" || exit 1
 stage=steps/step03_sphere
 
-# course STATUS WORDS…: runs the student's; its output is in the file out.
-course() {
-    expected=$1
-    shift
-    ./course "$@" > "$folder/out" 2>&1
-    came=$?
-    [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
-}
-
-says() { grep -qF -- "$1" "$folder/out" || fail "it says \"$1\""; }
-
 # sealed FILE…: no hand-out contains a quarter of the characteristic lines of any of them: long
 # lines inside of a function.
 sealed() {

@@ -18,9 +18,6 @@ own() {
     [ $came = "$expected" ] || fail "own $*: the status is $expected, not $came"
 }
 
-says() { grep -qF -- "$1" out || fail "it says \"$1\""; }
-says_not() { ! grep -qF -- "$1" out || fail "it does not say \"$1\""; }
-
 mkdir -p course/steps course/renders
 ln -s "$project/common" "$project/scenes" "$project/docs" course
 for header in "$project"/steps/*/*.hpp "$project/steps/may_include.txt"; do

@@ -43,8 +43,7 @@ script() {
 
 TMPDIR=$folder/temporary "$build/view_server" project built 5 > address &
 server=$!
-tries=0
-until grep -qs http address || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
+until_true 5 grep http address
 address=$(head -n 1 address)
 origin=${address%/*/}
 port=${origin##*:}
@@ -55,13 +54,11 @@ ln -s "$project/scenes" empty/scenes
 echo "the compiler's words" > empty/compiler_says
 "$build/view_server" empty built 5 > nothing_started &
 other=$!
-tries=0
-until grep -qs http nothing_started || [ $((tries += 1)) -gt 100 ]; do sleep 0.05; done
-tries=0
-until curl -s -m 20 "$(head -n 1 nothing_started)news?page=1&stage=5" | grep -q "the compiler's words"; do
-    [ $((tries += 1)) -lt 100 ] || { fail "programs are built with nothing started"; break; }
-    sleep 0.1
-done
+until_true 5 grep http nothing_started
+built_for_nobody() {
+    curl -s -m 20 "$(head -n 1 nothing_started)news?page=1&stage=5" | grep "the compiler's words"
+}
+until_true 10 built_for_nobody || fail "programs are built with nothing started"
 kill -INT $other
 wait $other
 
@@ -127,17 +124,14 @@ python3 "$project/tests/programs/server_attacks.py" "$address" > out 2>&1 ||
 # What a program leaves running ends with it, and its picture does not wait for that.
 script 'sleep 301 & echo $! > left; exit 3'
 is "a program that leaves another" 422 "${address}picture?$drawing&whose=0"
-tries=0
-while ps -o stat= -p "$(cat left)" | grep -qv Z && [ $((tries += 1)) -le 100 ]; do sleep 0.05; done
-[ $tries -le 100 ] || fail "what a program leaves ends with it"
+left_ends() { ! ps -o stat= -p "$(cat left)" | grep -v Z; }
+until_true 5 left_ends || fail "what a program leaves ends with it"
 program step05_triangle "--shade normal"
 
 # A newer picture ends the older one, and its program, also if the older's request arrives last.
 endless='echo $$ > endless; sleep 301 & wait'
 began() {
-    tries=0
-    until [ -s endless ] || [ $((tries += 1)) -gt 200 ]; do sleep 0.05; done
-    [ -s endless ]
+    until_true 10 [ -s endless ]
 }
 script "$endless"
 curl -s -m 20 -o older_picture -w '%{http_code}' "${address}picture?$drawing&whose=0&order=2" > older &

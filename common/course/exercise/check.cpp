@@ -26,6 +26,7 @@
 #include <functional>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace rt {
 
@@ -54,20 +55,20 @@ struct Judged {
 
 /// Builds the suites in both precisions, and the program for the picture. Calls `judge_double` as
 /// soon as the suites in double are built, while the rest of the build goes on; the first time, the
-/// rest is large, and waits for it. Prints the first error, if there is one.
+/// rest is large, and waits for that. Prints the first error, if there is one.
 bool is_built(const Workbook& workbook, const std::function<void()>& judge_double) {
     const std::string name(stage_name(workbook.stage()));
     const std::string in_double = name + "_suites_double";
     const std::string in_float = name + "_suites_float";
-    bool judged = false;
     const auto done = [&](const std::string& edge) {
-        if (edge != in_double || std::exchange(judged, true)) return;
-        judge_double();
+        if (edge == in_double) judge_double();
     };
+    std::vector<std::string> targets = {in_double};
     Build built{.succeeded = true};
     if (!std::filesystem::exists(build_folder / (name + "_test_float")))
-        built = try_build({in_double}, done);
-    if (built.succeeded) built = try_build({in_double, in_float, name + "_checked"}, done);
+        built = try_build(std::exchange(targets, {}), done);
+    targets.insert(targets.end(), {in_float, name + "_checked"});
+    if (built.succeeded) built = try_build(targets, done);
     if (!built.succeeded) std::fputs(first_error(built.output).c_str(), stdout);
     return built.succeeded;
 }
