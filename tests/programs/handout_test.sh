@@ -85,7 +85,7 @@ seal() {
 cp -r old same && seal same
 cmp -s old/steps/handout.txt same/steps/handout.txt || fail "anybody can make a manifest"
 cp -r old new
-strip -R .comment "new/$stage/reference/$(uname -m)/f64.a"
+objcopy -R .comment "new/$stage/reference/$(uname -m)/f64.a"
 echo "Mended." >> new/docs/step05_triangle.md
 mkdir new/docs/more
 echo "More." > new/docs/more/page.md
