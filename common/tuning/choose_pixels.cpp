@@ -2,6 +2,7 @@
 
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/choose_samples.hpp"
+#include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
@@ -146,19 +147,44 @@ private:
     PixelStudy& study_;
 };
 
+/// Estimates the share of the penumbrae in all pixels that send rays to a light with a size. In a
+/// penumbra, other rays make another color. The share is infinite if no pixel sends any.
+double share_in_penumbrae(TrialRunner& runner, const Trials& trials,
+                          const RenderSettings& settings) {
+    constexpr std::size_t enough = 512;
+    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+    const TrialSample sample = runner.render_pixels(trials, settings, pixels, 1);
+    const std::vector<double> apart =
+        distances(sample, runner.render_pixels(trials, settings, pixels, 2));
+    const double visible = runner.limit() / 8;
+    int sending = 0;
+    int different = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (sample.light_rays[i] == 0) continue;
+        ++sending;
+        if (apart[i] > visible) ++different;
+    }
+    return double(different + 1) / double(sending);  // one more, which chance may have spared
+}
+
 }  // namespace
 
 RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
                                     const SceneTraits& traits, const RenderSettings& settings) {
     if (!traits.sized_lights || runner.aim().given.shadow_samples) return settings;
     constexpr std::size_t few_shapes = 24;
-    constexpr std::size_t enough = 128;
-    const RenderSettings usual = with_rays(settings, traits.shapes <= few_shapes ? 32 : 16);
-    if (!runner.aim().time) return usual;
-    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
-    const double seconds = runner.render_pixels(trials, usual, pixels, 0).seconds;
-    const bool is_long = runner.picture_seconds(seconds) > *runner.aim().time / 4;
-    return is_long ? with_rays(settings, 4) : usual;
+    const RenderSettings many = with_rays(settings, traits.shapes <= few_shapes ? 32 : 16);
+    if (runner.aim().time) {
+        constexpr std::size_t enough = 128;
+        const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+        const double seconds = runner.render_pixels(trials, many, pixels, 0).seconds;
+        const bool is_long = runner.picture_seconds(seconds) > *runner.aim().time / 4;
+        if (is_long) return with_rays(settings, 4);
+    }
+    const RenderSettings fewer = with_rays(settings, 16);
+    const double share = share_in_penumbrae(runner, trials, fewer);
+    if (share > 0.05) return many;
+    return share > 0.01 ? fewer : with_rays(settings, 8);
 }
 
 Trial keep_tolerance_of_pixels(PixelStudy& study) {

@@ -9,12 +9,13 @@
 
 namespace rt {
 
-/// Returns the settings with the rays to lights that are chosen with those through pixels: 16 to
-/// each light from the only ray through a pixel, 4 from each of several, and twice as many in a
-/// scene of few shapes. Where a shaft (shaft.hpp) leaves few shapes in the way, they take hardly
-/// longer than one, and save rays through pixels. None stops early: rays that stop once a few agree
-/// would make the mean of a pixel wrong, however many go through it. If the rays through the
-/// centers then took more than a quarter of the time given, it is 4 to each light.
+/// Returns the settings with the rays to lights that are chosen with those through pixels. The only
+/// ray through a pixel sends 8, 16 or 32 to each light: more if more of the pixels that a shape may
+/// shade are in a penumbra, and at most 16 in a scene of many shapes. Each of several rays sends a
+/// quarter of that. Where a shaft (shaft.hpp) leaves few shapes in the way, they take hardly longer
+/// than one, and save rays through pixels. None stops early: rays that stop once a few agree would
+/// make the mean of a pixel wrong, however many go through it. If the rays through the centers then
+/// took more than a quarter of the time given, it is 4 to each light.
 [[nodiscard]] RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
                                                   const SceneTraits& traits,
                                                   const RenderSettings& settings);

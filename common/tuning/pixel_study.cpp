@@ -92,8 +92,8 @@ bool PixelStudy::sort_more() {
 }
 
 std::size_t PixelStudy::stratum_of(Pixel pixel) const {
-    if (contrast_around(pixel, 0) > 8 * allowed_) return 0;
-    return contrast_around(pixel, 1) > allowed_ ? 1 : 2;
+    if (contrast_around(pixel, 1) <= allowed_) return 2;  // most pixels
+    return contrast_around(pixel, 0) > 8 * allowed_ ? 0 : 1;
 }
 
 int PixelStudy::contrast_around(Pixel pixel, int reach) const {

@@ -131,18 +131,37 @@ TEST_CASE("a time is filled by rays through pixels, beside edges first") {
     CHECK(much.expected.seconds == Approx(1000).epsilon(0.1));
 }
 
-TEST_CASE("a light with a size gets 32 rays, fewer among many shapes, and 4 if time is short") {
+TEST_CASE("a light with a size gets more rays, the more of what it shades is in a penumbra") {
+    const auto rays = [](double penumbra, std::size_t shapes) {
+        ModelScene model = soft(penumbra);
+        model.shadow = 0.5 - penumbra;
+        model.edges = 0.1;
+        model.traits.shapes = shapes;
+        return chosen(model, {.tolerance = 2}).expected.settings.shadow_samples;
+    };
+    CHECK(rays(0.5, 8) == 32);
+    CHECK(rays(0.05, 8) == 32);
+    CHECK(rays(0.015, 8) == 16);
+    CHECK(rays(0, 8) == 8);
+    CHECK(rays(0.5, 1000) == 16);
+    CHECK(rays(0, 1000) == 8);
+}
+
+TEST_CASE("a light with a size that shades nothing gets 32 rays, which it never sends") {
+    ModelScene model = soft(0);
+    model.edges = 0.1;
+    CHECK(chosen(model, {.tolerance = 2}).expected.settings.shadow_samples == 32);
+}
+
+TEST_CASE("a light with a size gets 4 rays if time is short") {
     ModelScene model = soft(0.5);
     model.edges = 0.1;
-    const auto rays = [&](const Aim& aim) {
-        return chosen(model, aim).expected.settings.shadow_samples;
-    };
-    CHECK(rays({.tolerance = 2}) == 32);
-    model.traits.shapes = 1000;
-    CHECK(rays({.tolerance = 2}) == 16);
     model.ray_cost = 1e-5;  // 3 s for one ray through each pixel
-    CHECK(rays({.time = 1000}) == 16);
-    CHECK(rays({.time = 5}) == 4);
+    const auto rays = [&](double seconds) {
+        return chosen(model, {.time = seconds}).expected.settings.shadow_samples;
+    };
+    CHECK(rays(1000) == 32);
+    CHECK(rays(5) == 4);
 }
 
 TEST_CASE("much time is filled down to an estimated error of half a level") {

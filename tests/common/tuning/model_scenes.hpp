@@ -20,7 +20,8 @@ struct ModelScene {
     SceneTraits traits;
     Resolution size{.width = 640, .height = 480};
     double penumbra = 0;  ///< the share of the pixels in one: those farthest to the left
-    double edges = 0;     ///< the share of the pixels on an edge: those farthest to the right
+    double shadow = 0;  ///< the share in full shadow, whose rays to lights are in vain: beside them
+    double edges = 0;   ///< the share of the pixels on an edge: those farthest to the right
     double lost = 0;  ///< the share of these that no ray through a center leads to: the upper ones
     double estimated = 1;  ///< the part of the error of rays that --pixel-error estimates
     bool thin_shadow =
@@ -63,22 +64,23 @@ inline int stopped_rays(double pixel_error) {
     return count;
 }
 
-/// The light rays of a pixel in a penumbra, or elsewhere, where nothing blocks the light.
-inline double light_rays(const RenderSettings& settings, bool in_penumbra) {
-    return in_penumbra ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
+/// The light rays of a pixel in a penumbra or shadow, or elsewhere, where nothing blocks the light.
+inline double light_rays(const RenderSettings& settings, bool shaded) {
+    return shaded ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
 }
 
 /// Seconds of a pixel.
-inline double cost_of(const ModelScene& model, const RenderSettings& settings, bool in_penumbra) {
+inline double cost_of(const ModelScene& model, const RenderSettings& settings, bool shaded) {
     const bool listed = model.traits.most_alike < model.pays_from;
     return model.ray_cost * (listed ? model.list_cost : model.hierarchy_cost) +
-           model.shadow_ray_cost * light_rays(settings, in_penumbra);
+           model.shadow_ray_cost * light_rays(settings, shaded);
 }
 
 /// The cost of the whole picture.
 inline double cost_of(const ModelScene& model, const RenderSettings& settings) {
-    return model.pixels() * (model.penumbra * cost_of(model, settings, true) +
-                             (1 - model.penumbra) * cost_of(model, settings, false));
+    const double shaded = model.penumbra + model.shadow;
+    return model.pixels() * (shaded * cost_of(model, settings, true) +
+                             (1 - shaded) * cost_of(model, settings, false));
 }
 
 /// Trials on a model scene, with a clock that is wrong by the model's noise.
@@ -98,13 +100,15 @@ public:
         TrialSample sample;
         for (const Pixel pixel : request.pixels) {
             const bool in_penumbra = pixel.column < model_.penumbra * model_.size.width;
+            const bool shaded =
+                pixel.column < (model_.penumbra + model_.shadow) * model_.size.width;
             const double edge = settings.pixel_samples;
             const double shade = shade_of(pixel, settings, request.round, in_penumbra) +
                                  edge_error(pixel, edge, request.round);
             sample.shades.push_back({shade, shade, shade});
-            sample.light_rays.push_back(int(std::lround(light_rays(settings, in_penumbra))));
-            sample.rays += edge + light_rays(settings, in_penumbra);
-            sample.seconds += cost_of(model_, settings, in_penumbra) + (edge - 1) * model_.ray_cost;
+            sample.light_rays.push_back(int(std::lround(light_rays(settings, shaded))));
+            sample.rays += edge + light_rays(settings, shaded);
+            sample.seconds += cost_of(model_, settings, shaded) + (edge - 1) * model_.ray_cost;
         }
         const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
         model_.asked += request.pixels.size();
