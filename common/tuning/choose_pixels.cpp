@@ -183,8 +183,8 @@ RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
     }
     const RenderSettings fewer = with_rays(settings, 16);
     const double share = share_in_penumbrae(runner, trials, fewer);
-    if (share > 0.05) return many;
-    return share > 0.01 ? fewer : with_rays(settings, 8);
+    if (share > 1. / 16) return many;
+    return share > 1. / 64 ? fewer : with_rays(settings, 8);
 }
 
 Trial keep_tolerance_of_pixels(PixelStudy& study) {
