@@ -2,7 +2,7 @@
 
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/choose_samples.hpp"
-#include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/penumbrae.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
@@ -146,26 +146,6 @@ private:
     RenderSettings settings_;
     PixelStudy& study_;
 };
-
-/// Estimates the share of the penumbrae in all pixels that send rays to a light with a size. In a
-/// penumbra, other rays make another color. The share is infinite if no pixel sends any.
-double share_in_penumbrae(TrialRunner& runner, const Trials& trials,
-                          const RenderSettings& settings) {
-    constexpr std::size_t enough = 512;
-    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
-    const TrialSample sample = runner.render_pixels(trials, settings, pixels, 1);
-    const std::vector<double> apart =
-        distances(sample, runner.render_pixels(trials, settings, pixels, 2));
-    const double visible = runner.limit() / 8;
-    int sending = 0;
-    int different = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (sample.light_rays[i] == 0) continue;
-        ++sending;
-        if (apart[i] > visible) ++different;
-    }
-    return double(different + 1) / double(sending);  // one more, which chance may have spared
-}
 
 }  // namespace
 

@@ -15,6 +15,11 @@ constexpr std::size_t fewest = 96;
 /// The largest number of draws, in each of which the cells are sampled once more.
 constexpr int most_draws = 16;
 
+/// A larger difference between colors with different shadow rays shows a penumbra.
+double visible(const TrialRunner& runner) {
+    return runner.limit() / 8;
+}
+
 class Scan {
 public:
     Scan(TrialRunner& runner, const Trials& trials, const RenderSettings& settings)
@@ -46,12 +51,11 @@ private:
                 some.push_back(pixels[i]);
                 places.push_back(i);
             }
-        const double visible = runner_.limit() / 8;
         const TrialSample one = runner_.render_pixels(trials_, with_rays(settings_, 1), some, 1);
         const TrialSample four = runner_.render_pixels(trials_, with_rays(settings_, 4), some, 2);
         const std::vector<double> apart = distances(one, four);
         for (std::size_t i = 0; i < places.size(); ++i)
-            if (apart[i] > visible) in_penumbra[places[i]] = true;
+            if (apart[i] > visible(runner_)) in_penumbra[places[i]] = true;
     }
 
     /// The cells that touch one of a different color where a shape may occlude a light: only there
@@ -97,6 +101,23 @@ private:
 Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials,
                          const RenderSettings& settings) {
     return Scan(runner, trials, settings).penumbrae();
+}
+
+double share_in_penumbrae(TrialRunner& runner, const Trials& trials,
+                          const RenderSettings& settings) {
+    constexpr std::size_t enough = 512;
+    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+    const TrialSample one = runner.render_pixels(trials, settings, pixels, 1);
+    const TrialSample other = runner.render_pixels(trials, settings, pixels, 2);
+    const std::vector<double> apart = distances(one, other);
+    int sending = 0;
+    int different = 1;  // one more, which chance may have spared
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (one.light_rays[i] == 0) continue;
+        ++sending;
+        if (apart[i] > visible(runner)) ++different;
+    }
+    return double(different) / double(sending);
 }
 
 }  // namespace rt

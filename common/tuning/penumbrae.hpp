@@ -23,4 +23,10 @@ struct Penumbrae {
 [[nodiscard]] Penumbrae find_penumbrae(TrialRunner& runner, const Trials& trials,
                                        const RenderSettings& settings);
 
+/// Estimates, from fewer pixels, which share of those that send rays to an area light is in a
+/// penumbra: the same settings with other shadow rays give another color. The share is rather too
+/// large than too small, and infinite if no pixel sends any.
+[[nodiscard]] double share_in_penumbrae(TrialRunner& runner, const Trials& trials,
+                                        const RenderSettings& settings);
+
 }  // namespace rt
