@@ -121,7 +121,6 @@ public:
     Grade grade(const Attack& attack) {
         const auto start = std::chrono::steady_clock::now();
         const GradedFile file = attack.file();
-        precompile(file);
         const double used = processor_time();
         const std::string text = replaced(replaced(attack.submission(), "@ROOT@", RAYSTEPS_ROOT),
                                           "@RESULTS@", results());
@@ -173,13 +172,6 @@ public:
     }
 
 private:
-    /// As in a class of two submissions or more.
-    void precompile(GradedFile file) {
-        const GradedFile first =
-            file.is_trace ? GradedFile(1, true) : file;  // one for all main.cpp
-        if (precompiled_.insert(name_of(first)).second) grade::precompile_header(workshop_, first);
-    }
-
     [[nodiscard]] fs::path object() const { return folder_ / "submission.o"; }
     [[nodiscard]] fs::path worker() const { return folder_ / "worker"; }
     [[nodiscard]] fs::path report() const { return folder_ / "report.txt"; }
@@ -189,7 +181,6 @@ private:
     TemporaryFolder temporary_;
     const fs::path& folder_ = temporary_.path();
     grade::BuildDirectory workshop_;
-    std::set<std::string> precompiled_;
 };
 
 std::string stage_file(const std::string& stage, const std::string& folder) {

@@ -9,7 +9,8 @@
 #                             the headers in steps/may_include.txt
 # seats/graded/<file>.txt     the functions of all contracts, and their status for that file
 # seats/<stage>.txt           the options for compiling a file of the stage, and for linking all of
-#                             it: one option per line
+#                             it, and with g++ the precompiled headers of its functions and of any
+#                             main.cpp: one per line
 #
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
@@ -40,6 +41,12 @@ function(raysteps_seat stage)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
         set(few_errors -ferror-limit=20)
     endif()
+    set(precompiled)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        set(precompiled "header $<TARGET_OBJECTS:${stage}_contract_f64>"
+            "main_header $<TARGET_OBJECTS:raysteps_main_contract_f64>")
+        add_dependencies(${stage}_seat ${stage}_contract_f64 raysteps_main_contract_f64)
+    endif()
     set(fast_linker $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>)
     set(definitions $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_DEFINITIONS>)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
@@ -52,7 +59,7 @@ function(raysteps_seat stage)
         "compile ${few_errors}"
         "compile -w"  # warnings are for the author of the file, not for the grader
         "compile -D$<JOIN:${definitions},\ncompile -D>"
-        ${headers}
+        ${headers} ${precompiled}
         "link -static"
         "link ${fast_linker}"
         "library -lpng" "library -lz")

@@ -34,8 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t headers_pay_from = 2;  // submissions
-
 std::atomic<bool> stop = false;
 
 void check_seal() {
@@ -148,18 +146,10 @@ void report_left_over(const fs::path& results, const std::vector<std::string>& l
     write_text(results / left_over_file, text);
 }
 
-void precompile_headers(const Order& order, const Grading& grading) {
-    std::vector<GradedFile> all{{1, true}};  // that of each main.cpp
-    all.insert(all.end(), grading.stages.begin(), grading.stages.end());
-    parallel_for(order.jobs, all.size(), &stop,
-                 [&](std::size_t i) { precompile_header(grading.workshop, all[i]); });
-}
-
-/// Compiles each reference alone; for few submissions only one, since a compile takes seconds: a
-/// compiler that cannot read its headers fails for all of them.
-void compile_references(const Order& order, const Grading& grading, std::size_t submissions) {
-    std::vector<int> stages(grading.stages.begin(), grading.stages.end());
-    if (submissions < headers_pay_from) stages.erase(stages.begin(), stages.end() - 1);
+/// Compiles each reference alone: a compiler that cannot read its headers fails for all
+/// submissions.
+void compile_references(const Order& order, const Grading& grading) {
+    const std::vector<int> stages(grading.stages.begin(), grading.stages.end());
     parallel_for(order.jobs, stages.size(), &stop,
                  [&](std::size_t i) { compile_reference(grading, stages[i]); });
 }
@@ -191,8 +181,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())
         report_left_over(order.results, found.left_over);
-    if (submissions.size() >= headers_pay_from) precompile_headers(order, grading);
-    compile_references(order, grading, submissions.size());
+    compile_references(order, grading);
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
     std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", submissions.size(),

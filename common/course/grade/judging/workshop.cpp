@@ -21,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-constexpr ToolLimits of_header{.megabytes = 256};
 // An honest file compiles in a second or two. With the limits of a first compile, a file that takes
 // all its time before an error would take it twice.
 constexpr ToolLimits of_second_compile{.processor_seconds = 5, .wall_seconds = 8};
@@ -56,8 +55,7 @@ fs::path headers_of(const BuildDirectory& workshop, GradedFile graded) {
     return workshop.folder / "headers" / name_of(graded);
 }
 
-/// The one that costs most to compile. All main.cpp share that of stage 1, whose precompiled form
-/// g++ recognizes by the content of each header.
+/// The one that costs most to compile. All main.cpp share that of stage 1.
 fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
     if (graded.is_trace) return headers_of(workshop, {1, true}) / "common/render/stage.hpp";
     return headers_of(workshop, graded) / stage_header(graded.stage);
@@ -164,6 +162,21 @@ void copy_headers(const fs::path& project, const BuildDirectory& workshop, Grade
     }
 }
 
+/// The precompiled header of a graded file, from the project's build, beside the header: g++ finds
+/// it there, and recognizes each header that it contains by the content. With it a file compiles in
+/// a third of the time. It is large, so it is a link where it can be one.
+void add_precompiled(const BuildDirectory& workshop, GradedFile graded) {
+    const Options options = read_options(workshop, graded.stage);
+    const auto made = options.find(graded.is_trace ? "main_header" : "header");
+    const fs::path place = precompiled(header_of(workshop, graded));
+    if (made == options.end() || fs::exists(place)) return;
+    fs::create_directories(place.parent_path());
+    std::error_code cannot;
+    fs::create_hard_link(made->second, place, cannot);
+    if (!cannot) fs::permissions(place, fs::perms(0644), cannot);  // not if it is another user's
+    if (cannot) fs::copy_file(made->second, place, fs::copy_options::overwrite_existing);
+}
+
 /// Moves the result of a sealed tool, which owns it. It is not copied: a process started meanwhile
 /// by another thread would keep the copy open, and a program that is open for writing cannot be
 /// run.
@@ -182,8 +195,10 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
         for (const GradedFile graded : files_of(stage))
-            if (fs::exists(folder / "seats/graded" / (name_of(graded) + ".txt")))
+            if (fs::exists(folder / "seats/graded" / (name_of(graded) + ".txt"))) {
                 copy_headers(project, workshop, graded);
+                add_precompiled(workshop, graded);
+            }
     // Copied to a place that the tool's user can read, whoever owns the build folder; and before
     // threads exist, since a program that a process started meanwhile keeps open cannot be run.
     if (fs::exists(build / "unpack")) {
@@ -197,20 +212,6 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
 
 void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
-}
-
-void precompile_header(const BuildDirectory& workshop, GradedFile graded) {
-    const TemporaryFolder scratch(workshop.folder);
-    const std::string header = header_of(workshop, graded).string();
-    const std::string made = scratch.path() / "header.gch";
-    Command compile = compiler(workshop, graded);
-    compile.insert(compile.end(), {"-x", "c++-header", header, "-o", made});
-    const ProcessResult ending =
-        run_sealed(workshop, scratch.path(), {headers_of(workshop, graded)}, compile, of_header);
-    if (ending.status != 0)
-        throw ProgramError("error: the headers of " + name_of(graded) +
-                           " do not compile in the sandbox\n" + ending.output);
-    take(made, precompiled(header), fs::perms(0644));
 }
 
 ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,

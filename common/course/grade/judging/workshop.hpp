@@ -35,10 +35,6 @@ void go_on(const BuildDirectory& workshop);
                                            const std::filesystem::path& build,
                                            const std::filesystem::path& folder);
 
-/// Precompiles the header of a graded file in the sandbox, which divides the compile time of each
-/// submission by three. Throws ProgramError.
-void precompile_header(const BuildDirectory& workshop, GradedFile graded);
-
 /// The result of a compile or a link.
 struct Build {
     bool succeeded = false;
