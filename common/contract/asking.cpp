@@ -4,9 +4,9 @@
 #include "common/system/descriptors.hpp"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -96,9 +96,10 @@ double Stopwatch::computed() {
     return computed_;
 }
 
-void Stopwatch::waits() {
+double Stopwatch::waits() {
     computed_when_looked_ = computed();
     looked_ = Clock::now();
+    return computed_ + slept_;
 }
 
 bool Stopwatch::is_due() const {
@@ -119,7 +120,10 @@ Worker::Worker(const std::string& program) : tickets_(std::random_device{}()) {
         throw CannotStart("no socket: " + std::string(std::strerror(errno)));
     for (const int end : sockets) prepare_socket(end);
     socket_ = sockets[0];
-    fcntl(socket_, F_SETFL, O_NONBLOCK);
+    // A call waits for the worker for this long, then the stopwatch is due.
+    const timeval between{.tv_sec = 0, .tv_usec = std::chrono::microseconds(between_looks).count()};
+    for (const int wait : {SO_RCVTIMEO, SO_SNDTIMEO})
+        setsockopt(socket_, SOL_SOCKET, wait, &between, sizeof between);
     // Its output is discarded: it may print for every query.
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -183,49 +187,42 @@ void Worker::it_has_ended() {
     }
 }
 
-void Worker::wait_until_ready(short event, Allowance allowance) {
+template <class Call>
+std::size_t Worker::transfer(Call call, Allowance allowance) {
     for (;;) {
-        pollfd ready{.fd = socket_, .events = event, .revents = 0};
         const bool is_due = stopwatch_.is_due();
-        const bool is_ready = poll(&ready, 1, is_due ? 0 : int(between_looks.count())) > 0;
-        if (is_due && !is_ready) stopwatch_.look();  // it may sleep after its answer
+        const ssize_t count = call(is_due ? MSG_DONTWAIT : 0);
+        const bool in_vain = count < 0 && (errno == EAGAIN || errno == EINTR);
+        if (count <= 0 && !in_vain) it_has_ended();
+        if (is_due && in_vain) stopwatch_.look();  // it may sleep after its answer
         if (is_due && stopwatch_.used() >= allowance.until)
             give_up("gave no answer within " + seconds_text(allowance.seconds) + " s");
-        if (is_ready) return;
+        if (!in_vain) return std::size_t(count);
     }
 }
 
-void Worker::send(const char* from, std::size_t count, Allowance allowance) {
-    while (count > 0) {
-        const ssize_t sent = ::send(socket_, from, count, send_without_signal);
-        if (sent > 0) {
-            from += sent;
-            count -= std::size_t(sent);
-        } else if (errno == EAGAIN) {
-            wait_until_ready(POLLOUT, allowance);
-        } else if (errno != EINTR) {
-            it_has_ended();
-        }
-    }
+void Worker::send(std::string_view bytes, Allowance allowance) {
+    while (!bytes.empty())
+        bytes.remove_prefix(transfer(
+            [&](int flags) {
+                return ::send(socket_, bytes.data(), bytes.size(), flags | send_without_signal);
+            },
+            allowance));
 }
 
 std::size_t Worker::receive(char* to, std::size_t most, Allowance allowance) {
-    for (;;) {
-        wait_until_ready(POLLIN, allowance);  // looking for the answer first is mostly too early
-        const ssize_t got = recv(socket_, to, most, 0);
-        if (got > 0) return std::size_t(got);
-        if (got == 0 || (errno != EINTR && errno != EAGAIN)) it_has_ended();
-    }
+    return transfer([&](int flags) { return recv(socket_, to, most, flags); }, allowance);
 }
 
-std::string Worker::ask(const std::string& question, double seconds) {
+std::string Worker::ask(const std::string& question, double seconds, double most) {
     if (!alive()) throw NoAnswer("has already ended");
-    stopwatch_.waits();
-    const Allowance allowance{.seconds = seconds, .until = stopwatch_.used() + seconds};
+    const double used = stopwatch_.waits();
+    if (used >= most) give_up("took too long");
+    const Allowance allowance{.seconds = seconds, .until = std::min(used + seconds, most)};
     const Frame asked{.size = question.size(), .ticket = tickets_()};
     std::string frame(reinterpret_cast<const char*>(&asked), sizeof asked);
     frame += question;
-    send(frame.data(), frame.size(), allowance);
+    send(frame, allowance);
 
     // Most answers are one piece.
     std::array<char, 4096> piece;

@@ -8,10 +8,12 @@
 
 #include <chrono>
 #include <ctime>
+#include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace rt::contract {
 
@@ -33,8 +35,8 @@ public:
     Stopwatch() = default;
     explicit Stopwatch(pid_t process);
 
-    /// Starts the wait for an answer: sleep counts only from here on.
-    void waits();
+    /// Starts the wait for an answer: sleep counts only from here on. Returns what was used before.
+    double waits();
 
     /// Until now, or until it was last there.
     [[nodiscard]] double computed();
@@ -65,9 +67,11 @@ public:
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    /// The bytes of the answer. Throws NoAnswer if it uses more than these seconds, by the
-    /// stopwatch, and then the process has been ended; or if the function has thrown an exception.
-    [[nodiscard]] std::string ask(const std::string& question, double seconds);
+    /// The bytes of the answer. Throws NoAnswer if the worker uses more than these seconds for it,
+    /// or more than `most` for all answers, by the stopwatch, and then the process has been ended;
+    /// or if the function has thrown an exception.
+    [[nodiscard]] std::string ask(const std::string& question, double seconds,
+                                  double most = std::numeric_limits<double>::infinity());
 
     /// Since it was started, whether it is still there or not.
     [[nodiscard]] double used() { return stopwatch_.used(); }
@@ -81,8 +85,11 @@ private:
         double until;
     };
 
-    void wait_until_ready(short event, Allowance allowance);
-    void send(const char* from, std::size_t count, Allowance allowance);
+    /// The bytes that the call, send() or recv() with these flags, has transferred: at least one.
+    /// Waits for the worker within its allowance.
+    template <class Call>
+    std::size_t transfer(Call call, Allowance allowance);
+    void send(std::string_view bytes, Allowance allowance);
     /// Reads the available bytes, at most `most`.
     std::size_t receive(char* to, std::size_t most, Allowance allowance);
     /// Ends the process, and throws NoAnswer for the reason.

@@ -9,8 +9,6 @@
 
 #include "common/scene/light.hpp"
 
-#include <algorithm>  // precompiled with the contract, it halves the compile time of answers
-
 namespace rt {
 inline namespace RT_PRECISION {
 

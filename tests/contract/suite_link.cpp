@@ -48,10 +48,7 @@ public:
         try {
             if (suite_left_ <= 0) throw NoAnswer(too_long_a_suite);
             if (!worker_) worker_ = std::make_unique<Worker>(program());
-            const double case_left = case_seconds - worker_->used();
-            const double suite_left = suite_left_ - worker_->used();
-            if (std::min(case_left, suite_left) <= 0) throw NoAnswer("");
-            return worker_->ask(question, std::min({answer_seconds, case_left, suite_left}));
+            return worker_->ask(question, answer_seconds, std::min(case_seconds, suite_left_));
         } catch (const NoAnswer& no_answer) {
             const double used = end_worker();
             gone_ = "Your code " +

@@ -80,8 +80,8 @@ TEST_CASE("the pictures of the three terms sum to the whole (CR §3.1)") {
     const Scene scene =
         load_scene(project_file("scenes/step09_phong.rt"), orthonormal_basis, {.strict = true});
     const auto ray_through = pixel_rays(scene.cameras.front(), scene.resolution);
-    for (Pixel pixel; pixel.row < scene.resolution.height; pixel.row += 24)
-        for (pixel.column = 0; pixel.column < scene.resolution.width; pixel.column += 24) {
+    for (Pixel pixel; pixel.row < scene.resolution.height; pixel.row += 48)
+        for (pixel.column = 0; pixel.column < scene.resolution.width; pixel.column += 48) {
             const Ray ray = ray_through(pixel);
             const Verdict sum =
                 gives("ambient + diffuse + specular of --pixel " + std::to_string(pixel.row) + "," +
