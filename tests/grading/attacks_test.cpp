@@ -256,6 +256,22 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
     unsetenv("RAYSTEPS_SEED_FILE");
 }
 
+TEST_CASE("a file that does not include its contract is refused, as it is by a check") {
+    Grader grader;
+    std::string text = content(stage_file("step03_sphere", "reference"));
+    const auto graded = [&] {
+        return grader.grade({.name = "file", .text = "// stage: step03_sphere\n" + text});
+    };
+    // In any order: <cmath> first, as some students write.
+    text = "#include <cmath>\n" + text;
+    CHECK(graded().compiled);
+    const std::string include = "#include \"steps/step03_sphere/sphere.hpp\"\n";
+    text.erase(text.find(include), include.size());
+    const Grade without = graded();
+    CHECK_FALSE(without.compiled);
+    CHECK(without.message.find("sphere.cpp:") != std::string::npos);
+}
+
 TEST_CASE("headers in another folder are accessible to a compiler, if all users may read them") {
     const TemporaryFolder folder;
     const TemporaryFolder place;

@@ -11,6 +11,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 
@@ -55,10 +56,15 @@ fs::path headers_of(const BuildDirectory& workshop, GradedFile graded) {
     return workshop.folder / "headers" / name_of(graded);
 }
 
-/// The one that costs most to compile. All main.cpp share that of stage 1.
+/// The one that costs most to compile.
+std::string main_header(GradedFile graded) {
+    return graded.is_trace ? "common/render/stage.hpp" : stage_header(graded.stage).string();
+}
+
+/// Its place. All main.cpp share that of stage 1.
 fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
-    if (graded.is_trace) return headers_of(workshop, {1, true}) / "common/render/stage.hpp";
-    return headers_of(workshop, graded) / stage_header(graded.stage);
+    return headers_of(workshop, graded.is_trace ? GradedFile(1, true) : graded) /
+           main_header(graded);
 }
 
 fs::path precompiled(const fs::path& header) {
@@ -259,10 +265,14 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
                           {headers_of(workshop, graded), precompiled(header_of(workshop, graded))},
                           command, limits);
     };
-    // The precompiled header works only as the first include, so it is included first. A file that
-    // does not compile this way is compiled unchanged.
+    // The precompiled header works only as the first include, so it is included first in a file
+    // that includes it somewhere. A file that does not compile this way is compiled unchanged.
     const fs::path header = header_of(workshop, graded);
-    const bool starts_from_it = fs::exists(precompiled(header));
+    const std::vector<Include> includes = includes_of(scratch.path() / source);
+    const bool starts_from_it =
+        fs::exists(precompiled(header)) &&
+        std::any_of(includes.begin(), includes.end(),
+                    [graded](const Include& each) { return each.header == main_header(graded); });
     ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{}, {});
     if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) {
         const ProcessResult unchanged = compile({}, of_second_compile);
