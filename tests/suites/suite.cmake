@@ -101,8 +101,8 @@ function(raysteps_stage_suite stage)
     list(REMOVE_ITEM others ${stage})
     list(TRANSFORM others APPEND _reference)
     raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
-    set(before ${others})  # and stage 2, which every picture calls, and 11, for light_points.cpp
-    list(FILTER before INCLUDE REGEX "^step(02|11)_")
+    set(before ${others})  # and stage 2, which every picture calls
+    list(FILTER before INCLUDE REGEX "^step02_")
     foreach(other IN LISTS others)
         if(other STRLESS stage AND NOT other IN_LIST before)
             list(APPEND before ${other})
