@@ -148,7 +148,7 @@ while [ "$kills" -gt 0 ]; do
     : > "$folder/log"
     grade "$folder/results" &
     grader=$!
-    until [ $((kills % 3)) = 0 ] || grep -q ' submissions, ' "$folder/log" ||
+    until [ $((kills % 3)) = 0 ] || grep -q ', seed ' "$folder/log" ||
         ! kill -0 $grader 2> /dev/null; do
         sleep 0.1
     done

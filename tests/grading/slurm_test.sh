@@ -115,7 +115,7 @@ submit() { # OPTION...: $job and $report are its numbers
 state() { scontrol show job "$1" | sed -n 's/^ *JobState=\([A-Z]*\).*/\1/p' | head -n 1; }
 is_in() { [ "$(state "$1")" = "$2" ]; }
 no_jobs() { [ -z "$(squeue -h)" ]; }
-judges() { grep -qs ' submissions, ' "$folder/results/slurm/$1.log"; }
+judges() { grep -qs ', seed ' "$folder/results/slurm/$1.log"; }
 wait_for_all() { until_true 900 no_jobs || fail "the jobs do not end"; }
 
 submit --stages $stages

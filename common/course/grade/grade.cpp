@@ -6,6 +6,7 @@
 #include "common/course/grade/reports/class_page.hpp"
 #include "common/course/grade/reports/feedback_page.hpp"
 #include "common/course/grade/reports/grade_book.hpp"
+#include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/reports/junit.hpp"
 #include "common/course/grade/results/term.hpp"
 #include "common/course/grade/sandbox/layers.hpp"
@@ -184,8 +185,9 @@ Outcome grade(const Order& order, const fs::path& folder) {
     compile_references(order, grading);
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
-    std::fprintf(stderr, "%zu submissions, %zu stages, seed %s\n", submissions.size(),
-                 grading.stages.size(), grading.seed.c_str());
+    std::fprintf(stderr, "%s, %s, seed %s\n",
+                 counted(int(submissions.size()), "submission").c_str(),
+                 counted(int(grading.stages.size()), "stage").c_str(), grading.seed.c_str());
     Progress progress(true, int(submissions.size()));
     std::atomic<bool> failed = false;
     parallel_for(order.jobs, submissions.size(), &stop, [&](std::size_t i) {

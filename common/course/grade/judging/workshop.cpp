@@ -22,8 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-// An honest file compiles in a second or two. With the limits of a first compile, a file that takes
-// all its time before an error would take it twice.
+// An honest file compiles in less than a second. With the limits of a first compile, a file that
+// takes all its time before an error would take it twice.
 constexpr ToolLimits of_second_compile{.processor_seconds = 5, .wall_seconds = 8};
 
 /// The compiler and linker options of a link kit, from seats/*.txt: a name and an option per line.
