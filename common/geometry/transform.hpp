@@ -1,6 +1,6 @@
-// Rigid transforms with a uniform scale, applied to shapes as values: the shape itself is
-// transformed, so that no cached quantity can be out of date (HAI). The file of each kind of shape
-// defines `transformed(shape, transform)`.
+// Rigid transforms and reflections with a uniform scale, applied to shapes as values: the shape
+// itself is transformed, so that no cached quantity can be out of date (HAI). The file of each kind
+// of shape defines `transformed(shape, transform)`.
 #pragma once
 
 #include "common/geometry/ray.hpp"
@@ -23,6 +23,13 @@ struct Transform {
 }  // namespace rt
 
 namespace rt {
+
+/// Returns whether the rotation is a reflection, as in a scene whose axes are left-handed: a
+/// triangle that was counterclockwise is clockwise then.
+[[nodiscard]] inline bool is_reflection(const Transform& transform) {
+    const auto& [x, y, z] = transform.rotation;
+    return dot(cross(x, y), z) < 0;
+}
 
 /// The direction rotated; its length does not change.
 [[nodiscard]] inline Vec3 rotated(Vec3 v, const Transform& transform) {

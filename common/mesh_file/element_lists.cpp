@@ -80,8 +80,7 @@ void read_face(std::string_view line, const MeshLines& lines, std::uint64_t vert
                          std::to_string(i));
         }
         if (*vertex < 0 || static_cast<std::uint64_t>(*vertex) >= vertices)
-            lines.refuse("vertex " + std::to_string(*vertex) + " is not there: expected 0 to " +
-                         std::to_string(vertices - 1));
+            lines.refuse(no_such_vertex(*vertex, vertices));
         face.emplace_back(static_cast<int>(*vertex));
     }
     importer.add_face(face);

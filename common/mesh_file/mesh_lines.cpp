@@ -111,16 +111,14 @@ std::optional<std::int64_t> take_whole_number(std::string_view& line) {
 }
 
 std::optional<float> float_number(std::string_view word) {
-    float value = 0;
-    const char* const last = word.data() + word.size();
-    const auto [end, error] = parse_floating(word, value);
-    if (error == std::errc() && end == last && std::isfinite(value)) return value;
+    const auto plain = whole_floating<float>(word);
+    if (plain && std::isfinite(*plain)) return plain;
     // It rejects "+1", and numbers near 0 that round to 0. (strtof also accepts "0x1p3".)
     constexpr std::string_view allowed = "0123456789+-.eE";
     if (word.find_first_not_of(allowed) != std::string_view::npos) return std::nullopt;
     const std::string text(word);
     char* rest = nullptr;
-    value = std::strtof(text.c_str(), &rest);
+    const float value = std::strtof(text.c_str(), &rest);
     if (text.empty() || rest != text.c_str() + text.size() || !std::isfinite(value))
         return std::nullopt;
     return value;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 namespace rt {
@@ -24,7 +23,7 @@ struct Numbered {
     /// index from 1.
     std::int64_t check(std::string_view word, const MeshLines& lines) {
         const auto number = whole_number(word);
-        if (!number || *number == 0 || *number > std::numeric_limits<int>::max()) {
+        if (!number || *number == 0) {
             lines.refuse(std::string("a corner's ") + what +
                          " must be a whole number, not zero, not " + quoted(word));
         }
@@ -41,9 +40,13 @@ struct Numbered {
 
     void check_largest(const std::string& file) const {
         if (largest <= count) return;
+        const std::string given = ", not \"" + std::to_string(largest) + "\"";
+        const std::string named = std::string("a corner's ") + what;
+        if (count == 0)
+            throw InputError({file, line_of_largest},
+                             named + " must be in the file, which has none" + given);
         throw InputError({file, line_of_largest},
-                         std::string("a corner's ") + what + " must be from 1 to " +
-                             std::to_string(count) + ", not \"" + std::to_string(largest) + "\"");
+                         named + " must be from 1 to " + std::to_string(count) + given);
     }
 };
 

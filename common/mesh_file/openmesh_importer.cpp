@@ -8,6 +8,12 @@
 
 namespace rt {
 
+std::string no_such_vertex(std::int64_t index, std::uint64_t count) {
+    const std::string start = "vertex " + std::to_string(index) + " is not there: ";
+    if (count == 0) return start + "the file has none";
+    return start + "expected 0 to " + std::to_string(count - 1);
+}
+
 namespace {
 
 glm::vec3 as_glm(const OpenMesh::Vec3f& v) {
@@ -43,8 +49,7 @@ std::uint32_t MeshImporter::checked(Vertex vertex) const {
     // As an unsigned number, the invalid index −1 is too large as well.
     const auto place = static_cast<std::uint32_t>(vertex.idx());
     if (place < mesh_.vertices.size()) return place;
-    throw MeshRefusal{"vertex " + std::to_string(vertex.idx()) + " is not there: expected 0 to " +
-                      std::to_string(mesh_.vertices.size() - 1)};
+    throw MeshRefusal{no_such_vertex(vertex.idx(), mesh_.vertices.size())};
 }
 
 void MeshImporter::set_normal(Vertex vertex, const OpenMesh::Vec3f& normal) {

@@ -20,6 +20,9 @@ struct MeshRefusal {
     std::string message;
 };
 
+/// The message for the index of a vertex, from 0, in a file of this many.
+[[nodiscard]] std::string no_such_vertex(std::int64_t index, std::uint64_t count);
+
 /// A receiver of vertices and faces that builds no half-edges. An edge of three faces, which
 /// half-edges cannot represent, is therefore accepted. Throws MeshRefusal.
 class MeshImporter final : public OpenMesh::IO::BaseImporter {

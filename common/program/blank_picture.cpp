@@ -19,16 +19,19 @@ namespace {
 /// A smaller picture may well have one color.
 constexpr std::size_t least_pixels = 16;
 constexpr Resolution trial_size{.width = 24, .height = 18};
+/// All rays of a larger picture would take as long as the picture.
+constexpr Resolution largest_tried{.width = 640, .height = 480};
 constexpr std::size_t most_cameras_tried = 16;
 
-/// The number of rays of a small picture that hit a shape.
-int hits(const Scene& scene, const Camera& camera, RenderSettings settings) {
+/// The number of rays of a picture of this size that hit a shape.
+int hits(const Scene& scene, const Camera& camera, RenderSettings settings,
+         Resolution size = trial_size) {
     settings.shading = Shading::normal;  // in this shading only missed pixels are black, or the sky
-    const PixelRays pixel_ray = pixel_rays(camera, trial_size);
+    const PixelRays pixel_ray = pixel_rays(camera, size);
     Context context{.settings = settings};
     int count = 0;
-    for (int row = 0; row < trial_size.height; ++row)
-        for (int column = 0; column < trial_size.width; ++column) {
+    for (int row = 0; row < size.height; ++row)
+        for (int column = 0; column < size.width; ++column) {
             context.pixel = {.row = row, .column = column};
             const Ray ray = pixel_ray(context.pixel);
             const Rgb color = to_rgb(trace(scene, ray, context));
@@ -87,6 +90,7 @@ std::string why_nothing_is_met(const Scene& scene, const RenderSettings& setting
     for (const Vec3& direction : other_directions(scene, camera.position)) {
         if (rounded(direction) == Vec3(0)) continue;
         tried.direction = unit(rounded(direction));
+        if (tried.direction == camera.direction) continue;
         const int count = hits(scene, tried, settings);
         if (count <= most) continue;
         most = count;
@@ -109,11 +113,15 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const std::string start = "all pixels have one color: ";
     if (count_shapes(scene) == 0)
         return start + "the scene has no shape; try a line such as \"sp 0,0,0 2 255,0,0\"";
-    if (hits(scene, scene.cameras.front(), settings) == 0)
+    const auto [width, height] = image.resolution;
+    const bool is_small = width <= largest_tried.width && height <= largest_tried.height;
+    if (hits(scene, scene.cameras.front(), settings, is_small ? image.resolution : trial_size) == 0)
         return start + why_nothing_is_met(scene, settings);
     const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
         return start + "there is no light; try lines A and L, or --shade normal";
+    if (lit && settings.term != PhongTerm::all)
+        return start + "--term shows one term of the light, and no shape in view has it";
     if (lit && pixels.front() == Rgb{0, 0, 0})
         return start +
                "shapes are in view, but no light reaches them, or that light is black; try "

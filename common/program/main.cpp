@@ -23,17 +23,32 @@
 namespace {
 
 constexpr int bad_input = 2;
-constexpr int interrupted = 130;  // the convention of shells: 128 + SIGINT
+constexpr int signalled = 128;  // the convention of shells: the status is this and the signal
 
 std::atomic<bool> stop = false;
+std::atomic<int> stopped_by = 0;
 std::atomic<bool> reading = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "a signal handler sets them");
 
 /// While the scene is read, the program exits at once: it has nothing to clean up, and may be in
 /// the middle of ten million triangles.
-void on_interrupt(int /*signal*/) {
-    if (reading) std::_Exit(interrupted);
+void on_stop(int signal) {
+    if (reading) std::_Exit(signalled + signal);
+    stopped_by = signal;
     stop = true;
+}
+
+/// So that a signal leaves no unfinished file.
+void catch_signals() {
+    std::signal(SIGINT, on_stop);
+    std::signal(SIGTERM, on_stop);
+#ifdef SIGHUP
+    if (std::signal(SIGHUP, on_stop) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // by nohup
+#endif
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that the program reports
+#endif
 }
 
 /// The time in which a scene is read, which an error ends, too.
@@ -128,16 +143,13 @@ int run_program(int argc, char** argv) {
     const bool done = chosen ? choose_and_run(program, *options, start, std::move(session))
                              : session->run(*options, nullptr, stop);
     if (options->requirements) explain_risks(*options);
-    return done ? 0 : interrupted;
+    return done ? 0 : signalled + stopped_by;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGINT, on_interrupt);
-#ifdef SIGXFSZ
-    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error that the program reports
-#endif
+    catch_signals();
     try {
         const int status = run_program(argc, argv);
         rt::finish_output();

@@ -5,6 +5,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/parse_floating.hpp"
 #include "common/tuning/choose_pixels.hpp"
 
 #include <CLI/CLI.hpp>
@@ -61,19 +62,21 @@ Pixel parse_pixel(const std::string& option, const std::string& text) {
     return {.row = (*pixel)[0], .column = (*pixel)[1]};
 }
 
-/// Adds an option whose value is a number from least to most; NaN is rejected.
+/// Adds an option whose value is a decimal number from least to most; NaN is rejected.
 template <class Use>
 void add_number(CLI::App& app, const std::string& name, double least, double most,
                 const std::string& help, const std::string& type, Use use) {
-    app.add_option_function<double>(
+    app.add_option_function<std::string>(
            name,
-           [=](double value) {
-               if (!(least <= value && value <= most)) {
+           [=](const std::string& word) {
+               const std::optional<double> value = whole_floating<double>(word);
+               if (!value || !(least <= *value && *value <= most)) {
                    std::ostringstream range;
-                   range << name << " must be a number from " << least << " to " << most;
+                   range << name << " must be a number from " << least << " to " << most << ", not "
+                         << quoted(word);
                    throw InputError({}, range.str());
                }
-               use(value);
+               use(*value);
            },
            help)
         ->type_name(type);

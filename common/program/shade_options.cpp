@@ -31,21 +31,16 @@ std::vector<Shading> shadings(int stage) {
 }
 
 std::array<double, 2> parse_range(const std::string& text) {
-    std::array<double, 2> ends{};
+    const std::string_view both(text);
     const std::size_t comma = std::min(text.find(','), text.size());
-    const auto is_number = [](std::string_view part, double& number) {
-        const auto [end, error] = parse_floating(part, number);
-        return error == std::errc() && end == part.data() + part.size();
-    };
-    const std::string_view low = std::string_view(text).substr(0, comma);
-    const std::string_view high = std::string_view(text).substr(std::min(comma + 1, text.size()));
-    if (!is_number(low, ends[0]) || !is_number(high, ends[1]) ||
-        !(least_shown <= ends[0] && ends[0] < ends[1] && ends[1] <= most_shown))
+    const auto low = whole_floating<double>(both.substr(0, comma));
+    const auto high = whole_floating<double>(both.substr(std::min(comma + 1, text.size())));
+    if (!low || !high || !(least_shown <= *low && *low < *high && *high <= most_shown))
         throw InputError({},
                          "--shade-range must be two numbers LOW,HIGH with 1e-30 <= LOW < HIGH <= "
                          "1e30, not " +
                              rt::quoted(text));
-    return ends;
+    return {*low, *high};
 }
 
 }  // namespace

@@ -148,6 +148,7 @@ void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
     mesh.placement.rotation = to_our_axes(
         reading.orthonormal_basis(fields.direction_option("dir", {0, 0, 1})), reading.axes);
     mesh.smooth = fields.choice("normals", {"smooth", "flat"}) == 0;
+    if (fields.is_left_out()) return;
     scene.mesh_requests.push_back(mesh);
 }
 

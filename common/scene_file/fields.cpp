@@ -33,14 +33,7 @@ Vec3 Fields::point(std::string_view field) {
 }
 
 Vec3 Fields::direction(std::string_view field) {
-    const Triple read = triple(field);
-    const auto found = unit_direction(read, field);
-    if (found) return to_our_axes(*found, axes_);
-    if (strict()) refuse_zero(read, field);
-    warn(joined(read.parts[0], read.parts[2]), "zero " + what(field),
-         what(field) + " is zero: expected a direction such as 0,1,0; the shape is left out");
-    left_out_ = true;
-    return {0, 0, 1};
+    return to_our_axes(direction_of(triple(field), field), axes_);
 }
 
 Vec3 Fields::camera_direction(std::string_view field) {
@@ -183,15 +176,16 @@ Fields::Triple Fields::triple_of(const std::array<Token, 3>& parts, std::string_
     return read;
 }
 
-void Fields::refuse_zero(const Triple& read, std::string_view field) const {
-    refuse(joined(read.parts[0], read.parts[2]),
-           what(field) + " must not be zero: expected a direction such as 0,1,0");
-}
-
 Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
     const auto found = unit_direction(read, field);
-    if (!found) refuse_zero(read, field);
-    return *found;
+    if (found) return *found;
+    const Token all = joined(read.parts[0], read.parts[2]);
+    const std::string expected = "expected a direction such as 0,1,0";
+    if (strict()) refuse(all, what(field) + " must not be zero: " + expected);
+    warn(all, "zero " + what(field),
+         what(field) + " is zero: " + expected + "; the shape is left out");
+    left_out_ = true;
+    return {0, 0, 1};
 }
 
 Real Fields::length_of(Token token, const std::string& name) {

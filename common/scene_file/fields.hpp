@@ -75,7 +75,7 @@ private:
     [[nodiscard]] Decimal decimal(Token token, const std::string& name);
     [[nodiscard]] Triple triple(std::string_view field);
     [[nodiscard]] Triple triple_of(const std::array<Token, 3>& parts, std::string_view field);
-    [[noreturn]] void refuse_zero(const Triple& triple, std::string_view field) const;
+    /// A unit direction in the file's axes. One that is zero leaves the shape out.
     [[nodiscard]] Vec3 direction_of(const Triple& triple, std::string_view field);
     [[nodiscard]] std::optional<Vec3> unit_direction(const Triple& triple, std::string_view field);
     [[nodiscard]] Real length_of(Token token, const std::string& name);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -44,6 +45,15 @@ std::from_chars_result parse_floating(std::string_view text, Number& value) {
 #else
     return parse_floating_in_c(text, value);
 #endif
+}
+
+/// The number that the whole text is; nothing if it is none, or out of range.
+template <std::floating_point Number>
+std::optional<Number> whole_floating(std::string_view text) {
+    Number value = 0;
+    const auto [end, error] = parse_floating(text, value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
 }
 
 }  // namespace rt

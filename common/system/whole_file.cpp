@@ -49,6 +49,23 @@ void remove_part(const fs::path& part) {
     fs::remove(part, not_there);
 }
 
+/// The folders of this path that do not exist, the innermost first. A link that leads nowhere does.
+std::vector<fs::path> missing_folders(fs::path folder) {
+    std::vector<fs::path> missing;
+    const auto is_missing = [](const fs::path& path) {
+        std::error_code none;
+        return fs::symlink_status(path, none).type() == fs::file_type::not_found;
+    };
+    for (; !folder.empty() && is_missing(folder); folder = folder.parent_path())
+        missing.push_back(folder);
+    return missing;
+}
+
+void remove_folders(const std::vector<fs::path>& folders) {
+    std::error_code not_empty;
+    for (const fs::path& each : folders) fs::remove(each, not_empty);
+}
+
 }  // namespace
 
 fs::path behind_links(const fs::path& file) {
@@ -64,15 +81,23 @@ fs::path behind_links(const fs::path& file) {
 
 WholeFile::WholeFile(const fs::path& file) : file_(file), target_(behind_links(file)) {
     const fs::path folder = target_.parent_path();
+    made_ = missing_folders(folder);
     std::error_code error;
     if (!folder.empty()) fs::create_directories(folder, error);
-    if (error) throw InputError({folder.string()}, "cannot be made: " + error.message());
-    stream_ = open_part(folder, file_, part_);
+    try {
+        if (error) throw InputError({folder.string()}, "cannot be made: " + error.message());
+        stream_ = open_part(folder, file_, part_);
+    } catch (const InputError&) {
+        remove_folders(made_);
+        throw;
+    }
 }
 
 WholeFile::~WholeFile() {
     if (stream_ != nullptr) std::fclose(stream_);
-    if (!part_.empty()) remove_part(part_);
+    if (part_.empty()) return;
+    remove_part(part_);
+    remove_folders(made_);
 }
 
 void WholeFile::write(std::string_view text) {

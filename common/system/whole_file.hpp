@@ -5,12 +5,13 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rt {
 
 /// A temporary file in the same folder as the target, renamed to it when it is complete. Its name
 /// is unique, so that several programs at once each write a complete file. The destructor removes
-/// it, whatever happens.
+/// it, whatever happens, and the folders that were made for it, unless it has its place.
 class WholeFile {
 public:
     /// Creates the folder if there is none. A symbolic link stays, and its target is written.
@@ -34,6 +35,7 @@ private:
     std::filesystem::path file_;    ///< path as given
     std::filesystem::path target_;  ///< path with symbolic links resolved
     std::filesystem::path part_;
+    std::vector<std::filesystem::path> made_;  ///< folders, the innermost first
     std::FILE* stream_ = nullptr;
 };
 

@@ -66,7 +66,8 @@ Vec3 normal(const MeshInstance& instance, const MeshHit& hit) {
 
 Vec3 geometric_normal(const MeshInstance& instance, const MeshHit& hit) {
     const Triangle triangle = triangle_of(instance, hit);
-    return normal(triangle, triangle.a);
+    const Vec3 of_corners = normal(triangle, triangle.a);
+    return is_reflection(instance.placement) ? -of_corners : of_corners;
 }
 
 }  // namespace rt

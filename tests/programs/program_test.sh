@@ -263,13 +263,35 @@ grep -q -- '--pixel' out || fail "--help lists the options"
 printf 'C 1e18,0,5 0,0,-1 60\nsp 1e18,0,0 2 255,0,0\npl 0,-1e18,0 0,1,0 9,9,9\n' > far.rt
 holds "coordinates of 1e18" "$build/step04_plane" far.rt -o far.png --size 32x24 --quiet 2> err
 
-# Ctrl-C: no file, status 130.
-"$build/step08_cone" -o long.png --size 8192x8192 --threads 1 > out 2> err &
+# Ctrl-C, and other requests to end: no file, and a status above 128.
+for signal in INT=130 TERM=143 HUP=129; do
+    "$build/step08_cone" -o long.png --size 8192x8192 --threads 1 > out 2> err &
+    process=$!
+    sleep 0.3
+    kill "-${signal%=*}" $process
+    wait $process
+    [ $? = "${signal#*=}" ] || fail "$signal"
+    [ ! -e long.png ] && [ -z "$(find . -name '*.part')" ] || fail "$signal leaves no file"
+done
+# While the picture is written, which takes a second for one color of this size: a whole file or none.
+printf 'C 0,0,5 0,0,-1 60\nsp 0,0,0 2 1,2,3\n' > one_color.rt
+"$build/step03_sphere" one_color.rt -o long.png --size 8192x8192 --quiet > out 2> err &
 process=$!
-sleep 0.3
-kill -INT $process
+until [ -n "$(find . -name '*.part')" ] || ! kill -0 $process 2> /dev/null; do sleep 0.05; done
+kill -TERM $process
 wait $process
-[ $? = 130 ] || fail "Ctrl-C ends with 130"
-[ ! -e long.png ] && [ -z "$(find . -name '*.part')" ] || fail "Ctrl-C leaves no file"
+[ -z "$(find . -name '*.part')" ] || fail "a request to end leaves no unfinished file"
+rm -f long.png
+
+# A failure leaves no folder that was made for the picture.
+"$build/step08_cone" -o made/for/.. > out 2> err && fail "a picture is no folder"
+[ ! -e made ] || fail "its folders are gone"
+ln -s nowhere link
+"$build/step08_cone" -o link/x.png > out 2> err && fail "a link that leads nowhere is no folder"
+[ -L link ] || fail "the user's link stays"
+
+# A number is decimal.
+"$build/step12_mirror" --tolerance 0x10 -o x.png > out 2> err
+[ $? = 2 ] && grep -qx 'error: --tolerance must be a number from .*, not "0x10"' err || fail "0x10"
 
 exit $failed

@@ -216,12 +216,14 @@ TEST_CASE("a camera whose direction is zero looks along an axis to most shapes, 
 TEST_CASE("a shape whose direction is zero is left out, with a warning") {
     for (const std::string line :
          {"pl 0,0,0 0,0,0 1,2,3", "sq 0,0,0 0,-0,0 1 1,2,3", "cy 0,0,0 0,0,0 1 1 1,2,3",
-          "co 0,0,0 0,0,0. 1 1 1,2,3", "box 0,0,0 0,0,0 1,1,1 1,2,3"}) {
+          "co 0,0,0 0,0,0. 1 1 1,2,3", "box 0,0,0 0,0,0 1,1,1 1,2,3",
+          "mesh a.off 0,0,0 1 1,2,3 dir:0,0,0"}) {
         const Lenient read = lenient(camera + line + "\nsp 0,0,0 1 1,2,3\n");
         REQUIRE(read.warnings.size() == 1);
         CHECK(read.warnings[0].ends_with(
             "is zero: expected a direction such as 0,1,0; the shape is left out"));
         CHECK(read.scene.spheres.size() == 1);
+        CHECK(read.scene.mesh_requests.empty());
         for_each_kind(read.scene,
                       []<class Shape>([[maybe_unused]] const PrimitiveList<Shape>& primitives) {
                           if constexpr (!std::is_same_v<Shape, Sphere>) CHECK(primitives.empty());

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A wall-clock limit as a fallback: compile, suite, diagnosis and picture of a stage, on an idle machine.
+// A wall-clock limit as a fallback: compile, suite, diagnosis and picture of a stage, on an idle
+// machine.
 constexpr std::chrono::seconds longest_asking{60};
 // A stage may take this many times as long as its reference took on this machine, under the same
 // load.
