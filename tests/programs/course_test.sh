@@ -66,12 +66,21 @@ says "✗ the closest of several spheres is seen"
 says "sp 0,0,-20 2 0,0,255"
 says_not "✗ a sphere that is alone"
 cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
+course 0
+says "changed since "
 course 0 check 3
 says "the same picture as the reference's"
+says "Next: ./course start 4"
 course 0 start 4
 next=steps/step04_plane/student/main.cpp
 [ "$(head -n 1 $next)" = "$(head -n 1 steps/step04_plane/starter/main.cpp)" ] || fail "its comment"
 grep -q min_element $next || fail "the student's trace goes on"
+# A main.cpp alone: the reference's functions are judged, and the grader has none.
+mv $mine moved
+course 0 check 3
+says "student/sphere.cpp: warning: it is missing, so that the reference's functions were judged"
+says "Next: ./course check 4"
+mv moved $mine
 rm -r steps/step04_plane/student $trace
 
 # Right, and then changed.

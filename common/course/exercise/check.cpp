@@ -192,10 +192,10 @@ void show_picture(int stage) {
     const std::filesystem::path mine = folder.path() / "mine.png";
     const ProcessResult ending = drawn(name + "_checked", mine, reference.resolution);
     if (ending.out_of_time || ending.status != 0) {
-        std::printf("\nno picture: the program %s\n", ending.out_of_time ? "does not end"
-                                                      : ending.crash.empty()
-                                                          ? ending.output.c_str()
-                                                          : ("crashed: " + ending.crash).c_str());
+        std::printf("\nno picture: %s\n", ending.out_of_time ? "the program does not end"
+                                          : ending.crash.empty()
+                                              ? ending.output.c_str()
+                                              : ("the program crashed: " + ending.crash).c_str());
         return;
     }
     Comparison comparison = compare(read_png(mine.string()), reference);
@@ -281,7 +281,8 @@ void show_end(const Judgment& judgment, int stage) {
         std::printf("%sStuck? ./course hint %d\n",
                     part.empty() ? "" : ("Write next: " + part + ". ").c_str(), stage);
     else if (stage < int(stage_names.size()))
-        std::printf("Next: ./course start %d\n", stage + 1);
+        std::printf("Next: ./course %s %d\n",
+                    Workbook(stage + 1).files().empty() ? "start" : "check", stage + 1);
 }
 
 }  // namespace

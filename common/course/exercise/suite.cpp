@@ -15,7 +15,7 @@ constexpr std::chrono::seconds suite_time_limit{10};  // the slowest suite takes
 /// The usual cause of the signal, as the end of a sentence.
 std::string meaning_of(const std::string& crash) {
     if (crash == "Segmentation fault")
-        return ". It read memory that is not its own: a null pointer, an index out of range, or a "
+        return ". It used memory that is not its own: a null pointer, an index out of range, or a "
                "function that calls itself without end";
     if (crash == "Aborted") return ". An assertion failed, or std::abort was called";
     if (crash == "Floating point exception") return ". A whole number was divided by 0";

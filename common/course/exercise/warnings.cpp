@@ -26,10 +26,16 @@ void show_refused_includes(const Workbook& workbook) {
                 each.header.c_str(), std::string(stage_name(stage)).c_str());
 }
 
-/// Warns of each source file that is linked here, but not when the stage is graded.
+/// Warns of each source file that is linked here, but not when the stage is graded; and if there is
+/// none but main.cpp, so that the reference was judged with it.
 void show_ungraded_files(const Workbook& workbook) {
     const int stage = workbook.stage();
     const std::string graded = stage_header(stage).stem().string() + ".cpp";
+    if (workbook.has_trace() && workbook.files().size() == 1)
+        std::printf(
+            "%s: warning: it is missing, so that the reference's functions were judged; graded "
+            "without it, they get no points\n",
+            step_path(stage, "student/" + graded).c_str());
     for (const std::filesystem::path& file : workbook.files())
         if (file.filename() != graded && file.filename() != trace_file)
             std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",

@@ -99,7 +99,10 @@ std::string Workbook::verdict() const {
     if (files().empty()) return "";
     if (record_.checked.empty()) return "not checked yet";
     if (state() != State::done && record_.passed == record_.cases) return "changed since it passed";
-    return std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases pass";
+    const std::string cases =
+        std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases";
+    const bool is_changed = record_.checked_files != fingerprint();
+    return is_changed ? "changed since " + cases + " passed" : cases + " pass";
 }
 
 std::string Workbook::summary() const {

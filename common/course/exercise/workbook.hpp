@@ -33,7 +33,8 @@ public:
     [[nodiscard]] State state() const;
     /// True if trace_file is among the files.
     [[nodiscard]] bool has_trace() const;
-    /// The last check: "17 of 21 cases pass", "changed since it passed"; empty if not started.
+    /// The last check: "17 of 21 cases pass", "changed since it passed", "changed since 17 of 21
+    /// cases passed"; empty if not started.
     [[nodiscard]] std::string verdict() const;
     /// The same with the number of hints.
     [[nodiscard]] std::string summary() const;
