@@ -117,15 +117,28 @@ const std::string& either(const LogRow& row) {
     return row.mine ? *row.mine : *row.reference;
 }
 
+/// In a section that both explanations have. A student's trace may do without one that explains
+/// itself, so that the other has a section more: it is named if nothing else differs.
 std::string first_difference(const std::vector<LogRow>& rows) {
     std::string heading;
+    bool is_common = true;
+    std::string in_one_only;
     for (const LogRow& row : rows) {
-        if (is_heading(row)) heading = either(row);
+        if (is_heading(row)) {
+            heading = either(row);
+            is_common = row.mine && row.reference;
+        }
         if (!row.differs) continue;
-        const std::string what = name(either(row));
-        return (what == verdict ? "the result" : what) + ", of " + heading;
+        if (is_common) {
+            if (is_heading(row)) return heading;
+            const std::string what = name(either(row));
+            return (what == verdict ? "the result" : what) + ", of " + heading;
+        }
+        if (in_one_only.empty())
+            in_one_only = heading + ", which only " +
+                          (row.mine ? "your explanation has" : "the reference's explanation has");
     }
-    return "";
+    return in_one_only;
 }
 
 }  // namespace

@@ -70,3 +70,16 @@ TEST_CASE("equal sections are left out, and the first difference has a name") {
           "\n"
           "The first difference: t, of B\n");
 }
+
+TEST_CASE("a section that only one explanation has is the first difference only if it is all") {
+    const std::string light = "The light at (1, 2, 3)\n  N = (0, 1, 0)\n";
+    const auto pixel = [](const char* color) {
+        return "The pixel\n  color = " + std::string(color) + "\n";
+    };
+    CHECK(compare_logs(pixel("0"), light + pixel("1")).first == "color, of The pixel");
+    CHECK(compare_logs(light + pixel("0"), pixel("1")).first == "color, of The pixel");
+    CHECK(compare_logs(pixel("1"), light + pixel("1")).first ==
+          "The light at (1, 2, 3), which only the reference's explanation has");
+    CHECK(compare_logs("The light at (1, 2, 4)\n  N = (0, 1, 0)\n", light).first ==
+          "The light at (1, 2, 4)");
+}
