@@ -120,9 +120,10 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
         return start + "there is no light; try lines A and L, or --shade normal";
-    if (lit && settings.term != PhongTerm::all)
+    const bool is_black = pixels.front() == Rgb{0, 0, 0};
+    if (lit && is_black && settings.term != PhongTerm::all)
         return start + "--term shows one term of the light, and no shape in view has it";
-    if (lit && pixels.front() == Rgb{0, 0, 0})
+    if (lit && is_black)
         return start +
                "shapes are in view, but no light reaches them, or that light is black; try "
                "a line L on the camera's side, or --shade normal";

@@ -51,6 +51,7 @@ blank "there is no light" "C 0,0,0 0,0,-1 60\n$ball"
 shows "C 0,0,0 0,0,-1 60\n$ball" --shade normal
 blank "no light reaches" "C 0,0,0 0,0,-1 60\nL 0,0,-9 1 255,255,255\n$ball"
 blank "--term shows one term" "C 0,0,0 0,0,-1 60\n$light$ball" --term specular
+blank "fills the picture" "C 0,0,0 0,0,-1 60\n${light}pl 0,0,-5 0,0,1 255,0,0\n" --term ambient
 blank "too small or too far away" "C 0,0,0 0,0,-1 60\n${light}sp 0.160375,-0.160375,-5 0.02 255,0,0\n"
 blank "more than white" \
     "C 0,0,0 0,0,-1 60\nA 1 255,255,255\nL 0,0,0 1 255,255,255\npl 0,0,-1 0,0,1 255,255,255\n"

@@ -56,15 +56,15 @@ fs::path headers_of(const BuildDirectory& workshop, GradedFile graded) {
     return workshop.folder / "headers" / name_of(graded);
 }
 
-/// The one that costs most to compile.
-std::string main_header(GradedFile graded) {
+/// The header that takes most of a file's compile time.
+std::string costliest_header(GradedFile graded) {
     return graded.is_trace ? "common/render/stage.hpp" : stage_header(graded.stage).string();
 }
 
 /// Its place. All main.cpp share that of stage 1.
 fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
     return headers_of(workshop, graded.is_trace ? GradedFile(1, true) : graded) /
-           main_header(graded);
+           costliest_header(graded);
 }
 
 fs::path precompiled(const fs::path& header) {
@@ -271,8 +271,9 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
     const std::vector<Include> includes = includes_of(scratch.path() / source);
     const bool starts_from_it =
         fs::exists(precompiled(header)) &&
-        std::any_of(includes.begin(), includes.end(),
-                    [graded](const Include& each) { return each.header == main_header(graded); });
+        std::any_of(includes.begin(), includes.end(), [graded](const Include& each) {
+            return each.header == costliest_header(graded);
+        });
     ProcessResult compiled = compile(starts_from_it ? Command{"-include", header} : Command{}, {});
     if (starts_from_it && compiled.status != 0 && !is_bomb(compiled)) {
         const ProcessResult unchanged = compile({}, of_second_compile);
