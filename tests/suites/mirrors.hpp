@@ -95,6 +95,39 @@ inline Verdict mirrors_show_soft_shadows() {
         {26, 0, 0}, {.shadow_samples = 256}, 10);
 }
 
+/// A reflection is black if its weight in the pixel, the product of the shares of all mirrors on
+/// its way, is less than 1/512. The mirrors' own color is black, so the pixel has the weight as
+/// color.
+inline Verdict weak_reflections_are_black() {
+    const std::string bright = "A 1 255,255,255\n";
+    const auto mirror = [](const std::string& plane, const std::string& share) {
+        return "pl " + plane + " 0,0,0 mirror:" + share + "\n";
+    };
+    const auto sees = [](const std::string& scene, Real weight) {
+        return gives(told_of_pixel("the color of the only pixel, of 1", scene),
+                     seen_unrounded(scene), Color(weight));
+    };
+    const auto in_one = [&](const std::string& share, Real weight) {
+        return sees(bright + mirror("0,0,-4 0,0,1", share) + "pl 0,0,6 0,0,-1 255,255,255\n",
+                    weight);
+    };
+    // Down at the first, and at the second to the left.
+    const auto in_two = [&](const std::string& first, const std::string& second, Real weight) {
+        return sees(bright + mirror("0,0,-4 0,-0.70710678,0.70710678", first) +
+                        mirror("0,-5,0 -0.70710678,0.70710678,0", second) +
+                        "pl -7,0,0 1,0,0 255,255,255\n",
+                    weight);
+    };
+    Verdict all;
+    keep_first(all, in_two("0.0025", "1", Real(0.0025)));
+    keep_first(all, in_two("0.0015", "1", 0));
+    keep_first(all, in_one("0.0025", Real(0.0025)));
+    keep_first(all, in_one("0.0015", 0));
+    keep_first(all, in_two("0.05", "0.05", Real(0.0025)));
+    keep_first(all, in_two("0.04", "0.04", 0));
+    return all;
+}
+
 /// The sky is seen in a mirror, and --depth is the largest number of reflections.
 inline Verdict reflections_end() {
     const std::string two =

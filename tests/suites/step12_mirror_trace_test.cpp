@@ -165,6 +165,11 @@ TEST_CASE("the option --depth is the largest number of reflections (CR §5.1)") 
     CHECK(reflections_end());
 }
 
+TEST_CASE(
+    "a reflection of a weight below 1/512 is black, however many mirrors made it (contract)") {
+    CHECK(weak_reflections_are_black());
+}
+
 TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }

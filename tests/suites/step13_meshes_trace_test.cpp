@@ -152,6 +152,7 @@ TEST_CASE("mirrors are as in stage 12 (CR §5.1)") {
     CHECK(mirrors_show_what_is_close());
     CHECK(mirrors_show_soft_shadows());
     CHECK(reflections_end());
+    CHECK(weak_reflections_are_black());
 }
 
 TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §3.2)") {

@@ -327,6 +327,20 @@ TEST_CASE("a shape close to the surface casts a shadow at any scale (CR §3.2, e
         2000));
 }
 
+TEST_CASE("a shape close to the light casts a shadow at any scale (CR §3.2, erratum 31)") {
+    CHECK(for_all([](Random& random) {
+        // From 0.9995 of the way to the light: no right answer ends before it.
+        const Real scale = scales[random.below(5)];
+        ShadingPoint surface = draw_surface(random, scale * random.point(1));
+        surface.error = 16 * unit_roundoff * scale;
+        const Real far = scale * random.between(1, 8);
+        const Vec3 way = far * draw_leaving(random, surface.geometric_normal, Real(0.1));
+        const Sphere ball{.center = surface.point + Real(0.9997) * way,
+                          .radius = Real(0.0002) * far};
+        return in_the_way(surface, surface.point + way, ball);
+    }));
+}
+
 TEST_CASE("the offset is no more than a little: ten errors above, all is met (contract)") {
     CHECK(for_all([](Random& random) {
         const auto [surface, plane] = draw_off_surface(random, 0);
