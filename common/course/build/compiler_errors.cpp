@@ -13,6 +13,7 @@ using Lines = std::vector<std::string>;
 /// "…/steps/step05_triangle/student/triangle.cpp:12:5: error: …", wherever the project is.
 const std::regex diagnostic(R"(([^:]+):(\d+):(\d+): (fatal error|error|warning|note): (.*))");
 const std::regex students_file(R"((?:^|.*/)(steps/step\w+/student/[^:]+))");
+const std::regex projects_file(R"((?:^|.*/)((?:steps|common)/[^:]+))");
 /// A place that the compiler lists in the context of an error: "in instantiation of …".
 const std::regex mention(R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))");
 const std::regex undefined(R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)");
@@ -23,30 +24,32 @@ const std::regex duplicate(
 const std::regex students_object(
     R"((steps/step\w+)/CMakeFiles/\w+_student_(?:main_)?f\d+\.dir/(student/[^:]+)\.o\b)");
 
-/// The path of a student's file, relative to the project's folder; empty for any other file.
-std::string own(const std::string& file) {
+/// The diagnostic in line i, with the source lines and carets that follow it, and with the path
+/// relative to the project's folder; empty if it is of another kind or no such file's. Sets i to
+/// the line after it.
+std::string diagnostic_at(std::size_t& i, const Lines& lines, const std::string& kind,
+                          const std::regex& files) {
     std::smatch match;
-    return std::regex_match(file, match, students_file) ? match[1].str() : "";
-}
-
-/// The source lines and carets that follow a diagnostic.
-std::string shown_after(const Lines& lines, std::size_t i) {
-    std::string text;
+    if (i >= lines.size() || !std::regex_match(lines[i], match, diagnostic)) return "";
+    if (match[4].str().find(kind) == std::string::npos) return "";
+    const std::string file = match[1].str();
+    std::smatch path;
+    if (!std::regex_match(file, path, files)) return "";
+    std::string text = path[1].str() + ":" + match[2].str() + ":" + match[3].str() + ": " + kind +
+                       ": " + match[5].str();
     for (++i; i < lines.size() && !lines[i].empty() && lines[i].front() == ' '; ++i)
         text += "\n" + lines[i];
     return text;
 }
 
-/// The first diagnostic of this kind in a student's file.
+/// The first diagnostic of this kind in a student's file, with the first note that belongs to it:
+/// the header to include, or the function that was called.
 std::string first(const Lines& lines, const std::string& kind) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        std::smatch match;
-        if (!std::regex_match(lines[i], match, diagnostic)) continue;
-        if (match[4].str().find(kind) == std::string::npos) continue;
-        const std::string file = own(match[1].str());
-        if (file.empty()) continue;
-        return file + ":" + match[2].str() + ":" + match[3].str() + ": " + kind + ": " +
-               match[5].str() + shown_after(lines, i);
+        const std::string found = diagnostic_at(i, lines, kind, students_file);
+        if (found.empty()) continue;
+        const std::string note = diagnostic_at(i, lines, "note", projects_file);
+        return found + (note.empty() ? "" : "\n" + note);
     }
     return "";
 }

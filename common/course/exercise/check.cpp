@@ -270,6 +270,11 @@ void remember(const Judgment& judgment, const std::string& files, Workbook& work
     workbook.remember(record);
 }
 
+/// Returns whether the part is one to write, not what the others do together.
+bool is_written(const std::string& part) {
+    return !part.empty() && part != "together";
+}
+
 void show_end(const Judgment& judgment, int stage) {
     const std::string passed =
         count(judgment.passed(), judgment.outcomes.size(),
@@ -279,7 +284,7 @@ void show_end(const Judgment& judgment, int stage) {
     const std::string part = first_wrong_part(judgment.outcomes);
     if (!judgment.right())
         std::printf("%sStuck? ./course hint %d\n",
-                    part.empty() ? "" : ("Write next: " + part + ". ").c_str(), stage);
+                    is_written(part) ? ("Write next: " + part + ". ").c_str() : "", stage);
     else if (stage < int(stage_names.size()))
         std::printf("Next: ./course %s %d\n",
                     Workbook(stage + 1).files().empty() ? "start" : "check", stage + 1);

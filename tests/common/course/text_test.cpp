@@ -35,6 +35,24 @@ TEST_CASE("a long line is broken after commas, and stays C++") {
     CHECK(wrapped("ééé, ééé, ééé", 13) == "ééé, ééé, ééé");
 }
 
+TEST_CASE("a compiler's error has the note that belongs to it, of the project's files") {
+    const std::string file = "steps/step03_sphere/student/sphere.cpp";
+    const std::string error =
+        file + ":3:10: error: 'cout' is not a member of 'std'\n    3 |     std::cout << 1;\n";
+    const std::string note =
+        file +
+        ":1:1: note: did you forget to '#include <iostream>'?\n  +++ |+#include <iostream>\n";
+    const std::string next =
+        "/x/" + file + ":7:1: error: expected ';'\n/x/" + file + ":8:1: note: to match this '{'\n";
+    CHECK(first_error("In file included from x.cpp:1:\n/x/" + error + "/x/" + note + next) ==
+          error + note);
+    CHECK(first_error("/x/" + error + next) == error);
+    CHECK(first_error("/x/" + error + "/usr/include/glm/vec3.hpp:9:1: note: candidate\n" + next) ==
+          error);
+    CHECK(first_error("/x/" + error + "/x/common/math/vector.hpp:5:6: note: argument 1\n") ==
+          error + "common/math/vector.hpp:5:6: note: argument 1\n");
+}
+
 TEST_CASE("a symbol that is defined twice is named with its files") {
     const std::string a =
         "steps/step03_sphere/CMakeFiles/step03_sphere_student_f32.dir/student/sphere.cpp.o";

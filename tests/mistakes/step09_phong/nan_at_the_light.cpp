@@ -1,6 +1,6 @@
 // origin: invented: 0 / 0 where the light stands at the point
 // caught by: a light at the point itself shows nothing, and no NaN (contract)
-// sentence: Where the light stands at the point itself, L is 0 / 0, which is not a number, and your color with it. NaN < 0 is false: test !(⟨L, N⟩ > 0).
+// sentence: diffuse_term is not a number where the light stands at the point itself: L is 0 / 0. NaN < 0 is false, and std::max(NaN, 0) is NaN: test !(⟨L, N⟩ > 0).
 #define diffuse_term(...) correct_diffuse_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef diffuse_term

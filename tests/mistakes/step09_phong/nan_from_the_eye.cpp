@@ -1,6 +1,6 @@
 // origin: invented: std::max(NaN, 0) is NaN
 // caught by: NaN is dark: it is not positive (contract)
-// sentence: Your highlight is not a number where ⟨R, V⟩ is none: std::max(x, 0) and if (x <= 0) let NaN pass. std::max(0, x) gives 0, and !(x > 0) is the clear form.
+// sentence: specular_term is not a number where ⟨R, V⟩ is none: std::max(x, 0) and if (x <= 0) let NaN pass. std::max(0, x) gives 0, and !(x > 0) is the clear form.
 #define specular_term(...) correct_specular_term(__VA_ARGS__)
 #include "steps/step09_phong/reference/phong.cpp"
 #undef specular_term
