@@ -47,6 +47,7 @@ void plain_text(std::string& content) {
             content[at] = ' ';
         }
     }
+    if (content.find('\n') == std::string::npos) std::ranges::replace(content, '\r', '\n');
     if (!content.ends_with('\n')) content += '\n';
 }
 

@@ -138,6 +138,8 @@ void check_size(const PlyHeader& header, std::uint64_t bytes, const std::string&
 
 void read_ply(std::string content, const std::string& file, MeshImporter& importer) {
     blank_byte_order_mark(content);
+    const bool has_cr_lines = content.find("\rformat ascii") < content.find('\n');
+    if (has_cr_lines) plain_text(content);
     MeshLines lines(content, file);
     const PlyHeader header = take_ply_header(lines);
     check_header(header, file);

@@ -138,6 +138,26 @@ TEST_CASE("a cube is the same mesh in every format") {
     CHECK(shape(load_mesh(RAYSTEPS_ROOT "/scenes/meshes/cube.off")).size() == 12);
 }
 
+TEST_CASE("a text whose lines end in CR alone is read like any other") {
+    const Mesh cube = mesh_of("cube.off", cube_off);
+    const auto with_cr = [](std::string text) {
+        std::ranges::replace(text, '\n', '\r');
+        return text;
+    };
+    const std::string triangle = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    CHECK(shape(mesh_of("cube.off", with_cr(cube_off))) == shape(cube));
+    CHECK(mesh_of("a.obj", with_cr("v 0 0 0\nv 1 0 0\n# here\nv 0 1 0\nf 1 2 3")).triangles ==
+          mesh_of("a.off", "OFF\n3 1 0\n" + triangle).triangles);
+    CHECK(mesh_of("a.ply", with_cr("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                   "property float y\nproperty float z\nelement face 1\n"
+                                   "property list uchar int vertex_indices\nend_header\n" +
+                                   triangle))
+              .triangles.size() == 1);
+    CHECK(mesh_of("a.stl", with_cr("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
+                                   "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n"))
+              .triangles.size() == 1);
+}
+
 TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colors") {
     const std::string vertices = "0 0 0\n\n# one more\n1 0 0 # here\n0 1 0\n";
     for (const std::string& text :
