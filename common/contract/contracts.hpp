@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/contract/functions.hpp"
+#include "common/stages/stages.hpp"
 
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -115,7 +116,7 @@ struct Contract<13> {
                                  Function<"interpolated_normal", interpolated_normal>>;
 };
 
-inline constexpr int stage_count = 13;
+inline constexpr int stage_count = int(stage_names.size());
 
 /// Calls visit(stage, function) for all functions, where function is a Function{} that serves as
 /// its type only: Function<…>.

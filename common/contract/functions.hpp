@@ -28,8 +28,8 @@ struct Function<Name, Pointer> {
 
     /// True if the name and the arguments match.
     template <Word Called, class... Given>
-    static constexpr bool is_called = std::string_view(Called.text) ==
-                                      Name.text&& std::is_same_v<Arguments, std::tuple<Given...>>;
+    static constexpr bool is_called = std::is_same_v<Arguments, std::tuple<Given...>>&&
+                                          std::string_view(Called.text) == Name.text;
 
     /// The answering end: the arguments' bytes to the answer's.
     static void answer(Reader& question, Writer& answer) {

@@ -7,7 +7,7 @@
 
 namespace rt::contract {
 
-/// The same as drawn(), common/contract/rendered.hpp.
+/// The question of rendered(), common/contract/rendered.hpp.
 inline std::string picture_question(const Scene& scene, const RenderSettings& settings, int every) {
     Writer question;
     put(question, Number{.stage = 0, .place = picture_place});

@@ -53,7 +53,7 @@ struct Probes {
 [[nodiscard]] Probes read_probes(const std::string& text);
 [[nodiscard]] std::string text_of(const Probes& probes);
 
-/// True if the contract determines the call's answer.
+/// True if the contract leaves the function's answer open.
 [[nodiscard]] bool is_open(const Probes& probes, const Callee& callee);
 
 /// True if a probe distinguishes the mistake from the reference. There is no such probe if they

@@ -14,12 +14,8 @@ inline void put(Writer& to, const MeshInstance& instance) {
 }
 
 inline MeshInstance get_placed_mesh(Reader& from) {
-    MeshGeometry model;
-    model.mesh = get<Mesh>(from);
-    model.bounds = bounds(model.mesh);
-    if (model.mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(model.mesh);
-    return {.model = std::make_shared<const MeshGeometry>(std::move(model)),
-            .placement = get<Transform>(from)};
+    // Braces keep the order.
+    return {.model = mesh_geometry(get<Mesh>(from)), .placement = get<Transform>(from)};
 }
 
 template <class Shape>

@@ -31,17 +31,18 @@ const Type& type_of();
 template <class T>
 Type make_type() {
     using Kind = Type::Kind;
-    if constexpr (std::is_same_v<T, Real>) return {.kind = Kind::real};
-    if constexpr (std::is_same_v<T, bool>) return {.kind = Kind::truth};
-    if constexpr (std::is_integral_v<T>) {
-        static_assert(std::is_same_v<T, bool> || sizeof(T) == 4);
+    if constexpr (std::is_same_v<T, Real>) {
+        return {.kind = Kind::real};
+    } else if constexpr (std::is_same_v<T, bool>) {
+        return {.kind = Kind::truth};
+    } else if constexpr (std::is_integral_v<T>) {
+        static_assert(sizeof(T) == 4);
         return {.kind = Kind::integer, .is_signed = std::is_signed_v<T>};
-    }
-    if constexpr (is_optional<T>)
+    } else if constexpr (is_optional<T>) {
         return {.kind = Kind::optional, .parts = {{"", &type_of<typename T::value_type>()}}};
-    if constexpr (is_sequence<T>)
+    } else if constexpr (is_sequence<T>) {
         return {.kind = Kind::sequence, .parts = {{"", &type_of<typename T::value_type>()}}};
-    if constexpr (is_record<T>) {
+    } else if constexpr (is_record<T>) {
         Type type{.kind = Kind::record, .name = record<T>.name};
         std::apply(
             [&]<class... Parts>(const Field<T, Parts>&... fields) {
@@ -49,8 +50,8 @@ Type make_type() {
             },
             record<T>.fields);
         return type;
-    }
-    if constexpr (part_count < T >> 0) {
+    } else {
+        static_assert(0 < part_count<T>);
         using Part = std::decay_t<decltype(std::declval<T>()[0])>;
         return {.kind = Kind::parts, .parts = {{"", &type_of<Part>()}}, .count = part_count<T>};
     }

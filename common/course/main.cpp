@@ -20,6 +20,7 @@
 #include "common/course/view/view.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/two_numbers.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -50,9 +51,9 @@ struct Words {
 /// "triangle" and "step05_triangle", for each stage.
 std::vector<std::string> stage_words() {
     std::vector<std::string> words;
-    for (const std::string_view name : rt::stage_names) {
-        words.emplace_back(name.substr(std::string_view("stepNN_").size()));
-        words.emplace_back(name);
+    for (int stage = 1; stage <= int(rt::stage_names.size()); ++stage) {
+        words.push_back(rt::topic_of(stage));
+        words.push_back(rt::name_of(stage));
     }
     return words;
 }
@@ -91,10 +92,7 @@ bool is_missing(const std::string& command) {
 
 /// "ROW,COLUMN"
 bool is_pixel(const std::string& word) {
-    int row = 0;
-    int column = 0;
-    char rest = 0;
-    return std::sscanf(word.c_str(), "%d,%d%c", &row, &column, &rest) == 2;
+    return rt::two_numbers(word, ',').has_value();
 }
 
 int view(int stage) {

@@ -73,8 +73,8 @@ inline constexpr auto shape_record<Cone> = record_of("Cone", field("apex", &Cone
     return geometry::bounded(apex + dot(point - apex, side) * side, size);
 }
 
-/// The smallest width, the measure for a displacement.
-[[nodiscard]] inline Real smallest_width(const Cone& cone) {
+/// The smallest size: a displacement is compared to it.
+[[nodiscard]] inline Real smallest_size(const Cone& cone) {
     return glm::min(cone.radius, cone.height);
 }
 

@@ -65,8 +65,8 @@ inline constexpr auto shape_record<Cylinder> = record_of("Cylinder",
     return geometry::bounded(center + along + radius * unit(across), size);
 }
 
-/// The smallest width, the measure for a displacement.
-[[nodiscard]] inline Real smallest_width(const Cylinder& cylinder) {
+/// The smallest size: a displacement is compared to it.
+[[nodiscard]] inline Real smallest_size(const Cylinder& cylinder) {
     return glm::min(cylinder.radius, cylinder.height);
 }
 

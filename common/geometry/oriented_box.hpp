@@ -64,8 +64,8 @@ inline constexpr auto shape_record<OrientedBox> =
                              largest_component(center) + half_size.x + half_size.y + half_size.z);
 }
 
-/// The smallest width, the measure for a displacement.
-[[nodiscard]] inline Real smallest_width(const OrientedBox& box) {
+/// The smallest size: a displacement is compared to it.
+[[nodiscard]] inline Real smallest_size(const OrientedBox& box) {
     const Vec3 half = box.half_size;
     return 2 * glm::min(half.x, glm::min(half.y, half.z));
 }

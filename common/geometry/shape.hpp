@@ -66,7 +66,7 @@ concept BoundedKindOfShape = KindOfShape<T> && requires(const T& shape, Vec2 pla
     { bounding_sphere(shape) } -> std::same_as<BoundingSphere>;
     { shape == shape } -> std::same_as<bool>;  // for copies in a hierarchy
     // For checks of a scene before it is rendered, from here on.
-    { smallest_width(shape) } -> std::same_as<Real>;
+    { smallest_size(shape) } -> std::same_as<Real>;
     { surface_point(shape, place) } -> std::same_as<Vec3>;
 };
 

@@ -51,8 +51,8 @@ inline constexpr auto shape_record<Sphere> = record_of("Sphere", field("center",
     return geometry::bounded(center + radius * unit(outward), largest_component(center) + radius);
 }
 
-/// The smallest width, the measure for a displacement.
-[[nodiscard]] inline Real smallest_width(const Sphere& sphere) {
+/// The smallest size: a displacement is compared to it.
+[[nodiscard]] inline Real smallest_size(const Sphere& sphere) {
     return sphere.radius;
 }
 

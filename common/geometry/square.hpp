@@ -58,8 +58,8 @@ inline constexpr auto shape_record<Square> = record_of("Square", field("center",
                              largest_component(square.center) + square.side);
 }
 
-/// The smallest width, the measure for a displacement.
-[[nodiscard]] inline Real smallest_width(const Square& square) {
+/// The smallest size: a displacement is compared to it.
+[[nodiscard]] inline Real smallest_size(const Square& square) {
     return square.side;
 }
 

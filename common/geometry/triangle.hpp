@@ -65,8 +65,8 @@ inline constexpr auto shape_record<Triangle> = record_of("Triangle", field("a", 
     return geometry::bounded(geometry::onto_plane(point, a, unit(normal)), size);
 }
 
-/// The smallest width, the measure for a displacement; 0 without an area.
-[[nodiscard]] inline Real smallest_width(const Triangle& triangle) {
+/// The smallest height: a displacement is compared to it; 0 without an area.
+[[nodiscard]] inline Real smallest_size(const Triangle& triangle) {
     // Twice the area divided by the longest side: the smallest height.
     const Vec3 ab = triangle.b - triangle.a;
     const Vec3 ac = triangle.c - triangle.a;

@@ -6,7 +6,7 @@
 namespace rt {
 inline namespace RT_PRECISION {
 
-/// A right-handed orthonormal basis: x × y = z.
+/// An orthonormal basis. It is right-handed, x × y = z, except in a Transform that reflects.
 struct Basis {
     Vec3 x{1, 0, 0};
     Vec3 y{0, 1, 0};

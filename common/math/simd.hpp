@@ -68,6 +68,7 @@ inline constexpr std::size_t lane_part_count = count * sizeof(Number) /
 template <class Number, std::size_t count, template <class, std::size_t> class Result, class Op>
 [[nodiscard]] inline Result<Number, count> each_part(Op op) {
     constexpr std::size_t parts = lane_part_count<Number, count>;
+    static_assert(parts == 1 || parts == 2 || parts == 4);
     if constexpr (parts == 1) return {{op(0)}};
     if constexpr (parts == 2) return {{op(0), op(1)}};
     if constexpr (parts == 4) return {{op(0), op(1), op(2), op(3)}};

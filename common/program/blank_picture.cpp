@@ -1,7 +1,6 @@
 #include "common/program/blank_picture.hpp"
 
 #include "common/explain/text.hpp"
-#include "common/geometry/bounds.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/render.hpp"
 #include "common/render/stage.hpp"

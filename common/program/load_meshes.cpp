@@ -29,14 +29,11 @@ void leave_out_copied_triangles(Mesh& mesh) {
 
 std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smooth,
                                                const Warn& warn) {
-    MeshGeometry model{.mesh = load_mesh(file, warn)};
-    Mesh& mesh = model.mesh;
+    Mesh mesh = load_mesh(file, warn);
     if (!smooth) mesh.normals.clear();
     if (smooth && mesh.normals.empty()) mesh.normals = smooth_normals(mesh);
     leave_out_copied_triangles(mesh);
-    if (mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(mesh);
-    model.bounds = model.packed ? model.packed->bounds() : bounds(mesh);
-    return std::make_shared<const MeshGeometry>(std::move(model));
+    return mesh_geometry(std::move(mesh));
 }
 
 /// "the mesh of scene.rt:4:1"

@@ -6,9 +6,8 @@ namespace rt {
 
 void load_meshes(Scene& scene, const Warn& /*warn*/) {
     if (scene.mesh_requests.empty()) return;
-    throw InputError(
-        scene.mesh_requests.front().place,
-        "a mesh, which " + std::string(stage_name(mesh_stage)) + " introduces: run that stage");
+    throw InputError(scene.mesh_requests.front().place,
+                     "a mesh, which " + name_of(mesh_stage) + " introduces: run that stage");
 }
 
 }  // namespace rt

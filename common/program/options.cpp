@@ -6,6 +6,7 @@
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/two_numbers.hpp"
 #include "common/tuning/choose_pixels.hpp"
 
 #include <CLI/CLI.hpp>
@@ -33,17 +34,6 @@ constexpr double brightest = 255;  ///< in 8-bit levels
 constexpr double least_error = 1e-3;
 constexpr double least_time = 1e-3;  ///< seconds
 constexpr double most_time = 1e6;
-
-/// Parses two integers with `separator` between them and nothing around them.
-std::optional<std::array<int, 2>> two_numbers(const std::string& text, char separator) {
-    std::array<int, 2> numbers{};
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, numbers[0]);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != separator) return std::nullopt;
-    const auto second = std::from_chars(first.ptr + 1, end, numbers[1]);
-    if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-    return numbers;
-}
 
 Resolution parse_size(const std::string& text) {
     const auto size = two_numbers(text, 'x');
@@ -272,7 +262,7 @@ std::string in_project(const Program& program, const std::string& folder, const 
 }
 
 std::string default_scene(const Program& program) {
-    return in_project(program, "scenes", std::string(stage_name(program.stage)) + ".rt");
+    return in_project(program, "scenes", name_of(program.stage) + ".rt");
 }
 
 std::string default_output(const Program& program, const std::string& scene) {

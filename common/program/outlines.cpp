@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 namespace rt {
@@ -64,7 +63,7 @@ std::optional<Segment> cut(const std::array<Vec3, 3>& triangle, glm::length_t ax
 
 }  // namespace
 
-Segments outline(const Sphere& sphere, const BoundingBox& /*box*/) {
+Segments outline(const Sphere& sphere) {
     Segments segments;
     for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
         add_circle(segments, sphere.center, axis, sphere.radius);
@@ -86,13 +85,13 @@ Segments outline(const Plane& plane, const BoundingBox& box) {
     return segments;
 }
 
-Segments outline(const Triangle& triangle, const BoundingBox& /*box*/) {
+Segments outline(const Triangle& triangle) {
     Segments segments;
     add_polygon(segments, std::array{triangle.a, triangle.b, triangle.c});
     return segments;
 }
 
-Segments outline(const Square& square, const BoundingBox& /*box*/) {
+Segments outline(const Square& square) {
     const Vec3 x = square.side / 2 * square.basis.x;
     const Vec3 y = square.side / 2 * square.basis.y;
     const Vec3& c = square.center;
@@ -101,7 +100,7 @@ Segments outline(const Square& square, const BoundingBox& /*box*/) {
     return segments;
 }
 
-Segments outline(const Cylinder& cylinder, const BoundingBox& /*box*/) {
+Segments outline(const Cylinder& cylinder) {
     const auto& [center, axis, radius, height] = cylinder;
     const Vec3 half = height / 2 * axis;
     Segments segments;
@@ -114,7 +113,7 @@ Segments outline(const Cylinder& cylinder, const BoundingBox& /*box*/) {
     return segments;
 }
 
-Segments outline(const Cone& cone, const BoundingBox& /*box*/) {
+Segments outline(const Cone& cone) {
     const auto& [apex, axis, radius, height] = cone;
     const Vec3 rim = apex + height * axis;
     Segments segments;
@@ -125,8 +124,8 @@ Segments outline(const Cone& cone, const BoundingBox& /*box*/) {
     return segments;
 }
 
-Segments outline(const OrientedBox& shape, const BoundingBox& /*box*/) {
-    const auto& [center, basis, half] = shape;
+Segments outline(const OrientedBox& box) {
+    const auto& [center, basis, half] = box;
     const std::array axes = {half.x * basis.x, half.y * basis.y, half.z * basis.z};
     Segments segments;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -138,7 +137,7 @@ Segments outline(const OrientedBox& shape, const BoundingBox& /*box*/) {
     return segments;
 }
 
-Segments outline(const MeshInstance& instance, const BoundingBox& /*box*/) {
+Segments outline(const MeshInstance& instance) {
     const Mesh& mesh = instance.model->mesh;
     const BoundingBox& bounds = instance.model->bounds;
     Segments segments;

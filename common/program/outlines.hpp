@@ -20,16 +20,18 @@ using Segments = std::vector<Segment>;
 
 namespace rt {
 
-// The outlines of the shapes; a plane's is a grid of lines inside of the box.
-[[nodiscard]] Segments outline(const Sphere& sphere, const BoundingBox& box);
+// The outlines of the shapes.
+[[nodiscard]] Segments outline(const Sphere& sphere);
+[[nodiscard]] Segments outline(const Triangle& triangle);
+[[nodiscard]] Segments outline(const Square& square);
+[[nodiscard]] Segments outline(const Cylinder& cylinder);
+[[nodiscard]] Segments outline(const Cone& cone);
+[[nodiscard]] Segments outline(const OrientedBox& box);
+
+/// A grid of lines on the plane, inside the box.
 [[nodiscard]] Segments outline(const Plane& plane, const BoundingBox& box);
-[[nodiscard]] Segments outline(const Triangle& triangle, const BoundingBox& box);
-[[nodiscard]] Segments outline(const Square& square, const BoundingBox& box);
-[[nodiscard]] Segments outline(const Cylinder& cylinder, const BoundingBox& box);
-[[nodiscard]] Segments outline(const Cone& cone, const BoundingBox& box);
-[[nodiscard]] Segments outline(const OrientedBox& shape, const BoundingBox& box);
 
 /// The edges of a mesh, or, if it has many, its cuts by a few planes.
-[[nodiscard]] Segments outline(const MeshInstance& instance, const BoundingBox& box);
+[[nodiscard]] Segments outline(const MeshInstance& instance);
 
 }  // namespace rt

@@ -2,7 +2,7 @@
 
 #include "common/explain/ray_records.hpp"
 #include "common/explain/text.hpp"
-#include "common/geometry/projection.hpp"
+#include "common/geometry/shape_formulas.hpp"
 #include "common/image/color_scale.hpp"
 #include "common/math/vector.hpp"
 #include "common/program/outlines.hpp"
@@ -12,10 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <set>
-#include <utility>
-#include <vector>
+#include <type_traits>
 
 namespace rt {
 
@@ -64,6 +62,15 @@ BoundingBox box_of_drawing(const Scene& scene, const RayRecords& records) {
     }
     const Vec3 margin(length(box.max - box.min) / 100);
     return {.min = box.min - margin, .max = box.max + margin};
+}
+
+/// The outline of the shape; that of a plane ends at the box.
+template <class Shape>
+Segments outline_in(const BoundingBox& box, const Shape& shape) {
+    if constexpr (std::is_same_v<Shape, Plane>)
+        return outline(shape, box);
+    else
+        return outline(shape);
 }
 
 /// What the ray hits, in words, with the numbers of `--pixel`.
@@ -132,7 +139,7 @@ std::string ray_drawing(const Scene& scene, const RenderSettings& settings, Pixe
                 continue;
             }
             List segments;
-            for (const auto& [from, to] : outline(primitive.shape, box)) {
+            for (const auto& [from, to] : outline_in(box, primitive.shape)) {
                 segments.add(from);
                 segments.add(to);
             }

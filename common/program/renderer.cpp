@@ -17,9 +17,9 @@
 #include "common/system/cpu_seconds.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/input_rounding.hpp"
-#include "common/tuning/row_budget.hpp"
 #include "common/tuning/scene_traits.hpp"
 #include "common/tuning/stops_sampling.hpp"
+#include "common/tuning/time_budget.hpp"
 #include "common/tuning/wording.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -42,8 +42,7 @@ void refuse_later_stages(const Scene& scene, const Program& program, const Optio
     const std::vector<Requirement> needs = requirements(scene, program.stage);
     if (needs.empty() || needs.back().stage <= program.stage) return;
     const auto& [what, stage] = needs.back();  // a program of this stage has the earlier ones too
-    throw InputError({options.scene}, what + " in the scene, which " +
-                                          std::string(stage_name(stage)) +
+    throw InputError({options.scene}, what + " in the scene, which " + name_of(stage) +
                                           " introduces: run that stage, or a later one");
 }
 
@@ -95,7 +94,7 @@ std::vector<PngText> texts(const Program& program, const Options& options, Resol
     const std::string used =
         is_float ? equivalent_options(program, options) : used_options(program, options);
     return {{"Title", std::filesystem::path(options.scene).filename().string()},
-            {"Software", "Raysteps " + std::string(stage_name(program.stage))},
+            {"Software", "Raysteps " + name_of(program.stage)},
             {"Size", size_text(size)},
             {"Precision", name(options.precision)},
             {"Options", used}};
@@ -234,8 +233,8 @@ void explain_pixel(const Program& program, const Options& options, const Scene& 
     check_pixel("--pixel", pixel, size);
     const Camera& camera = scene.cameras.front();
     PixelLog log(std::cout);
-    log.heading(std::string(stage_name(program.stage)) + ", " + options.scene + ", " +
-                size_text(size) + " pixels, " + name(options.precision));
+    log.heading(name_of(program.stage) + ", " + options.scene + ", " + size_text(size) +
+                " pixels, " + name(options.precision));
     explain_screen(log, pixel, size, vertical_fov(camera, size));
     if (program.stage >= 2) explain_basis(log, camera);
     const Ray ray = pixel_rays(camera, size)(pixel);
@@ -376,7 +375,7 @@ std::vector<std::string> f64::risks_in_float(const Options& options) {
     if (!std::filesystem::is_regular_file(options.scene, unreadable)) return {};
     SceneReading reading = options.reading;
     reading.warn = nullptr;
-    return risks_in_float(input_rounding(load_scene(options.scene, orthonormal_basis, reading)));
+    return risks_in_float(scene_lengths(load_scene(options.scene, orthonormal_basis, reading)));
 }
 #endif
 

@@ -67,7 +67,7 @@ std::string explanation(const Scene& scene) {
     };
     std::string lines = " requires\n";
     for (const auto& [what, stage] : needs)
-        lines += "  " + padded(what, 28) + std::string(stage_name(stage)) + "\n";
+        lines += "  " + padded(what, 28) + name_of(stage) + "\n";
     if (needs.empty()) lines += "  only rays\n";
 
     bool many = false;
@@ -77,8 +77,7 @@ std::string explanation(const Scene& scene) {
         if (left_out) lines += "  " + what + "\n";
     };
     for (int stage = shapes_stage; stage < light_stage; ++stage)
-        without(!brought_by(stage),
-                std::string(stage_name(stage).substr(std::string_view("stepNN_").size())) + "s");
+        without(!brought_by(stage), topic_of(stage) + "s");
     without(!brought_by(mesh_stage), "boxes and meshes");
     without(scene.lights.empty(), "light other than ambient, and shadow rays");
     without(!brought_by(soft_shadow_stage), "several rays for a shadow: no light has a size");

@@ -61,9 +61,10 @@ std::string shade_word(int stage, Shading shading) {
             return "bounces";
         case Shading::samples:
             return "samples";
-        default:
+        case Shading::cost:
             return "cost";
     }
+    return "";
 }
 
 void add_shade_options(CLI::App& app, int stage, Options& options) {

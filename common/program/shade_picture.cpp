@@ -39,10 +39,14 @@ std::string title(Shading shading) {
                    "is hit";
         case Shading::samples:
             return "samples: the number of rays whose mean the pixel is";
-        default:
+        case Shading::cost:
             return "cost: the number of shapes, and of boxes and triangles inside meshes, that a "
                    "pixel's rays are tested against; black: none";
+        case Shading::color:
+        case Shading::normal:
+            break;
     }
+    return "";
 }
 
 /// A logarithmic scale of colors.

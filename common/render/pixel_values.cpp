@@ -38,6 +38,18 @@ double length(const Numbers& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
+double most_bounces(const std::vector<RayRecord>& rays) {
+    int most = 0;
+    for (const RayRecord& ray : rays) most = std::max(most, ray.bounces);
+    return most;
+}
+
+double all_tests(const std::vector<RayRecord>& rays) {
+    double all = 0;
+    for (const RayRecord& ray : rays) all += double(ray.tests);
+    return all;
+}
+
 }  // namespace
 
 std::optional<int> number_of(const void* primitive, const Scene& scene) {
@@ -76,7 +88,6 @@ std::optional<double> value_of(const RayRecords& records, Shading shading, const
     const std::vector<RayRecord>& rays = records.rays;
     if (rays.empty()) return std::nullopt;
     const RayRecord& eye = rays.front();
-    double sum = 0;
     switch (shading) {
         case Shading::depth:
             if (!eye.t) return std::nullopt;
@@ -88,13 +99,16 @@ std::optional<double> value_of(const RayRecords& records, Shading shading, const
             if (const auto number = number_of(eye.shape, scene)) return double(*number);
             return std::nullopt;
         case Shading::bounces:
-            for (const RayRecord& ray : rays) sum = std::max(sum, double(ray.bounces));
             if (!eye.t) return std::nullopt;
-            return sum;
-        default:  // cost
-            for (const RayRecord& ray : rays) sum += double(ray.tests);
-            return sum;
+            return most_bounces(rays);
+        case Shading::cost:
+            return all_tests(rays);
+        case Shading::color:
+        case Shading::normal:
+        case Shading::samples:
+            break;
     }
+    return std::nullopt;
 }
 
 std::optional<PixelValues> pixel_values(const Scene& scene, const RenderJob& job) {
@@ -124,7 +138,7 @@ std::optional<PixelValues> pixel_values(const Scene& scene, const RenderJob& job
         rays[row] = {context.rays, context.sized_light_rays};
         if (job.row_done) job.row_done();
     });
-    if (job.stop != nullptr && *job.stop) return std::nullopt;
+    if (job.is_stopped()) return std::nullopt;
     for (const auto& [all, sized] : rays) {
         values.rays += all;
         values.sized_light_rays += sized;

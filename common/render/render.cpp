@@ -13,11 +13,20 @@ namespace rt {
 
 namespace {
 
+/// The statistics of a row.
 struct Row {
     std::int64_t rays = 0;
     std::int64_t sized_light_rays = 0;
     int not_a_number = 0;
     int first_not_a_number = 0;  ///< column index
+
+    void add(const Color& color, int column) {
+        if (!is_number(color) && not_a_number++ == 0) first_not_a_number = column;
+    }
+    void add(const Context& context) {
+        rays += context.rays;
+        sized_light_rays += context.sized_light_rays;
+    }
 };
 
 /// Renders one row. It has its own copy of the pixel rays, which no other code can change: in a
@@ -30,11 +39,10 @@ struct Row {
         const Pixel pixel{.row = row, .column = column};
         context.pixel = pixel;
         const Color color = trace(scene, pixel_ray(pixel), context);
-        if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
+        result.add(color, column);
         image[pixel] = to_rgb(color, settings.gamma);
     }
-    result.rays = context.rays;
-    result.sized_light_rays = context.sized_light_rays;
+    result.add(context);
     return result;
 }
 
@@ -45,15 +53,14 @@ Row render_fine_row(const Scene& scene, const RenderJob& job, const RenderSettin
     Context context{.settings = shared_settings(settings)};
     Row result;
     for (int column = 0; column < image.resolution.width; ++column) {
-        if (job.stop != nullptr && *job.stop) break;
+        if (job.is_stopped()) break;
         const Pixel pixel{.row = row, .column = column};
         context.pixel = pixel;
         const Color color = mean_color(scene, rays, pixel, context);
-        if (!is_number(color) && result.not_a_number++ == 0) result.first_not_a_number = column;
+        result.add(color, column);
         image[pixel] = to_rgb(color, settings.gamma);
     }
-    result.rays = context.rays;
-    result.sized_light_rays = context.sized_light_rays;
+    result.add(context);
     return result;
 }
 
@@ -117,21 +124,19 @@ std::optional<Rendering> refine_edges(const Scene& scene, const RenderJob& job, 
         const bool no_time = own.pixel_error >= 255;  // which no error exceeds
         Context context{.settings = adaptive_settings(own)};
         refinement.take(int(row), [&](Pixel pixel) {
-            if (no_time || (job.stop != nullptr && *job.stop)) return false;
+            if (no_time || job.is_stopped()) return false;
             // A pixel that is not a number, and counted, stays so.
             if (centers.not_a_number > 0 && image[pixel] == not_a_color) return false;
             context.pixel = pixel;
             PixelSamples samples(scene, rays, pixel, context);
             const bool differ = trace_to_error(samples, own);
             const Color color = samples.mean();
-            if (!is_number(color) && rows[row].not_a_number++ == 0)
-                rows[row].first_not_a_number = pixel.column;
+            rows[row].add(color, pixel.column);
             image[pixel] = to_rgb(color, settings.gamma);
             if (job.refined) job.refined(pixel, samples.count());
             return differ;
         });
-        rows[row].rays += context.rays;
-        rows[row].sized_light_rays += context.sized_light_rays;
+        rows[row].add(context);
     };
     bool first = true;
     std::vector<std::size_t> pending = order_of(rows.size(), job.next_settings != nullptr);
@@ -140,7 +145,7 @@ std::optional<Rendering> refine_edges(const Scene& scene, const RenderJob& job, 
             refine_row(pending[i]);
             if (first && job.row_done) job.row_done();
         });
-        if (job.stop != nullptr && *job.stop) return std::nullopt;
+        if (job.is_stopped()) return std::nullopt;
         first = false;
         pending.clear();
         for (std::size_t row = 0; row < rows.size(); ++row)
@@ -162,7 +167,7 @@ std::optional<Rendering> render_rows(const Scene& scene, const RenderJob& job,
         rows[order[i]] = render_one(int(order[i]), image);
         if (job.row_done && job.settings.pixel_error == 0) job.row_done();
     });
-    if (job.stop != nullptr && *job.stop) return std::nullopt;
+    if (job.is_stopped()) return std::nullopt;
     return sum(std::move(image), rows);
 }
 
@@ -180,7 +185,7 @@ std::optional<Rendering> render(const Scene& scene, const RenderJob& job) {
     const bool is_plain = job.settings.pixel_samples == 1 && !adaptive && !job.next_settings;
     if (job.threads == 1 && is_plain && job.settings.gamma != Gamma::srgb)
         if (auto own = picture_by_own_loop(scene)) {
-            if (job.stop != nullptr && *job.stop) return std::nullopt;
+            if (job.is_stopped()) return std::nullopt;
             return with_statistics(*std::move(own));
         }
     if (adaptive || is_plain) {

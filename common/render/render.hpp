@@ -37,6 +37,8 @@ struct RenderJob {
     Rendering* centers = nullptr;
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null
+
+    [[nodiscard]] bool is_stopped() const { return stop != nullptr && *stop; }
 };
 
 /// Renders the scene with its first camera. Returns nothing if it was stopped. The result has the

@@ -3,7 +3,16 @@
 #include "common/geometry/bounds.hpp"
 #include "common/math/vector.hpp"
 
+#include <utility>
+
 namespace rt {
+
+std::shared_ptr<const MeshGeometry> mesh_geometry(Mesh mesh) {
+    MeshGeometry model{.mesh = std::move(mesh)};
+    if (model.mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(model.mesh);
+    model.bounds = model.packed ? model.packed->bounds() : bounds(model.mesh);
+    return std::make_shared<const MeshGeometry>(std::move(model));
+}
 
 BoundingBox bounds(const MeshInstance& instance) {
     const BoundingBox& model = instance.model->bounds;

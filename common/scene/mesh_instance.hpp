@@ -2,8 +2,8 @@
 #pragma once
 
 #include "common/bvh/mesh_bvh.hpp"
-#include "common/bvh/sphere_packet.hpp"
 #include "common/geometry/bounding_box.hpp"
+#include "common/geometry/bounding_sphere.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/transform.hpp"
 
@@ -29,9 +29,9 @@ struct MeshGeometry {
     std::optional<MeshBvh> packed;
 };
 
-/// An instance of a mesh: each point p of the model is at moved(p, placement). Instances may share
-/// one model, which does not change: rays are transformed to object space instead (M1, "changement
-/// de repère").
+/// An instance of a mesh: each point p of the model is at transformed(p, placement). Instances may
+/// share one model, which does not change: rays are transformed to object space instead (M1,
+/// "changement de repère").
 struct MeshInstance {
     std::shared_ptr<const MeshGeometry> model;
     Transform placement;
@@ -47,6 +47,9 @@ inline constexpr std::size_t bvh_pays_from<MeshInstance> = 8;
 }  // namespace rt
 
 namespace rt {
+
+/// The mesh with its bounds, packed if that is faster.
+[[nodiscard]] std::shared_ptr<const MeshGeometry> mesh_geometry(Mesh mesh);
 
 /// The bounding box of the model's transformed bounds.
 [[nodiscard]] BoundingBox bounds(const MeshInstance& instance);

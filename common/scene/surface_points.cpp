@@ -7,7 +7,7 @@
 
 namespace rt {
 
-Real smallest_width(const MeshInstance& instance) {
+Real smallest_size(const MeshInstance& instance) {
     const BoundingBox& box = instance.model->bounds;
     const auto triangles = Real(instance.model->mesh.triangles.size());
     return instance.placement.scale * length(box.max - box.min) / std::sqrt(triangles + 1);

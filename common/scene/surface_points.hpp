@@ -8,7 +8,7 @@
 namespace rt {
 
 /// The width of its triangles if all had the same size.
-[[nodiscard]] Real smallest_width(const MeshInstance& instance);
+[[nodiscard]] Real smallest_size(const MeshInstance& instance);
 
 /// Any of its vertices.
 [[nodiscard]] Vec3 surface_point(const MeshInstance& instance, Vec2 place);

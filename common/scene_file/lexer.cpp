@@ -40,8 +40,11 @@ std::size_t directive_start(std::string_view line, std::size_t comment) {
 
 }  // namespace
 
-Lines::Lines(std::string_view text)
-    : rest_(text), end_(text.find('\n') == std::string_view::npos ? '\r' : '\n') {
+char line_end(std::string_view text) {
+    return text.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
+Lines::Lines(std::string_view text) : rest_(text), end_(line_end(text)) {
     if (!rest_.starts_with(byte_order_mark)) return;
     rest_.remove_prefix(byte_order_mark.size());
     skipped_ = static_cast<int>(byte_order_mark.size());

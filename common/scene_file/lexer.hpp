@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +25,9 @@ struct Line {
     std::vector<Token> directives;
 };
 
+/// The byte that ends the text's lines: LF, or CR in a text without LF.
+[[nodiscard]] char line_end(std::string_view text);
+
 /// The lines of a text, in order. The text must outlive this object and its tokens.
 class Lines {
 public:
@@ -33,12 +35,12 @@ public:
 
     /// Returns the next line; nothing after the last. A comment starts at any '#', and at a word
     /// that starts with "//". CR, tab, vertical tab and form feed are blanks; a byte order mark is
-    /// skipped. In a text without LF, CR ends the lines.
+    /// skipped.
     [[nodiscard]] std::optional<Line> next();
 
 private:
     std::string_view rest_;
-    char end_;  ///< of each line
+    char end_;
     int number_ = 0;
     int skipped_ = 0;  ///< length in bytes of a byte order mark before rest_, in the first line
 };

@@ -1,6 +1,5 @@
 #include "common/scene_file/reader.hpp"
 
-#include "common/geometry/bounds.hpp"
 #include "common/scene_file/elements.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_file.hpp"
@@ -15,20 +14,26 @@ inline namespace RT_PRECISION {
 
 namespace {
 
+constexpr std::size_t mebibyte = std::size_t(1) << 20;
+
 /// The largest known scene has 11,302 elements in less than 1 MB; this limit has room for 250,000
 /// elements of 64 bytes. A larger file is not a scene, and would only fill the memory.
-constexpr std::size_t largest_file = std::size_t(16) << 20;
+constexpr std::size_t largest_file = 16 * mebibyte;
 
 /// No element needs more than a few hundred characters, and a word takes more memory than its text:
 /// this limits the memory for one line.
 constexpr std::size_t longest_line = 10'000;
 
 void check_is_text(std::string_view text, const SceneReport& report) {
-    if (text.size() > largest_file) report.fail(0, 0, "larger than 16 MiB: expected a scene");
+    if (text.size() > largest_file)
+        report.fail(
+            0, 0,
+            "larger than " + std::to_string(largest_file / mebibyte) + " MiB: expected a scene");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         report.fail(1, 1, "text in UTF-16: expected UTF-8, as which an editor can save it");
+    const char end = line_end(text);
     for (int number = 1; !text.empty(); ++number) {
-        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::string_view line = text.substr(0, text.find(end));
         const auto zero = std::find(line.begin(), line.end(), '\0');
         if (zero != line.end()) {
             report.fail(number, static_cast<int>(zero - line.begin()) + 1,
@@ -36,7 +41,8 @@ void check_is_text(std::string_view text, const SceneReport& report) {
         }
         if (line.size() > longest_line) {
             report.fail(number, static_cast<int>(longest_line) + 1,
-                        "a line of more than 10000 bytes: expected an element");
+                        "a line of more than " + std::to_string(longest_line) +
+                            " bytes: expected an element");
         }
         text.remove_prefix(std::min(line.size() + 1, text.size()));
     }

@@ -41,12 +41,12 @@ struct GradedFile {
 
 /// The student's name for it: "sphere.cpp", "main.cpp".
 [[nodiscard]] inline std::string file_name(GradedFile file) {
-    return file.is_trace ? "main.cpp" : name_of(file.stage).substr(7) + ".cpp";
+    return file.is_trace ? "main.cpp" : topic_of(file.stage) + ".cpp";
 }
 
 /// A name that no other file of a submission has: "sphere.cpp", "sphere_main.cpp".
 [[nodiscard]] inline std::string submitted_name(GradedFile file) {
-    return name_of(file.stage).substr(7) + (file.is_trace ? "_main.cpp" : ".cpp");
+    return topic_of(file.stage) + (file.is_trace ? "_main.cpp" : ".cpp");
 }
 
 }  // namespace rt

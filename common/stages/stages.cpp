@@ -17,9 +17,8 @@ std::optional<int> number(std::string_view text) {
 }  // namespace
 
 std::optional<int> find_stage(std::string_view text) {
-    constexpr std::size_t topic = std::string_view("stepNN_").size();
     for (int stage = 1; stage <= static_cast<int>(stage_names.size()); ++stage)
-        if (text == stage_name(stage) || text == stage_name(stage).substr(topic)) return stage;
+        if (text == stage_name(stage) || text == topic_of(stage)) return stage;
     if (text.substr(0, 4) == "step") text.remove_prefix(4);
     return number(text);
 }

@@ -32,6 +32,11 @@ inline constexpr int mesh_stage = 13;
     return std::string(stage_name(stage));
 }
 
+/// What the stage is about, the name of its files: "triangle".
+[[nodiscard]] inline std::string topic_of(int stage) {
+    return std::string(stage_name(stage).substr(std::string_view("stepNN_").size()));
+}
+
 /// The number of the stage that "5", "05", "step05", "triangle" or "step05_triangle" names; nothing
 /// for other text.
 [[nodiscard]] std::optional<int> find_stage(std::string_view text);

@@ -16,7 +16,7 @@ void finish_output();
 /// Returns whether the standard error stream is a terminal.
 [[nodiscard]] bool errors_on_terminal();
 
-/// The width of the terminal in characters, as the terminal reports it.
+/// The width of the terminal in characters: $COLUMNS, or 80 if it is not set.
 [[nodiscard]] int terminal_columns();
 
 /// A status line "  45 %, 3 s left". Any thread may report progress.

@@ -2,7 +2,6 @@
 
 #include "common/system/input_error.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <random>

@@ -1,7 +1,7 @@
 // Automatic render settings for a given tolerance or time: `--tolerance`, `--time`.
 #pragma once
 
-#include "common/tuning/row_budget.hpp"
+#include "common/tuning/time_budget.hpp"
 #include "common/tuning/tradeoff.hpp"
 #include "common/tuning/trial.hpp"
 

@@ -5,15 +5,11 @@
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace rt {
 
 namespace {
-
-/// The unit roundoff of float.
-constexpr double float_roundoff = std::numeric_limits<float>::epsilon() / 2;
 
 /// The part of the time of rays that float saves.
 constexpr double saved_part = 0.05;
@@ -27,17 +23,12 @@ constexpr double worth_reading = 400;
 constexpr std::size_t edge_pixels = 1000;
 
 /// An upper bound on the effect of rounding errors on a color, in 8-bit levels. A point on a shape
-/// has an error of up to 8 u of its coordinates (docs/reference/stability.md); the normal there has
-/// that error divided by the shape's size, and a highlight that of the normal times its exponent.
+/// is displaced by rounding; the normal there has that error divided by the shape's size, and a
+/// highlight that of the normal times its exponent.
 double rounding_error(const SceneTraits& traits, double unit_roundoff) {
-    if (traits.feature == 0) return 0;
-    return 255 * 8 * unit_roundoff * traits.extent / traits.feature * traits.shininess;
-}
-
-/// Returns whether rounding errors, up to 8 u of the coordinates of each surface, may exchange the
-/// order of two surfaces: as InputRounding::loses_gaps.
-bool loses_gaps(const SceneTraits& traits, double unit_roundoff) {
-    return traits.gap > 0 && traits.gap < 4 * 8 * unit_roundoff * traits.extent;
+    const SceneLengths& lengths = traits.lengths;
+    if (lengths.smallest == 0) return 0;
+    return 255 * lengths.displacement(unit_roundoff) / lengths.smallest * traits.shininess;
 }
 
 /// The pixels whose color differs in float by more than half of the tolerance.
@@ -69,15 +60,15 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
         return PrecisionChoice{.why = "double" + why};
     };
     if (!open_float) return {.why = "as given"};
-    const std::string extremes = ": coordinates reach " + number(traits.extent) +
-                                 ", the smallest size is " + number(traits.feature);
+    const std::string extremes = ": coordinates reach " + number(traits.lengths.largest) +
+                                 ", the smallest size is " + number(traits.lengths.smallest);
     if (rounding_error(traits, traits.unit_roundoff) > runner.limit() / 2)
         return in_double(", though its rounding errors may be visible" + extremes +
                          "; every ray is decided with --precision exact");
-    if (rounding_error(traits, float_roundoff) > runner.limit() / 2)
+    if (rounding_error(traits, float_unit_roundoff) > runner.limit() / 2)
         return in_double(": rounding errors of float may be visible" + extremes);
-    if (loses_gaps(traits, float_roundoff))
-        return in_double(": float may lose a gap of " + number(traits.gap));
+    if (traits.lengths.loses_gaps(float_unit_roundoff))
+        return in_double(": float may lose a gap of " + number(traits.lengths.gap));
 
     const std::vector<Pixel> pixels = runner.spread().pixels();
     const double again = runner.center_rays() / saved_part;  // float would trace these again

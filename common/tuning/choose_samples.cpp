@@ -38,7 +38,7 @@ public:
     }
 
     [[nodiscard]] Trial best() {
-        if (share_ > 0 && share_ * all_pixels() < fewest_pixels) return untried();
+        if (share_ > 0 && share_ * runner_.pixels() < fewest_pixels) return untried();
         for (const int rays : {1, 2, 4}) {
             const Judged few = judged(with_rays(settings_, rays));
             if (keeps(few)) return confirmed(few);
@@ -48,13 +48,9 @@ public:
     }
 
 private:
-    [[nodiscard]] double all_pixels() const {
-        return double(runner_.size().width) * double(runner_.size().height);
-    }
-
     /// Sorts the doubtful pixels into those in a penumbra and those whose light rays all agree.
     void sort_doubtful() {
-        const double wanted = std::clamp(penumbrae_.share * all_pixels() / 64, 128., 1000.);
+        const double wanted = std::clamp(penumbrae_.share * runner_.pixels() / 64, 128., 1000.);
         const std::vector<Pixel> doubtful = some_of(penumbrae_.doubtful, std::size_t(wanted));
         const TrialSample right = render_pixels(reference_, doubtful, ++round_);
         const std::vector<double> off =
@@ -87,7 +83,7 @@ private:
 
     /// Returns whether better settings would save less than more trials cost.
     [[nodiscard]] bool has_tried_enough(const Trial& best) const {
-        return rays_spent_ > 0.06 * best.rays * all_pixels();
+        return rays_spent_ > 0.06 * best.rays * runner_.pixels();
     }
 
     [[nodiscard]] static double mean(const std::vector<int>& counts) {
@@ -116,7 +112,7 @@ private:
     /// the random rays of the final picture do not break the promise: with more confidence than
     /// the trials have, because both must be right.
     [[nodiscard]] double few() const {
-        const double all = share_ * all_pixels();
+        const double all = share_ * runner_.pixels();
         const double promised =
             std::min(few_in_penumbrae, few_pixels / std::max(share_, few_pixels));
         return all < 1 ? promised

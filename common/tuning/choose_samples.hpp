@@ -26,8 +26,8 @@ inline constexpr double few_in_a_tile = 0.1;
 [[nodiscard]] QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
                                            const RenderSettings& settings);
 
-/// Describes the sampling, for example "until a light is estimated to be off by less than 0.7
-/// steps, or 16 rays agree".
+/// Describes the sampling, for example "until the estimated error of a light is below 0.7
+/// levels, or 16 rays agree".
 [[nodiscard]] std::string samples_in_words(const RenderSettings& settings);
 
 }  // namespace rt

@@ -2,10 +2,10 @@
 
 #include "common/render/sampling.hpp"
 #include "common/scene/surface_points.hpp"
+#include "common/tuning/wording.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 
 namespace rt {
@@ -38,12 +38,12 @@ Real largest_coordinate(const Shape& shape) {
     return largest_component(bounds(shape));
 }
 
-void take_in(InputRounding& scene, const auto& primitives) {
+void take_in(SceneLengths& scene, const auto& primitives) {
     for (const auto& primitive : primitives) {
         const auto& shape = primitive.shape;  // clang++ 14 tests no structured binding by requires
         scene.largest = std::max(scene.largest, double(largest_coordinate(shape)));
-        if constexpr (requires { smallest_width(shape); })
-            if (const double feature = smallest_width(shape); feature > 0)
+        if constexpr (requires { smallest_size(shape); })
+            if (const double feature = smallest_size(shape); feature > 0)
                 scene.smallest = scene.smallest == 0 ? feature : std::min(scene.smallest, feature);
     }
 }
@@ -117,15 +117,15 @@ Real smallest_gap(const Scene& scene, Real widest) {
 
 }  // namespace
 
-InputRounding RT_PRECISION::input_rounding(const Scene& scene) {
-    InputRounding found;
+SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
+    SceneLengths found;
     found.largest = double(largest_component(scene.cameras.front().position));
     for_each_kind(scene, [&](const auto& primitives) { take_in(found, primitives); });
     take_in(found, scene.meshes);
     for (const MeshRequest& mesh : scene.mesh_requests)
         found.largest =
             std::max(found.largest, double(largest_component(mesh.placement.translation)));
-    const double widest = InputRounding::widest_lost_gap * found.displacement(float_unit_roundoff);
+    const double widest = SceneLengths::widest_lost_gap * found.displacement(float_unit_roundoff);
     const auto gap = double(smallest_gap(scene, Real(widest)));
     found.gap = gap > 16 * double(unit_roundoff) * found.largest ? gap : 0;
     return found;
@@ -133,12 +133,7 @@ InputRounding RT_PRECISION::input_rounding(const Scene& scene) {
 
 #ifndef RT_FLOAT
 
-std::vector<std::string> f64::risks_in_float(const InputRounding& scene) {
-    const auto number = [](double value) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.2g", value);
-        return std::string(text);
-    };
+std::vector<std::string> f64::risks_in_float(const SceneLengths& scene) {
     const std::string off = "coordinates reach " + number(scene.largest) +
                             ", so that surfaces in float are off by up to " +
                             number(scene.displacement(float_unit_roundoff));

@@ -4,7 +4,7 @@
 
 #include "common/tuning/trial_runner.hpp"
 
-#include <string>
+#include <vector>
 
 namespace rt {
 

@@ -36,7 +36,7 @@ double chance_beyond(double error, double allowed) {
 /// With 95 % confidence, the largest share of `all` pixels that are beyond if `beyond` of `tried`
 /// are (Wilson 1927). The other pixels only are uncertain.
 double largest_share(double beyond, double tried, double all) {
-    const double square = 1.64 * 1.64 * std::max(1 - tried / all, 0.0);
+    const double square = certain_95 * certain_95 * std::max(1 - tried / all, 0.0);
     const double share = beyond / tried;
     return (beyond + square / 2 +
             std::sqrt(square * (std::max(beyond * (1 - share), 0.0) + square / 4))) /

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdint>
 
 namespace rt {
@@ -130,11 +129,7 @@ Cost draw(const Scene& scene, const RenderSettings& settings, const TrialRequest
 }  // namespace
 
 SceneTraits scene_traits(const Scene& scene, int stage, const RenderSettings& settings) {
-    const InputRounding rounding = input_rounding(scene);
-    SceneTraits traits{.extent = rounding.largest,
-                       .feature = rounding.smallest,
-                       .gap = rounding.gap,
-                       .unit_roundoff = unit_roundoff};
+    SceneTraits traits{.lengths = scene_lengths(scene), .unit_roundoff = unit_roundoff};
     for_each_kind(scene, [&](const auto& primitives) { take_in(traits, primitives); });
     take_in(traits, scene.meshes);
     const bool lit = settings.shading == Shading::color && stage >= light_stage;

@@ -80,13 +80,4 @@ Trial QualityLadder::within_time(double seconds) const {
     return between(fits, *dearer, place_between(fits.seconds, dearer->seconds, seconds));
 }
 
-Trial QualityLadder::within_error(double error) const {
-    const auto good =
-        std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.error <= error; });
-    if (good == trials_.end()) return trials_.back();
-    if (good == trials_.begin() || !have_a_middle(*std::prev(good), *good)) return *good;
-    const Trial& worse = *std::prev(good);
-    return between(worse, *good, place_between(worse.error, good->error, error));
-}
-
 }  // namespace rt

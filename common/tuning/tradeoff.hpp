@@ -36,9 +36,6 @@ public:
     /// The most accurate settings that take at most this time in seconds.
     [[nodiscard]] Trial within_time(double seconds) const;
 
-    /// The cheapest settings with at most this error in 8-bit levels.
-    [[nodiscard]] Trial within_error(double error) const;
-
 private:
     std::vector<Trial> trials_;  ///< their seconds do not decrease
 };

@@ -4,12 +4,12 @@
 
 #include "common/image/image.hpp"
 #include "common/render/render_settings.hpp"
+#include "common/tuning/scene_lengths.hpp"
 
 #include <array>
 #include <atomic>
 #include <bit>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,12 +17,10 @@ namespace rt {
 
 /// The traits of a scene that affect the choice of settings.
 struct SceneTraits {
+    SceneLengths lengths;
     bool sized_lights = false;
-    double shininess = 1;                                  ///< largest exponent of a highlight
-    double extent = 0;                                     ///< as InputRounding::largest
-    double feature = 0;                                    ///< as InputRounding::smallest
-    double gap = std::numeric_limits<double>::infinity();  ///< as InputRounding::gap
-    double strongest_mirror = 0;                           ///< largest mirror strength of a shape
+    double shininess = 1;            ///< largest exponent of a highlight
+    double strongest_mirror = 0;     ///< largest mirror strength of a shape
     std::size_t shapes = 0;          ///< number of shapes, with the triangles of meshes
     std::size_t most_alike = 0;      ///< length of the longest list that a hierarchy could replace
     std::size_t hierarchy_from = 0;  ///< default threshold of build_acceleration for a hierarchy

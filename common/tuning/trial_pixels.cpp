@@ -56,12 +56,11 @@ std::vector<bool> SpreadPixels::with_neighbors(const std::vector<bool>& marked) 
     return all;
 }
 
-std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count, int part) {
+std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count) {
     if (count == 0 || pixels.empty()) return {};
     const std::size_t step = std::max<std::size_t>(pixels.size() / count, 1);
     std::vector<Pixel> some;
-    for (std::size_t i = std::size_t(part) * (step / 2); i < pixels.size(); i += step)
-        some.push_back(pixels[i]);
+    for (std::size_t i = 0; i < pixels.size(); i += step) some.push_back(pixels[i]);
     return some;
 }
 

@@ -4,7 +4,6 @@
 #include "common/image/pixel.hpp"
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace rt {
@@ -57,9 +56,7 @@ private:
     int columns_;
 };
 
-/// Returns about `count` of the pixels, spread evenly: every k-th, or all. Parts 0 and 1 have no
-/// pixel in common if there are enough for both.
-[[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count,
-                                         int part = 0);
+/// Returns about `count` of the pixels, spread evenly: every k-th, or all.
+[[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count);
 
 }  // namespace rt

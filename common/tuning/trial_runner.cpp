@@ -1,5 +1,7 @@
 #include "common/tuning/trial_runner.hpp"
 
+#include "common/tuning/candidates.hpp"
+
 namespace rt {
 
 double TrialRunner::limit() const {
@@ -49,11 +51,7 @@ bool TrialRunner::no_time_left() const {
 }
 
 RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim) {
-    if (aim.given.shadow_samples) return settings;
-    settings.shadow_samples = 1;
-    settings.shadow_error = 0;
-    settings.shadow_agree = 0;
-    return settings;
+    return aim.given.shadow_samples ? settings : with_rays(settings, 1);
 }
 
 }  // namespace rt

@@ -7,7 +7,7 @@ namespace rt {
 
 std::string number(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, value >= 99.5 ? "%.0f" : "%.2g", value);
+    std::snprintf(text, sizeof text, value >= 99.5 && value < 1e6 ? "%.0f" : "%.2g", value);
     return text;
 }
 

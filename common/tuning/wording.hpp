@@ -5,7 +5,8 @@
 
 namespace rt {
 
-/// The number with two significant digits, or with all digits before the decimal point.
+/// The number with two significant digits, or with all digits before the decimal point if these are
+/// no more than six.
 [[nodiscard]] std::string number(double value);
 
 /// "1 level", "0.5 levels": an error in levels of an 8-bit picture.

@@ -1,8 +1,6 @@
 // Shadows: an occluded light contributes nothing.
 #include "common/render/stage.hpp"
 
-#include "common/math/vector.hpp"
-
 #include "steps/step03_sphere/sphere.hpp"
 #include "steps/step08_cone/all_shapes.hpp"
 #include "steps/step09_phong/phong.hpp"

@@ -11,8 +11,8 @@
 #include "steps/step10_shadows/shadows.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
 
-#include <algorithm>
 #include <array>
+#include <string>
 
 namespace rt {
 

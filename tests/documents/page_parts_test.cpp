@@ -19,7 +19,7 @@ const std::string answers = "<details><summary>Answers</summary>";
 const std::string curious = "<details><summary>For the curious</summary>";
 
 std::vector<PageLine> page_of(int stage) {
-    return read_page(project_file("docs/" + std::string(stage_name(stage)) + ".md"));
+    return read_page(project_file("docs/" + name_of(stage) + ".md"));
 }
 
 /// The number of the first line that begins like this, or 0.
@@ -53,7 +53,7 @@ TEST_CASE("the pages of all stages have the same parts, in the same order") {
               std::string("## What to write"), std::string("## What goes wrong"),
               std::string("## See it"), questions, answers, curious}) {
             const int line = line_of(page, part);
-            CHECK(verdict(line > before, std::string(stage_name(stage)) + ".md: \"" + part +
+            CHECK(verdict(line > before, name_of(stage) + ".md: \"" + part +
                                              "\" is missing, or not at its place"));
             before = line;
         }

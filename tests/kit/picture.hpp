@@ -24,7 +24,7 @@ struct Drawing {
 };
 
 /// True if a pixel's color is as near to the reference's as right answers are, by the spread in the
-/// picture of the same name in tests/pictures.
+/// picture of the same name in tests/programs/pictures.
 [[nodiscard]] bool fits(Rgb got, Rgb reference, Rgb spread);
 
 /// Renders scenes/<name>.rt, in the size of docs/pictures/<name>.png, and compares.

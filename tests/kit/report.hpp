@@ -1,6 +1,8 @@
 // Additions to the report of a failure.
 #pragma once
 
+#include "common/system/hash.hpp"
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -15,16 +17,12 @@ inline std::function<std::string()> remark_on_failure;
 /// The digest of all failures of the case so far, each with its question and the wrong answer.
 class FailureDigest {
 public:
-    void clear() { state_ = start; }
-    void add(std::string_view failure) {
-        for (const char letter : failure)  // FNV-1a, of 64 bits
-            state_ = (state_ ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-    }
-    [[nodiscard]] std::uint64_t value() const { return state_; }
+    void clear() { value_ = fnv1a(""); }
+    void add(std::string_view failure) { value_ = fnv1a(failure, value_); }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
 
 private:
-    static constexpr std::uint64_t start = 0xcbf29ce484222325;
-    std::uint64_t state_ = start;
+    std::uint64_t value_ = fnv1a("");
 };
 
 inline FailureDigest failures_of_case;

@@ -4,9 +4,11 @@
 
 #include "common/system/keyed_hash.hpp"
 
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 namespace rt {
 
@@ -23,7 +25,14 @@ Seed read_seed() {
         return seed;
     }
     const char* said = std::getenv("RAYSTEPS_SEED");
-    return {.number = said == nullptr ? default_seed : std::strtoull(said, nullptr, 10)};
+    if (said == nullptr) return {.number = default_seed};
+    const std::string_view digits = said;
+    Seed seed;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), seed.number);
+    if (error != std::errc() || end != digits.data() + digits.size())
+        throw std::runtime_error("RAYSTEPS_SEED must be a number, not " + std::string(digits));
+    return seed;
 }
 
 }  // namespace

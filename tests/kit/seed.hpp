@@ -16,7 +16,8 @@ struct Seed {
     bool secret = false;
 };
 
-/// The seed of this run. Throws std::runtime_error if the file contains none.
+/// The seed of this run. Throws std::runtime_error if the variable is not a number, or the file
+/// contains none.
 [[nodiscard]] const Seed& seed();
 
 /// The random number that starts the i-th draw of a named case: different seeds, names and indices

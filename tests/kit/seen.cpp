@@ -83,12 +83,12 @@ Verdict shows_in_every_pixel(const std::string& text, Rgb expected,
     for (Pixel pixel; pixel.row < 2; ++pixel.row)
         for (pixel.column = 0; pixel.column < 3; ++pixel.column)
             if (!fits(image[pixel], expected, {0, 0, 0}))
-                return verdict(false, "the color of the pixel " + std::to_string(pixel.row) + "," +
-                                          std::to_string(pixel.column) + " of 2 x 3, of 255" +
-                                          "\n  scene:    save it to render it, with R 3 2" +
-                                          indented(whole(text)) +
-                                          "\n  got:      " + rt::text(image[pixel]) +
-                                          "\n  expected: " + rt::text(expected));
+                return verdict(
+                    false, "the color of the pixel " + std::to_string(pixel.row) + "," +
+                               std::to_string(pixel.column) + " of 3 x 2 pixels, of 255" +
+                               "\n  scene:    save it to render it, with R 3 2" +
+                               indented(whole(text)) + "\n  got:      " + rt::text(image[pixel]) +
+                               "\n  expected: " + rt::text(expected));
     return {};
 }
 

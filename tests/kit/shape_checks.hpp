@@ -7,7 +7,6 @@
 #include "common/geometry/cone.hpp"
 #include "common/geometry/transform.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace rt {

@@ -19,12 +19,12 @@ extern const bool has_oracle;
 
 /// A path relative to the project's folder, such as "steps/step05_triangle/student".
 [[nodiscard]] inline std::string step_path(int stage, const std::string& rest) {
-    return "steps/" + std::string(stage_name(stage)) + "/" + rest;
+    return "steps/" + name_of(stage) + "/" + rest;
 }
 
 /// A program or test of the stage: "step05_triangle" + suffix.
 [[nodiscard]] inline std::string stage_target(int stage, const std::string& suffix = "") {
-    return std::string(stage_name(stage)) + suffix;
+    return name_of(stage) + suffix;
 }
 
 /// The student's loop over the pixels, in stage 1, or `trace`, from stage 3 on, in

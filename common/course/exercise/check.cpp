@@ -279,7 +279,7 @@ void show_end(const Judgment& judgment, int stage) {
     const std::string passed =
         count(judgment.passed(), judgment.outcomes.size(),
               judgment.in_double.suite.ended.empty() ? "float and double" : "double");
-    std::printf("\n%s: %s\n", styled(std::string(stage_name(stage)), Style::bold).c_str(),
+    std::printf("\n%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
                 styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
     const std::string part = first_wrong_part(judgment.outcomes);
     if (!judgment.right())

@@ -40,7 +40,7 @@ void show_progress() {
         const char* mark = stage == current ? "▸" : " ";
         if (workbook.state() == State::done) mark = "✓";
         std::string line = std::string(mark) + (stage < 10 ? "  " : " ") + std::to_string(stage) +
-                           "  " + std::string(stage_name(stage));
+                           "  " + name_of(stage);
         line.resize(line.size() + 24 - stage_name(stage).size(), ' ');
         line += workbook.state() == State::untouched ? brings[std::size_t(stage - 1)]
                                                      : workbook.summary();

@@ -46,7 +46,8 @@ std::vector<std::string> labels_of(int stage) {
 /// True if the part's name contains the label as whole words.
 bool names(const std::string& part, const std::string& label) {
     const auto is_letter = [&part](std::size_t i) {
-        return i < part.size() && (std::isalpha(part[i]) != 0 || part[i] == '_');
+        return i < part.size() &&
+               (std::isalpha(static_cast<unsigned char>(part[i])) != 0 || part[i] == '_');
     };
     for (std::size_t at = part.find(label); at != std::string::npos; at = part.find(label, at + 1))
         if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + label.size())) return true;

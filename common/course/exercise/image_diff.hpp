@@ -27,7 +27,8 @@ inline constexpr int one_rounding = 1;
 /// Each pixel as a square of `times` by `times`.
 [[nodiscard]] Image magnified(const Image& image, int times);
 
-/// "1,234 of 307,200 pixels differ, by 255 at most; …", or a sentence that none differs.
+/// "1234 of 307200 pixels differ from the reference's, most around row,column 12,34", or a sentence
+/// that none differs.
 [[nodiscard]] std::string summary(const Comparison& comparison);
 
 }  // namespace rt

@@ -74,8 +74,7 @@ std::vector<Include> includes_of(const fs::path& file) {
 }
 
 fs::path stage_header(int stage) {
-    const std::string name(stage_name(stage));
-    return fs::path("steps") / name / (name.substr(7) + ".hpp");
+    return fs::path("steps") / name_of(stage) / (topic_of(stage) + ".hpp");
 }
 
 std::set<fs::path> allowed_headers(const fs::path& project, GradedFile graded) {

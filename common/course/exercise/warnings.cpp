@@ -23,7 +23,7 @@ void show_refused_includes(const Workbook& workbook) {
                 "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
                 "headers\n",
                 step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
-                each.header.c_str(), std::string(stage_name(stage)).c_str());
+                each.header.c_str(), name_of(stage).c_str());
 }
 
 /// Warns of each source file that is linked here, but not when the stage is graded; and if there is

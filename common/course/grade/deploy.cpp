@@ -178,7 +178,7 @@ constexpr const char* report = R"sh(#!/bin/sh
 exec @PROJECT@/build/grade --report --out "$1"
 )sh";
 
-constexpr const char* parallel_for = R"sh(#!/bin/sh
+constexpr const char* in_parallel = R"sh(#!/bin/sh
 # in_parallel.sh CLASS OUT [OPTION OF ./course grade]...: the same with GNU parallel, on this machine
 # or, with its --sshloginfile, on others that share the folders.
 set -eu
@@ -269,7 +269,7 @@ void write_for(const std::string& place, const fs::path& place_of_files, const f
         writer.write(folder / "submit.sh", submit);
         writer.write(folder / "grade.sbatch", array);
         writer.write(folder / "report.sbatch", report);
-        writer.write(folder / "in_parallel.sh", parallel_for);
+        writer.write(folder / "in_parallel.sh", in_parallel);
     }
 }
 

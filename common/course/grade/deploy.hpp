@@ -11,7 +11,7 @@ namespace rt::grade {
 ///
 /// gradescope   autograder.zip, to be uploaded: the project, setup.sh and run_autograder
 /// github       grade.yml, a workflow for .github/workflows of a private clone of the project
-/// slurm        submit.sh CLASS OUT, an array of jobs and then the reports; and parallel_for.sh,
+/// slurm        submit.sh CLASS OUT, an array of jobs and then the reports; and in_parallel.sh,
 ///              the same for GNU parallel
 ///
 /// On Gradescope only `stages` are graded; all of them if it is empty. Throws InputError if the

@@ -6,6 +6,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/two_numbers.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -32,11 +33,11 @@ std::set<int> parse_stages(const std::vector<std::string>& words) {
 
 /// "2/8": the second of eight parts of a class.
 void parse_part(const std::string& word, Order& order) {
-    char rest = 0;
-    const bool is_part =
-        std::sscanf(word.c_str(), "%d/%d%c", &order.part, &order.parts, &rest) == 2;
-    if (!is_part || order.part < 1 || order.part > order.parts)
+    const auto part = rt::two_numbers(word, '/');
+    if (!part || (*part)[0] < 1 || (*part)[0] > (*part)[1])
         throw rt::InputError({}, "--part needs K/N, such as 1/8 to 8/8, not \"" + word + "\"");
+    order.part = (*part)[0];
+    order.parts = (*part)[1];
 }
 
 /// The seal, attacked.

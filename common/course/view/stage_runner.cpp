@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <future>
 #include <numbers>
 
@@ -21,7 +21,8 @@ constexpr std::size_t most_output = 4 << 20;  // the drawing of a scene with mes
 constexpr double degree = std::numbers::pi / 180;
 
 bool is_camera(const std::string& line) {
-    return line.size() > 1 && (line[0] == 'C' || line[0] == 'c') && std::isspace(line[1]);
+    return line.size() > 1 && (line[0] == 'C' || line[0] == 'c') &&
+           std::isspace(static_cast<unsigned char>(line[1])) != 0;
 }
 
 /// In the format of scenes, without an exponent.
@@ -62,7 +63,7 @@ fs::path program(const ViewSettings& settings, int stage, Whose whose) {
 }
 
 fs::path scene_file(const ViewSettings& settings, int stage) {
-    return settings.project / "scenes" / (std::string(stage_name(stage)) + ".rt");
+    return settings.project / "scenes" / (name_of(stage) + ".rt");
 }
 
 std::vector<fs::path> student_files(const ViewSettings& settings, int stage) {
@@ -119,8 +120,7 @@ ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose
                          " s: does a loop never end?\n";
     else if (!ending.crash.empty())
         ending.output += "it crashed: " + ending.crash + "\n";
-    replace_all(ending.output, scene,
-                "scenes/" + std::string(stage_name(picture_request.stage)) + ".rt");
+    replace_all(ending.output, scene, "scenes/" + name_of(picture_request.stage) + ".rt");
     return ending;
 }
 

@@ -11,7 +11,7 @@ namespace rt {
 struct ViewSettings {
     std::filesystem::path project;  ///< contains the scenes, and the student's files, which are
                                     ///< watched
-    std::filesystem::path build;    ///< contains stepNN_name and stepNN_name_of_reference
+    std::filesystem::path build;    ///< contains stepNN_name and stepNN_name_reference_program
     int stage = 1;                  ///< the first stage to show
     int port = 0;                   ///< 0: any free port
     std::chrono::seconds render_limit{60};

@@ -14,11 +14,7 @@ namespace {
 
 /// A mesh in the scene of its coordinates, packed if that pays.
 Primitive<MeshInstance> placed(Mesh mesh) {
-    MeshGeometry model{.mesh = std::move(mesh)};
-    model.bounds = bounds(model.mesh);
-    if (model.mesh.triangles.size() >= mesh_bvh_pays_from) model.packed.emplace(model.mesh);
-    return {.shape = {.model = std::make_shared<const MeshGeometry>(std::move(model))},
-            .material = {}};
+    return {.shape = {.model = mesh_geometry(std::move(mesh))}, .material = {}};
 }
 
 /// Four triangles, one behind the other, at each of so many places, the first in the middle.

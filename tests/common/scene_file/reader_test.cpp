@@ -334,6 +334,9 @@ TEST_CASE("lines: tabs, CRLF, indents, empty ones, a byte order mark, no final n
     CHECK(scene.cameras.size() == 1);
     CHECK(scene.spheres.size() == 1);
     CHECK(strict("R 8 6\rC 0,0,0 0,0,-1 60 # CR\rsp 0,0,0 1 1,2,3\r").spheres.size() == 1);
+    std::string long_text = "C 0,0,0 0,0,-1 60\r";
+    while (long_text.size() < 20'000) long_text += "sp 0,0,0 1 1,2,3\r";
+    CHECK(strict(long_text).spheres.size() > 1000);
 }
 
 TEST_CASE("a side above 8192 pixels is clipped, with a warning") {

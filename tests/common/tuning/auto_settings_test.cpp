@@ -128,7 +128,7 @@ TEST_CASE("float is taken where it draws the same, by no clock") {
         for (const double penumbra : {0.004, 0.5})
             for (const double other : {0.0, 1e-4, 3e-3, 0.06}) {
                 ModelScene model = soft(penumbra);
-                model.traits.feature = feature;
+                model.traits.lengths.smallest = feature;
                 ModelScene in_float = model;
                 in_float.other = other;
                 in_float.clock_noise = model.clock_noise = 5;
@@ -156,7 +156,7 @@ TEST_CASE("float is not tried where it may lose a gap") {
     ModelTrials known(model);
     // 4 · 8 u · 10 is 2e-5.
     for (const double gap : {0.0, 1e-8, 1.8e-5, 2e-5, 1.0}) {
-        model.traits.gap = gap;
+        model.traits.lengths.gap = gap;
         INFO("a gap of " << gap);
         CHECK(chosen(model, {.tolerance = 1}, [&]() -> Trials& { return known; }).in_float ==
               (gap == 0 || gap > 1.9e-5));

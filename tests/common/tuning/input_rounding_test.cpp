@@ -39,7 +39,7 @@ TEST_CASE("no scene of scenes/ is at risk in float") {
     for (const auto& entry : std::filesystem::directory_iterator(project_file("scenes"))) {
         if (entry.path().extension() != ".rt") continue;
         INFO(entry.path());
-        CHECK(risks_in_float(input_rounding(load_scene(entry.path().string(), orthonormal_basis)))
+        CHECK(risks_in_float(scene_lengths(load_scene(entry.path().string(), orthonormal_basis)))
                   .empty());
     }
 }
@@ -49,12 +49,12 @@ TEST_CASE("sizes that are small beside the coordinates are lost in float") {
         Scene transformed = scene(Vec3(distance, 0, 10));
         add(transformed.spheres, {.center = {distance, 0, 0}, .radius = Real(0.5)});
         add(transformed.spheres, {.center = {distance, 5, 0}, .radius = 2});
-        const InputRounding rounding = input_rounding(transformed);
-        CHECK(rounding.smallest == 0.5);
-        CHECK(rounding.largest == Approx(std::max(distance + 2, Real(10))));
-        CHECK(rounding.loses_sizes(float_unit_roundoff) == (distance > 0));
-        CHECK(risks_in_float(rounding).empty() == (distance == 0));
-        CHECK_FALSE(rounding.loses_sizes(double(unit_roundoff)));
+        const SceneLengths lengths = scene_lengths(transformed);
+        CHECK(lengths.smallest == 0.5);
+        CHECK(lengths.largest == Approx(std::max(distance + 2, Real(10))));
+        CHECK(lengths.loses_sizes(float_unit_roundoff) == (distance > 0));
+        CHECK(risks_in_float(lengths).empty() == (distance == 0));
+        CHECK_FALSE(lengths.loses_sizes(double(unit_roundoff)));
     }
 }
 
@@ -62,20 +62,20 @@ TEST_CASE("one shape that reaches far puts the small ones at risk") {
     Scene ground = scene();
     add(ground.spheres, {.center = {0, -1e6, 0}, .radius = 1e6});
     add(ground.spheres, {.center = {0, 1, 0}, .radius = 1});
-    CHECK_FALSE(risks_in_float(input_rounding(ground)).empty());
+    CHECK_FALSE(risks_in_float(scene_lengths(ground)).empty());
 }
 
 TEST_CASE("where a plane's point is in the plane does not matter, nor does the scale") {
     Scene level = scene();
     add(level.planes, {.point = {1e8, 0, -1e8}, .normal = {0, 1, 0}});
     add(level.spheres, {.center = {0, 1, 0}, .radius = 1});
-    CHECK(risks_in_float(input_rounding(level)).empty());
+    CHECK(risks_in_float(scene_lengths(level)).empty());
 
     for (const Real scale : {Real(1e-12), Real(1e12)}) {
         Scene scaled = scene(scale * Vec3(0, 1, 10));
         add(scaled.planes, {.point = {}, .normal = {0, 1, 0}});
         add(scaled.spheres, {.center = {0, scale, 0}, .radius = scale});
-        CHECK(risks_in_float(input_rounding(scaled)).empty());
+        CHECK(risks_in_float(scene_lengths(scaled)).empty());
     }
 }
 
@@ -105,12 +105,12 @@ TEST_CASE("gaps between surfaces that lie along each other are found, and lost i
              .basis = {.x = {1, gap / 2, 0}, .y = {0, 0, -1}, .z = {-gap / 2, 1, 0}}});
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             CAPTURE(i);
-            const InputRounding rounding = input_rounding(scenes[i]);
+            const SceneLengths lengths = scene_lengths(scenes[i]);
             const bool is_lost = gap < Real(0.001);
-            CHECK(rounding.loses_gaps(float_unit_roundoff) == is_lost);
-            CHECK(risks_in_float(rounding).size() == (is_lost ? 1 : 0));
-            CHECK_FALSE(rounding.loses_gaps(double(unit_roundoff)));
-            if (is_lost && i < 7) CHECK(rounding.gap == Approx(double(gap)).epsilon(0.01));
+            CHECK(lengths.loses_gaps(float_unit_roundoff) == is_lost);
+            CHECK(risks_in_float(lengths).size() == (is_lost ? 1 : 0));
+            CHECK_FALSE(lengths.loses_gaps(double(unit_roundoff)));
+            if (is_lost && i < 7) CHECK(lengths.gap == Approx(double(gap)).epsilon(0.01));
         }
     }
 }
@@ -119,8 +119,8 @@ TEST_CASE("surfaces that coincide are no matter of float") {
     Scene both = scene();
     add(both.squares, tile({0, 0, 0}, 4));
     add(both.squares, tile({1, 0, 0}));
-    CHECK(input_rounding(both).gap == 0);
-    CHECK(risks_in_float(input_rounding(both)).empty());
+    CHECK(scene_lengths(both).gap == 0);
+    CHECK(risks_in_float(scene_lengths(both)).empty());
 }
 
 TEST_CASE("surfaces that only touch have no gap") {
@@ -136,8 +136,8 @@ TEST_CASE("surfaces that only touch have no gap") {
     add(standing.cylinders, {.center = {4, 1, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2});
     add(standing.cones, {.apex = {8, 1, 0}, .axis = {0, -1, 0}, .radius = 1, .height = 1});
     for (const Scene& touching : {floor, standing}) {
-        CHECK(input_rounding(touching).gap > 1);
-        CHECK(risks_in_float(input_rounding(touching)).empty());
+        CHECK(scene_lengths(touching).gap > 1);
+        CHECK(risks_in_float(scene_lengths(touching)).empty());
     }
 }
 
@@ -146,5 +146,5 @@ TEST_CASE("a scene of many shapes is examined quickly") {
     Random random(1);
     for (int i = 0; i < 100'000; ++i)
         add(many.spheres, {.center = random.point(1), .radius = random.between(0, 1)});
-    CHECK(input_rounding(many).largest > 0);
+    CHECK(scene_lengths(many).largest > 0);
 }

@@ -263,7 +263,9 @@ inline bool keeps(const ModelScene& model, double error, double allowed) {
 }
 
 inline ModelScene plain() {
-    return {.traits = {.extent = 10, .feature = 1, .hierarchy_from = 32, .unit_roundoff = 1e-16}};
+    return {.traits = {.lengths = {.largest = 10, .smallest = 1},
+                       .hierarchy_from = 32,
+                       .unit_roundoff = 1e-16}};
 }
 
 inline ModelScene soft(double penumbra) {

@@ -95,7 +95,7 @@ std::optional<int> trace_stage(const std::string& stem, const std::string& lette
     const std::string topic = letters.substr(0, letters.size() - main.size());
     if (topic.empty()) return numbered_stage(stem);
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        if (has_trace(stage) && topic == squeezed(name_of(stage).substr(7))) return stage;
+        if (has_trace(stage) && topic == squeezed(topic_of(stage))) return stage;
     return std::nullopt;
 }
 

@@ -103,7 +103,7 @@ std::string judged(const Mark& mark, const fs::path& folder) {
 }
 
 std::string section(const Mark& mark, int most, const fs::path& folder) {
-    const std::string html = "<section id=\"" + std::string(stage_name(mark.stage)) +
+    const std::string html = "<section id=\"" + name_of(mark.stage) +
                              "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
                              "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
     if (mark.verdict == Verdict::missing)
@@ -122,7 +122,7 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
         const int most = stages.at(stage);
         html += "<li><a class=\"share\" style=\"--share: " +
                 std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
-                std::string(stage_name(stage)) + "\">" + stage_title(stage) + "<small>" +
+                name_of(stage) + "\">" + stage_title(stage) + "<small>" +
                 std::to_string(mark->points()) + " of " + std::to_string(most) +
                 (mark->verdict == Verdict::missing ? ", not submitted" : "") +
                 "</small></a></li>\n";

@@ -22,7 +22,7 @@ void write_grade_book(const std::filesystem::path& results, const std::vector<Ma
     const bool remarks =
         std::any_of(all.begin(), all.end(), [](const auto& each) { return !each.remarks.empty(); });
     std::string book = "student";
-    for (const auto& [stage, most] : stages) book += "," + std::string(stage_name(stage));
+    for (const auto& [stage, most] : stages) book += "," + name_of(stage);
     book += std::string(",total,of") + (remarks ? ",remarks" : "") + end_of_line;
     for (const StudentMarks& submission : all) {
         book += cell(submission.student);

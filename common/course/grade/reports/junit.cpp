@@ -26,7 +26,7 @@ std::string failure(const CaseMark& each) {
 }
 
 std::string suite(const Mark& mark) {
-    const std::string name = mark.student + "." + std::string(stage_name(mark.stage));
+    const std::string name = mark.student + "." + name_of(mark.stage);
     std::string cases;
     std::size_t failures = 0;
     for (const CaseMark& each : mark.cases) {

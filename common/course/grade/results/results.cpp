@@ -146,7 +146,7 @@ fs::path student_folder(const fs::path& results, const std::string& student) {
 }
 
 fs::path mark_file(const fs::path& results, const std::string& student, int stage) {
-    return student_folder(results, student) / (std::string(stage_name(stage)) + ".jsonl");
+    return student_folder(results, student) / (name_of(stage) + ".jsonl");
 }
 
 void write_mark(const fs::path& results, const Mark& mark) {

@@ -1,4 +1,4 @@
-#include "common/tuning/row_budget.hpp"
+#include "common/tuning/time_budget.hpp"
 
 #include <algorithm>
 #include <utility>
