@@ -153,7 +153,7 @@ Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size
     return all;
 }
 
-std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, Query query) const {
+std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind query) const {
     const Ray seen = scaled(ray);
     const WatertightTest test(seen);
     Interval left = scaled(interval);
@@ -163,7 +163,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, Query query)
         const Crossings found = crossings(test, seen, leaf, left);
         for (unsigned hits = found.hits; hits != 0;)
             left.max = std::min(left.max, values(found.t)[pop_lowest_bit(hits)]);
-        return query == Query::any_hit && found.hits != 0;
+        return query == QueryKind::any_hit && found.hits != 0;
     };
     RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(slabs, left, CountingBoxes<decltype(visit)>{visit, &count});

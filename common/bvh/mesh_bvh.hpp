@@ -13,7 +13,7 @@ inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
-enum class Query { closest_hit, any_hit };
+enum class QueryKind { closest_hit, any_hit };
 
 /// The triangles of a mesh, copied: the mesh itself is not used after construction.
 class MeshBvh {
@@ -30,7 +30,7 @@ public:
 
     /// The number of boxes, eight in a node, and of triangles, four in a packet, against which a
     /// query tests the ray.
-    [[nodiscard]] std::int64_t test_count(const Ray& ray, Interval interval, Query query) const;
+    [[nodiscard]] std::int64_t test_count(const Ray& ray, Interval interval, QueryKind query) const;
 
     /// The bounding box of all triangles; empty if there are none.
     [[nodiscard]] BoundingBox bounds() const { return bounds_; }

@@ -20,7 +20,7 @@ void PixelLog::remark(const std::string& text) {
     out_ << "    → " << text << '\n';
 }
 
-bool PixelLog::room_for_miss() {
+bool PixelLog::count_miss() {
     return ++misses_ <= misses_told;
 }
 

@@ -25,8 +25,8 @@ public:
     /// A line of text after an arrow.
     void remark(const std::string& text);
 
-    /// Returns whether the log has room for one more missed shape: a scene may have thousands.
-    [[nodiscard]] bool room_for_miss();
+    /// Counts a missed shape. Returns whether the log has room for it: a scene may have thousands.
+    [[nodiscard]] bool count_miss();
     /// The number of misses that were omitted.
     [[nodiscard]] int misses_left_out() const;
 
@@ -58,7 +58,7 @@ void explain_hit(PixelLog& log, Vec3 point, Vec3 normal);
 template <class Shape>
 void explain_candidate(PixelLog& log, const Ray& ray, const Shape& shape, Interval interval,
                        std::optional<Real> t) {
-    if (!t && !log.room_for_miss()) return;
+    if (!t && !log.count_miss()) return;
     log.heading(code(shape));
     const std::string reason = explain(log, ray, shape);
     if (t)

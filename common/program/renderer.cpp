@@ -17,6 +17,7 @@
 #include "common/system/cpu_seconds.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/input_rounding.hpp"
+#include "common/tuning/render_trials.hpp"
 #include "common/tuning/scene_traits.hpp"
 #include "common/tuning/stops_sampling.hpp"
 #include "common/tuning/time_budget.hpp"

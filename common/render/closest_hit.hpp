@@ -66,7 +66,7 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
 /// The number of tests that a query of a shape takes: one, but of a mesh many.
 template <class Shape>
 std::int64_t test_count(const Ray& /*ray*/, const Shape& /*shape*/, Interval /*interval*/,
-                        Query /*query*/) {
+                        QueryKind /*query*/) {
     return 1;
 }
 
@@ -129,7 +129,7 @@ private:
     void record_list(const PrimitiveList<Shape>& primitives, RayRecords& records) {
         RayRecord& record = closest_record(records, ray_);
         primitives.traverse(slabs_, interval_, [&](const Primitive<Shape>& primitive) {
-            record.tests += test_count(ray_, primitive.shape, interval_, Query::closest_hit);
+            record.tests += test_count(ray_, primitive.shape, interval_, QueryKind::closest_hit);
             keep(primitive, intersect(ray_, primitive.shape, interval_));
             if (winner_ == &primitive) record.shape = &primitive;
         });
@@ -275,7 +275,7 @@ private:
         if (log != nullptr && in_the_way) log->remark("in the way: " + code(shape));
         if (records == nullptr) return in_the_way;
         RayRecord& record = records->rays.back();
-        record.tests += test_count(ray_, shape, interval_, Query::any_hit);
+        record.tests += test_count(ray_, shape, interval_, QueryKind::any_hit);
         if (!in_the_way) return false;
         record.shape = &primitive;
         if (const auto t = t_of(intersect(ray_, shape, interval_))) record.t = double(*t);

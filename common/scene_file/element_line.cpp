@@ -90,7 +90,7 @@ int ElementLine::choice(std::string_view key, std::initializer_list<std::string_
     refuse(*value, what(key) + " must be " + expected);
 }
 
-bool ElementLine::only_options_follow() {
+bool ElementLine::only_options_follow() const {
     const auto is_other = [](Token token) { return !is_option(token.text); };
     const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
     return !strict() && !at_end() && std::none_of(rest, line_.tokens.end(), is_other);

@@ -34,7 +34,7 @@ public:
 
     /// Returns whether only words `key:value` follow, so that lenient reading does not consume a
     /// field.
-    [[nodiscard]] bool only_options_follow();
+    [[nodiscard]] bool only_options_follow() const;
 
     /// Returns whether the next field is a triple or a color `#rrggbb`. Lenient reading accepts
     /// blanks around the commas of a triple.

@@ -1,4 +1,4 @@
-// Scene traits and pixel samples for `--tolerance` and `--time`.
+// The traits of a scene, for `--tolerance` and `--time`.
 #pragma once
 
 #include "common/scene/scene.hpp"
@@ -9,13 +9,5 @@ namespace rt {
 /// The traits of the scene that matter for the given stage's picture.
 [[nodiscard]] SceneTraits scene_traits(const Scene& scene, int stage,
                                        const RenderSettings& settings);
-
-/// Renders sample pixels of the scene, as Trials::render_pixels describes.
-[[nodiscard]] TrialSample render_pixels(const Scene& scene, const RenderSettings& settings,
-                                        const TrialRequest& request);
-
-/// Traces rays through pixels of the scene, as Trials::trace_histories describes.
-[[nodiscard]] TrialHistories trace_histories(const Scene& scene, const RenderSettings& settings,
-                                             const TrialRequest& request);
 
 }  // namespace rt

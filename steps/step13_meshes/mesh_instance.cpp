@@ -34,7 +34,7 @@ bool occludes(const Ray& ray, const MeshInstance& instance, Interval interval) {
 }
 
 std::int64_t test_count(const Ray& ray, const MeshInstance& instance, Interval interval,
-                        Query query) {
+                        QueryKind query) {
     const auto& [mesh, bounds, packed] = *instance.model;
     const Ray in_frame = to_object_space(ray, instance.placement);
     if (packed) return packed->test_count(in_frame, interval, query);

@@ -20,7 +20,7 @@ namespace rt {
 
 /// The number of boxes and triangles that the ray is tested against.
 [[nodiscard]] std::int64_t test_count(const Ray& ray, const MeshInstance& instance,
-                                      Interval interval, Query query);
+                                      Interval interval, QueryKind query);
 
 /// The hit's point in the scene, computed from its barycentric coordinates, so that it is on the
 /// triangle for a ray of any length.

@@ -124,6 +124,20 @@ Verdict close_surfaces_are_met(Draw draw) {
     });
 }
 
+/// A t is outside an interval that begins or ends with it. (An answer that decides exactly may find
+/// the hit inside, and round its t to the next number.)
+template <class Shape>
+Verdict ends_are_outside(const Ray& ray, const Shape& shape) {
+    const std::optional<Real> t = intersect(ray, shape, {});
+    if (!t) return {};
+    for (const Interval interval :
+         {Interval{.min = 0, .max = *t}, Interval{.min = *t, .max = infinity}}) {
+        const std::optional<Real> got = intersect(ray, shape, interval);
+        if (got == t) return verdict(false, told(ray, shape, interval, got, std::nullopt));
+    }
+    return {};
+}
+
 /// A hit counts strictly inside the interval only.
 template <class Draw>
 Verdict interval_is_kept(Draw draw) {
@@ -132,7 +146,8 @@ Verdict interval_is_kept(Draw draw) {
         const Interval around{.min = t * Real(0.99), .max = t * Real(1.01)};
         const Interval before{.min = 0, .max = t * Real(0.99)};
         if (const Verdict kept = hits(ray, shape, t, around); !kept) return kept;
-        return misses(ray, shape, before);
+        if (const Verdict kept = misses(ray, shape, before); !kept) return kept;
+        return ends_are_outside(ray, shape);
     });
 }
 
@@ -150,12 +165,13 @@ Verdict motion_changes_nothing(Draw draw) {
     });
 }
 
-/// The normal at a point is outward and of unit length.
+/// The normal at a point is outward and of unit length, on a shape of any size.
 template <class Draw>
 Verdict normals_point_outward(Draw draw) {
     return for_all([draw](Random& random) {
-        const auto sample = draw(random);
-        return normal_is(sample.shape, sample.point, sample.normal);
+        const auto [shape, point, normal] = draw(random);
+        const Transform scaling{.scale = std::ldexp(Real(1), random.below(41) - 20)};
+        return normal_is(transformed(shape, scaling), transformed(point, scaling), normal);
     });
 }
 

@@ -15,8 +15,11 @@ struct Units {
 // As far as each precision can represent the quantities of the documents' formulas: squares of
 // directions, and products of up to four lengths.
 constexpr bool is_float = sizeof(Real) == sizeof(float);
-/// t is below 1e-17 in float, and below 1e-29 in double.
-constexpr Units tiny_t = is_float ? Units{-12, 60} : Units{-48, 100};
+/// t is below 1e-12 in float, and below 1e-29 in double. The square of a direction in radii is
+/// finite.
+constexpr Units tiny_t = is_float ? Units{-12, 44} : Units{-48, 100};
+/// Sizes and distances are about 1e7 in float, and 1e30 in double.
+constexpr Units huge_shape = is_float ? Units{.size = 24} : Units{.size = 100};
 /// Sizes and distances are about 1e-6 in float, and 1e-14 in double.
 constexpr Units tiny_shape = is_float ? Units{.size = -22} : Units{.size = -48};
 /// ‖d‖² is below 1e-27 in float, and below 1e-57 in double.

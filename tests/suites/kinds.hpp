@@ -130,9 +130,18 @@ inline Verdict almost_equal_t_differ(const std::string& head) {
 inline Verdict all_distances_are_seen(const std::string& head) {
     Verdict all;
     for (const std::string shape :
-         {"sp 0,0,-3000000000000 2000000000000", "pl 0,0,-2000000000000 0,0,1",
-          "sp 0,0,-0.0000006 0.0000002", "pl 0,0,-0.0000005 0,0,1"})
+         {"sp 0,0,-3000000000000000 2000000000000000", "pl 0,0,-2000000000000000 0,0,1",
+          "sp 0,0,-0.0000000006 0.0000000002", "pl 0,0,-0.0000000005 0,0,1"})
         keep_first(all, shows(head + shape + " 255,0,0\n", {255, 0, 0}));
+    return all;
+}
+
+/// A one-sided square is seen from its front alone, where it hides what is behind it.
+inline Verdict one_sided_squares_have_a_front(const std::string& head) {
+    const std::string behind = "pl 0,0,-9 0,0,1 0,0,255\n";
+    Verdict all;
+    keep_first(all, shows(head + "sq 0,0,-5 0,0,1 2 255,0,0 sides:1\n" + behind, {255, 0, 0}));
+    keep_first(all, shows(head + "sq 0,0,-5 0,0,-1 2 255,0,0 sides:1\n" + behind, {0, 0, 255}));
     return all;
 }
 
@@ -168,6 +177,7 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
     keep_first(all, closest_of_a_long_list_is_seen(stage, head, torch));
     keep_first(all, almost_equal_t_differ(head));
     keep_first(all, all_distances_are_seen(head));
+    if (stage >= 6) keep_first(all, one_sided_squares_have_a_front(head));
     return all;
 }
 
@@ -199,12 +209,20 @@ inline Verdict nothing_is_black_or_sky() {
     return all;
 }
 
-/// The option --shade normal shows |x|, |y|, |z| of the normal, from either side.
-inline Verdict shade_normal_shows_the_normal() {
+/// The option --shade normal shows |x|, |y|, |z| of the normal, from either side of every kind of
+/// shape. Without a hit the pixel is the sky's.
+inline Verdict shade_normal_shows_the_normal(int stage) {
     const RenderSettings normals{.shading = Shading::normal};
     Verdict all;
     keep_first(all, shows("sp 0,3,-10 10 255,0,0\n", {0, 153, 204}, normals));
     keep_first(all, shows("sp 0,-6,0 20 255,0,0\n", {0, 153, 204}, normals));
+    for (const Kind& kind : kinds_until(stage)) {
+        // The normals that do not face the eye lean by 45°, up or down.
+        const Rgb expected = kind.torch < 1 ? Rgb{0, 180, 180} : Rgb{0, 0, 255};
+        keep_first(all, shows(kind.line(5, "255,0,0"), expected, normals));
+        keep_first(all, shows(kind.other_side(5, "255,0,0"), expected, normals));
+    }
+    keep_first(all, shows("sky 0,0,255 255,0,0\nsp 3,0,-5 2 0,255,0\n", {128, 0, 128}, normals));
     return all;
 }
 

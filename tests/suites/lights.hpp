@@ -97,11 +97,23 @@ inline Verdict every_kind_casts_a_shadow(const std::string& option) {
     return all;
 }
 
+/// A card at any share of the way hides a light of the radius 0.3, and a ball behind it does not.
+inline Verdict area_shadows_end_at_the_light() {
+    const std::string scene = "L 3,0,0 0.5 255,0,0 radius:0.3\npl 0,0,-4 0,0,1 255,255,255\n";
+    Verdict all;
+    for (const std::string card :
+         {"2.79,0,-0.28 0.6,0,0.8 2", "2.4,0,-0.8 0.6,0,0.8 1", "0.6,0,-3.2 0.6,0,0.8 1",
+          "0.24,0,-3.68 0.6,0,0.8 0.4", "0.0003,0,-3.9996 0.6,0,0.8 0.0005"})
+        keep_first(all, shows(scene + "sq " + card + " 9,9,9\n", {0, 0, 0}));
+    keep_first(all, shows(scene + "sp 6,0,4 2 9,9,9\n", {102, 0, 0}));
+    return all;
+}
+
 /// A ball casts a shadow from a hundred-thousandth of the way to the light, and almost as close to
 /// the light: no constant cuts off either end of the way.
 inline Verdict shadows_at_both_ends() {
     const std::string scene = "L 3,0,0 0.5 255,0,0\npl 0,0,-4 0,0,1 255,255,255\n";
-    Verdict all;
+    Verdict all = area_shadows_end_at_the_light();
     keep_first(all, shows(scene + "sp 0.00003,0,-3.99996 0.00004 9,9,9\n", {0, 0, 0}));
     keep_first(all, shows(scene + "sp 2.99988,0,-0.00016 0.00016 9,9,9\n", {0, 0, 0}));
     if (sizeof(Real) > sizeof(float))  // and from a ten-millionth
@@ -204,6 +216,20 @@ inline Verdict small_shares_are_seen() {
     return all;
 }
 
+/// A light that is three quarters hidden shows a quarter, in a scene a hundred times smaller or
+/// larger too.
+inline Verdict lights_of_any_size_are_sampled() {
+    const RenderSettings many{.shadow_samples = 256};
+    Verdict all;
+    keep_first(all, shows("L 0.03,0,0 0.5 255,0,0 radius:0.003\npl 0,0,-0.04 0,0,1 255,255,255\n"
+                          "sq 0.015,0.0094,-0.02 0.6,0,0.8 0.02 9,9,9\n",
+                          {26, 0, 0}, many, 10));
+    keep_first(all, shows("L 300,0,0 0.5 255,0,0 radius:30\npl 0,0,-400 0,0,1 255,255,255\n"
+                          "sq 150,94,-200 0.6,0,0.8 200 9,9,9\n",
+                          {26, 0, 0}, many, 10));
+    return all;
+}
+
 /// Twenty lights in one place are half hidden, and get one sample each. If each light has samples
 /// of its own, the point sees some of them: all or none have a probability of 2^-19.
 inline Verdict lights_have_their_own_samples() {
@@ -213,11 +239,43 @@ inline Verdict lights_have_their_own_samples() {
     return shows(scene, {102, 0, 0}, one, 97);
 }
 
-/// In a picture of 64 pixels that all see the same half of a light, with one sample each, some
-/// pixels of a row differ, and some of a column. If each pixel has samples of its own, all agree in
-/// each row with a probability of 2^-56.
+/// Two pixels of the picture that are so far apart differ somewhere.
+inline bool differ_at(int rows, int columns, const Image& image) {
+    const auto [width, height] = image.resolution;
+    for (Pixel pixel; pixel.row + rows < height; ++pixel.row)
+        for (pixel.column = std::max(-columns, 0); pixel.column + std::max(columns, 0) < width;
+             ++pixel.column)
+            if (image[pixel] != image[{pixel.row + rows, pixel.column + columns}]) return true;
+    return false;
+}
+
+/// The pattern in which the pixels repeat each other; empty if there is none.
+inline std::string pattern_of(const Image& image) {
+    constexpr int period = 4;
+    for (int rows = 0; rows <= period; ++rows)
+        for (int columns = rows == 0 ? 1 : -period; columns <= period; ++columns)
+            if (!differ_at(rows, columns, image))
+                return "every pixel is like the one " + std::to_string(rows) + " rows and " +
+                       std::to_string(columns) + " columns further";
+    const int size = image.resolution.width;
+    for (int i = 0; i < size; ++i) {
+        bool differ_in_row = false;
+        bool differ_in_column = false;
+        for (int j = 1; j < size; ++j) {
+            differ_in_row |= image[{i, j}] != image[{i, 0}];
+            differ_in_column |= image[{j, i}] != image[{0, i}];
+        }
+        if (!differ_in_row) return "all pixels of row " + std::to_string(i) + " agree";
+        if (!differ_in_column) return "all pixels of column " + std::to_string(i) + " agree";
+    }
+    return "";
+}
+
+/// In a picture in which all pixels see the same half of a light, with one sample each, there is no
+/// pattern, and the next picture is the same. If each pixel has samples of its own, all of a row
+/// agree with a probability of 2^-39.
 inline Verdict pixels_have_their_own_samples() {
-    constexpr int size = 8;
+    constexpr int size = 40;
     return for_all(
         [](Random& random) {
             // An edge of the triangle crosses the light's center.
@@ -231,20 +289,20 @@ inline Verdict pixels_have_their_own_samples() {
                                       " 0.5 255,0,0 radius:0.3\npl 0,0,-4 0,0,1 255,255,255\ntr" +
                                       row(2.3 * c, 2.3 * s, -2.6) + row(0.7 * c, 0.7 * s, -1.4) +
                                       row(1.5 * c - s, 1.5 * s + c, -2) + " 9,9,9\n";
-            const Image image =
-                picture_seen(scene, {.width = size, .height = size}, {.shadow_samples = 1});
-            bool differ_in_a_row = false;
-            bool differ_in_a_column = false;
-            for (Pixel pixel; pixel.row < size; ++pixel.row)
-                for (pixel.column = 0; pixel.column < size; ++pixel.column) {
-                    differ_in_a_row |= image[pixel] != image[{pixel.row, 0}];
-                    differ_in_a_column |= image[pixel] != image[{0, pixel.column}];
-                }
-            return verdict(
-                differ_in_a_row && differ_in_a_column,
-                told_of_pixel("the pixels of a picture of 8 x 8, with --shadow-samples 1", scene) +
-                    "\n  got:      all pixels of a row agree, or all of a column"
-                    "\n  expected: each pixel has samples of its own");
+            const auto draw = [&scene] {
+                return picture_seen(scene, {.width = size, .height = size}, {.shadow_samples = 1});
+            };
+            const Image image = draw();
+            const std::string pattern = pattern_of(image);
+            const std::string told =
+                told_of_pixel("the pixels of a picture of 40 x 40, with --shadow-samples 1", scene);
+            if (!pattern.empty())
+                return verdict(false, told + "\n  got:      " + pattern +
+                                          "\n  expected: each pixel has samples of its own");
+            return verdict(draw().pixels == image.pixels,
+                           told +
+                               "\n  got:      another picture, the second time"
+                               "\n  expected: the same: samples depend on their seed alone");
         },
         3);
 }
@@ -264,6 +322,7 @@ inline Verdict area_lights_are_sampled() {
                           {13, 13, 38}, many, 10));
     keep_first(all, samples_are_whole());
     keep_first(all, small_shares_are_seen());
+    keep_first(all, lights_of_any_size_are_sampled());
     keep_first(all, lights_have_their_own_samples());
     keep_first(all, pixels_have_their_own_samples());
     return all;

@@ -139,6 +139,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
         hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
     CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_shape, draw));
     CHECK(close_surfaces_are_met(draw));
 }
 
@@ -155,6 +156,10 @@ TEST_CASE("rays aimed at a point of the sphere meet it there (MRT §3)") {
 
 TEST_CASE("rays aimed past the sphere miss it (MRT §3)") {
     CHECK(misses_in({}, draw_past));
+    if (is_float) return;  // a textbook's discriminant has no digit left there
+    const Sphere far{.center = {0, 0, -1000}, .radius = Real(0.02)};
+    for (const Real radii : {Real(1.01), Real(-1.01)})
+        CHECK(misses({.origin = {radii * far.radius, 0, 0}, .direction = {0, 0, -1}}, far));
 }
 
 TEST_CASE("the normal points away from the center, with unit length (M1)", "[part normal]") {

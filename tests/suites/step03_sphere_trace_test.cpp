@@ -104,6 +104,8 @@ TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)")
     CHECK(show_in_any_order({slanted, "sp 0,0,-20 2 255,0,0\n", "sp 0,0,-30 2 255,0,0\n"},
                             {204, 204, 204}));
     CHECK(show_in_any_order({slanted, "sp 0,0,-3 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));
+    // From its center, every ray meets a sphere at a right angle; the rays have several lengths.
+    CHECK(shows_in_every_pixel("sp 0,0,0 8 120,80,40\n", {120, 80, 40}));
 }
 
 TEST_CASE("with --shade normal, trace shows the normal of the closest sphere (M1)") {
@@ -111,6 +113,7 @@ TEST_CASE("with --shade normal, trace shows the normal of the closest sphere (M1
     CHECK(shows("sp 0,3,-10 10 255,255,255\n", {0, 153, 204}, normals));
     CHECK(shows("sp 0,3,-10 10 255,0,0\nsp 0,0,-20 2 255,0,0\n", {0, 153, 204}, normals));
     CHECK(shows("sp 3,0,-5 2 255,0,0\n", black, normals));
+    CHECK(shade_normal_shows_the_normal(3));
 }
 
 TEST_CASE("the picture of the stage, by this trace (HAI; CR §2.2)") {

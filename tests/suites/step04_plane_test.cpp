@@ -128,6 +128,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     const Real nearer = std::ldexp(Real(1), -40);
     CHECK(hits(Ray{.origin = {3, nearer, 1}, .direction = {0, -1, 0}}, ground, nearer));
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_shape, draw));
     CHECK(hits_in(tiny_shape, draw));
 }
 
@@ -151,6 +152,11 @@ TEST_CASE("rays aimed from the other side meet it there too (MRT §4)") {
 TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)", "[part normal]") {
     CHECK(normal_is(Plane{.point = {0, 0, 0}, .normal = {0, 0, -5}}, {1, 1, 0}, {0, 0, -1}));
     CHECK(normal_is(Plane{.normal = {0, 0, Real(-0.25)}}, {1, 1, 0}, {0, 0, -1}));
+    for (const int power : {-20, 20}) {
+        const Plane plane{.normal = {0, std::ldexp(Real(1), power), 0}};
+        CHECK(normal_is(plane, {1, 0, 1}, {0, 1, 0}));
+        CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {0, -1, 0}}, plane, 2));
+    }
     CHECK(normal_is(Plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}}, {-2, 2, 2},
                     {Real(0.6), 0, Real(0.8)}));
     CHECK(normals_point_outward(draw));

@@ -191,6 +191,19 @@ TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") 
     }));
 }
 
+TEST_CASE("narrow triangles are seen: there is no epsilon on angles or sides (contract)",
+          "[exact]") {
+    for (const int power : {-3, -5, -8, -11}) {
+        const Real narrow = std::ldexp(Real(1), power);
+        const Triangle needle{.a = {0, 0, 0}, .b = {2, narrow, 0}, .c = {2, -narrow, 0}};
+        CHECK(hits(down_at(1, 0), needle, 2));
+        CHECK(misses(down_at(1, narrow), needle));
+        const Triangle one_short_side{.a = {0, 0, 0}, .b = {4, 0, 0}, .c = {0, 4 * narrow, 0}};
+        CHECK(hits(down_at(1, narrow), one_short_side, 2));
+        CHECK(misses(down_at(3, 3 * narrow), one_short_side));
+    }
+}
+
 TEST_CASE("a grazing ray meets the triangle: there is no epsilon (MRT §5)", "[exact]") {
     for (const int power : {-12, -40, -60}) {
         const Real slope = std::ldexp(Real(1), power);
@@ -221,6 +234,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, right_angled, near));
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_shape, draw));
 }
 
 TEST_CASE("small triangles and short directions count: no epsilon on the determinant (contract)") {

@@ -210,6 +210,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, flat, near));
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_shape, draw));
 }
 
 TEST_CASE("small squares and short directions count: no epsilon on ⟨d, Z⟩ (contract)") {

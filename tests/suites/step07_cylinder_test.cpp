@@ -301,6 +301,7 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
 
 TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_shape, draw));
     CHECK(close_surfaces_are_met(draw));
 }
 

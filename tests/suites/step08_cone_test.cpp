@@ -134,6 +134,7 @@ Verdict ends_at_its_apex(Random& random) {
 
 /// Multiplied by h², as well as by itself, the discriminant contains six lengths.
 constexpr Units small_cone = is_float ? Units{.size = -16} : tiny_shape;
+constexpr Units huge_cone = is_float ? Units{.size = 10} : huge_shape;
 
 struct Across {
     Cone cone;
@@ -369,6 +370,7 @@ TEST_CASE("only hits strictly inside the interval count (contract)") {
 
 TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     CHECK(hits_in(tiny_t, draw));
+    CHECK(hits_in(huge_cone, draw));
     CHECK(close_surfaces_are_met(draw));
 }
 
@@ -404,6 +406,10 @@ TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part nor
     CHECK(normal_is(right_angled, {0, 2, 2}, {0, -half, half}));
     CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
     CHECK(normal_is(upward, {0, 2, 1}, Vec3(0, -1, 2) / std::sqrt(Real(5))));
+    for (const int power : {-7, -12, -20}) {  // near the apex
+        const Real near = std::ldexp(Real(1), power);
+        CHECK(normal_is(right_angled, {0, near, near}, {0, -half, half}));
+    }
     CHECK(normals_point_outward(draw));
 }
 

@@ -63,6 +63,7 @@ TEST_CASE("each light has a share of its own (CR §3.3)") {
 TEST_CASE("a single sample is seen or not, and --shadow-samples is their number (CR §3.3)") {
     CHECK(samples_are_whole());
     CHECK(small_shares_are_seen());
+    CHECK(lights_of_any_size_are_sampled());
 }
 
 TEST_CASE("each light has samples of its own (CR §3.3)") {
@@ -99,7 +100,7 @@ TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)")
 }
 
 TEST_CASE("the option --shade normal shows the normal (M1)") {
-    CHECK(shade_normal_shows_the_normal());
+    CHECK(shade_normal_shows_the_normal(11));
 }
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {

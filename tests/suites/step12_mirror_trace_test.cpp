@@ -175,7 +175,7 @@ TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)")
 }
 
 TEST_CASE("the option --shade normal shows the normal (M1)") {
-    CHECK(shade_normal_shows_the_normal());
+    CHECK(shade_normal_shows_the_normal(12));
 }
 
 TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 
 #include <iostream>
+#include <optional>
 #include <thread>
 
 namespace {
@@ -47,16 +48,23 @@ int self_test(const fs::path& build) {
     return seal == 0 && attacks == 0 ? 0 : 1;
 }
 
-int run(int count, char** words) {
-    CLI::App app{"Grades submissions: folders, archives, or folders of these", "course grade"};
+/// The options that are not the order's own, or not in its form.
+struct Command {
     Order order{.project = RAYSTEPS_ROOT, .build = RAYSTEPS_BUILD};
     std::vector<std::string> stages;
     std::string part;
+    std::vector<std::string> students;
     fs::path gradescope;
     std::string elsewhere;
     bool report = false;
-    std::vector<std::string> students;
     bool attack = false;
+};
+
+/// Nothing if only the help was wanted, which it prints.
+std::optional<Command> parse(int count, char** words) {
+    CLI::App app{"Grades submissions: folders, archives, or folders of these", "course grade"};
+    Command command;
+    Order& order = command.order;
     // One more than the number of cores: one job may wait for code that sleeps.
     order.jobs = 1 + int(std::max(1u, std::thread::hardware_concurrency()));
     app.add_option("submissions", order.places);
@@ -64,46 +72,38 @@ int run(int count, char** words) {
                    "folder of the results; an interrupted run is continued");
     app.add_option("--seed-file", order.seed_file,
                    "file with 16 hexadecimal digits: the seed of the inputs; else it is random");
-    app.add_option("--stages", stages, "5,triangle: only these stages")->delimiter(',');
+    app.add_option("--stages", command.stages, "5,triangle: only these stages")->delimiter(',');
     app.add_option("--jobs", order.jobs, "number of submissions graded at a time")
         ->check(CLI::Range(1, 256));
-    app.add_option("--part", part,
+    app.add_option("--part", command.part,
                    "K/N: this part of the class, for N machines that share a folder");
-    app.add_option("--student", students, "anna,ben: grade only these students of the class")
+    app.add_option("--student", command.students,
+                   "anna,ben: grade only these students of the class")
         ->delimiter(',');
     app.add_flag("--one", order.one, "the places are one student's submission, not a class");
-    app.add_option("--gradescope", gradescope,
+    app.add_option("--gradescope", command.gradescope,
                    "write this results.json for one student's submission");
     app.add_option(
-        "--for", elsewhere,
+        "--for", command.elsewhere,
         "gradescope, github or slurm: write the files for grading there into the given folder");
-    app.add_flag("--report", report, "only write the reports of the existing marks");
-    app.add_flag("--self-test", attack, "attack the sandbox, to test it on this machine");
+    app.add_flag("--report", command.report, "only write the reports of the existing marks");
+    app.add_flag("--self-test", command.attack, "attack the sandbox, to test it on this machine");
     try {
         app.parse(count, words);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
-        return 0;
+        return std::nullopt;
     } catch (const CLI::ParseError& error) {
         throw rt::InputError({}, std::string("grade: ") + error.what());
     }
-    if (attack) return self_test(order.build);
-    if (!elsewhere.empty()) {
-        if (order.places.size() != 1) throw rt::InputError({}, "grade: --for needs one folder");
-        rt::grade::write_for(elsewhere, order.places[0], order.project, parse_stages(stages));
-        return 0;
-    }
-    if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR is missing");
-    umask(S_IRWXG | S_IRWXO);  // results are the lecturer's alone
-    if (report) {
-        rt::grade::write_reports(order.results, order.project);
-        return 0;
-    }
-    if (order.places.empty()) throw rt::InputError({}, "grade: no submissions given");
-    order.stages = parse_stages(stages);
-    if (!part.empty()) parse_part(part, order);
-    order.students = {students.begin(), students.end()};
-    order.one = order.one || !gradescope.empty();
+    order.stages = parse_stages(command.stages);
+    if (!command.part.empty()) parse_part(command.part, order);
+    order.students = {command.students.begin(), command.students.end()};
+    order.one = order.one || !command.gradescope.empty();
+    return command;
+}
+
+int grade_class(const Order& order, const fs::path& gradescope) {
     const rt::grade::Outcome outcome = rt::grade::grade(order);
     if (outcome == rt::grade::Outcome::interrupted) {
         std::cerr << "interrupted: the same command continues from here\n";
@@ -119,11 +119,30 @@ int run(int count, char** words) {
     return status;
 }
 
+int carry_out(const Command& command) {
+    const Order& order = command.order;
+    if (command.attack) return self_test(order.build);
+    if (!command.elsewhere.empty()) {
+        if (order.places.size() != 1) throw rt::InputError({}, "grade: --for needs one folder");
+        rt::grade::write_for(command.elsewhere, order.places[0], order.project, order.stages);
+        return 0;
+    }
+    if (order.results.empty()) throw rt::InputError({}, "grade: --out DIR is missing");
+    umask(S_IRWXG | S_IRWXO);  // results are the lecturer's alone
+    if (command.report) {
+        rt::grade::write_reports(order.results, order.project);
+        return 0;
+    }
+    if (order.places.empty()) throw rt::InputError({}, "grade: no submissions given");
+    return grade_class(order, command.gradescope);
+}
+
 }  // namespace
 
 int main(int count, char** words) {
     try {
-        return run(count, words);
+        const std::optional<Command> command = parse(count, words);
+        return command ? carry_out(*command) : 0;
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
     } catch (const rt::ProgramError& error) {

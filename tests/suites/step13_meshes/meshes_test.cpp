@@ -212,6 +212,16 @@ TEST_CASE("the vertices are where they are, not ten thousand times nearer (errat
                 {.t = 5, .triangle = 0, .weights = {Real(0.375), Real(0.375), Real(0.25)}}));
 }
 
+TEST_CASE("small triangles are met: there is no epsilon on their area (contract)", "[exact]") {
+    for (const int power : {-4, -12, -20}) {
+        const Real size = std::ldexp(Real(1), power);
+        Mesh small = layers;
+        for (Vec3& vertex : small.vertices) vertex *= size;
+        const Ray ray{.origin = size * down_z.origin, .direction = size * down_z.direction};
+        CHECK(meets(ray, small, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
+    }
+}
+
 TEST_CASE("a triangle is met however near it is (erratum 31, CR §4.2)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);  // the listing requires t > 0.001
     CHECK(meets({.origin = {0, 0, 2 + near}, .direction = {0, 0, -1}}, layers,
