@@ -1,6 +1,7 @@
 #!/bin/sh
 # Every link of a page leads to a file, and every name in backticks with a link to a header is in
-# that header: docs_links_test.sh PROJECT_FOLDER. Code is left out: a lambda looks like a link.
+# that header: docs_links_test.sh PROJECT_FOLDER. Code is left out: a lambda looks like a link. A line
+# of a suite that a page names, as `check` does, is a check.
 cd "$1" || exit 2
 
 wrong=$(for page in README.md common/*/README.md docs/*.md docs/reference/*.md; do
@@ -16,5 +17,8 @@ wrong=$(for page in README.md common/*/README.md docs/*.md docs/reference/*.md; 
             [ ! -f "$folder/$target" ] || grep -qw "$name" "$folder/$target" ||
                 echo "$page: $name is not in $target"
         done
+    grep -oE 'tests/suites/[a-z0-9_/]+[.]cpp:[0-9]+' "$page" | tr ':' ' ' | while read -r suite line; do
+        sed -n "${line}p" "$suite" | grep -q '^    CHECK(' || echo "$page: $suite:$line is no check"
+    done
 done)
 [ -z "$wrong" ] || { echo "$wrong"; exit 1; }

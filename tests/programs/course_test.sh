@@ -71,6 +71,20 @@ says "changed since "
 course 0 check 3
 says "the same picture as the reference's"
 says "Next: ./course start 4"
+# What every case passes and threads do not: pixels of other threads are red.
+if [ "$(nproc)" -gt 1 ]; then
+    sed -e '1a #include <thread>' -e '/^Color trace(/a \
+        using namespace std::chrono_literals; \
+        static const std::thread::id first = std::this_thread::get_id(); \
+        if (context.pixel.row == 1 && context.pixel.column == 0) std::this_thread::sleep_for(50ms); \
+        if (std::this_thread::get_id() != first) return {1, 0, 0};' \
+        tests/alternatives/step03_sphere/main/sorted.cpp > $trace
+    course 1 check 3
+    says "With one thread your picture is another one"
+    says "not the picture"
+    says_not "Next: "
+    cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
+fi
 course 0 start 4
 next=steps/step04_plane/student/main.cpp
 [ "$(head -n 1 $next)" = "$(head -n 1 steps/step04_plane/starter/main.cpp)" ] || fail "its comment"

@@ -172,41 +172,63 @@ void show_count(const Judged& judged, const std::string& word) {
                             .c_str());
 }
 
-ProcessResult drawn(const std::string& program, const std::filesystem::path& file,
-                    Resolution size) {
+/// Draws the picture with that many threads; 0 for one of each core.
+ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
+                    int threads) {
     const StatusLine status("drawing your picture …");
-    return run_captured({(build_folder / program).string(), "--quiet", "-o", file.string(),
-                         "--size", std::to_string(size.width) + "x" + std::to_string(size.height)},
-                        picture_limit);
+    std::vector<std::string> command = {
+        (build_folder / program).string(),
+        "--quiet",
+        "-o",
+        file.string(),
+        "--size",
+        std::to_string(size.width) + "x" + std::to_string(size.height)};
+    if (threads > 0) command.insert(command.end(), {"--threads", std::to_string(threads)});
+    return run_captured(command, picture_limit);
+}
+
+/// Returns whether the program draws other pixels with one thread, and tells how that comes.
+bool differs_with_one_thread(const Image& mine, const std::string& program,
+                             const std::filesystem::path& file) {
+    const ProcessResult ending = drawn(program, file, mine.resolution, 1);
+    if (ending.out_of_time || ending.status != 0) return false;
+    if (read_png(file.string()).pixels == mine.pixels) return false;
+    std::printf(
+        "\nWith one thread your picture is another one: pixels are drawn by several threads at a\n"
+        "time, and what one keeps in a static or global variable, another overwrites.\n");
+    return true;
 }
 
 /// Writes the student's picture beside the reference's to a file, and prints its path. They are
-/// small, to be drawn in a moment; `./course compare` draws the whole ones.
-void show_picture(int stage) {
+/// small, to be drawn in a moment; `./course compare` draws the whole ones. Returns false
+/// if the program draws none, or another one with one thread.
+bool show_picture(int stage) {
     constexpr int apart = 5;  // a pixel is the middle one of 5 x 5 in the whole picture
     constexpr int magnification = 3;
     const std::string name(stage_name(stage));
     const Image reference =
         read_png((project_folder / "docs/pictures/small" / (name + ".png")).string());
     const TemporaryFolder folder(build_folder);
-    const std::filesystem::path mine = folder.path() / "mine.png";
-    const ProcessResult ending = drawn(name + "_checked", mine, reference.resolution);
+    const std::filesystem::path file = folder.path() / "mine.png";
+    const ProcessResult ending = drawn(name + "_checked", file, reference.resolution, 0);
     if (ending.out_of_time || ending.status != 0) {
         std::printf("\nno picture: %s\n", ending.out_of_time ? "the program does not end"
                                           : ending.crash.empty()
                                               ? ending.output.c_str()
                                               : ("the program crashed: " + ending.crash).c_str());
-        return;
+        return ending.out_of_time;
     }
-    Comparison comparison = compare(read_png(mine.string()), reference);
+    const Image mine = read_png(file.string());
+    Comparison comparison = compare(mine, reference);
     if (comparison.center)
         comparison.center = {.row = comparison.center->row * apart + apart / 2,
                              .column = comparison.center->column * apart + apart / 2};
-    const std::string file = "renders/" + name + "_compare.png";
-    write_png((project_folder / file).string(), magnified(comparison.side_by_side, magnification),
+    const std::string shown = "renders/" + name + "_compare.png";
+    write_png((project_folder / shown).string(), magnified(comparison.side_by_side, magnification),
               {});
     std::printf("\nYour picture, the reference's and the difference, small: %s\n  %s\n",
-                file.c_str(), summary(comparison).c_str());
+                shown.c_str(), summary(comparison).c_str());
+    return comparison.different == 0 || !differs_with_one_thread(mine, name + "_checked", file);
 }
 
 /// The cases that the starter passes: they prove nothing about a file in which something is
@@ -275,14 +297,16 @@ bool is_written(const std::string& part) {
     return !part.empty() && part != "together";
 }
 
-void show_end(const Judgment& judgment, int stage) {
+void show_end(const Judgment& judgment, bool draws, int stage) {
     const std::string passed =
         count(judgment.passed(), judgment.outcomes.size(),
               judgment.in_double.suite.ended.empty() ? "float and double" : "double");
     std::printf("\n%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
                 styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
     const std::string part = first_wrong_part(judgment.outcomes);
-    if (!judgment.right())
+    if (judgment.right() && !draws)
+        std::printf("The cases pass, but not the picture: see above.\n");
+    else if (!judgment.right())
         std::printf("%sStuck? ./course hint %d\n",
                     is_written(part) ? ("Write next: " + part + ". ").c_str() : "", stage);
     else if (stage < int(stage_names.size()))
@@ -311,13 +335,13 @@ int check(int stage) {
     remember(judgment, files, workbook);
     if (judgment.in_double.suite.ended.empty()) show_float(judgment);
     show_warnings(workbook);
-    if (judgment.ended()) show_picture(stage);
+    const bool draws = judgment.ended() && show_picture(stage);
     if (judgment.in_double.functions_are_wrong || judgment.in_float.functions_are_wrong)
         show_diagnosis(stage, report_of(name + "_test_double"));
     show_trace_mistake(stage, judgment.in_double);
     show_references_used(stage);
-    show_end(judgment, stage);
-    return judgment.right() ? 0 : 1;
+    show_end(judgment, draws, stage);
+    return judgment.right() && draws ? 0 : 1;
 }
 
 void watch(int stage) {

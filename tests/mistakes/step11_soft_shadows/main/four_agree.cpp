@@ -1,6 +1,6 @@
 // origin: invented: an end as soon as the first four samples agree
 // caught by: a single sample is seen or not, and --shadow-samples is their number (CR §3.3)
-// sentence: You stop when the first four samples agree: a light that is almost hidden, or almost free, has a small share. Trace all of context.settings.shadow_samples.
+// sentence: Samples are left out: trace spread_sample(i, seed) for each i from 0 to context.settings.shadow_samples − 1. If you stop once the first agree, or skip some, a light that is almost hidden, or almost free, loses its small share.
 #include "common/render/sampling.hpp"
 #include "common/render/stage.hpp"
 
