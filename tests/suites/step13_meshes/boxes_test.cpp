@@ -106,6 +106,13 @@ TEST_CASE("a ray that leaves one slab before it enters another misses (M1)") {
     }));
 }
 
+TEST_CASE("a ray that is almost parallel to a slab crosses it: there is no epsilon (contract)") {
+    const Real far = std::ldexp(Real(1), 20);
+    CHECK(inside(Ray{.origin = {-far, Real(-2.5), 0}, .direction = {1, 1 / far, 0}}, block,
+                 {far - 1, far + 1}));
+    CHECK(outside(Ray{.origin = {-far, Real(-3.5), 0}, .direction = {1, 1 / far, 0}}, block));
+}
+
 TEST_CASE("t counts in the length of the direction, however short or long it is (PHY, any v)") {
     CHECK(for_all([](Random& random) {
         const auto [box, line] = draw_chord(random);

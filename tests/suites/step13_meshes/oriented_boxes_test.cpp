@@ -164,6 +164,10 @@ TEST_CASE("the normal is that of the face, not of the largest coordinate (M1)") 
     CHECK(normal_is(upright, {Real(0.5), 2, Real(-7.5)}, {0, 1, 0}));
     CHECK(normal_is(upright, {Real(0.5), -2, -5}, {0, -1, 0}));
     CHECK(normal_is(upright, {0, 0, -8}, {0, 0, -1}));
+    // Close to an edge: less than a thousandth of the size away from the other face.
+    const Real beside = 1 - std::ldexp(Real(1), -11);
+    CHECK(normal_is(upright, {beside, 2, -5}, {0, 1, 0}));
+    CHECK(normal_is(upright, {1, 2 * beside, -5}, {1, 0, 0}));
     CHECK(normals_point_outward(draw_box));
     // However small the box is.
     CHECK(for_all([](Random& random) {
