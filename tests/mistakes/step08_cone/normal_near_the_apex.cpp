@@ -1,5 +1,5 @@
 // origin: a student's: an epsilon on the distance from the axis
-// caught by: the normal leans back by the slope of the side (MRT §8)
+// caught by: near the apex, the normal leans as everywhere (contract)
 // sentence: You take a point near the apex for the apex: only at the apex itself the normal is −axis.
 #define normal(...) correct_normal(__VA_ARGS__)
 #include "steps/step08_cone/reference/cone.cpp"
