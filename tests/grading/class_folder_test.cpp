@@ -63,6 +63,17 @@ TEST_CASE("Moodle's folders have a student's zip inside") {
     CHECK(found.left_over[0].find("Grades.csv: ") == 0);
 }
 
+TEST_CASE("a platform's files without folders are read from its archive too") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("all/Max Moe_125_assignsubmission_file_plane.cpp", "flat");
+    ground.write("all/doezoe_123_4567_sphere-1.cpp", "round");
+    ground.zip("all", "submissions.zip");
+    std::map<std::string, SubmittedFiles> all = ground.take_class();
+    CHECK(all.size() == 2);
+    CHECK(all["Max_Moe_125"].files == Files{{4, "flat"}});
+    CHECK(all["doezoe_123"].files == Files{{3, "round"}});
+}
+
 TEST_CASE("a name that is too long for a file costs nobody a submission") {
     const Ground ground(RAYSTEPS_SEALED);
     const std::string too_long(200, 'x');

@@ -210,6 +210,39 @@ TEST_CASE("anonymous students have no name in public reports") {
     CHECK(ann != term.called("ann_1"));
 }
 
+TEST_CASE("a name that may be two students is an error, and a number names nobody else") {
+    Small two;
+    two.add("zoe_123", 3, 1, 4);
+    two.add("zoe_124", 3, 1, 4);
+    two.add("max", 3, 1, 4);
+    two.add("max_2", 3, 1, 4);  // the second of two, so numbered by the grader
+    two.write("class.csv", "student,name\nzoe_123,Zoe\nzoe_124,Zoe\nann_1,Ann\n");
+    two.write("late.csv", "student,days\nzoe_123,1\nZoe,1\n");
+    two.write("term.txt", "roster: class.csv\nlate: late.csv\n");
+    CHECK(has(two.error(),
+              "late.csv:3: error: \"Zoe\" may be zoe_123, zoe_124: write one of these names"));
+    two.write("late.csv", "student,days\nGroup 1,3\nOther_123,3\n2,1\n");
+    const Term term = two.term();
+    CHECK(term.days_late == std::map<std::string, double>{{"ben_2", 1}});
+    CHECK(has(term.unknown.at(0), "late.csv:2: there is no student \"Group 1\""));
+    CHECK(has(term.unknown.at(1), "late.csv:3: there is no student \"Other_123\""));
+}
+
+TEST_CASE("two namesakes on the roster who submitted nothing have a line each") {
+    const Small two;
+    two.write("class.csv", "student,name\nzd1a,Zoe Doe\nzd1b,Zoe Doe\nann_1,Ann\n");
+    two.write("term.txt", "roster: class.csv\n");
+    CHECK(has(two.book(), "zd1b,0,0,0,14,submitted nothing"));
+    CHECK(has(two.book(), "zoe_doe,0,0,0,14,submitted nothing"));
+}
+
+TEST_CASE("settings may begin with a byte order mark, and end their lines with CR") {
+    const Small two;
+    two.write("term.txt", "\xef\xbb\xbfweight: 5 2\rbonus: 3\r");
+    CHECK(two.term().weight(5) == 2);
+    CHECK(two.term().bonus.count(3) == 1);
+}
+
 TEST_CASE("an error in the settings is reported with its place") {
     const Small two;
     const auto says = [&](const std::string& settings) {
@@ -234,6 +267,17 @@ TEST_CASE("an error in the settings is reported with its place") {
     two.write("a.csv", "student\nann_1\nAnn_1\n");
     CHECK(says("roster: a.csv\n") ==
           table + ":3: error: \"Ann_1\" is ann_1, who is listed already");
+    CHECK(says("out of: 10\nout of: 20\n") == file + ":2: error: \"out of\" is set already");
+    CHECK(says("weight: 5 2\nweight: triangle 3\n") ==
+          file + ":2: error: stage 5 has a weight already");
+    CHECK(says("roster: a.csv\ncomment: Notes\n") == table + ":1: error: has no column \"Notes\"");
+    two.write("a.csv", "student,days\nann_1,1\nAnn 1,2\nnobody,x\n");
+    CHECK(says("late: a.csv\n") == table + ":3: error: ann_1 is listed already");
+    two.write("a.csv", "student,days\nnobody,x\n");
+    CHECK(says("late: a.csv\n") == table + ":2: error: \"x\" is no number from 0 to 366");
+    two.write("a.csv", "student,stage,points\nann_1,3,1\nann_1,sphere,2\n");
+    CHECK(says("overrides: a.csv\n") ==
+          table + ":3: error: ann_1 is listed already with this stage");
     two.write("a.csv", "");
     CHECK(says("roster: a.csv\n") == table + ": error: is empty");
 }

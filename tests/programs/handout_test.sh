@@ -3,7 +3,7 @@
 #
 # The hand-out is built in the same way as by a student, which takes two minutes: run it by hand
 # before a hand-out is made; it is not a part of `./course test` nor of .ci/run.
-project=$1
+project=$(cd "$1" && pwd)
 . "$(dirname "$0")/../lib.sh"
 cd "$folder" || exit 1
 stage=steps/step03_sphere

@@ -67,7 +67,16 @@ endfunction()
 # The test <name>, a program of test cases that call no stage. NEEDS are built before it. CASES are
 # those that the test runs, by default all.
 function(raysteps_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;CASES" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;CASES" "")
+    raysteps_test_program(${name} ${test_UNPARSED_ARGUMENTS})
+    add_test(NAME ${name} COMMAND ${name}_test ${test_CASES})
+    set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}")
+endfunction()
+
+# The program alone: raysteps_test_program(<name> SOURCES <source>... LIBRARIES <library>...
+#                                          [DEFINITIONS <definition>...] [NEEDS <target>...])
+function(raysteps_test_program name)
+    cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
     add_executable(${name}_test ${test_SOURCES})
     target_link_libraries(${name}_test PRIVATE
         ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options)
@@ -77,8 +86,6 @@ function(raysteps_test name)
     if(test_NEEDS)
         add_dependencies(${name}_test ${test_NEEDS})
     endif()
-    add_test(NAME ${name} COMMAND ${name}_test ${test_CASES})
-    set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}")
 endfunction()
 
 # The suites of several files, tests/suites/<stage>/<part>_test.cpp: their cases run, and are

@@ -210,6 +210,7 @@ Outcome grade(const Order& order) {
         std::signal(signal, [](int) { stop = true; });
     check_seal();
     check_places(order);
+    static_cast<void>(read_term(order.results, {}));  // an error there ends the run at its start
     fs::create_directories(order.results);
     const Lock lock(order.results, order.part);
     const Workplace workplace(order);

@@ -11,7 +11,6 @@
 #include <fstream>
 #include <map>
 #include <optional>
-#include <regex>
 #include <set>
 
 namespace rt::grade {
@@ -23,25 +22,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_name = 80;
 // total size of the files unpacked from an archive of a class
 constexpr int class_megabytes = 2000;
-
-/// The student of a file, by the name from a learning platform.
-struct Labeled {
-    std::string student;
-    std::string name;  ///< the student's own name for the file; empty for a folder
-    bool late = false;
-};
-
-std::optional<Labeled> label(const std::string& name) {
-    // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
-    static const std::regex moodle(R"(([\s\S]+_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
-    // doezoe_123_456_sphere.cpp: the student's number, and the file's
-    static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_[0-9]+_([\s\S]+))");
-    std::smatch parts;
-    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
-    if (std::regex_match(name, parts, canvas))
-        return Labeled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
-    return std::nullopt;
-}
 
 std::vector<fs::path> entries_of(const fs::path& folder) {
     std::vector<fs::path> all;

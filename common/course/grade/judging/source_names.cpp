@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <vector>
 
 namespace rt::grade {
@@ -125,7 +126,7 @@ Named named_for(const std::string& file_name) {
     }
     Named slip;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
-        const std::string topic(stage_name(stage).substr(std::string_view("step05_").size()));
+        const std::string topic = topic_of(stage);
         if (source && file_name == topic + ".cpp") return {.stage = stage, .fit = Fit::exact};
         if (letters == squeezed(topic))
             return {.stage = stage, .fit = source ? Fit::near : Fit::suspect};
@@ -133,6 +134,18 @@ Named named_for(const std::string& file_name) {
             slip = {.stage = stage, .fit = Fit::suspect};
     }
     return slip;
+}
+
+std::optional<Labeled> label(const std::string& name) {
+    // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
+    static const std::regex moodle(R"(([\s\S]+_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
+    // doezoe_123_456_sphere.cpp: the student's number, and the file's
+    static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_[0-9]+_([\s\S]+))");
+    std::smatch parts;
+    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
+    if (std::regex_match(name, parts, canvas))
+        return Labeled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
+    return std::nullopt;
 }
 
 bool is_source(const std::string& file_name) {

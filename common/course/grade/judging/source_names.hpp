@@ -1,6 +1,7 @@
 // The stage of a file, by its name.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,16 @@ struct Named {
 
 /// The stage that a file with this name belongs to, and which of its files it is.
 [[nodiscard]] Named named_for(const std::string& file_name);
+
+/// The student of a file, by the name from a learning platform.
+struct Labeled {
+    std::string student;
+    std::string name;  ///< the student's own name for the file; empty for a folder
+    bool late = false;
+};
+
+/// The parts of a name by Moodle or Canvas; nothing for another name.
+[[nodiscard]] std::optional<Labeled> label(const std::string& name);
 
 /// True if the name has the extension of a C++ source.
 [[nodiscard]] bool is_source(const std::string& file_name);

@@ -74,28 +74,58 @@ std::string number_at_end(const std::string& name) {
 class Names {
 public:
     explicit Names(const std::vector<Mark>& marks) {
-        for (const Mark& mark : marks) add(mark.student, mark.student);
+        std::set<std::string> all;
+        for (const Mark& mark : marks) all.insert(mark.student);
+        for (const std::string& student : all) {
+            add(student, student);
+            const std::size_t line = student.rfind('_');
+            const std::string number = number_at_end(student);
+            const bool is_numbered = !number.empty() && line != std::string::npos &&
+                                     line + 1 + number.size() == student.size();
+            // The grader itself numbers the second of two students with one name.
+            if (is_numbered && all.count(student.substr(0, line)) == 0)
+                by_number_[number].insert(student);
+        }
     }
 
     void add(const std::string& name, const std::string& student) {
-        if (!name.empty()) by_name_.emplace(folded(name), student);
-        const std::size_t line = student.rfind('_');
-        const std::string number = number_at_end(student);
-        if (!number.empty() && line != std::string::npos &&
-            line + 1 + number.size() == student.size())
-            by_number_[number].insert(student);
+        if (!name.empty()) by_name_[folded(name)].insert(student);
     }
 
-    [[nodiscard]] std::optional<std::string> find(const std::string& name) const {
-        const auto found = by_name_.find(folded(name));
-        if (found != by_name_.end()) return found->second;
-        const auto numbered = by_number_.find(number_at_end(trimmed(name)));
-        if (numbered == by_number_.end() || numbered->second.size() > 1) return std::nullopt;
-        return *numbered->second.begin();
+    /// By the name, or by the number alone. Throws InputError if several students match.
+    [[nodiscard]] std::optional<std::string> find(const std::string& name,
+                                                  const FileLocation& place) const {
+        if (const auto found = by_name_.find(folded(name)); found != by_name_.end())
+            return only(found->second, name, place);
+        const std::string number = trimmed(name);
+        return number_at_end(number) == number ? find_number(number, name, place) : std::nullopt;
+    }
+
+    /// The same for the identifiers of a platform, "Participant 123", whose number decides.
+    [[nodiscard]] std::optional<std::string> find_identifier(const std::string& identifier,
+                                                             const FileLocation& place) const {
+        if (const auto found = find(identifier, place)) return found;
+        return find_number(number_at_end(trimmed(identifier)), identifier, place);
     }
 
 private:
-    std::map<std::string, std::string> by_name_;
+    [[nodiscard]] std::optional<std::string> find_number(const std::string& number,
+                                                         const std::string& name,
+                                                         const FileLocation& place) const {
+        const auto found = by_number_.find(number);
+        if (found == by_number_.end()) return std::nullopt;
+        return only(found->second, name, place);
+    }
+
+    static std::string only(const std::set<std::string>& matches, const std::string& name,
+                            const FileLocation& place) {
+        if (matches.size() == 1) return *matches.begin();
+        std::string all;
+        for (const std::string& student : matches) all += (all.empty() ? "" : ", ") + student;
+        throw InputError(place, "\"" + name + "\" may be " + all + ": write one of these names");
+    }
+
+    std::map<std::string, std::set<std::string>> by_name_;
     std::map<std::string, std::set<std::string>> by_number_;
 };
 
@@ -103,7 +133,12 @@ private:
 class Reading {
 public:
     Reading(const fs::path& file, const std::vector<Mark>& marks) : file_(file), names_(marks) {
-        const std::vector<std::string> lines = lines_of(read_text(file));
+        std::string text = read_text(file);
+        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+        if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+        if (text.find('\n') == std::string::npos)
+            std::replace(text.begin(), text.end(), '\r', '\n');
+        const std::vector<std::string> lines = lines_of(text);
         for (std::size_t i = 0; i < lines.size(); ++i) {
             line_ = int(i) + 1;
             const std::string line = trimmed(lines[i]);
@@ -126,6 +161,9 @@ private:
         const std::set<std::string> texts = {"roster",  "late",  "overrides",
                                              "student", "grade", "comment"};
         if (value.empty()) throw InputError(place(), "\"" + line + "\" is not \"word: value\"");
+        const bool is_repeated = word == "weight" || word == "bonus";
+        if (!is_repeated && !words_.insert(word).second)
+            throw InputError(place(), "\"" + word + "\" is set already");
         if (texts.count(word) == 1)
             settings_[word] = {value, line_};
         else if (word == "late percent")
@@ -150,8 +188,10 @@ private:
         if (blank == std::string::npos)
             throw InputError(place(), "a weight needs a stage: \"weight: 5 2\"");
         constexpr double most = 1000;
-        term_.weights[read_stage(value.substr(0, blank), place())] =
-            read_number(value.substr(blank + 1), place(), most);
+        const int stage = read_stage(value.substr(0, blank), place());
+        const double weight = read_number(value.substr(blank + 1), place(), most);
+        if (!term_.weights.emplace(stage, weight).second)
+            throw InputError(place(), "stage " + std::to_string(stage) + " has a weight already");
     }
 
     /// The table that a setting names, beside term.txt; nothing if there is no such setting.
@@ -197,20 +237,29 @@ private:
         roster.name = roster.csv.column({"Full name", canvas ? "Student" : "Name", "Name"});
         roster.grade = setting("grade", moodle ? "Grade" : "Raysteps");
         roster.comment = setting("comment", moodle ? "Feedback comments" : "");
+        if (settings_.count("comment") == 1) (void)wanted(roster.csv, {roster.comment});
+        const bool has_identifiers = moodle || canvas;
         std::set<std::string> there;
         for (const Csv::Row& row : roster.csv.rows) {
             const std::string who = row.at(roster.student);
             const std::string name = row.at(roster.name);
+            const FileLocation place{roster.csv.file.string(), row.line};
             std::optional<std::string> student;
-            if (!folded(who).empty()) student = names_.find(who);
-            if (!student && !name.empty()) student = names_.find(name);
+            if (!folded(who).empty())
+                student =
+                    has_identifiers ? names_.find_identifier(who, place) : names_.find(who, place);
+            if (!student && !name.empty()) {
+                student = names_.find(name, place);
+                if (student && there.count(*student) == 1) student.reset();  // a namesake
+            }
             if (!student && is_person(row, roster)) {
                 student = folded(name.empty() ? who : name);
                 const std::string id = number_at_end(trimmed(who));
                 if (!name.empty() && !id.empty()) *student += "_" + id;
+                if (there.count(*student) == 1) student = folded(who);
             }
             if (student && !there.insert(*student).second)
-                throw InputError({roster.csv.file.string(), row.line},
+                throw InputError(place,
                                  "\"" + who + "\" is " + *student + ", who is listed already");
             roster.students.push_back(student.value_or(""));
             if (!student) continue;
@@ -230,7 +279,8 @@ private:
 
     /// The student of a row; nothing, with a note, if no student matches.
     std::optional<std::string> student_of(const Csv& csv, const Csv::Row& row, int column) {
-        std::optional<std::string> student = names_.find(row.at(column));
+        std::optional<std::string> student =
+            names_.find(row.at(column), {csv.file.string(), row.line});
         if (!student)
             term_.unknown.push_back(csv.file.filename().string() + ":" + std::to_string(row.line) +
                                     ": there is no student \"" + row.at(column) + "\"");
@@ -243,10 +293,13 @@ private:
         const int who = wanted(*csv, {"student"});
         const int days = wanted(*csv, {"days", "days late", "days_late"});
         constexpr double most = 366;
-        for (const Csv::Row& row : csv->rows)
-            if (const auto student = student_of(*csv, row, who))
-                term_.days_late[*student] =
-                    read_number(row.at(days), {csv->file.string(), row.line}, most);
+        for (const Csv::Row& row : csv->rows) {
+            const FileLocation place{csv->file.string(), row.line};
+            const double late = read_number(row.at(days), place, most);
+            const auto student = student_of(*csv, row, who);
+            if (student && !term_.days_late.emplace(*student, late).second)
+                throw InputError(place, *student + " is listed already");
+        }
     }
 
     void read_overrides() {
@@ -262,8 +315,9 @@ private:
             const bool all = lower(trimmed(row.at(stage))) == "total";
             const int of = all ? Term::total : read_stage(row.at(stage), place);
             const Override given{read_number(row.at(points), place, most), row.at(comment)};
-            if (const auto student = student_of(*csv, row, who))
-                term_.overrides[{*student, of}] = given;
+            const auto student = student_of(*csv, row, who);
+            if (student && !term_.overrides.emplace(std::pair(*student, of), given).second)
+                throw InputError(place, *student + " is listed already with this stage");
         }
     }
 
@@ -282,6 +336,7 @@ private:
     fs::path file_;
     int line_ = 0;
     std::map<std::string, std::pair<std::string, int>> settings_;
+    std::set<std::string> words_;  ///< of all settings that may be there once
     Names names_;
     std::set<std::string> on_roster_;
     Term term_;

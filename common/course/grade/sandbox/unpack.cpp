@@ -42,7 +42,8 @@ public:
         for (const fs::path& part : path)
             if (rt::grade::is_litter(part.string())) return;
         if (type == AE_IFDIR) return list("folder", name);
-        const std::string file = path.filename().string();
+        std::string file = path.filename().string();
+        if (const auto labeled = rt::grade::label(file)) file = labeled->name;
         const bool archived = rt::grade::is_archive(file);
         if (!archived && rt::grade::named_for(file).fit < rt::grade::Fit::near)
             return list("other", name);
