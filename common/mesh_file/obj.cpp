@@ -95,7 +95,10 @@ void read_obj(std::string content, const std::string& file, MeshImporter& import
     Numbered vertices = {.what = "vertex"};
     Numbered normals = {.what = "normal"};
     while (const auto line = lines.next()) {
-        std::string_view rest = *line;
+        const std::size_t begin = static_cast<std::size_t>(line->data() - content.data());
+        const std::size_t comment = std::min(line->find('#'), line->size());
+        std::fill_n(content.begin() + std::ptrdiff_t(begin + comment), line->size() - comment, ' ');
+        std::string_view rest = line->substr(0, comment);
         const std::string_view keyword = take_word(rest);
         if (keyword == "v") {
             require_three_numbers(rest, "a vertex", lines);
@@ -108,7 +111,7 @@ void read_obj(std::string content, const std::string& file, MeshImporter& import
             if (!check_face(rest, vertices, normals, lines)) importer.leave_out_face();
         } else {
             // Turned into a comment: OpenMesh would open the file that a mtllib names.
-            content[static_cast<std::size_t>(line->data() - content.data())] = '#';
+            content[begin] = '#';
         }
     }
     vertices.check_largest(file);

@@ -38,6 +38,13 @@ void check_numbers(const std::string& content, const std::string& file) {
     }
 }
 
+/// "solid", in any case, perhaps after three blanks.
+bool begins_as_text(const std::string& content) {
+    std::string begin = content.substr(0, 8);
+    for (char& c : begin) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    return begin.starts_with("solid") || begin.starts_with("   solid");
+}
+
 /// Checks a text file, and allows only the lines that OpenMesh recognizes: it searches for "outer"
 /// anywhere, even in the name of the solid, and parses the next three lines as vertices.
 CheckedMesh checked_text(std::string content, const std::string& file) {
@@ -82,7 +89,7 @@ void read_stl(std::string content, const std::string& file, MeshImporter& import
         return;
     }
     blank_byte_order_mark(content);
-    if (content.starts_with("solid") || content.starts_with("   solid")) {
+    if (begins_as_text(content)) {
         read_checked(checked_text(std::move(content), file), file, importer);
         return;
     }

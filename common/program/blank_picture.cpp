@@ -17,14 +17,22 @@ namespace {
 
 /// A smaller picture may well have one color.
 constexpr std::size_t least_pixels = 16;
-constexpr Resolution trial_size{.width = 24, .height = 18};
-/// All rays of a larger picture would take as long as the picture.
-constexpr Resolution largest_tried{.width = 640, .height = 480};
+/// The longest sides of the pictures that are tried: all rays would take as long as the picture.
+constexpr int most_of_another_camera = 24;
+constexpr int most_of_this_camera = 640;
 constexpr std::size_t most_cameras_tried = 16;
 
-/// The number of rays of a picture of this size that hit a shape.
+/// A picture with the same proportions, and with at most this many pixels on a side.
+Resolution reduced(Resolution size, int longest) {
+    const double factor = std::min(1.0, double(longest) / std::max(size.width, size.height));
+    const auto side = [factor](int all) { return std::max(1, int(std::lround(factor * all))); };
+    return {.width = side(size.width), .height = side(size.height)};
+}
+
+/// The number of rays of the camera's picture, reduced to this longest side, that hit a shape.
 int hits(const Scene& scene, const Camera& camera, RenderSettings settings,
-         Resolution size = trial_size) {
+         int longest = most_of_another_camera) {
+    const Resolution size = reduced(scene.resolution, longest);
     settings.shading = Shading::normal;  // in this shading only missed pixels are black, or the sky
     const PixelRays pixel_ray = pixel_rays(camera, size);
     Context context{.settings = settings};
@@ -73,11 +81,6 @@ Vec3 rounded(Vec3 v) {
 std::string why_nothing_is_met(const Scene& scene, const RenderSettings& settings) {
     const std::string start = "no ray of the camera hits a shape: ";
     const Camera& camera = scene.cameras.front();
-    constexpr Real widest =
-        Real(3.14);  // almost all rays of a wider one are parallel to the screen
-    if (camera.fov == 0 || camera.fov > widest)
-        return start + "its field of view is " + (camera.fov == 0 ? "0" : "180") +
-               "; try one of 60";
     const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
     for (std::size_t i = 1; i < cameras; ++i)
         if (hits(scene, scene.cameras[i], settings) > 0)
@@ -101,6 +104,24 @@ std::string why_nothing_is_met(const Scene& scene, const RenderSettings& setting
     return start + "they may be too small or too far away; try a position nearer to them";
 }
 
+/// Returns whether what is in view is black in any light: its color is, or it is a mirror that
+/// shows nothing.
+bool is_black_in_any_light(const Scene& scene, RenderSettings settings) {
+    Scene bright = scene;
+    bright.ambient = Ambient{.ratio = 1};
+    settings.term = PhongTerm::all;
+    const Resolution size = reduced(scene.resolution, most_of_another_camera);
+    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
+    Context context{.settings = settings};
+    for (int row = 0; row < size.height; ++row)
+        for (int column = 0; column < size.width; ++column) {
+            context.pixel = {.row = row, .column = column};
+            if (to_rgb(trace(bright, pixel_ray(context.pixel), context)) != Rgb{0, 0, 0})
+                return false;
+        }
+    return true;
+}
+
 }  // namespace
 
 std::string why_blank(const Scene& scene, const RenderSettings& settings, int stage,
@@ -112,9 +133,13 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const std::string start = "all pixels have one color: ";
     if (count_shapes(scene) == 0)
         return start + "the scene has no shape; try a line such as \"sp 0,0,0 2 255,0,0\"";
-    const auto [width, height] = image.resolution;
-    const bool is_small = width <= largest_tried.width && height <= largest_tried.height;
-    if (hits(scene, scene.cameras.front(), settings, is_small ? image.resolution : trial_size) == 0)
+    const Camera& camera = scene.cameras.front();
+    constexpr Real widest =
+        Real(3.14);  // almost all rays of a wider one are parallel to the screen
+    if (camera.fov == 0 || camera.fov > widest)
+        return start + "the camera's field of view is " + (camera.fov == 0 ? "0" : "180") +
+               "; try one of 60";
+    if (hits(scene, camera, settings, most_of_this_camera) == 0)
         return start + why_nothing_is_met(scene, settings);
     const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
@@ -122,6 +147,10 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const bool is_black = pixels.front() == Rgb{0, 0, 0};
     if (lit && is_black && settings.term != PhongTerm::all)
         return start + "--term shows one term of the light, and no shape in view has it";
+    if (lit && is_black && is_black_in_any_light(scene, settings))
+        return start +
+               "what is in view is black in any light: its color is black, or it is a mirror that "
+               "shows nothing; try another color, or a smaller mirror:";
     if (lit && is_black)
         return start +
                "shapes are in view, but no light reaches them, or that light is black; try "

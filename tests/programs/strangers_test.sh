@@ -50,6 +50,10 @@ blank "field of view is 180" "C 0,0,0 0,0,-1 180\n$light$ball"
 blank "there is no light" "C 0,0,0 0,0,-1 60\n$ball"
 shows "C 0,0,0 0,0,-1 60\n$ball" --shade normal
 blank "no light reaches" "C 0,0,0 0,0,-1 60\nL 0,0,-9 1 255,255,255\n$ball"
+blank "black in any light" "C 0,0,0 0,0,-1 60\n${light}sp 0,0,-5 2 255,0,0 mirror:1\n"
+blank "black in any light" "C 0,0,0 0,0,-1 60\n${light}sp 0,0,-5 2 0,0,0\n"
+blank "field of view is 0" "C 0,0,0 0,0,-1 0\n${light}pl 0,0,-5 0,0,1 255,0,0\n"
+blank "try the direction " "C 0,0,0 0,0,-1 60\n${light}sp 6,0,-10 2 255,0,0\n" --size 600x1000
 blank "--term shows one term" "C 0,0,0 0,0,-1 60\n$light$ball" --term specular
 blank "fills the picture" "C 0,0,0 0,0,-1 60\n${light}pl 0,0,-5 0,0,1 255,0,0\n" --term ambient
 blank "too small or too far away" "C 0,0,0 0,0,-1 60\n${light}sp 0.160375,-0.160375,-5 0.02 255,0,0\n"

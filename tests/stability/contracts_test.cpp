@@ -241,6 +241,22 @@ TEST_CASE("normals of cylinders and cones are within 12 u, and more far along th
         cases));
 }
 
+TEST_CASE("a triangle's normal is the same from any corner, however far one of them is") {
+    const Real half = std::sqrt(Real(0.5));
+    for (const Real far : {Real(1e4), Real(1e8), Real(1e12), Real(1e17)}) {
+        // From (0, 1, 0) and (1, 0, 0) to a corner far above: the normal is across both.
+        const Vec3 b(0, 1, 0);
+        const Vec3 c(1, 0, 0);
+        const Vec3 a(0, 0, far);
+        const Vec3 expected =
+            Vec3(-half, -half, -half / far) / std::sqrt(1 + half * half / far / far);
+        for (const Triangle& triangle :
+             {Triangle{.a = a, .b = b, .c = c}, Triangle{.a = b, .b = c, .c = a},
+              Triangle{.a = c, .b = a, .c = b}})
+            CHECK(gives("normal(" + code(triangle) + ")", normal(triangle, b), expected));
+    }
+}
+
 TEST_CASE("a triangle's normal is within 16 u of how thin it is, its weights 32 u, at any size") {
     CHECK(for_all(
         [](Random& random) {

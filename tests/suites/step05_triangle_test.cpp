@@ -202,6 +202,15 @@ TEST_CASE("narrow triangles are seen: there is no epsilon on angles or sides (co
         CHECK(hits(down_at(1, narrow), one_short_side, 2));
         CHECK(misses(down_at(3, 3 * narrow), one_short_side));
     }
+    CHECK(for_all([](Random& random) {
+        const Real narrow = std::ldexp(Real(1), -3 - random.below(9));
+        const Real length = random.eighths(2, 4);
+        const Triangle needle{.a = {0, 0, 0}, .b = {length, narrow, 0}, .c = {length, -narrow, 0}};
+        const Vec3 origin(random.eighths(1, 2) - Real(0.125), 0, random.eighths(1, 9));
+        const Ray ray{.origin = origin, .direction = {0, 0, -1}};
+        if (random.coin()) return hits(ray, needle, origin.z);
+        return misses({.origin = origin + Vec3(0, narrow, 0), .direction = ray.direction}, needle);
+    }));
 }
 
 TEST_CASE("a grazing ray meets the triangle: there is no epsilon (MRT §5)", "[exact]") {

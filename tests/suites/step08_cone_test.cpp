@@ -415,6 +415,11 @@ TEST_CASE("near the apex, the normal leans as everywhere (contract)", "[exact]")
         const Real near = std::ldexp(Real(1), power);
         CHECK(normal_is(right_angled, {0, near, near}, {0, -half, half}));
     }
+    CHECK(for_all([half](Random& random) {
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Real near = random.eighths(1, 2) * std::ldexp(Real(1), -7 - random.below(6));
+        return normal_is(cone, cone.apex + near * (x + y), half * (x - y));
+    }));
 }
 
 TEST_CASE("at the apex the normal is -axis (contract)") {

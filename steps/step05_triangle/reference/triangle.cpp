@@ -96,9 +96,18 @@ Vec3 barycentric(const Triangle& triangle, Vec3 point) {
 }
 
 Vec3 normal(const Triangle& triangle, Vec3 /*point*/) {
-    // Each edge is scaled to unit length first: their product would leave the range of float at
+    // (b − a) × (c − a) = (c − b) × (a − b) = (a − c) × (b − c). At the corner opposite to the
+    // longest edge, both edges are short: at a corner that is far away they might round to the same
+    // vector. Each is scaled to unit length first: their product would leave the range of float at
     // 1e-20.
-    return unit(cross(unit(triangle.b - triangle.a), unit(triangle.c - triangle.a)));
+    const auto& [a, b, c] = triangle;
+    const Real opposite_a = largest_component(c - b);
+    const Real opposite_b = largest_component(a - c);
+    const Real opposite_c = largest_component(b - a);
+    if (opposite_a >= glm::max(opposite_b, opposite_c))
+        return unit(cross(unit(b - a), unit(c - a)));
+    if (opposite_b >= opposite_c) return unit(cross(unit(c - b), unit(a - b)));
+    return unit(cross(unit(a - c), unit(b - c)));
 }
 
 }  // namespace rt

@@ -158,6 +158,15 @@ TEST_CASE("a text whose lines end in CR alone is read like any other") {
               .triangles.size() == 1);
 }
 
+TEST_CASE("OBJ: a comment may follow on any line; STL: keywords in upper case") {
+    const Mesh mesh = mesh_of("a.obj", "v 0 0 0 # a\nv 1 0 0\nv 0 1 0\n# b\nf 1 2 3 # c\n");
+    CHECK(mesh.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+    CHECK(mesh_of("a.stl",
+                  "SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\n"
+                  "VERTEX 0 1 0\nENDLOOP\nENDFACET\nENDSOLID\n")
+              .triangles.size() == 1);
+}
+
 TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colors") {
     const std::string vertices = "0 0 0\n\n# one more\n1 0 0 # here\n0 1 0\n";
     for (const std::string& text :

@@ -220,6 +220,13 @@ TEST_CASE("small triangles are met: there is no epsilon on their area (contract)
         const Ray ray{.origin = size * down_z.origin, .direction = size * down_z.direction};
         CHECK(meets(ray, small, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
     }
+    CHECK(for_all([](Random& random) {
+        auto [mesh, line, crossed] = draw_stack(random);
+        const Real size = std::ldexp(Real(1), -4 - random.below(17));
+        for (Vec3& vertex : mesh.vertices) vertex *= size;
+        const Ray ray{.origin = size * line.origin, .direction = size * line.direction};
+        return crossed.empty() ? misses_mesh(ray, mesh) : meets(ray, mesh, crossed.front());
+    }));
 }
 
 TEST_CASE("a triangle is met however near it is (erratum 31, CR §4.2)", "[exact]") {
