@@ -57,6 +57,9 @@ TEST_CASE("a main.cpp is the trace of the stage that its folder or its name give
     only("step03_sphere/main.cpp");
     only("step03/main.cpp");
     only("sphere/main.cc");
+    only("03_sphere/main.cpp");
+    only("stage 3/src/main.cpp");
+    only("Step03-Sphere/main.cpp");
     only("sphere_main.cpp");
     only("step03_sphere_main.cpp");
     only("step03_main (1).cpp");
@@ -76,6 +79,15 @@ TEST_CASE("a main.cpp is the trace of the stage that its folder or its name give
     const SubmittedFiles several = ground.take("ben");
     CHECK(several.files == Files{{3, "three"}, {4, "four"}});
     CHECK(several.words.at({4, true}).find("would be plane_main.cpp") != std::string::npos);
+}
+
+TEST_CASE("a main.cpp that belongs to no stage is named") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("ann/sphere.cpp", "three");
+    ground.write("ann/ball/main.cpp", "whose?");
+    const SubmittedFiles taken = ground.take("ann");
+    CHECK(taken.files == Files{{3, "three"}});
+    CHECK(taken.words_on_all.find("ball/main.cpp is not used: ") == 0);
 }
 
 TEST_CASE("a main.cpp of the project, and one of another program, are no trace") {

@@ -100,6 +100,18 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(marks[3].points() == 3);
 }
 
+TEST_CASE("a mark that others have is missed, if it is damaged too") {
+    const Results results;
+    for (const Mark& mark : class_of_two()) write_mark(results.folder, mark);
+    CHECK(missing_marks(results.folder, read_marks(results.folder)).empty());
+    write_text(mark_file(results.folder, "zoe", 5), "{");
+    std::filesystem::create_directories(student_folder(results.folder, "yan"));
+    CHECK(missing_marks(results.folder, read_marks(results.folder)) ==
+          std::vector<std::string>{"yan has no mark for step04_plane",
+                                   "yan has no mark for step05_triangle",
+                                   "zoe has no mark for step05_triangle"});
+}
+
 TEST_CASE("the starter's cases are worth points once any other case passes") {
     Mark mark{.cases = {{.points = 2, .passed = true, .given = true}, {.points = 3}}};
     CHECK(mark.points() == 0);

@@ -257,6 +257,10 @@ void write_reports(const fs::path& results, const fs::path& project) {
     Term term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());
+    const std::vector<std::string> missing = missing_marks(results, marks);
+    for (const std::string& each : missing) std::fprintf(stderr, "%s\n", each.c_str());
+    if (!missing.empty())
+        std::fputs("the reports are incomplete: `./course grade` adds what is missing\n", stderr);
     write_grade_book(results, marks, term);
     write_upload(results, marks, term);
     write_feedback(results, marks, term);

@@ -44,7 +44,7 @@ bool is_below(const fs::path& file, const std::string& folder) {
 int stage_around(const fs::path& file) {
     for (fs::path folder = file.parent_path(); folder.has_relative_path();
          folder = folder.parent_path())
-        if (const std::optional<int> stage = find_stage(folder.filename().string())) return *stage;
+        if (const auto stage = stage_of_folder(folder.filename().string())) return *stage;
     return 0;
 }
 
@@ -232,6 +232,12 @@ private:
                 }))
                 stages.push_back(graded.stage);
         if (stages.size() == 1) found_[{stages[0], true}].push_back(main);
+        const bool is_of_project = is_below(main.path, "common") || is_below(main.path, "tests");
+        if (stages.empty() && !is_of_project)
+            problem(told(main.path) +
+                    " is not used: no folder of it, and no file beside it, has a stage's name. A "
+                    "name for that of stage 3 is " +
+                    submitted_name({3, true}) + ".");
         if (stages.size() < 2) return;
         for (const int stage : stages)
             handed_in.words[{stage, true}] = told(main.path) +

@@ -136,6 +136,18 @@ Named named_for(const std::string& file_name) {
     return slip;
 }
 
+std::optional<int> stage_of_folder(const std::string& folder_name) {
+    std::string name = squeezed(folder_name);
+    for (const std::string_view word : {"step", "stage"})
+        if (name.starts_with(word)) name.erase(0, word.size());
+    const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    const std::string topic = name.substr(digits);
+    if (topic.empty()) return find_stage(name);
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (topic == squeezed(topic_of(stage))) return stage;
+    return std::nullopt;
+}
+
 std::optional<Labeled> label(const std::string& name) {
     // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
     static const std::regex moodle(R"(([\s\S]+_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");

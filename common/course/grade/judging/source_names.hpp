@@ -33,6 +33,9 @@ struct Labeled {
 /// The parts of a name by Moodle or Canvas; nothing for another name.
 [[nodiscard]] std::optional<Labeled> label(const std::string& name);
 
+/// The stage that a folder names: "step03_sphere", "Stage 3", "03-sphere", "sphere".
+[[nodiscard]] std::optional<int> stage_of_folder(const std::string& folder_name);
+
 /// True if the name has the extension of a C++ source.
 [[nodiscard]] bool is_source(const std::string& file_name);
 

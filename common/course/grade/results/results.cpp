@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <utility>
 
 namespace rt::grade {
 
@@ -51,6 +53,16 @@ Json to_json(const CaseMark& each) {
     return {{"name", each.name},   {"points", each.points},  {"passed", each.passed},
             {"given", each.given}, {"trace", each.of_trace}, {"place", each.place},
             {"words", each.words}};
+}
+
+/// The students who have a folder of marks.
+std::vector<std::string> students_in(const fs::path& results) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
+        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 Verdict verdict(const std::string& name) {
@@ -173,17 +185,27 @@ std::optional<Mark> read_mark(const fs::path& results, const std::string& studen
 }
 
 std::vector<Mark> read_marks(const fs::path& results) {
-    std::vector<std::string> names;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
-        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
     std::vector<Mark> marks;
-    for (const std::string& student : names)
+    for (const std::string& student : students_in(results))
         for (int stage = 1; stage <= int(stage_names.size()); ++stage)
             if (std::optional<Mark> mark = read_mark(results, student, stage))
                 marks.push_back(std::move(*mark));
     return marks;
+}
+
+std::vector<std::string> missing_marks(const fs::path& results, const std::vector<Mark>& marks) {
+    std::set<int> stages;
+    std::set<std::pair<std::string, int>> there;
+    for (const Mark& mark : marks) {
+        stages.insert(mark.stage);
+        there.emplace(mark.student, mark.stage);
+    }
+    std::vector<std::string> missing;
+    for (const std::string& student : students_in(results))
+        for (const int stage : stages)
+            if (there.count({student, stage}) == 0)
+                missing.push_back(student + " has no mark for " + name_of(stage));
+    return missing;
 }
 
 }  // namespace rt::grade

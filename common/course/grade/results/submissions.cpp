@@ -98,7 +98,7 @@ double most_points(const std::map<int, int>& stages, const Term& term) {
 }
 
 std::string stage_title(int stage) {
-    std::string title(stage_name(stage).substr(std::string_view("step05_").size()));
+    std::string title = topic_of(stage);
     std::replace(title.begin(), title.end(), '_', ' ');
     return std::to_string(stage) + " " + title;
 }
