@@ -74,6 +74,14 @@ TEST_CASE("a platform's files without folders are read from its archive too") {
     CHECK(all["doezoe_123"].files == Files{{3, "round"}});
 }
 
+TEST_CASE("what is said of a student's archive does not contain the student's name") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("bob/sphere.cpp", "his");
+    ground.write("eve.tar.gz", "no archive");
+    const std::string words = ground.take_class()["eve"].words_on_all;
+    CHECK(words.find("The archive submission.tar.gz cannot be opened") == 0);
+}
+
 TEST_CASE("a name that is too long for a file costs nobody a submission") {
     const Ground ground(RAYSTEPS_SEALED);
     const std::string too_long(200, 'x');

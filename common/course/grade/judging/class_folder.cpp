@@ -141,7 +141,14 @@ private:
         if (const std::optional<Labeled> labeled = label(last))
             add_labeled(full, *labeled);
         else
-            by_student_[{full, without_archive_ending(last)}].push_back({full, last});
+            add_unlabeled(full, last);
+    }
+
+    /// The name of an archive is the student's, which no report on anonymous students contains.
+    void add_unlabeled(const fs::path& place, const std::string& name) {
+        const std::string student = without_archive_ending(name);
+        by_student_[{place, student}].push_back(
+            {place, "submission" + name.substr(student.size())});
     }
 
     /// A student may have several files and folders.
