@@ -27,7 +27,7 @@ constexpr int most_of_case = 2000;        ///< of one test case, per function
 constexpr int most_plain = 300;           ///< of these, the plainest
 constexpr int most_calls_of_each = 1500;  ///< of these, from plain to complex
 /// A function is open if another right one answers that share of its calls otherwise.
-constexpr double open_share = 0.02;
+constexpr double open_share = 0.05;
 constexpr std::size_t longest_call = 1200;  // characters: meshes are long
 
 /// True for many points of a light, or a picture.
