@@ -28,8 +28,10 @@ struct Function<Name, Pointer> {
 
     /// True if the name and the arguments match.
     template <Word Called, class... Given>
-    static constexpr bool is_called = std::is_same_v<Arguments, std::tuple<Given...>>&&
-                                          std::string_view(Called.text) == Name.text;
+    static constexpr bool is_called() {
+        return std::string_view(Called.text) == Name.text &&
+               std::is_same_v<Arguments, std::tuple<Given...>>;
+    }
 
     /// The answering end: the arguments' bytes to the answer's.
     static void answer(Reader& question, Writer& answer) {
@@ -44,7 +46,7 @@ struct Function<Name, Pointer> {
 template <class Functions, Word Called, class... Given>
 constexpr std::size_t find_function() {
     return []<class... Each>(std::type_identity<std::tuple<Each...>>) {
-        constexpr bool matches[] = {Each::template is_called<Called, Given...>...};
+        constexpr bool matches[] = {Each::template is_called<Called, Given...>()...};
         constexpr std::size_t count = sizeof...(Each);
         constexpr std::size_t place = std::find(matches, matches + count, true) - matches;
         static_assert(place < count, "no such function in this contract");

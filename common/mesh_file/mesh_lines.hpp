@@ -15,10 +15,10 @@ namespace rt {
 /// Replaces a byte order mark, which some editors write at the start of a text, with blanks.
 void blank_byte_order_mark(std::string& content);
 
-/// Replaces a byte order mark with blanks, and CR with LF if no line ends in LF. Adds the end of the
-/// last line if it is missing, because OpenMesh's streams must not reach the end of the file inside
-/// a number. Replaces vertical tab and form feed with blanks, because OpenMesh's readers treat them
-/// differently.
+/// Replaces a byte order mark with blanks, and CR with LF if no line ends in LF. Adds the end of
+/// the last line if it is missing, because OpenMesh's streams must not reach the end of the file
+/// inside a number. Replaces vertical tab and form feed with blanks, because OpenMesh's readers
+/// treat them differently.
 void plain_text(std::string& content);
 
 /// The lines of a text, in order. The text may be modified between calls.

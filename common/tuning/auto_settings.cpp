@@ -38,7 +38,8 @@ public:
 
 private:
     void hierarchy() {
-        const RenderSettings settings = with_one_shadow_ray(settings_, aim_);
+        const RenderSettings settings =
+            with_few_rays(with_one_shadow_ray(settings_, aim_)).settings;
         const HierarchyChoice hierarchy = choose_hierarchy(runner_, trials_, traits_, settings);
         choice_.hierarchy_from = hierarchy.from;
         say("hierarchy", hierarchy.why);
@@ -96,10 +97,11 @@ private:
     void no_samples() {
         const std::vector<Pixel> all = runner_.spread().pixels();
         const std::vector<Pixel> some = some_of(all, std::max<std::size_t>(all.size() / 32, 128));
-        const TrialSample sample = runner_.render_pixels(trials_, settings_, some, 1);
+        const auto [few_rays, times] = with_few_rays(settings_);
+        const TrialSample sample = runner_.render_pixels(trials_, few_rays, some, 1);
         choice_.expected = {.settings = settings_,
-                            .seconds = runner_.picture_seconds(sample.seconds),
-                            .rays = sample.rays};
+                            .seconds = runner_.picture_seconds(times * sample.seconds),
+                            .rays = times * sample.rays};
         say("shadow samples", why_no_samples());
     }
 

@@ -142,6 +142,14 @@ std::vector<std::string> f64::risks_in_float(const SceneLengths& scene) {
         risks.push_back(off + ", and the smallest shape has a size of " + number(scene.smallest));
     if (scene.loses_gaps(float_unit_roundoff))
         risks.push_back(off + ", and two of them are only " + number(scene.gap) + " apart");
+    // With distances in between, squares and products of lengths reach 3e38, or fall to 1e-45.
+    constexpr double longest = 1e18;
+    constexpr double shortest = 1e-18;
+    const std::string out = ", whose square is out of the range of float";
+    if (scene.largest > longest)
+        risks.push_back("coordinates reach " + number(scene.largest) + out);
+    if (scene.smallest > 0 && scene.smallest < shortest)
+        risks.push_back("the smallest shape has a size of " + number(scene.smallest) + out);
     return risks;
 }
 

@@ -54,4 +54,12 @@ RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim) {
     return aim.given.shadow_samples ? settings : with_rays(settings, 1);
 }
 
+CheaperPicture with_few_rays(RenderSettings settings) {
+    constexpr int few = 16;
+    if (settings.pixel_error > 0 || settings.pixel_samples <= few) return {.settings = settings};
+    const double times = double(settings.pixel_samples) / few;
+    settings.pixel_samples = few;
+    return {.settings = settings, .times = times};
+}
+
 }  // namespace rt

@@ -94,4 +94,13 @@ std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
 /// fixed.
 [[nodiscard]] RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim);
 
+/// A picture with fewer rays through each pixel, which tells the cost of the whole one.
+struct CheaperPicture {
+    RenderSettings settings;
+    double times = 1;  ///< the cost of the whole one, in these
+};
+
+/// A few of the rays, if a fixed number is given.
+[[nodiscard]] CheaperPicture with_few_rays(RenderSettings settings);
+
 }  // namespace rt

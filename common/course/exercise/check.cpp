@@ -200,8 +200,8 @@ bool differs_with_one_thread(const Image& mine, const std::string& program,
 }
 
 /// Writes the student's picture beside the reference's to a file, and prints its path. They are
-/// small, to be drawn in a moment; `./course compare` draws the whole ones. Returns false
-/// if the program draws none, or another one with one thread.
+/// small, to be drawn in a moment; `./course compare` draws the whole ones. Returns
+/// false if the program draws none, or another one with one thread.
 bool show_picture(int stage) {
     constexpr int apart = 5;  // a pixel is the middle one of 5 x 5 in the whole picture
     constexpr int magnification = 3;

@@ -77,6 +77,12 @@ TEST_CASE("where a plane's point is in the plane does not matter, nor does the s
         add(scaled.spheres, {.center = {0, scale, 0}, .radius = scale});
         CHECK(risks_in_float(scene_lengths(scaled)).empty());
     }
+    if (sizeof(Real) == sizeof(float)) return;  // which has no such scene
+    for (const Real scale : {Real(1e-20), Real(1e20)}) {
+        Scene scaled = scene(scale * Vec3(0, 1, 10));
+        add(scaled.spheres, {.center = {0, scale, 0}, .radius = scale});
+        CHECK(risks_in_float(scene_lengths(scaled)).size() == 1);
+    }
 }
 
 TEST_CASE("gaps between surfaces that lie along each other are found, and lost in float if small") {
