@@ -15,12 +15,13 @@ int sufficient_depth(double strongest_mirror, double tolerance) {
 }
 
 int depth_within_time(TrialRunner& runner, const Trials& trials, const RenderSettings& given) {
-    auto [settings, times] = with_few_rays(given);
+    const CheaperPicture cheaper = with_few_rays(given);
+    RenderSettings settings = cheaper.settings;
     const std::vector<Pixel> all = runner.spread().pixels();
     const std::vector<Pixel> pixels = some_of(all, std::max<std::size_t>(all.size() / 8, 512));
-    const auto takes_too_long = [&, times = times] {
+    const auto takes_too_long = [&] {
         const double seconds = runner.render_pixels(trials, settings, pixels, 0).seconds;
-        return runner.picture_seconds(times * seconds) > *runner.aim().time;
+        return runner.picture_seconds(cheaper.times * seconds) > *runner.aim().time;
     };
     while (settings.depth > 0 && takes_too_long()) settings.depth /= 2;
     return settings.depth;
