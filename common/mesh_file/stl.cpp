@@ -2,6 +2,7 @@
 #include "common/mesh_file/mesh_lines.hpp"
 #include "common/mesh_file/open_mesh.hpp"
 #include "common/system/escaping.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <utility>
 
@@ -40,8 +41,7 @@ void check_numbers(const std::string& content, const std::string& file) {
 
 /// "solid", in any case, perhaps after three blanks.
 bool begins_as_text(const std::string& content) {
-    std::string begin = content.substr(0, 8);
-    for (char& c : begin) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+    const std::string begin = lower_case(content.substr(0, 8));
     return begin.starts_with("solid") || begin.starts_with("   solid");
 }
 
@@ -55,8 +55,7 @@ CheckedMesh checked_text(std::string content, const std::string& file) {
     std::string keyword;
     while (const auto line = lines.next()) {
         std::string_view rest = *line;
-        keyword = take_word(rest).substr(0, 16);
-        for (char& c : keyword) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+        keyword = lower_case(std::string(take_word(rest).substr(0, 16)));
         if ((corners_to_come > 0) != (keyword == "vertex")) {
             lines.refuse(
                 std::string("expected ") +

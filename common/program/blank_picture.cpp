@@ -29,11 +29,12 @@ Resolution reduced(Resolution size, int longest) {
     return {.width = side(size.width), .height = side(size.height)};
 }
 
-/// The number of rays of the camera's picture, reduced to this longest side, that hit a shape.
-int hits(const Scene& scene, const Camera& camera, RenderSettings settings,
-         int longest = most_of_another_camera) {
+/// The number of rays of the camera's picture, reduced to this longest side, whose color satisfies
+/// the condition.
+template <class Condition>
+int count_rays(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+               int longest, Condition satisfies) {
     const Resolution size = reduced(scene.resolution, longest);
-    settings.shading = Shading::normal;  // in this shading only missed pixels are black, or the sky
     const PixelRays pixel_ray = pixel_rays(camera, size);
     Context context{.settings = settings};
     int count = 0;
@@ -41,10 +42,20 @@ int hits(const Scene& scene, const Camera& camera, RenderSettings settings,
         for (int column = 0; column < size.width; ++column) {
             context.pixel = {.row = row, .column = column};
             const Ray ray = pixel_ray(context.pixel);
-            const Rgb color = to_rgb(trace(scene, ray, context));
-            if (color != Rgb{0, 0, 0} && color != to_rgb(background(scene, ray))) ++count;
+            if (satisfies(ray, to_rgb(trace(scene, ray, context)))) ++count;
         }
     return count;
+}
+
+constexpr Rgb black = {0, 0, 0};
+
+/// The number of these rays that hit a shape.
+int hits(const Scene& scene, const Camera& camera, RenderSettings settings,
+         int longest = most_of_another_camera) {
+    settings.shading = Shading::normal;  // in this shading only missed pixels are black, or the sky
+    return count_rays(scene, camera, settings, longest, [&scene](const Ray& ray, Rgb color) {
+        return color != black && color != to_rgb(background(scene, ray));
+    });
 }
 
 std::size_t count_shapes(const Scene& scene) {
@@ -110,16 +121,8 @@ bool is_black_in_any_light(const Scene& scene, RenderSettings settings) {
     Scene bright = scene;
     bright.ambient = Ambient{.ratio = 1};
     settings.term = PhongTerm::all;
-    const Resolution size = reduced(scene.resolution, most_of_another_camera);
-    const PixelRays pixel_ray = pixel_rays(scene.cameras.front(), size);
-    Context context{.settings = settings};
-    for (int row = 0; row < size.height; ++row)
-        for (int column = 0; column < size.width; ++column) {
-            context.pixel = {.row = row, .column = column};
-            if (to_rgb(trace(bright, pixel_ray(context.pixel), context)) != Rgb{0, 0, 0})
-                return false;
-        }
-    return true;
+    return count_rays(bright, scene.cameras.front(), settings, most_of_another_camera,
+                      [](const Ray&, Rgb color) { return color != black; }) == 0;
 }
 
 }  // namespace
@@ -144,7 +147,7 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
     const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
         return start + "there is no light; try lines A and L, or --shade normal";
-    const bool is_black = pixels.front() == Rgb{0, 0, 0};
+    const bool is_black = pixels.front() == black;
     if (lit && is_black && settings.term != PhongTerm::all)
         return start + "--term shows one term of the light, and no shape in view has it";
     if (lit && is_black && is_black_in_any_light(scene, settings))

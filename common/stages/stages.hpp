@@ -32,7 +32,7 @@ inline constexpr int mesh_stage = 13;
     return std::string(stage_name(stage));
 }
 
-/// What the stage is about, the name of its files: "triangle".
+/// The topic of a stage, the name of its files: "triangle".
 [[nodiscard]] inline std::string topic_of(int stage) {
     return std::string(stage_name(stage).substr(std::string_view("stepNN_").size()));
 }

@@ -94,7 +94,7 @@ std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
 /// fixed.
 [[nodiscard]] RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim);
 
-/// A picture with fewer rays through each pixel, which tells the cost of the whole one.
+/// A picture with fewer rays through each pixel, from whose cost that of the whole one follows.
 struct CheaperPicture {
     RenderSettings settings;
     double times = 1;  ///< the cost of the whole one, in these

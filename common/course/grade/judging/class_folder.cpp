@@ -6,6 +6,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -73,7 +74,7 @@ bool are_many(const std::vector<fs::path>& entries) {
                                                 "test",    "code",    "backup",    "old"};
     std::set<int> before;
     for (const fs::path& each : entries) {
-        if (!is_folder(each) || of_a_project.count(lower(each.filename())) == 1) continue;
+        if (!is_folder(each) || of_a_project.count(lower_case(each.filename())) == 1) continue;
         for (const int stage : stages_in(each))
             if (!before.insert(stage).second) return true;
     }
@@ -122,7 +123,7 @@ public:
         for (auto& [key, pieces] : by_student_) {
             std::string student = plain_name(key.second);
             const std::string first = student;
-            for (int i = 2; !taken.insert(lower(student)).second; ++i)
+            for (int i = 2; !taken.insert(lower_case(student)).second; ++i)
                 student = first + "_" + std::to_string(i);
             if (student != first)
                 leave(key.first.has_filename() ? key.first : key.first.parent_path(),

@@ -1,6 +1,7 @@
 #include "common/course/grade/judging/source_names.hpp"
 
 #include "common/stages/graded_file.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,7 @@ bool is_digit(char c) {
 /// Letters and digits alone: "soft shadows", "Soft-Shadows" and "soft_shadows" are one.
 std::string squeezed(const std::string& text) {
     std::string letters;
-    for (const char c : lower(text))
+    for (const char c : lower_case(text))
         if ((c >= 'a' && c <= 'z') || is_digit(c) || static_cast<unsigned char>(c) >= 0x80)
             letters += c;
     return letters;
@@ -89,21 +90,27 @@ int numbered_stage(const std::string& stem) {
     return find_stage(name.substr(4, name.find_first_not_of("0123456789", 4) - 4)).value_or(0);
 }
 
+/// The stage whose topic has these letters; nothing for other text.
+std::optional<int> stage_with_topic(const std::string& letters) {
+    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
+        if (letters == squeezed(topic_of(stage))) return stage;
+    return std::nullopt;
+}
+
 /// The stage of a main.cpp, "sphere_main.cpp", if it is one.
 std::optional<int> trace_stage(const std::string& stem, const std::string& letters) {
     const std::string main = "main";
     if (!letters.ends_with(main)) return std::nullopt;
     const std::string topic = letters.substr(0, letters.size() - main.size());
     if (topic.empty()) return numbered_stage(stem);
-    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        if (has_trace(stage) && topic == squeezed(topic_of(stage))) return stage;
-    return std::nullopt;
+    const std::optional<int> stage = stage_with_topic(topic);
+    return stage && has_trace(*stage) ? stage : std::nullopt;
 }
 
 }  // namespace
 
 Named named_for(const std::string& file_name) {
-    const std::string name = lower(file_name);
+    const std::string name = lower_case(file_name);
     std::string_view ending = ending_of(name, source_endings);
     if (file_name.ends_with(".C")) ending = ".c";
     const bool source = !ending.empty();
@@ -112,7 +119,7 @@ Named named_for(const std::string& file_name) {
         ending = ending_of(name, suspect_endings);
         if (ending.empty()) return {};
         stem.resize(stem.size() - ending.size());
-        stem.resize(stem.size() - ending_of(lower(stem), source_endings).size());
+        stem.resize(stem.size() - ending_of(lower_case(stem), source_endings).size());
     }
     const std::string letters = bare(stem);
     if (const std::optional<int> stage = trace_stage(stem, letters)) {
@@ -142,10 +149,7 @@ std::optional<int> stage_of_folder(const std::string& folder_name) {
         if (name.starts_with(word)) name.erase(0, word.size());
     const std::size_t digits = std::min(name.find_first_not_of("0123456789"), name.size());
     const std::string topic = name.substr(digits);
-    if (topic.empty()) return find_stage(name);
-    for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        if (topic == squeezed(topic_of(stage))) return stage;
-    return std::nullopt;
+    return topic.empty() ? find_stage(name) : stage_with_topic(topic);
 }
 
 std::optional<Labeled> label(const std::string& name) {
@@ -161,15 +165,15 @@ std::optional<Labeled> label(const std::string& name) {
 }
 
 bool is_source(const std::string& file_name) {
-    return !ending_of(lower(file_name), source_endings).empty() || file_name.ends_with(".C");
+    return !ending_of(lower_case(file_name), source_endings).empty() || file_name.ends_with(".C");
 }
 
 bool is_archive(const std::string& file_name) {
-    return !ending_of(lower(file_name), archive_endings).empty();
+    return !ending_of(lower_case(file_name), archive_endings).empty();
 }
 
 std::string without_archive_ending(std::string name) {
-    name.resize(name.size() - ending_of(lower(name), archive_endings).size());
+    name.resize(name.size() - ending_of(lower_case(name), archive_endings).size());
     return name;
 }
 
@@ -178,12 +182,6 @@ bool is_litter(const std::string& file_name) {
         "__MACOSX", ".git", ".DS_Store", "Thumbs.db", "desktop.ini", ".svn", ".hg"};
     return file_name.starts_with("._") ||
            std::find(litter.begin(), litter.end(), file_name) != litter.end();
-}
-
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-    return text;
 }
 
 }  // namespace rt::grade

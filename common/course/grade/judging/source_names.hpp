@@ -48,7 +48,4 @@ struct Labeled {
 /// Files that systems add to folders and archives: .git, __MACOSX, "._x".
 [[nodiscard]] bool is_litter(const std::string& file_name);
 
-/// The text with ASCII letters in lower case.
-[[nodiscard]] std::string lower(std::string text);
-
 }  // namespace rt::grade

@@ -5,6 +5,7 @@
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 
@@ -44,15 +45,19 @@ std::string Csv::Row::at(int column) const {
 int Csv::column(const std::vector<std::string>& headings) const {
     for (const std::string& heading : headings)
         for (std::size_t i = 0; i < head.cells.size(); ++i)
-            if (lower(head.cells[i]) == lower(heading)) return int(i);
+            if (lower_case(head.cells[i]) == lower_case(heading)) return int(i);
     return -1;
 }
 
-Csv read_csv(const std::filesystem::path& file) {
+std::string read_any_text(const std::filesystem::path& file) {
     std::string text = read_text(file);
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    // In a text without LF, CR ends the lines.
     if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+    return text;
+}
+
+Csv read_csv(const std::filesystem::path& file) {
+    const std::string text = read_any_text(file);
     Csv csv{.file = file, .separator = separator_of(text)};
     std::vector<Csv::Row> rows;
     Csv::Row row{.line = 1};

@@ -24,6 +24,10 @@ struct Csv {
     [[nodiscard]] int column(const std::vector<std::string>& headings) const;
 };
 
+/// The text of a lecturer's file: without a byte order mark, and with LF for CR in a text without
+/// LF. Throws InputError if it cannot be read.
+[[nodiscard]] std::string read_any_text(const std::filesystem::path& file);
+
 /// The separator is the comma, semicolon or tab that is most frequent in the first line. Throws
 /// InputError if the file cannot be read, or a quote is not closed.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);

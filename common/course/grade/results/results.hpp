@@ -95,9 +95,9 @@ void write_mark(const std::filesystem::path& results, const Mark& mark);
 /// All marks in the folder, by student and stage.
 [[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);
 
-/// What the marks of the folder lack: "anna has no mark for step05_triangle", for each student of
-/// the folder and each stage of which others have a mark. Grading was interrupted, or goes on, or a
-/// file is damaged.
+/// One sentence for each missing mark, "anna has no mark for step05_triangle": of each student of
+/// the folder, and each stage for which others have a mark. Grading was interrupted, or goes on, or
+/// a file is damaged.
 [[nodiscard]] std::vector<std::string> missing_marks(const std::filesystem::path& results,
                                                      const std::vector<Mark>& marks);
 

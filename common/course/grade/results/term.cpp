@@ -1,12 +1,14 @@
 #include "common/course/grade/results/term.hpp"
 
 #include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/results/student_names.hpp"
 #include "common/course/grade/results/submissions.hpp"
 
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/keyed_hash.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -22,12 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* end_of_line = "\r\n";
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string::npos) return "";
-    return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
 
 /// "7,5" too, as some spreadsheets write it.
 std::optional<double> number_of(std::string text) {
@@ -53,92 +49,11 @@ int read_stage(const std::string& text, const FileLocation& place) {
     return *stage;
 }
 
-/// Letters and digits, as plain_name leaves them: "Zoe Doe" is "zoe_doe".
-std::string folded(const std::string& name) {
-    std::string text = lower(trimmed(name));
-    for (char& c : text) {
-        const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' ||
-                          c == '-' || static_cast<unsigned char>(c) >= 0x80;
-        if (!kept) c = '_';
-    }
-    return text;
-}
-
-/// The number that a name ends with: "Participant 123", "doezoe_123"; or nothing.
-std::string number_at_end(const std::string& name) {
-    const std::size_t last = name.find_last_not_of("0123456789");
-    return name.substr(last == std::string::npos ? 0 : last + 1);
-}
-
-/// Finds students of the results by their names in the lecturer's files.
-class Names {
-public:
-    explicit Names(const std::vector<Mark>& marks) {
-        std::set<std::string> all;
-        for (const Mark& mark : marks) all.insert(mark.student);
-        for (const std::string& student : all) {
-            add(student, student);
-            const std::size_t line = student.rfind('_');
-            const std::string number = number_at_end(student);
-            const bool is_numbered = !number.empty() && line != std::string::npos &&
-                                     line + 1 + number.size() == student.size();
-            // The grader itself numbers the second of two students with one name.
-            if (is_numbered && all.count(student.substr(0, line)) == 0)
-                by_number_[number].insert(student);
-        }
-    }
-
-    void add(const std::string& name, const std::string& student) {
-        if (!name.empty()) by_name_[folded(name)].insert(student);
-    }
-
-    /// By the name, or by the number alone. Throws InputError if several students match.
-    [[nodiscard]] std::optional<std::string> find(const std::string& name,
-                                                  const FileLocation& place) const {
-        if (const auto found = by_name_.find(folded(name)); found != by_name_.end())
-            return only(found->second, name, place);
-        const std::string number = trimmed(name);
-        return number_at_end(number) == number ? find_number(number, name, place) : std::nullopt;
-    }
-
-    /// The same for the identifiers of a platform, "Participant 123", whose number decides.
-    [[nodiscard]] std::optional<std::string> find_identifier(const std::string& identifier,
-                                                             const FileLocation& place) const {
-        if (const auto found = find(identifier, place)) return found;
-        return find_number(number_at_end(trimmed(identifier)), identifier, place);
-    }
-
-private:
-    [[nodiscard]] std::optional<std::string> find_number(const std::string& number,
-                                                         const std::string& name,
-                                                         const FileLocation& place) const {
-        const auto found = by_number_.find(number);
-        if (found == by_number_.end()) return std::nullopt;
-        return only(found->second, name, place);
-    }
-
-    static std::string only(const std::set<std::string>& matches, const std::string& name,
-                            const FileLocation& place) {
-        if (matches.size() == 1) return *matches.begin();
-        std::string all;
-        for (const std::string& student : matches) all += (all.empty() ? "" : ", ") + student;
-        throw InputError(place, "\"" + name + "\" may be " + all + ": write one of these names");
-    }
-
-    std::map<std::string, std::set<std::string>> by_name_;
-    std::map<std::string, std::set<std::string>> by_number_;
-};
-
 /// Reads the lines "word: value" of the settings, and then the files that they name.
 class Reading {
 public:
     Reading(const fs::path& file, const std::vector<Mark>& marks) : file_(file), names_(marks) {
-        std::string text = read_text(file);
-        constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-        if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-        if (text.find('\n') == std::string::npos)
-            std::replace(text.begin(), text.end(), '\r', '\n');
-        const std::vector<std::string> lines = lines_of(text);
+        const std::vector<std::string> lines = lines_of(read_any_text(file));
         for (std::size_t i = 0; i < lines.size(); ++i) {
             line_ = int(i) + 1;
             const std::string line = trimmed(lines[i]);
@@ -156,7 +71,7 @@ private:
 
     void read_line(const std::string& line) {
         const std::size_t colon = line.find(':');
-        const std::string word = lower(trimmed(line.substr(0, colon)));
+        const std::string word = lower_case(trimmed(line.substr(0, colon)));
         const std::string value = colon == std::string::npos ? "" : trimmed(line.substr(colon + 1));
         const std::set<std::string> texts = {"roster",  "late",  "overrides",
                                              "student", "grade", "comment"};
@@ -272,7 +187,7 @@ private:
 
     /// Canvas's second line has the points possible, and a last one is a test student's.
     static bool is_person(const Csv::Row& row, const Roster& roster) {
-        const std::string first = lower(trimmed(row.at(0)));
+        const std::string first = lower_case(trimmed(row.at(0)));
         return !trimmed(row.at(roster.student)).empty() && first != "points possible" &&
                first != "student, test";
     }
@@ -312,7 +227,7 @@ private:
         constexpr double most = 1e6;
         for (const Csv::Row& row : csv->rows) {
             const FileLocation place{csv->file.string(), row.line};
-            const bool all = lower(trimmed(row.at(stage))) == "total";
+            const bool all = lower_case(trimmed(row.at(stage))) == "total";
             const int of = all ? Term::total : read_stage(row.at(stage), place);
             const Override given{read_number(row.at(points), place, most), row.at(comment)};
             const auto student = student_of(*csv, row, who);
@@ -337,7 +252,7 @@ private:
     int line_ = 0;
     std::map<std::string, std::pair<std::string, int>> settings_;
     std::set<std::string> words_;  ///< of all settings that may be there once
-    Names names_;
+    StudentNames names_;
     std::set<std::string> on_roster_;
     Term term_;
 };
@@ -413,7 +328,8 @@ void write_upload(const fs::path& results, const std::vector<Mark>& marks, const
             if (most != -1) points = std::min(points, possible);
             add(row, number(points), found->second.remarks);
         } else
-            add(row, lower(trimmed(row.at(0))) == "points possible" ? number(possible) : "", "");
+            add(row, lower_case(trimmed(row.at(0))) == "points possible" ? number(possible) : "",
+                "");
     }
     write_text(results / "upload.csv", text);
 }

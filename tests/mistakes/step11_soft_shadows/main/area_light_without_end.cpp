@@ -1,61 +1,26 @@
 // origin: a student's: the end of the interval is replaced
 // caught by: every kind of shape casts a shadow, up to both ends of its way (CR §3.2)
 // sentence: Your shadow rays to an area light go on behind it. Take the whole of shadow_ray(surface, aim): its interval ends at the light.
-#include "common/render/sampling.hpp"
-#include "common/render/stage.hpp"
-
-#include "steps/step03_sphere/sphere.hpp"
-#include "steps/step08_cone/all_shapes.hpp"
-#include "steps/step09_phong/phong.hpp"
 #include "steps/step10_shadows/shadows.hpp"
 #include "steps/step11_soft_shadows/soft_shadows.hpp"
+
+#include <utility>
 
 namespace rt {
 
 namespace {
 
-bool blocked(const Scene& scene, const ShadowRay& way, Context& context) {
-    AnyHit any_hit(way.ray, way.interval, context);
-    visit_shapes(any_hit, scene);
-    return any_hit.found();
-}
+bool is_sample = false;  // the next shadow ray is one to a sample
 
-Real share_of(const Scene& scene, const ShadingPoint& surface, const Light& light,
-              std::uint32_t number, Context& context) {
-    if (light.radius == 0)
-        return blocked(scene, shadow_ray(surface, light.position), context) ? 0 : 1;
-    const std::uint32_t seed = sample_seed(context.pixel, number, std::uint32_t(context.bounces));
-    ShadowRays rays;
-    for (int i = 0; i < context.settings.shadow_samples; ++i) {
-        const Vec2 sample = spread_sample(std::uint32_t(i), seed);
-        const Vec3 aim = sample_light(light, surface.point, sample);
-        ShadowRay way = shadow_ray(surface, aim);
-        way.interval.max = infinity;
-        if (!blocked(scene, way, context)) ++rays.reached;
-        ++rays.sent;
-    }
-    return visibility(rays);
+ShadowRay changed(ShadowRay way) {
+    if (std::exchange(is_sample, false)) way.interval.max = infinity;
+    return way;
 }
 
 }  // namespace
 
-Color trace(const Scene& scene, const Ray& ray, Context& context) {
-    ClosestHit closest(ray, context);
-    visit_shapes(closest, scene);
-    const std::optional<Hit> hit = closest.hit();
-    if (!hit) return background(scene, ray);
-    if (context.settings.shading == Shading::normal) return color_from_normal(hit->normal);
-
-    const ShadingPoint surface = shading_point(*hit, ray);
-    PhongTerms terms;
-    if (scene.ambient) terms.ambient = ambient_term(surface, *scene.ambient);
-    std::uint32_t number = 0;
-    for (const Light& light : scene.lights) {
-        const Real share = share_of(scene, surface, light, ++number, context);
-        terms.diffuse += share * diffuse_term(surface, light);
-        terms.specular += share * specular_term(surface, light);
-    }
-    return visible_sum(terms, context);
-}
-
 }  // namespace rt
+
+#define sample_light(...) (is_sample = true, sample_light(__VA_ARGS__))
+#define shadow_ray(...) changed(shadow_ray(__VA_ARGS__))
+#include "tests/alternatives/step11_soft_shadows/main/plain_loop.cpp"

@@ -1,6 +1,6 @@
 // origin: a student's: the depth alone
 // caught by: a reflection of a weight below 1/512 is black, however many mirrors made it (contract)
-// sentence: You trace a reflection whatever its weight is. Below 1/512 it is black: ask worth_reflecting, with the product of all mirrors' shares.
+// sentence: You trace every reflection, however small its weight is. A reflection of a weight below 1/512 is black: call worth_reflecting with the product of all mirrors' shares.
 #define reflection wrong_reflection
 #include "steps/step12_mirror/main.cpp"
 #undef reflection

@@ -1,6 +1,6 @@
-// origin: a student's: asked before the share is multiplied
+// origin: a student's: the call of worth_reflecting before the multiplication by the share
 // caught by: a reflection of a weight below 1/512 is black, however many mirrors made it (contract)
-// sentence: You ask worth_reflecting with the weight of the ray that arrives. Multiply it by this mirror's share first: that is the weight of the reflection.
+// sentence: You call worth_reflecting with the weight of the arriving ray. The weight of the reflection is the product of that weight and this mirror's share.
 #define reflection wrong_reflection
 #include "steps/step12_mirror/main.cpp"
 #undef reflection

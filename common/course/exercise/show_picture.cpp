@@ -1,0 +1,81 @@
+#include "common/course/exercise/show_picture.hpp"
+
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/image_diff.hpp"
+#include "common/image/png.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/files.hpp"
+#include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+namespace {
+
+constexpr std::chrono::seconds picture_limit{20};
+
+/// Draws the picture with that many threads; 0 for one of each core.
+ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
+                    int threads) {
+    const StatusLine status("drawing your picture …");
+    std::vector<std::string> command = {
+        (build_folder / program).string(),
+        "--quiet",
+        "-o",
+        file.string(),
+        "--size",
+        std::to_string(size.width) + "x" + std::to_string(size.height)};
+    if (threads > 0) command.insert(command.end(), {"--threads", std::to_string(threads)});
+    return run_captured(command, picture_limit);
+}
+
+/// Returns whether the program draws other pixels with one thread, and prints the usual cause.
+bool differs_with_one_thread(const Image& mine, const std::string& program,
+                             const std::filesystem::path& file) {
+    const ProcessResult ending = drawn(program, file, mine.resolution, 1);
+    if (ending.out_of_time || ending.status != 0) return false;
+    if (read_png(file.string()).pixels == mine.pixels) return false;
+    std::printf(
+        "\nWith one thread your picture is another one: pixels are drawn by several threads at a\n"
+        "time, and what one keeps in a static or global variable, another overwrites.\n");
+    return true;
+}
+
+}  // namespace
+
+bool show_picture(int stage) {
+    constexpr int apart = 5;  // a pixel is the middle one of 5 x 5 in the whole picture
+    constexpr int magnification = 3;
+    const std::string name(stage_name(stage));
+    const Image reference =
+        read_png((project_folder / "docs/pictures/small" / (name + ".png")).string());
+    const TemporaryFolder folder(build_folder);
+    const std::filesystem::path file = folder.path() / "mine.png";
+    const ProcessResult ending = drawn(name + "_checked", file, reference.resolution, 0);
+    if (ending.out_of_time || ending.status != 0) {
+        std::printf("\nno picture: %s\n", ending.out_of_time ? "the program does not end"
+                                          : ending.crash.empty()
+                                              ? ending.output.c_str()
+                                              : ("the program crashed: " + ending.crash).c_str());
+        return ending.out_of_time;
+    }
+    const Image mine = read_png(file.string());
+    Comparison comparison = compare(mine, reference);
+    if (comparison.center)
+        comparison.center = {.row = comparison.center->row * apart + apart / 2,
+                             .column = comparison.center->column * apart + apart / 2};
+    const std::string shown = "renders/" + name + "_compare.png";
+    write_png((project_folder / shown).string(), magnified(comparison.side_by_side, magnification),
+              {});
+    std::printf("\nYour picture, the reference's and the difference, small: %s\n  %s\n",
+                shown.c_str(), summary(comparison).c_str());
+    return comparison.different == 0 || !differs_with_one_thread(mine, name + "_checked", file);
+}
+
+}  // namespace rt
