@@ -3,6 +3,9 @@
 
 namespace rt {
 
+/// The start of the sentence on a worker that ended, or was ended, before it answered.
+inline constexpr const char* no_answer_start = "Your code ";
+
 /// All cases of a suite together took too long.
 inline constexpr const char* too_long_a_suite = "took longer than all cases may take";
 

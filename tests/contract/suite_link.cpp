@@ -51,7 +51,7 @@ public:
             return worker_->ask(question, answer_seconds, std::min(case_seconds, suite_left_));
         } catch (const NoAnswer& no_answer) {
             const double used = end_worker();
-            gone_ = "Your code " +
+            gone_ = no_answer_start +
                     std::string(suite_left_ <= 0       ? too_long_a_suite
                                 : used >= case_seconds ? too_long_a_case
                                                        : no_answer.what()) +

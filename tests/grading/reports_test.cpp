@@ -107,23 +107,32 @@ TEST_CASE("the grade book has a line a student") {
     const Class two;
     write_grade_book(two.folder, two.marks);
     CHECK(read_text(two.folder / "grades.csv") ==
-          "student,step04_plane,step05_triangle,total,of\r\n"
-          "\"'=cmd|\"\"<b>&\n\",1,0,1,6\r\n"
-          "zoe,0,3,3,6\r\n");
+          "student,step04_plane,step05_triangle,total,of,remarks\r\n"
+          "\"'=cmd|\"\"<b>&\n\",1,0,1,6,\r\n"
+          "zoe,0,3,3,6,<none>\r\n");
 }
 
-TEST_CASE("the grade book contains the reason for an empty submission") {
+TEST_CASE("the grade book contains the reasons why stages have no file, each once") {
     const Results results;
-    const std::vector<Mark> marks{{.student = "anna",
-                                   .stage = 3,
-                                   .words = "The archive a.rar cannot be opened.\nx",
-                                   .most = 2},
-                                  {.student = "ben", .stage = 3, .most = 2}};
+    const std::vector<Mark> marks{
+        {.student = "anna",
+         .stage = 3,
+         .words = "The archive a.rar cannot be opened.\nx",
+         .most = 2},
+        {.student = "ben", .stage = 3, .most = 2},
+        {.student = "carl",
+         .stage = 3,
+         .verdict = Verdict::judged,
+         .words = "a warning",
+         .most = 2},
+        {.student = "carl", .stage = 4, .words = "There is no plane.cpp.\n", .most = 1},
+        {.student = "carl", .stage = 5, .words = "There is no plane.cpp.\n", .most = 1}};
     write_grade_book(results.folder, marks);
     CHECK(read_text(results.folder / "grades.csv") ==
-          "student,step03_sphere,total,of,remarks\r\n"
-          "anna,0,0,2,The archive a.rar cannot be opened.\r\n"
-          "ben,0,0,2,\r\n");
+          "student,step03_sphere,step04_plane,step05_triangle,total,of,remarks\r\n"
+          "anna,0,0,0,0,4,The archive a.rar cannot be opened.\r\n"
+          "ben,0,0,0,0,4,\r\n"
+          "carl,0,0,0,0,4,There is no plane.cpp.\r\n");
 }
 
 TEST_CASE("JUnit's XML has a testsuite a student and stage") {
@@ -301,7 +310,9 @@ TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
 TEST_CASE("the class report lists stages, left-over files, and forbidden operations") {
     Class two;
     write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
-    two.marks[0].cases[1].words = "your code tried a forbidden operation: files\n";
+    two.marks[0].cases[1].words = "Your code tried a forbidden operation: files\n";
+    for (CaseMark& each : two.marks[3].cases)
+        each.words = "intersect(…)\nYour code crashed: Aborted.\n";
     write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, {}, "2026-11-22, seed 12");
     const std::string page = read_text(two.folder / "class.html");
     CHECK(well_formed(page));
@@ -313,6 +324,11 @@ TEST_CASE("the class report lists stages, left-over files, and forbidden operati
               "class=\"scroll\"><table class=\"list\">\n<tr><td class=\"text\">=cmd|&quot;&lt;b&gt;"
               "&amp;\n</td><td class=\"text\">4 plane</td><td class=\"text\">in 1 case</td></tr>"));
     CHECK(has(page, "<td class=\"text\">5 triangle</td><td class=\"text\">no &lt;vec&gt;</td>"));
+    CHECK(has(page,
+              "Crashes, and limits of time</h3>\n<div class=\"scroll\"><table class=\"list\">\n"
+              "<tr><td class=\"text\">zoe</td><td class=\"text\">5 triangle</td><td "
+              "class=\"text\">in 2 cases</td><td class=\"text\">Your code crashed: Aborted.</td>"
+              "</tr>"));
 }
 
 TEST_CASE("a class without marks makes empty reports") {

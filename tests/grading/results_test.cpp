@@ -31,6 +31,7 @@ TEST_CASE("results replace no file of the lecturer's, and are not among the subm
     CHECK_NOTHROW(check_results_folder(results.folder / "new", {results.folder}));
     CHECK_THROWS_AS(check_results_folder(results.folder / ".", {results.folder}), InputError);
     write(results.folder / "term.txt", "anonymous: yes");
+    CHECK_THROWS_AS(check_results_folder(results.folder / "term.txt", {}), InputError);
     CHECK_NOTHROW(check_results_folder(results.folder, {}));
     write(results.folder / "grades.csv", "student,oral exam");
     CHECK_THROWS_AS(check_results_folder(results.folder, {}), InputError);

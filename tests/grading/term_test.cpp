@@ -13,6 +13,8 @@ namespace rt::grade {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 /// Stages 3 and 5, of 4 and 10 points: ann_1 has 3 and 5, ben_2 has 4 and nothing.
 struct Small : Results {
     Small() {
@@ -114,7 +116,7 @@ TEST_CASE("a lecturer's points go before the grader's, with the reason, and last
               "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
               "ann_1,3,7.5,10.5,14,\"5 triangle: 7.5 instead of 5: edges; by hand\"\r\n"
               "ben_2,4,0,12,14,in all: 12 instead of 4: oral exam\r\n");
-    CHECK(two.term().unknown ==
+    CHECK(two.term().notes ==
           std::vector<std::string>{"overrides.csv:4: there is no student \"carl\""});
     write_feedback(two.folder, two.marks, two.term());
     const std::string page = read_text(student_folder(two.folder, "ann_1") / "feedback.html");
@@ -122,6 +124,41 @@ TEST_CASE("a lecturer's points go before the grader's, with the reason, and last
     CHECK(has(page, "5 triangle: 7.5 instead of 5: edges; by hand"));
     write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, two.term());
     CHECK(has(read_text(two.folder / "class.html"), "carl"));
+}
+
+TEST_CASE(
+    "a lecturer's points of no graded stage, and more than there are, are allowed and reported") {
+    const Small two;
+    two.write("overrides.csv",
+              "student,stage,points\n"
+              "ann_1,7,3\n"
+              "ann_1,5,100\n"
+              "ben_2,total,25\n"
+              "ben_2,3,4\n");
+    two.write("term.txt", "weight: 5 2\noverrides: overrides.csv\n");  // 4 + 2 x 10 points
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+          "ann_1,3,200,203,24,5 triangle: 100 instead of 5\r\n"
+          "ben_2,4,0,25,24,\"3 sphere: 4 instead of 4\nin all: 25 instead of 4\"\r\n");
+    CHECK(two.term().notes ==
+          std::vector<std::string>{
+              "overrides.csv:2: 7 cylinder is not graded: its points do not count",
+              "overrides.csv:3: 100 points are more than the 10 of 5 triangle; they count",
+              "overrides.csv:4: 25 points are more than the 24 of all stages; they count"});
+}
+
+TEST_CASE("a report that the settings do not ask for any more is removed") {
+    const Small two;
+    two.write("class.csv", "student\nann_1\n");
+    two.write("term.txt", "roster: class.csv\nanonymous: yes\n");
+    write_upload(two.folder, two.marks, two.term());
+    CHECK(fs::exists(two.folder / "upload.csv"));
+    CHECK(fs::exists(two.folder / "names.csv"));
+    two.write("term.txt", "bonus: 5\n");
+    write_upload(two.folder, two.marks, two.term());
+    CHECK_FALSE(fs::exists(two.folder / "upload.csv"));
+    CHECK_FALSE(fs::exists(two.folder / "names.csv"));
+    CHECK(fs::exists(two.folder / "class.csv"));
 }
 
 TEST_CASE(
@@ -135,7 +172,7 @@ TEST_CASE(
           "ann_1,3,5,8,14,\r\n"
           "ben_2,4,0,4,14,\r\n"
           "zoe_doe,0,0,0,14,submitted nothing\r\n");
-    CHECK(two.term().unknown ==
+    CHECK(two.term().notes ==
           std::vector<std::string>{"ben_2: submitted, but is not on the roster"});
     write_upload(two.folder, two.marks, two.term());
     CHECK(read_text(two.folder / "upload.csv") ==
@@ -162,7 +199,7 @@ TEST_CASE("Moodle's grading worksheet is returned with grades, relative to its m
           "Participant 2,\"Ben, B\",b@x,Submitted,28.57,100.00,Yes,-,\r\n"
           "Participant 1,-Ann,a@x,Submitted,57.14,100.00,Yes,-,\r\n"
           "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,submitted nothing\r\n");
-    CHECK(two.term().unknown.empty());
+    CHECK(two.term().notes.empty());
     two.write("term.txt", "roster: sheet.csv\nbonus: 5\n");
     write_upload(two.folder, two.marks, two.term());
     CHECK(has(read_text(two.folder / "upload.csv"), "-Ann,a@x,Submitted,100,100.00"));
@@ -224,8 +261,22 @@ TEST_CASE("a name that may be two students is an error, and a number names nobod
     two.write("late.csv", "student,days\nGroup 1,3\nOther_123,3\n2,1\n");
     const Term term = two.term();
     CHECK(term.days_late == std::map<std::string, double>{{"ben_2", 1}});
-    CHECK(has(term.unknown.at(0), "late.csv:2: there is no student \"Group 1\""));
-    CHECK(has(term.unknown.at(1), "late.csv:3: there is no student \"Other_123\""));
+    CHECK(has(term.notes.at(0), "late.csv:2: there is no student \"Group 1\""));
+    CHECK(has(term.notes.at(1), "late.csv:3: there is no student \"Other_123\""));
+}
+
+TEST_CASE("a name is the same in capitals, and with its accents in letters of their own") {
+    Small class_of_three;
+    class_of_three.add("Zo\xc3\xa9_Dupr\xc3\xa9", 3, 1, 4);
+    class_of_three.write("late.csv", "student,days\nZOE\xcc\x81 DUPR\xc3\x89,2\n");
+    class_of_three.write("overrides.csv", "student,stage,points\nzoe\xcc\x81_dupre\xcc\x81,3,2\n");
+    class_of_three.write("term.txt", "late: late.csv\noverrides: overrides.csv\n");
+    const Term term = class_of_three.term();
+    CHECK(term.notes.empty());
+    CHECK(term.days_late.count("Zo\xc3\xa9_Dupr\xc3\xa9") == 1);
+    CHECK(term.overrides.count({"Zo\xc3\xa9_Dupr\xc3\xa9", 3}) == 1);
+    class_of_three.write("late.csv", "student,days\n\xff\xfe,2\n");  // no UTF-8
+    CHECK(class_of_three.term().notes.size() == 1);
 }
 
 TEST_CASE("two namesakes on the roster who submitted nothing have a line each") {

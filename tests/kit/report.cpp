@@ -10,6 +10,8 @@
 //   failed                                     or passed
 #include "tests/kit/report.hpp"
 
+#include "common/stages/reasons.hpp"
+
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>
 using Listener = Catch::EventListenerBase;
@@ -40,7 +42,7 @@ std::string told(const Catch::AssertionResult& result) {
     const std::string message = result.hasMessage() ? std::string(result.getMessage()) : "";
     // The link to a worker throws a message of its own: "Your code crashed".
     if (result.getResultType() == Catch::ResultWas::ThrewException &&
-        message.rfind("Your code", 0) != 0)
+        message.rfind(rt::no_answer_start, 0) != 0)
         return text + "\n  got:      an exception: " + message;
     if (!message.empty())
         text += (text.empty() ? "" : "\n  got:      ") + message;

@@ -18,7 +18,7 @@ set -eu
 export DEBIAN_FRONTEND=noninteractive
 root=${AUTOGRADER:-/autograder}
 packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev libarchive-dev libseccomp-dev"
+    nlohmann-json3-dev libarchive-dev libseccomp-dev libutf8proc-dev"
 dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
     apt-get install -y --no-install-recommends $packages
@@ -82,7 +82,7 @@ on:
 env:
   PACKAGES: >-
     cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
-    nlohmann-json3-dev libarchive-dev libseccomp-dev
+    nlohmann-json3-dev libarchive-dev libseccomp-dev libutf8proc-dev
 jobs:
   grade:
     runs-on: ubuntu-24.04
@@ -133,22 +133,29 @@ set -eu
 here=$(CDPATH='' cd -- "$(dirname "$0")" && pwd)
 [ $# -ge 2 ] || { sed -n '2s/^# /usage: /p' "$0" >&2; exit 2; }
 class=$(CDPATH='' cd -- "$1" && pwd)
-mkdir -p "$2/slurm"
-out=$(CDPATH='' cd -- "$2" && pwd)
+out=$2
 shift 2
 parts=16
 tasks=
-while [ "${1-}" = --parts ] || [ "${1-}" = --tasks ]; do
-    [ $# -ge 2 ] || { echo "error: $1 needs a value" >&2; exit 2; }
+left=$#  # the words not read yet; those of ./course grade go behind them
+while [ $left -gt 0 ]; do
     case $1 in
-        --parts) parts=$2 ;;
-        --tasks) tasks=$2 ;;
+        --parts | --tasks)
+            [ $left -gt 1 ] || { echo "error: $1 needs a value" >&2; exit 2; }
+            if [ "$1" = --parts ]; then parts=$2; else tasks=$2; fi
+            shift
+            left=$((left - 1))
+            ;;
+        *) set -- "$@" "$1" ;;
     esac
-    shift 2
+    shift
+    left=$((left - 1))
 done
 case $parts in
     '' | *[!0-9]* | 0*) echo "error: --parts needs a number from 1 on, not \"$parts\"" >&2; exit 2 ;;
 esac
+mkdir -p "$out/slurm"
+out=$(CDPATH='' cd -- "$out" && pwd)
 # Built once, before many tasks use it. For nodes whose processors differ, see docs/reference/instructors.md.
 sh @PROJECT@/course grade --help > /dev/null
 job=$(sbatch --parsable --array="${tasks:-1-$parts}" --output="$out/slurm/%A_%a.log" \

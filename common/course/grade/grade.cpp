@@ -139,7 +139,22 @@ std::vector<Submission> chosen(const std::vector<Submission>& all, const Order& 
     return mine;
 }
 
-/// Prints the files that belong to no submission, and stores them for the class report.
+/// The files that belong to no submission, and the students of an earlier run who are not in the
+/// class any more: nothing removes their marks but the lecturer.
+std::vector<std::string> all_left_over(const ClassFolder& found, const fs::path& results) {
+    std::set<std::string> there;
+    for (const Submission& each : found.submissions) there.insert(each.student);
+    std::vector<std::string> all = found.left_over;
+    for (const std::string& student : students_in(results))
+        if (there.count(student) == 0)
+            all.push_back(student +
+                          ": not in the class any more; the marks of an earlier run stay "
+                          "until you remove students/" +
+                          student);
+    return all;
+}
+
+/// Prints what is left over, and stores it for the class report.
 void report_left_over(const fs::path& results, const std::vector<std::string>& left_over) {
     std::string text;
     for (const std::string& each : left_over) text += each + "\n";
@@ -181,7 +196,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
     // Grading one student again keeps the report on the class.
     const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())
-        report_left_over(order.results, found.left_over);
+        report_left_over(order.results, all_left_over(found, order.results));
     compile_references(order, grading);
     Judge judge(grading, judge_references(order, grading));
     go_on(grading.workshop);
@@ -256,7 +271,7 @@ void write_reports(const fs::path& results, const fs::path& project) {
     if (marks.empty()) throw InputError({results}, "contains no marks");
     Term term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
-    for (const std::string& each : term.unknown) std::fprintf(stderr, "%s\n", each.c_str());
+    for (const std::string& each : term.notes) std::fprintf(stderr, "%s\n", each.c_str());
     const std::vector<std::string> missing = missing_marks(results, marks);
     for (const std::string& each : missing) std::fprintf(stderr, "%s\n", each.c_str());
     if (!missing.empty())

@@ -4,7 +4,9 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/handout/for_students.hpp"
+#include "common/course/handout/live_links.hpp"
 #include "common/course/handout/manifest.hpp"
+#include "common/system/ending_of.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
@@ -13,10 +15,12 @@
 #include <sys/utsname.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <ctime>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <version>
 
@@ -27,7 +31,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::chrono::minutes time_limit{5};
-constexpr const char* archive_ending = ".tar.gz";
+constexpr auto packed_endings = std::to_array<std::string_view>({".tar.gz", ".tgz"});
+constexpr auto other_archives =
+    std::to_array<std::string_view>({".zip", ".tar", ".tar.xz", ".txz", ".tar.bz2", ".7z", ".rar"});
 
 /// The output of git ls-files; nothing if the project is not a clone.
 std::vector<std::string> ask_git(const std::string& options) {
@@ -237,6 +243,10 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines) {
     }
     for (const std::string& path : files_for_students())
         copy_whole(project_folder / path, folder / path);
+    for (const std::string& path : all_files(folder))
+        if (path.ends_with(".md"))
+            write_text(folder / path,
+                       with_live_links(read_text(folder / path), (folder / path).parent_path()));
     write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);
     Manifest manifest{.title = "Raysteps, handed out on " + today() + " for " + kind_of(machines),
@@ -279,9 +289,11 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also) 
             machines.push_back(other_machine(processor));
     }
     std::string name = target.filename().string();
-    const bool packed = name.size() > std::string(archive_ending).size() &&
-                        name.compare(name.size() - 7, 7, archive_ending) == 0;
-    if (packed) name.resize(name.size() - 7);
+    if (!ending_of(name, other_archives).empty())
+        throw InputError({destination.string()}, "hand-outs are packed as .tar.gz alone");
+    const std::string_view packed_ending = ending_of(name, packed_endings);
+    const bool packed = !packed_ending.empty();
+    name.resize(name.size() - packed_ending.size());
 
     // Beside it until it is whole.
     fs::create_directories(target.parent_path());

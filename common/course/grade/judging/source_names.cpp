@@ -1,6 +1,7 @@
 #include "common/course/grade/judging/source_names.hpp"
 
 #include "common/stages/graded_file.hpp"
+#include "common/system/ending_of.hpp"
 #include "common/system/lower_case.hpp"
 
 #include <algorithm>
@@ -20,14 +21,6 @@ constexpr std::array<std::string_view, 5> source_endings = {".cpp", ".cc", ".cxx
 // Endings that an editor or a mail program appends to a source.
 constexpr std::array<std::string_view, 7> suspect_endings = {".txt",  ".c",   ".h",  ".hpp",
                                                              ".docx", ".rtf", ".pdf"};
-
-template <std::size_t Count>
-std::string_view ending_of(const std::string& name,
-                           const std::array<std::string_view, Count>& endings) {
-    for (const std::string_view ending : endings)
-        if (name.size() > ending.size() && name.ends_with(ending)) return ending;
-    return {};
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';

@@ -97,13 +97,13 @@ std::string remarks(const std::vector<Mark>& marks, const Term& term) {
     return rows.empty() ? "" : section("Remarks", table("list", rows));
 }
 
-/// The files that belong to no submission, and the names in the term's files that match no student.
+/// The files that belong to no submission, and the lines of the term's files that fit nothing.
 std::string left_over(const std::filesystem::path& results, const Term& term) {
     const std::filesystem::path file = results / left_over_file;
     std::string rows;
     if (std::filesystem::exists(file))
         for (const std::string& line : lines_of(read_text(file))) rows += row(text_cell(line));
-    for (const std::string& line : term.unknown) rows += row(text_cell(line));
+    for (const std::string& line : term.notes) rows += row(text_cell(line));
     return rows.empty() ? "" : section("Left over", table("list", rows));
 }
 
@@ -111,18 +111,33 @@ std::string first_line(const std::string& words) {
     return words.substr(0, words.find('\n'));
 }
 
-/// The students whose code was stopped at a forbidden operation, and those whose code was not run.
-std::string trials(const std::vector<Mark>& marks, const Term& term) {
+/// The sentences on a worker that ended before it answered, with the number of cases of each.
+std::map<std::string, int> endings(const Mark& mark) {
+    std::map<std::string, int> counts;
+    for (const CaseMark& each : mark.cases)
+        for (const std::string& line : lines_of(each.words))
+            if (line.starts_with(no_answer_start)) {
+                ++counts[line];
+                break;
+            }
+    return counts;
+}
+
+/// The students whose code tried a forbidden operation, ended otherwise, or was not run.
+std::string stopped(const std::vector<Mark>& marks, const Term& term) {
     std::vector<std::string> tried;
+    std::vector<std::string> ended;
     std::vector<std::string> refused;
     for (const Mark& mark : marks) {
         const std::string who =
             text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
-        const auto cases =
-            std::count_if(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-                return each.words.find(forbidden_operation) != std::string::npos;
-            });
-        if (cases > 0) tried.push_back(row(who + text_cell("in " + counted(int(cases), "case"))));
+        for (const auto& [sentence, cases] : endings(mark)) {
+            const std::string where = "in " + counted(cases, "case");
+            if (sentence.find(forbidden_operation) != std::string::npos)
+                tried.push_back(row(who + text_cell(where)));
+            else
+                ended.push_back(row(who + text_cell(where) + text_cell(sentence)));
+        }
         if (mark.verdict == Verdict::refused)
             refused.push_back(row(who + text_cell(first_line(mark.words))));
     }
@@ -130,6 +145,7 @@ std::string trials(const std::vector<Mark>& marks, const Term& term) {
     if (!tried.empty())
         html +=
             "<h3>Forbidden operations: files, processes, networks</h3>\n" + first_rows("", tried);
+    if (!ended.empty()) html += "<h3>Crashes, and limits of time</h3>\n" + first_rows("", ended);
     if (!refused.empty()) html += "<h3>Could not be graded</h3>\n" + first_rows("", refused);
     return html.empty() ? "<p>Nobody's.</p>\n" : html;
 }
@@ -259,7 +275,7 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
         section("Points", matrix(marks, stages, term)) + remarks(marks, term) +
         left_over(results, term) + section("Known mistakes", mistakes(marks)) +
         section("Hardest cases", cases(marks)) +
-        section("Code that was stopped or refused", trials(marks, term)) +
+        section("Code that was stopped or refused", stopped(marks, term)) +
         section("Similar files", alike(similarity(results, project, marks), term));
     write_text(results / "class.html", page("Class report", body));
 }

@@ -55,16 +55,6 @@ Json to_json(const CaseMark& each) {
             {"words", each.words}};
 }
 
-/// The students who have a folder of marks.
-std::vector<std::string> students_in(const fs::path& results) {
-    std::vector<std::string> names;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
-        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 Verdict verdict(const std::string& name) {
     const auto found = std::find(verdicts.begin(), verdicts.end(), name);
     if (found == verdicts.end()) throw InputError({}, "no verdict: " + name);
@@ -139,6 +129,8 @@ int Mark::points(bool of_trace) const {
 
 void check_results_folder(const fs::path& results, const std::vector<fs::path>& submissions) {
     std::error_code none;
+    if (fs::exists(results, none) && !fs::is_directory(results, none))
+        throw InputError({results}, "is not a folder");
     for (const fs::path& each : submissions)
         if (fs::equivalent(each, results, none))
             throw InputError({results},
@@ -182,6 +174,15 @@ std::optional<Mark> read_mark(const fs::path& results, const std::string& studen
     } catch (const Json::exception&) {
         return std::nullopt;
     }
+}
+
+std::vector<std::string> students_in(const fs::path& results) {
+    std::vector<std::string> names;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
+        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
 }
 
 std::vector<Mark> read_marks(const fs::path& results) {

@@ -92,6 +92,9 @@ void write_mark(const std::filesystem::path& results, const Mark& mark);
 [[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& results,
                                             const std::string& student, int stage);
 
+/// The students who have a folder of marks.
+[[nodiscard]] std::vector<std::string> students_in(const std::filesystem::path& results);
+
 /// All marks in the folder, by student and stage.
 [[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);
 

@@ -1,6 +1,9 @@
 #include "common/course/grade/results/student_names.hpp"
 
-#include "common/system/lower_case.hpp"
+#include <utf8proc.h>
+
+#include <cstdlib>
+#include <memory>
 
 namespace rt::grade {
 
@@ -24,7 +27,11 @@ std::string trimmed(const std::string& text) {
 }
 
 std::string folded(const std::string& name) {
-    std::string text = lower_case(trimmed(name));
+    const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> small(
+        utf8proc_NFKC_Casefold(reinterpret_cast<const utf8proc_uint8_t*>(trimmed(name).c_str())),
+        &std::free);
+    // Bytes that are no UTF-8 have no case.
+    std::string text = small ? reinterpret_cast<const char*>(small.get()) : trimmed(name);
     for (char& c : text) {
         const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' ||
                           c == '-' || static_cast<unsigned char>(c) >= 0x80;

@@ -15,7 +15,8 @@ namespace rt::grade {
 /// The text without blanks at its ends.
 [[nodiscard]] std::string trimmed(const std::string& text);
 
-/// Letters and digits, as plain_name leaves them: "Zoe Doe" is "zoe_doe".
+/// Letters and digits, as plain_name leaves them: "Zoe Doe" is "zoe_doe". Without case, and an
+/// accent is part of its letter, however it is encoded: "ZOÉ" and "Zoe" + U+0301 are "zoé".
 [[nodiscard]] std::string folded(const std::string& name);
 
 /// The number that a name ends with: "Participant 123", "doezoe_123"; or nothing.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace rt::grade {
 
@@ -22,14 +23,13 @@ std::string reason(const Override& given) {
     return given.comment.empty() ? "" : ": " + given.comment;
 }
 
-/// The reason why a submission has no files, such as an archive that cannot be opened.
-std::string why_nothing(const StudentMarks& submission) {
-    std::string words;
-    for (const auto& [stage, mark] : submission.marks) {
-        if (mark->verdict != Verdict::missing) return "";
-        if (words.empty()) words = mark->words.substr(0, mark->words.find('\n'));
-    }
-    return words;
+/// The reasons why stages have no file, such as an archive that cannot be opened, each once.
+std::set<std::string> why_missing(const StudentMarks& submission) {
+    std::set<std::string> reasons;
+    for (const auto& [stage, mark] : submission.marks)
+        if (mark->verdict == Verdict::missing && !mark->words.empty())
+            reasons.insert(mark->words.substr(0, mark->words.find('\n')));
+    return reasons;
 }
 
 /// Computes the points of the marks in this term.
@@ -73,8 +73,7 @@ std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const Term
         submission.student = name;
         submission.called = term.called(name);
         if (submission.marks.empty()) add_remark(submission, "submitted nothing");
-        if (const std::string why = why_nothing(submission); !why.empty())
-            add_remark(submission, why);
+        for (const std::string& reason : why_missing(submission)) add_remark(submission, reason);
         count(submission, graded, term);
         all.push_back(std::move(submission));
     }

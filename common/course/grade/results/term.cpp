@@ -52,7 +52,8 @@ int read_stage(const std::string& text, const FileLocation& place) {
 /// Reads the lines "word: value" of the settings, and then the files that they name.
 class Reading {
 public:
-    Reading(const fs::path& file, const std::vector<Mark>& marks) : file_(file), names_(marks) {
+    Reading(const fs::path& file, const std::vector<Mark>& marks)
+        : file_(file), names_(marks), graded_(graded_stages(marks)) {
         const std::vector<std::string> lines = lines_of(read_any_text(file));
         for (std::size_t i = 0; i < lines.size(); ++i) {
             line_ = int(i) + 1;
@@ -196,10 +197,13 @@ private:
     std::optional<std::string> student_of(const Csv& csv, const Csv::Row& row, int column) {
         std::optional<std::string> student =
             names_.find(row.at(column), {csv.file.string(), row.line});
-        if (!student)
-            term_.unknown.push_back(csv.file.filename().string() + ":" + std::to_string(row.line) +
-                                    ": there is no student \"" + row.at(column) + "\"");
+        if (!student) add_note(csv, row, "there is no student \"" + row.at(column) + "\"");
         return student;
+    }
+
+    void add_note(const Csv& csv, const Csv::Row& row, const std::string& words) {
+        term_.notes.push_back(csv.file.filename().string() + ":" + std::to_string(row.line) + ": " +
+                              words);
     }
 
     void read_late() {
@@ -233,7 +237,23 @@ private:
             const auto student = student_of(*csv, row, who);
             if (student && !term_.overrides.emplace(std::pair(*student, of), given).second)
                 throw InputError(place, *student + " is listed already with this stage");
+            if (student) check_override(*csv, row, of, given.points);
         }
+    }
+
+    /// Points of a stage without marks count nowhere, and too many may be a slip: both are allowed.
+    void check_override(const Csv& csv, const Csv::Row& row, int stage, double points) {
+        const bool is_total = stage == Term::total;
+        if (!is_total && graded_.count(stage) == 0)
+            return add_note(csv, row,
+                            stage_title(stage) + " is not graded: its points do not count");
+        double most = is_total ? 0 : graded_[stage];
+        if (is_total)
+            for (const auto& [each, of_stage] : graded_) most += of_stage * term_.weight(each);
+        if (points > most)
+            add_note(csv, row,
+                     number(points) + " points are more than the " + number(most) + " of " +
+                         (is_total ? "all stages" : stage_title(stage)) + "; they count");
     }
 
 public:
@@ -244,7 +264,7 @@ public:
         for (const Mark& mark : marks)
             if (on_roster_.count(mark.student) == 0) strangers.insert(mark.student);
         for (const std::string& student : strangers)
-            term_.unknown.push_back(student + ": submitted, but is not on the roster");
+            term_.notes.push_back(student + ": submitted, but is not on the roster");
     }
 
 private:
@@ -253,6 +273,7 @@ private:
     std::map<std::string, std::pair<std::string, int>> settings_;
     std::set<std::string> words_;  ///< of all settings that may be there once
     StudentNames names_;
+    std::map<int, int> graded_;  ///< the stages with marks, and their points
     std::set<std::string> on_roster_;
     Term term_;
 };
@@ -281,13 +302,19 @@ Term read_term(const fs::path& results, const std::vector<Mark>& marks) {
 }
 
 void write_upload(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
+    std::error_code none;
     if (term.anonymous) {
         std::string names = std::string("called,student") + end_of_line;
         for (const StudentMarks& each : submissions(marks, term))
             names += each.called + "," + cell(each.student) + end_of_line;
         write_text(results / "names.csv", names);
+    } else {
+        fs::remove(results / "names.csv", none);
     }
-    if (!term.roster) return;
+    if (!term.roster) {
+        fs::remove(results / "upload.csv", none);
+        return;
+    }
     const Roster& roster = *term.roster;
     std::map<std::string, StudentMarks> by_student;
     for (StudentMarks& each : submissions(marks, term)) by_student[each.student] = std::move(each);

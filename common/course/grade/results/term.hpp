@@ -41,7 +41,7 @@ struct Term {
     double out_of = 0;       ///< the uploaded totals are scaled to this maximum; 0 for no scaling
     bool anonymous = false;  ///< public reports have numbers instead of names
     std::uint64_t key = 0;   ///< the key of these numbers
-    std::vector<std::string> unknown;  ///< names in these files that match no student
+    std::vector<std::string> notes;  ///< on lines of these files that fit no student or no stage
 
     [[nodiscard]] double weight(int stage) const;
     /// "s-3f07a2c1" if anonymous; else the student's name.
@@ -54,7 +54,8 @@ struct Term {
 [[nodiscard]] Term read_term(const std::filesystem::path& results, const std::vector<Mark>& marks);
 
 /// Writes results/upload.csv, the roster with grades, in the platform's import format, and, if the
-/// term is anonymous, results/names.csv. Throws InputError.
+/// term is anonymous, results/names.csv; removes those that the term does not ask for. Throws
+/// InputError.
 void write_upload(const std::filesystem::path& results, const std::vector<Mark>& marks,
                   const Term& term);
 
