@@ -312,7 +312,7 @@ TEST_CASE("the class report lists stages, left-over files, and forbidden operati
     write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
     two.marks[0].cases[1].words = "Your code tried a forbidden operation: files\n";
     for (CaseMark& each : two.marks[3].cases)
-        each.words = "intersect(…)\nYour code crashed: Aborted.\n";
+        each.words = "CHECK( hits )\n  got:      Your code crashed: Aborted.\n";
     write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, {}, "2026-11-22, seed 12");
     const std::string page = read_text(two.folder / "class.html");
     CHECK(well_formed(page));

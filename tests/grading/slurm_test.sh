@@ -108,7 +108,7 @@ cp "$folder/local/seed.txt" "$folder/results" # the same inputs
 
 # ---- Graded by the cluster ----
 submit() { # OPTION...: $job and $report are its numbers
-    words=$(cd / && sh "$folder/scripts/submit.sh" "$class" "$folder/results" --parts 4 "$@")
+    words=$(cd / && sh "$folder/scripts/submit.sh" "$class" "$folder/results" "$@" --parts 4)
     job=$(echo "$words" | sed -n 's/^graded by job //p')
     report=$(echo "$words" | sed -n 's/^Submitted batch job //p')
 }

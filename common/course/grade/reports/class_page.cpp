@@ -115,11 +115,8 @@ std::string first_line(const std::string& words) {
 std::map<std::string, int> endings(const Mark& mark) {
     std::map<std::string, int> counts;
     for (const CaseMark& each : mark.cases)
-        for (const std::string& line : lines_of(each.words))
-            if (line.starts_with(no_answer_start)) {
-                ++counts[line];
-                break;
-            }
+        if (const std::size_t start = each.words.find(no_answer_start); start != std::string::npos)
+            ++counts[first_line(each.words.substr(start))];
     return counts;
 }
 

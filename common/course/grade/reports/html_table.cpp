@@ -18,7 +18,7 @@ std::string text_cell(const std::string& text) {
 }
 
 std::string share_cell(const std::string& kind, int part, int whole, const std::string& words) {
-    const std::string share = std::to_string(100 * part / std::max(whole, 1));
+    const std::string share = std::to_string(std::min(100, 100 * part / std::max(whole, 1)));
     return "<td class=\"" + kind + "\" style=\"--share: " + share + "%\">" + words + "</td>";
 }
 
