@@ -17,10 +17,6 @@ struct Stalk {
     int number;
 };
 
-glm::dvec3 unit(glm::dvec3 v) {
-    return v / std::hypot(v.x, v.y, v.z);
-}
-
 /// Far things are as pale as the mist.
 Light3 in_mist(const Light3& color, double distance) {
     return mix(color, paint(0xdfe8c4), 1 - std::exp(-distance / 24));

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -11,6 +12,11 @@
 #include <vector>
 
 namespace rt {
+
+/// The vector's direction, of length 1.
+[[nodiscard]] inline glm::dvec3 unit(glm::dvec3 v) {
+    return v / std::hypot(v.x, v.y, v.z);
+}
 
 /// A color as light: what `--gamma srgb` shows as the color that a palette names.
 struct Light3 {

@@ -19,10 +19,6 @@ glm::dvec3 upward(double x, double z) {
             (height(x, z - step) - height(x, z + step)) / (2 * step)};
 }
 
-glm::dvec3 unit(glm::dvec3 v) {
-    return v / std::hypot(v.x, v.y, v.z);
-}
-
 }  // namespace
 
 std::string wave_of_tiles() {

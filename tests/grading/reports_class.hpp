@@ -16,6 +16,11 @@ inline const std::string odd = "=cmd|\"<b>&\n";
 /// Output of untrusted code that is not UTF-8.
 inline const std::string no_utf8 = "got: \xff\xc3(";
 
+/// True if the text contains the part.
+[[nodiscard]] inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 /// A folder of results that is removed at the end of its scope.
 struct Results {
     TemporaryFolder temporary;

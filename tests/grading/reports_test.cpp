@@ -20,18 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Class : Results {
-    Class() {
+struct ClassOfTwo : Results {
+    ClassOfTwo() {
         for (const Mark& mark : class_of_two()) write_mark(folder, mark);
         marks = read_marks(folder);
     }
 
     std::vector<Mark> marks;
 };
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// True if the tags are balanced, and the text contains no bare "<" or "&".
 bool well_formed(const std::string& xml) {
@@ -104,7 +100,7 @@ TEST_CASE("a cell of the grade book is no formula, and keeps to itself") {
 }
 
 TEST_CASE("the grade book has a line a student") {
-    const Class two;
+    const ClassOfTwo two;
     write_grade_book(two.folder, two.marks);
     CHECK(read_text(two.folder / "grades.csv") ==
           "student,step04_plane,step05_triangle,total,of,remarks\r\n"
@@ -136,7 +132,7 @@ TEST_CASE("the grade book contains the reasons why stages have no file, each onc
 }
 
 TEST_CASE("JUnit's XML has a testsuite a student and stage") {
-    const Class two;
+    const ClassOfTwo two;
     write_junit(two.folder, two.marks);
     const std::string xml = read_text(two.folder / "junit.xml");
     CHECK(well_formed(xml));
@@ -156,7 +152,7 @@ TEST_CASE("JUnit's XML has a testsuite a student and stage") {
 }
 
 TEST_CASE("Gradescope gets one test per case, and one for a stage that was not graded") {
-    const Class two;
+    const ClassOfTwo two;
     write_gradescope(two.folder / "results.json", {two.marks[2], two.marks[3]});
     const std::string same = R"(      "output_format": "text",
       "visibility": "visible"
@@ -197,7 +193,7 @@ TEST_CASE("Gradescope gets one test per case, and one for a stage that was not g
 }
 
 TEST_CASE("a feedback page shows the failures, and folds away the passing stages") {
-    const Class two;
+    const ClassOfTwo two;
     write_text(student_folder(two.folder, odd) / "step04 slice.svg", "<svg/>");
     write_text(student_folder(two.folder, odd) / "step04_plane.png", "\x89PNG");
     write_feedback(two.folder, two.marks);
@@ -248,7 +244,7 @@ TEST_CASE("a submitted starter has no points, and the feedback gives the reason"
 }
 
 TEST_CASE("the class report has every mark, and the most important rows first") {
-    Class two;
+    ClassOfTwo two;
     // zoe's stage 5, submitted by two others, one of them with all points
     std::vector<Mark> more = two.marks;
     for (const std::string student : {"ben", "carl"}) {
@@ -308,7 +304,7 @@ TEST_CASE("bytes are an address of their own, as RFC 4648 has them") {
 }
 
 TEST_CASE("the class report lists stages, left-over files, and forbidden operations") {
-    Class two;
+    ClassOfTwo two;
     write_text(two.folder / left_over_file, "list.txt: <nobody's>\n");
     two.marks[0].cases[1].words = "Your code tried a forbidden operation: files\n";
     for (CaseMark& each : two.marks[3].cases)

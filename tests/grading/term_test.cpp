@@ -58,10 +58,6 @@ struct Small : Results {
     std::vector<Mark> marks;
 };
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("without settings a grade book is the marks") {

@@ -129,12 +129,6 @@ void draw_case(Sketch& sketch, std::string_view letter, Vec3 origin, Vec3 direct
     sketch.label(origin, {-14, 5}, letter, {.color = blue, .bold = true});
 }
 
-/// A line of the key: a letter, and the result of its ray.
-void draw_key(Svg& svg, Vec2 place, std::string_view letter, std::string_view meaning) {
-    svg.text(place, letter, {.color = blue, .bold = true});
-    svg.text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});
-}
-
 }  // namespace
 
 std::string cylinder_both_roots() {
@@ -150,11 +144,11 @@ std::string cylinder_both_roots() {
     draw_case(sketch, "E", {0, 2.1, 0}, {0, -1, 0}, Real(4.2));
     const Vec3 top = side_point(open_tube, open_tube.height / 2, x);
     sketch.label(top, {8, 5}, "$z_p$ = $h$ / 2", {.anchor = Anchor::start, .size = 13});
-    draw_key(svg, {396, 96}, "A", "the near root is within: met");
-    draw_key(svg, {396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is met");
-    draw_key(svg, {396, 172}, "C", "|$z_p$| = $h$ / 2: the rim belongs");
-    draw_key(svg, {396, 210}, "D", "neither root is within: missed");
-    draw_key(svg, {396, 248}, "E", "along the axis $a$ = 0: missed");
+    svg.key({396, 96}, "A", "the near root is within: met");
+    svg.key({396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is met");
+    svg.key({396, 172}, "C", "|$z_p$| = $h$ / 2: the rim belongs");
+    svg.key({396, 210}, "D", "neither root is within: missed");
+    svg.key({396, 248}, "E", "along the axis $a$ = 0: missed");
     return svg.source();
 }
 

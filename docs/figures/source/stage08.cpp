@@ -65,11 +65,6 @@ void draw_case(Sketch& sketch, std::string_view letter, const Ray& ray, Real end
     sketch.label(ray.origin, {-14, 5}, letter, {.color = blue, .bold = true});
 }
 
-void draw_key(Svg& svg, Vec2 place, std::string_view letter, std::string_view meaning) {
-    svg.text(place, letter, {.color = blue, .bold = true});
-    svg.text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});
-}
-
 }  // namespace
 
 std::string cone_side() {
@@ -95,10 +90,10 @@ std::string cone_side() {
     sketch.label(cup.apex + Real(2.3) * cup.axis, {14, 8}, "$Z$", {.color = green});
     sketch.label((top + rim) / Real(2), {0, -18}, "$r$");
     sketch.label({1.62, cup.height / 2, 0}, {12, 5}, "$h$");
-    draw_key(svg, {400, 110}, "A", "the near root is within: met");
-    draw_key(svg, {400, 150}, "B", "$z_p$ < 0 at $t_1$: no nappe, $t_2$ is met");
-    draw_key(svg, {400, 190}, "C", "$z_p$ > $h$ at $t_1$: $t_2$ is met");
-    draw_key(svg, {400, 230}, "D", "along the side $a$ = 0: one root");
+    svg.key({400, 110}, "A", "the near root is within: met");
+    svg.key({400, 150}, "B", "$z_p$ < 0 at $t_1$: no nappe, $t_2$ is met");
+    svg.key({400, 190}, "C", "$z_p$ > $h$ at $t_1$: $t_2$ is met");
+    svg.key({400, 230}, "D", "along the side $a$ = 0: one root");
     return svg.source();
 }
 

@@ -148,6 +148,11 @@ void Svg::text(Vec2 point, std::string_view label, const TextStyle& style) {
     labels_ += "</text>\n";
 }
 
+void Svg::key(Vec2 place, std::string_view letter, std::string_view meaning) {
+    text(place, letter, {.color = blue, .bold = true});
+    text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});
+}
+
 std::string Svg::source() const {
     return head_ + shapes_ + labels_ + "</svg>\n";
 }

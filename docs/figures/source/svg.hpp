@@ -68,6 +68,8 @@ public:
     /// mathematics: "_" lowers and "^" raises the next letter or {group}, and a single letter is
     /// italic.
     void text(Vec2 point, std::string_view label, const TextStyle& style = {});
+    /// A line of a key: the letter of a ray, and its meaning.
+    void key(Vec2 place, std::string_view letter, std::string_view meaning);
 
     [[nodiscard]] std::string source() const;
 
