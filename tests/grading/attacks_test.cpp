@@ -113,9 +113,9 @@ public:
         setenv("RAYSTEPS_SEALED", workshop_.sealed.c_str(), 1);
         setenv("RAYSTEPS_WORKER", worker().c_str(), 1);
         setenv("RAYSTEPS_REPORT", report().c_str(), 1);
-        setenv("RAYSTEPS_SECONDS", "1", 1);
-        setenv("RAYSTEPS_CASE_SECONDS", "2", 1);
-        setenv("RAYSTEPS_SUITE_SECONDS", "5", 1);
+        setenv("RAYSTEPS_SECONDS", "0.5", 1);
+        setenv("RAYSTEPS_CASE_SECONDS", "1", 1);
+        setenv("RAYSTEPS_SUITE_SECONDS", "2.5", 1);
     }
 
     Grade grade(const Attack& attack) {

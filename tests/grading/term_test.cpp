@@ -226,7 +226,9 @@ TEST_CASE("Canvas's gradebook is returned with one column, and the points possib
 
 TEST_CASE("anonymous students have no name in public reports") {
     const Small two;
-    two.write("term.txt", "anonymous: yes\n");
+    two.write("class.csv", "student\nben_2\n");  // ann_1 is not on the roster
+    two.write("term.txt", "anonymous: yes\nroster: class.csv\n");
+    two.write(left_over_file, "ann_1: Canvas marks it LATE\n");
     Term term = two.term();
     term.key = 7;
     const std::string ann = term.called("ann_1");
@@ -237,6 +239,7 @@ TEST_CASE("anonymous students have no name in public reports") {
     write_upload(two.folder, two.marks, term);
     CHECK_FALSE(has(read_text(two.folder / "class.html"), "ann_1"));
     CHECK(has(read_text(two.folder / "class.html"), ann));
+    CHECK(has(read_text(two.folder / "class.html"), "<p>2 lines with names: left_over.txt"));
     CHECK_FALSE(has(read_text(student_folder(two.folder, "ann_1") / "feedback.html"), "ann_1"));
     CHECK(has(read_text(two.folder / "names.csv"), ann + ",ann_1\r\n"));
     term.key = 8;

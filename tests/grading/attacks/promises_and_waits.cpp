@@ -1,6 +1,6 @@
 // attack: gives the ticket back, promises 4 MB, and sends a byte a second
 // ceiling: as a stub
-// message: no answer within 1 s
+// message: no answer within 0.5 s
 // stubs: intersect normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

@@ -1,6 +1,6 @@
 // attack: sleeps
 // ceiling: as a stub
-// message: no answer within 1 s
+// message: no answer within 0.5 s
 // stubs: normal color_from_normal torch
 #include "steps/step03_sphere/sphere.hpp"
 

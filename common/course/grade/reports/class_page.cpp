@@ -100,11 +100,18 @@ std::string remarks(const std::vector<Mark>& marks, const Term& term) {
 /// The files that belong to no submission, and the lines of the term's files that fit nothing.
 std::string left_over(const std::filesystem::path& results, const Term& term) {
     const std::filesystem::path file = results / left_over_file;
+    std::vector<std::string> lines;
+    if (std::filesystem::exists(file)) lines = lines_of(read_text(file));
+    lines.insert(lines.end(), term.notes.begin(), term.notes.end());
+    if (lines.empty()) return "";
+    if (term.anonymous)
+        return section("Left over", "<p>" + counted(int(lines.size()), "line") +
+                                        " with names: left_over.txt has those on files, and "
+                                        "<code>./course grade --report</code> prints those on "
+                                        "term.txt.</p>\n");
     std::string rows;
-    if (std::filesystem::exists(file))
-        for (const std::string& line : lines_of(read_text(file))) rows += row(text_cell(line));
-    for (const std::string& line : term.notes) rows += row(text_cell(line));
-    return rows.empty() ? "" : section("Left over", table("list", rows));
+    for (const std::string& line : lines) rows += row(text_cell(line));
+    return section("Left over", table("list", rows));
 }
 
 std::string first_line(const std::string& words) {
