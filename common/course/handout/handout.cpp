@@ -290,7 +290,7 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also) 
     }
     std::string name = target.filename().string();
     if (!ending_of(name, other_archives).empty())
-        throw InputError({destination.string()}, "hand-outs are packed as .tar.gz alone");
+        throw InputError({destination.string()}, "hand-outs are packed as .tar.gz or .tgz");
     const std::string_view packed_ending = ending_of(name, packed_endings);
     const bool packed = !packed_ending.empty();
     name.resize(name.size() - packed_ending.size());
