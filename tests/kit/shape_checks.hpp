@@ -124,6 +124,20 @@ Verdict close_surfaces_are_met(Draw draw) {
     });
 }
 
+/// A shape is met from far away, where a textbook's formula has half of its digits left.
+template <class Draw>
+Verdict far_shapes_are_met(Draw draw) {
+    return for_all([draw](Random& random) {
+        const auto [near, shape, t, point, normal] = aimed_from_outside(draw(random), random);
+        const Real farther = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? 4 : 14);
+        const Ray ray{.origin = point - farther * t * near.direction, .direction = near.direction};
+        const std::optional<Real> got = intersect(ray, shape, {});
+        const Real expected = farther * t;
+        return verdict(got && std::abs(*got - expected) < std::sqrt(epsilon) * expected,
+                       told(ray, shape, {}, got, expected));
+    });
+}
+
 /// A t is outside an interval that begins or ends with it. (An answer that decides exactly may find
 /// the hit inside, and round its t to the next number.)
 template <class Shape>
@@ -183,15 +197,16 @@ Verdict normals_point_outward(Draw draw) {
     });
 }
 
-/// A coordinate that is not a number makes a miss.
+/// A coordinate of the ray, or of the shape's place, that is not a number makes a miss.
 template <class Draw>
 Verdict nan_misses(Draw draw) {
     return for_all([draw](Random& random) {
         const auto aimed = aimed_from_outside(draw(random), random);
         Ray ray = aimed.ray;
-        Vec3& part = random.coin() ? ray.origin : ray.direction;
-        part[random.below(3)] = std::numeric_limits<Real>::quiet_NaN();
-        return misses(ray, aimed.shape);
+        Transform move;
+        Vec3* const parts[] = {&ray.origin, &ray.direction, &move.translation};
+        (*parts[random.below(3)])[random.below(3)] = std::numeric_limits<Real>::quiet_NaN();
+        return misses(ray, transformed(aimed.shape, move));
     });
 }
 

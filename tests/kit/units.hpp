@@ -25,6 +25,12 @@ constexpr Units tiny_shape = is_float ? Units{.size = -22} : Units{.size = -48};
 /// ‖d‖² is below 1e-27 in float, and below 1e-57 in double.
 constexpr Units short_direction = is_float ? Units{.length = -50} : Units{.length = -100};
 
+/// A vector's length, so far from 1 that products of four such lengths are just in range.
+inline Real draw_length(Random& random) {
+    constexpr int most = is_float ? 25 : 100;
+    return std::ldexp(Real(1), random.below(2 * most + 1) - most);
+}
+
 /// A ray and a shape that it does not meet.
 template <class Shape>
 struct Past {

@@ -140,7 +140,17 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
     CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
+    CHECK(far_shapes_are_met(draw));
     CHECK(close_surfaces_are_met(draw));
+    CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
+        const Sphere sphere = draw_in_eighths(random);
+        const Vec3 out = random.axes().x;
+        const bool outside = random.coin();
+        const Real share = outside ? 1 + hair : 1 - hair;
+        const Vec3 origin = sphere.center + share * sphere.radius * out;
+        return hits({.origin = origin, .direction = outside ? -out : out}, sphere,
+                    hair * sphere.radius);
+    }));
 }
 
 TEST_CASE("small spheres and short directions count: no epsilon on Δ or ‖d‖² (contract)") {
@@ -207,6 +217,12 @@ TEST_CASE("a normal's color is the size of its coordinates (M1)", "[part color_f
                 Color(Real(0.6), 0, Real(0.8))));
     CHECK(gives("color_from_normal({0.375, 0, -0.5})",
                 color_from_normal({Real(0.375), 0, Real(-0.5)}), Color(Real(0.6), 0, Real(0.8))));
+    CHECK(for_all([](Random& random) {
+        const Vec3 direction = random.direction();
+        const Vec3 normal = draw_length(random) * direction;
+        return gives("color_from_normal(" + code(normal) + ")", color_from_normal(normal),
+                     Color(abs(direction)));
+    }));
 }
 
 TEST_CASE("the torch lights by the cosine between normal and eye (M1)", "[part torch]") {
@@ -228,10 +244,9 @@ TEST_CASE("the torch lights by the cosine between normal and eye (M1)", "[part t
     CHECK(for_all([&](Random& random) {  // lengths do not matter
         const Basis basis = random.basis();
         const Real angle = random.between(0, pi / 2 - Real(0.0001));
-        const Vec3 n = std::ldexp(Real(1), random.below(41) - 20) * basis.z;
+        const Vec3 n = draw_length(random) * basis.z;
         const Vec3 away = std::cos(angle) * basis.z + std::sin(angle) * basis.x;
-        const Real far = std::ldexp(Real(1), random.below(41) - 20);
-        return lights(Vec3(0), n, far * away, std::cos(angle));
+        return lights(Vec3(0), n, draw_length(random) * away, std::cos(angle));
     }));
 }
 

@@ -160,6 +160,11 @@ TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)", "[pa
     CHECK(normal_is(Plane{.point = {-2, 2, 2}, .normal = {3, 0, 4}}, {-2, 2, 2},
                     {Real(0.6), 0, Real(0.8)}));
     CHECK(normals_point_outward(draw));
+    CHECK(for_all([](Random& random) {
+        const Vec3 direction = random.direction();
+        const Plane plane{.point = random.point(3), .normal = draw_length(random) * direction};
+        return normal_is(plane, plane.point, direction);
+    }));
 }
 
 TEST_CASE("a hit is the same hit after everything has moved, turned and grown (HAI)",

@@ -43,6 +43,15 @@ Sample<Triangle> draw(Random& random) {
             .normal = n / std::sqrt(dot(n, n))};
 }
 
+/// In a plane across an axis, so that the box around it is flat, too.
+Sample<Triangle> draw_across_an_axis(Random& random) {
+    const auto [x, y, z] = random.axes();
+    const Vec3 a = random.point(3);
+    const Triangle triangle{
+        .a = a, .b = a + random.between(1, 2) * x, .c = a + random.between(1, 2) * y};
+    return {.shape = triangle, .point = weighted(triangle, inner_weights(random)), .normal = z};
+}
+
 /// A ray at a point of the plane whose weight of a random corner is this.
 Aimed<Triangle> aimed_with_weight(Real weight, Random& random) {
     Sample<Triangle> sample = draw(random);
@@ -244,6 +253,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, right_angled, near));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
+    CHECK(far_shapes_are_met(draw));
 }
 
 TEST_CASE("small triangles and short directions count: no epsilon on the determinant (contract)") {
@@ -255,6 +265,7 @@ TEST_CASE("small triangles and short directions count: no epsilon on the determi
 
 TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
     CHECK(aimed_rays_hit(draw));
+    CHECK(aimed_rays_hit(draw_across_an_axis));
 }
 
 TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
@@ -322,6 +333,23 @@ TEST_CASE("beyond an edge the opposite corner's weight is negative (M1)") {
         gives("the weights of (-4, 0, 0)", barycentric(right_angled, {-4, 0, 0}), Vec3(2, -1, 0)));
     CHECK(gives("the weights of (0, -2, 0)", barycentric(right_angled, {0, -2, 0}),
                 Vec3(Real(1.5), 0, Real(-0.5))));
+}
+
+TEST_CASE("a triangle without area has no weights: they are NaN (contract)", "[exact]") {
+    const auto none = [](const Triangle& triangle, Vec3 point) {
+        const Vec3 w = barycentric(triangle, point);
+        return verdict(std::isnan(w.x + w.y + w.z), "barycentric(" + code(triangle) + ", " +
+                                                        code(point) + ")\n  got:      " + text(w) +
+                                                        "\n  expected: NaN: 0 / 0");
+    };
+    CHECK(none({.a = {0, 0, 0}, .b = {2, 0, 0}, .c = {4, 0, 0}}, {1, 0, 0}));
+    CHECK(none({.a = {1, 1, 0}, .b = {1, 1, 0}, .c = {1, 1, 0}}, {1, 1, 0}));
+    CHECK(for_all([none](Random& random) {
+        const Vec3 along = random.axes().x;
+        const Vec3 a = random.point_in_eighths(3);
+        const auto on_line = [&] { return a + random.eighths(-4, 4) * along; };
+        return none({.a = a, .b = on_line(), .c = on_line()}, on_line());
+    }));
 }
 
 TEST_CASE("the picture of the stage (MRT §5)", "[part together]") {

@@ -211,6 +211,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, flat, near));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
+    CHECK(far_shapes_are_met(draw));
 }
 
 TEST_CASE("small squares and short directions count: no epsilon on ⟨d, Z⟩ (contract)") {

@@ -302,7 +302,16 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
 TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
+    CHECK(far_shapes_are_met(draw));
     CHECK(close_surfaces_are_met(draw));
+    CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
+        const auto [cylinder, x, y] = draw_in_eighths(random);
+        const bool outside = random.coin();
+        const Real share = outside ? 1 + hair : 1 - hair;
+        const Vec3 origin = cylinder.center + share * cylinder.radius * x;
+        return hits({.origin = origin, .direction = outside ? -x : x}, cylinder,
+                    hair * cylinder.radius);
+    }));
 }
 
 TEST_CASE("small cylinders and short directions count: no epsilon on a or Δ (contract)") {
@@ -311,6 +320,15 @@ TEST_CASE("small cylinders and short directions count: no epsilon on a or Δ (co
     CHECK(misses_in(tiny_shape, draw_past));
     CHECK(misses_in(tiny_shape, draw_past_rim));
     CHECK(misses_in(short_direction, draw_past));
+    CHECK(for_all([](Random& random) {  // flat, or thin
+        auto [cylinder, x, y] = draw_in_eighths(random);
+        if (random.coin())
+            cylinder.height *= std::ldexp(Real(1), -4 - random.below(9));
+        else
+            cylinder.radius *= std::ldexp(Real(1), -4 - random.below(5));
+        const Real t = random.eighths(1, 32);
+        return hits({cylinder.center + (cylinder.radius + t) * x, -x}, cylinder, t);
+    }));
 }
 
 TEST_CASE("rays aimed at a point of the side meet it there (MRT §7)") {
@@ -336,6 +354,10 @@ TEST_CASE("the normal points away from the axis, with unit length (MRT §7)", "[
     CHECK(normal_is(upright, {0, 2, 2}, {0, 0, 1}));
     CHECK(normal_is(upright, {-2, -1, 0}, {-1, 0, 0}));
     CHECK(normals_point_outward(draw));
+    CHECK(for_all([](Random& random) {  // at the rims too
+        const auto rim = aimed_at_height(1, random);
+        return normal_is(rim.shape, rim.point, rim.normal);
+    }));
 }
 
 TEST_CASE("X and Y are at right angles to Z, however near it is to the vertical (MRT §7)",

@@ -371,7 +371,15 @@ TEST_CASE("only hits strictly inside the interval count (contract)") {
 TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_cone, draw));
+    CHECK(far_shapes_are_met(draw));
     CHECK(close_surfaces_are_met(draw));
+    CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
+        const auto [cone, x, y] = draw_in_eighths(random);
+        const Real z = Real(1 << random.below(3));
+        const bool outside = random.coin();
+        const Real share = outside ? 1 + hair : 1 - hair;
+        return hits({cone.apex + z * (y + share * x), outside ? -x : x}, cone, hair * z);
+    }));
 }
 
 TEST_CASE("small cones and short directions count: no epsilon on a or Δ (contract)") {
@@ -379,6 +387,12 @@ TEST_CASE("small cones and short directions count: no epsilon on a or Δ (contra
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(small_cone, draw_past));
     CHECK(misses_in(short_direction, draw_past));
+    CHECK(for_all([](Random& random) {  // flat, or steep
+        auto [cone, x, y] = draw_in_eighths(random);
+        (random.coin() ? cone.height : cone.radius) *= std::ldexp(Real(1), -4 - random.below(5));
+        const Real t = random.eighths(1, 32);
+        return hits({cone.apex + cone.height / 2 * y + (cone.radius / 2 + t) * x, -x}, cone, t);
+    }));
 }
 
 TEST_CASE("rays aimed at a point of the side meet it there (MRT §8)") {
@@ -407,6 +421,10 @@ TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part nor
     CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
     CHECK(normal_is(upward, {0, 2, 1}, Vec3(0, -1, 2) / std::sqrt(Real(5))));
     CHECK(normals_point_outward(draw));
+    CHECK(for_all([](Random& random) {  // at the rim too
+        const Sample<Cone> rim = draw_at(1, random);
+        return normal_is(rim.shape, rim.point, rim.normal);
+    }));
 }
 
 TEST_CASE("near the apex, the normal leans as everywhere (contract)", "[exact]") {
