@@ -95,6 +95,7 @@ Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
         unit(basis.z + Real(0.4) * random.direction());  // as on a smooth mesh
     lit.surface.to_eye = std::cos(alpha) * r + std::sin(alpha) * beside;
     lit.surface.material.shininess = random.between(Real(0.5), 64);
+    lit.surface.material.mirror = random.between(0, 1);
     lit.light = {.position = lit.surface.point + random.between(Real(0.5), 8) * l,
                  .brightness = random.between(Real(0.1), 1),
                  .color = abs(random.point(1))};
@@ -111,10 +112,16 @@ Lit draw(Random& random) {
 /// The same, nearer to the origin or farther by a power of two.
 Lit draw_at_a_scale(Random& random) {
     Lit lit = draw(random);
-    const Real scale = std::ldexp(Real(1), random.below(81) - 40);
+    const int most = sizeof(Real) == sizeof(float) ? 40 : 100;
+    const Real scale = std::ldexp(Real(1), random.below(2 * most + 1) - most);
     lit.surface.point *= scale;
     lit.light.position *= scale;
     return lit;
+}
+
+/// An angle a little less than 90°, whose cosine is far above rounding.
+Real draw_grazing(Random& random) {
+    return std::acos(std::ldexp(Real(1), -7 - random.below(4)));
 }
 
 Color expected_diffuse(const Lit& lit) {
@@ -158,7 +165,8 @@ TEST_CASE("ambient light is its ratio, its color and the surface's, multiplied (
 
 TEST_CASE("ambient light is the same wherever the surface is, faces, or is seen from (CR §3.1)") {
     CHECK(for_all([](Random& random) {
-        const ShadingPoint surface = draw_surface(random, random.point(10));
+        ShadingPoint surface = draw_surface(random, random.point(10));
+        surface.material.mirror = random.between(0, 1);
         const Ambient ambient{.ratio = random.between(0, 1), .color = abs(random.point(1))};
         return ambient_is(surface, ambient, ambient.ratio * ambient.color * surface.material.color);
     }));
@@ -188,6 +196,13 @@ TEST_CASE("diffuse light is by the cosine between L and N (CR §3.1, M1)") {
     CHECK(for_all([](Random& random) {
         const Lit lit = draw(random);
         return diffuse_is(lit.surface, lit.light, expected_diffuse(lit));
+    }));
+    CHECK(for_all([](Random& random) {
+        Lit grazing = make_lit(random, draw_grazing(random), 0, 0);
+        grazing.light.brightness = 1;
+        grazing.light.color = Color(1);
+        grazing.surface.material.color = Color(1);
+        return diffuse_is(grazing.surface, grazing.light, expected_diffuse(grazing));
     }));
 }
 
@@ -266,6 +281,14 @@ TEST_CASE("beside R the highlight is ⟨R, V⟩ to the power of the shininess (C
     const Real tiny = std::ldexp(Real(1), -14);
     CHECK(specular_is(facing_z(unit(Vec3(-1, 0, tiny)), 1), light_at({4, 0, 4 * tiny}), Color(1)));
     CHECK(specular_is(facing_z(slanting, 3), light_along(slanting), Color(Real(0.021952))));
+    CHECK(for_all([](Random& random) {
+        Lit beside = make_lit(random, 0, draw_grazing(random), 0);
+        beside.light.brightness = 1;
+        beside.light.color = Color(1);
+        beside.surface.material.specular = 1;
+        beside.surface.material.shininess = Real(0.5);
+        return specular_is(beside.surface, beside.light, expected_specular(beside));
+    }));
     CHECK(for_all([](Random& random) {
         const Lit lit = draw(random);
         return specular_is(lit.surface, lit.light, expected_specular(lit));

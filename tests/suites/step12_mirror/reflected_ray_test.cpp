@@ -92,6 +92,21 @@ Verdict comes_back(const Ray& ray, const ShadingPoint& surface) {
                        "\n  expected: away from the mirror");
 }
 
+/// An interpolated normal sends the ray away just above the face, or would send it just below.
+Verdict grazes_the_face(Random& random) {
+    const auto [x, y, side] = random.basis();
+    const Real rise = std::ldexp(Real(1), -3 - random.below(10));
+    const bool above = random.coin();
+    const Vec3 reflected = std::sqrt(1 - rise * rise) * x + (above ? rise : -rise) * side;
+    const Vec3 arriving = unit(random.between(-1, 1) * x + random.between(-1, 1) * y - side);
+    const Ray ray{.origin = random.point(4), .direction = random.power_of_two() * arriving};
+    ShadingPoint surface = flat(ray, side);
+    surface.normal = unit(reflected - arriving);
+    if (above) return sends(ray, surface, reflected);
+    if (const Verdict away = goes_away(ray, surface); !away) return away;
+    return keeps_length(ray, surface);
+}
+
 /// With a normal that is interpolated: up to half a right angle or so from the face's own.
 Seen draw_interpolated(Random& random) {
     Seen seen = draw_seen(random);
@@ -267,4 +282,5 @@ TEST_CASE("an interpolated normal never sends the ray below the flat face (CR §
         if (const Verdict away = goes_away(smooth_ray, smooth); !away) return away;
         return starts_off(smooth_ray, smooth);
     }));
+    CHECK(for_all(grazes_the_face));
 }

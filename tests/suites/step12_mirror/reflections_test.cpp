@@ -110,6 +110,13 @@ TEST_CASE("the surface's own part and the reflected part sum to one (contract)",
     CHECK(mixes(own, reflection, 1, reflection));
     CHECK(mixes(own, reflection, Real(0.5), {Real(0.5), Real(0.375), Real(0.25)}));
     CHECK(mixes(own, reflection, Real(0.75), {Real(0.25), Real(0.3125), Real(0.375)}));
+    CHECK(for_all([](Random& random) {  // a little of one of them
+        const Color surface = abs(random.point(1));
+        const Color seen = abs(random.point(1));
+        const Real little = std::ldexp(Real(1), -3 - random.below(8));
+        const Real mirror = random.coin() ? little : 1 - little;
+        return mixes(surface, seen, mirror, surface + mirror * (seen - surface));
+    }));
 }
 
 TEST_CASE("a mirror in a room of its own color is not seen: the shares add up (contract)") {
@@ -140,6 +147,10 @@ TEST_CASE("one bounce is one reflection (erratum 30, CR §2.1)") {
         for (int bounces = 0; all && bounces < depth; ++bounces)
             all = worth(bounces, depth, 1, true);
     CHECK(all);
+    CHECK(for_all([](Random& random) {
+        const int depth = 1 + random.below(100000);
+        return worth(random.below(depth), depth, 1, true);
+    }));
 }
 
 TEST_CASE("a weight of less than 1/512 is not worth a ray (contract)") {
@@ -149,6 +160,12 @@ TEST_CASE("a weight of less than 1/512 is not worth a ray (contract)") {
     CHECK(worth(0, 8, Real(1) / 1024, false));
     CHECK(worth(0, 8, 0, false));
     CHECK(worth(0, 1000, Real(0.001), false));
+    CHECK(worth(0, 8, Real(0.00195), false));
+    CHECK(for_all([](Random& random) {
+        const Real little = std::ldexp(Real(1), -1 - random.below(20));
+        const bool more = random.coin();
+        return worth(0, 8, (more ? 1 + little : 1 - little) / 512, more);
+    }));
 }
 
 TEST_CASE("between two facing mirrors a ray is reflected --depth times (CR §5.1)",
