@@ -160,6 +160,35 @@ inline Verdict closest_of_a_long_list_is_seen(int stage, const std::string& head
     return all;
 }
 
+/// Every scene has the same color when it is asked again after others: `trace` keeps nothing from
+/// one ray to the next.
+inline Verdict colors_do_not_depend_on_order(int stage, const std::string& head) {
+    return for_all(
+        [&](Random& random) {
+            const auto kinds = kinds_until(stage);
+            std::vector<std::string> scenes;
+            std::vector<Color> colors;
+            for (int i = 0; i < 3; ++i) {
+                const Kind& kind = kinds[std::size_t(random.below(int(kinds.size())))];
+                scenes.push_back(head +
+                                 kind.line(4 + random.below(6), scene_color(draw_color(random))));
+                colors.push_back(seen_unrounded(scenes.back()));
+            }
+            for (std::size_t i = scenes.size(); i-- > 0;) {
+                const Color again = seen_unrounded(scenes[i]);
+                if (again == colors[i]) continue;
+                return verdict(
+                    false, told_of_pixel("the color of the only pixel, asked again after "
+                                         "other scenes",
+                                         scenes[i]) +
+                               "\n  got:      " + text(again) + "\n  expected: " + text(colors[i]) +
+                               ", the same as before");
+            }
+            return Verdict{};
+        },
+        5);
+}
+
 /// Each kind of shape hides each other kind that is farther away, whichever is first in the file.
 /// `head` has the lights; `torch` is true if a torch lights the scene.
 inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, bool torch) {
@@ -173,6 +202,7 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
                 keep_first(all, shows(head + lines, {light, 0, 0}));
         }
     }
+    keep_first(all, colors_do_not_depend_on_order(stage, head));
     keep_first(all, closest_of_random_shapes_is_seen(stage, head, torch));
     keep_first(all, closest_of_a_long_list_is_seen(stage, head, torch));
     keep_first(all, almost_equal_t_differ(head));

@@ -26,13 +26,13 @@ inline Verdict terms_add_up() {
     const std::string ambient = "A 0.2 255,255,255\n";
     const std::string light = "L 0,0,0 0.4 255,255,255\n";
     const std::string half_light = "L 0,0,0 0.2 255,255,255\n";
-    std::string twenty;
-    for (int i = 0; i < 20; ++i) twenty += "L 0,0,0 0.02 255,255,255\n";
+    std::string thousand;  // each of which alone is less than half of one level of 255
+    for (int i = 0; i < 1000; ++i) thousand += "L 0,0,0 0.0004 255,255,255\n";
     Verdict all;
     keep_first(all, shows(ambient + wall, {51, 51, 51}));
     keep_first(all, shows(ambient + light + wall, {153, 153, 153}));
     keep_first(all, shows(ambient + half_light + half_light + wall, {153, 153, 153}));
-    keep_first(all, shows(ambient + twenty + wall, {153, 153, 153}));
+    keep_first(all, shows(ambient + thousand + wall, {153, 153, 153}));
     keep_first(all, shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 255,0,0\n" + shining, {76, 0, 0}));
     // The eye is at 0.8 of the direction of reflection.
     keep_first(all, shows("C 6,0,0 0,0,-1 60\nL 9,0,0 0.5 255,255,255\n" + shining, {51, 51, 153}));
@@ -251,13 +251,18 @@ inline bool differ_at(int rows, int columns, const Image& image) {
 
 /// The pattern in which the pixels repeat each other; empty if there is none.
 inline std::string pattern_of(const Image& image) {
-    constexpr int period = 4;
+    constexpr int period = 16;
     for (int rows = 0; rows <= period; ++rows)
         for (int columns = rows == 0 ? 1 : -period; columns <= period; ++columns)
             if (!differ_at(rows, columns, image))
                 return "every pixel is like the one " + std::to_string(rows) + " rows and " +
                        std::to_string(columns) + " columns further";
     const int size = image.resolution.width;
+    bool differ_across = false;
+    for (Pixel pixel; pixel.row < size; ++pixel.row)
+        for (pixel.column = 0; pixel.column < pixel.row; ++pixel.column)
+            differ_across |= image[pixel] != image[{pixel.column, pixel.row}];
+    if (!differ_across) return "every pixel is like the one with its row and column exchanged";
     for (int i = 0; i < size; ++i) {
         bool differ_in_row = false;
         bool differ_in_column = false;
@@ -307,6 +312,34 @@ inline Verdict pixels_have_their_own_samples() {
         3);
 }
 
+/// In a picture in which all pixels see a quarter of each of two lights, with 64 samples, the
+/// shares of the pixels are no more uneven than 2/3 of those of independent points, √(¼ · ¾ / 64) =
+/// 0.054. The first 64 points of a sequence have 0.016 or so. Every second point, if the two lights
+/// divide a sequence, covers half of a light only.
+inline Verdict samples_are_even() {
+    constexpr int size = 16;
+    constexpr int samples = 64;
+    const std::string scene =
+        "C 0,0,0 0,0,-1 0.01\npl 0,0,-4 0,0,1 255,255,255\n"
+        "L 3,0,0 1 255,0,0 radius:0.3\nsq 1.5,0.94,-2 0.6,0,0.8 2 9,9,9\n"
+        "L -3,0,0 1 0,255,0 radius:0.3\nsq -1.5,0.94,-2 -0.6,0,0.8 2 9,9,9\n";
+    const Image image =
+        picture_seen(scene, {.width = size, .height = size}, {.shadow_samples = samples});
+    Real squares = 0;
+    for (const Rgb color : image.pixels)
+        for (const int level : {color[0], color[1]}) {
+            const Real off = Real(level) / (Real(0.8) * 255) - Real(0.25);
+            squares += off * off;
+        }
+    const Real off = std::sqrt(squares / Real(2 * image.pixels.size()));
+    return verdict(
+        off < Real(0.036),
+        told_of_pixel("the pixels of a picture of 16 x 16, with --shadow-samples 64", scene) +
+            "\n  got:      shares of a quarter of a light, off by " + decimal(off) +
+            "\n  expected: off by about 0.02: each pixel and light has the samples"
+            "\n            spread_sample(0, seed), spread_sample(1, seed), …");
+}
+
 /// Area lights are as in stage 11: each light has the share of its own samples that reach it.
 inline Verdict area_lights_are_sampled() {
     const std::string other = "L -3,0,0 0.5 0,255,0 radius:0.3\n";
@@ -325,6 +358,7 @@ inline Verdict area_lights_are_sampled() {
     keep_first(all, lights_of_any_size_are_sampled());
     keep_first(all, lights_have_their_own_samples());
     keep_first(all, pixels_have_their_own_samples());
+    keep_first(all, samples_are_even());
     return all;
 }
 

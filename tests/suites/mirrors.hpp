@@ -18,6 +18,9 @@ inline Verdict mirrors_show_all_terms() {
     keep_first(all, shows(light + perfect + shining, {51, 51, 153}));
     keep_first(all, shows("A 0.2 255,255,255\n" + light + perfect + white, {153, 153, 153}));
     keep_first(all, shows("A 1 255,255,255\n" + light + black + white, {179, 179, 179}));
+    // The wall is a mirror of a tenth: it shows 0.9 · 1.4, and a twentieth of itself.
+    const std::string mirror = "pl 0,0,6 0,0,-1 255,255,255 mirror:0.1\n";
+    keep_first(all, shows("A 1 255,255,255\n" + light + black + mirror, {169, 169, 169}));
     return all;
 }
 

@@ -79,6 +79,7 @@ TEST_CASE(
     CHECK(closest_of_random_shapes_is_seen(3, "", true));
     CHECK(closest_of_a_long_list_is_seen(3, "", true));
     CHECK(almost_equal_t_differ(""));
+    CHECK(colors_do_not_depend_on_order(3, ""));
 }
 
 TEST_CASE("a sphere behind the eye is not seen, nor does it hide another (PHY)") {

@@ -74,6 +74,9 @@ TEST_CASE("a dim light is blocked as a bright one is (CR §3.2)") {
         CHECK(shows(light + white_wall, {10, 0, 0}));
         CHECK(shows(light + white_wall + ball_on_the_right, {0, 0, 0}));
     }
+    std::string many;
+    for (int i = 0; i < 1100; ++i) many += "L 3,0,0 0.0004 255,0,0\n";
+    CHECK(shows(many + white_wall + ball_on_the_right, {0, 0, 0}));
 }
 
 TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {

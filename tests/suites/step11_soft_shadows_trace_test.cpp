@@ -69,6 +69,7 @@ TEST_CASE("a single sample is seen or not, and --shadow-samples is their number 
 TEST_CASE("each light has samples of its own (CR §3.3)") {
     CHECK(lights_have_their_own_samples());
     CHECK(pixels_have_their_own_samples());
+    CHECK(samples_are_even());
 }
 
 TEST_CASE("ambient light is neither shared nor counted again (CR §3.3)") {
