@@ -85,7 +85,9 @@ TEST_CASE("pixels are equal squares around the middle, in any picture (MRT §1)"
         // Up to 128 times as wide as high: 2 pixNorm - 1 as printed is good to u times that.
         const Resolution size{.width = 64 + random.below(8129), .height = 64 + random.below(8129)};
         const Pixel pixel = random_pixel(size, random);
-        const Real fov = random.between(Real(0.01), 3);
+        const bool wide = random.below(4) == 0;  // almost 180°
+        const Real fov =
+            wide ? pi - std::ldexp(Real(1), -3 - random.below(7)) : random.between(Real(0.01), 3);
         return on_screen(pixel, size, fov, center_of(pixel, size, fov));
     }));
 }
