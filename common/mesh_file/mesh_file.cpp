@@ -53,14 +53,15 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
     if (content.empty()) throw InputError({file}, "is empty: expected a mesh");
     require_size(content.size(), file);
     MeshImporter importer;
-    read(std::move(content), file, importer);
-    MeshFile result = importer.take();
-    if (result.triangles.empty()) {
-        throw InputError({file}, "has no triangles: expected at least one");
+    try {
+        read(std::move(content), file, importer);
+        MeshFile result = importer.take();
+        if (!has_area(result))
+            result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
+        return result;
+    } catch (const MeshRefusal& refusal) {
+        throw InputError({file}, refusal.message);
     }
-    if (!has_area(result))
-        result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
-    return result;
 }
 
 MeshFile read_mesh_file(const std::string& file) {

@@ -145,4 +145,10 @@ void require_three_numbers(std::string_view& line, const char* what, const MeshL
                          quoted(take_word(line)));
 }
 
+void require_no_word(std::string_view rest, const char* what, const MeshLines& lines) {
+    const std::string_view word = take_word(rest);
+    if (word.empty() || float_number(word)) return;
+    lines.refuse(std::string(what) + " is on a line of its own, followed here by " + quoted(word));
+}
+
 }  // namespace rt

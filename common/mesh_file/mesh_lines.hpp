@@ -68,4 +68,8 @@ private:
 /// represent; `what` names their owner in the message.
 void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines);
 
+/// Throws InputError if the rest of a line begins with a word that is not a number, as in a file
+/// whose line ends are lost. More numbers are skipped: a color, for example.
+void require_no_word(std::string_view rest, const char* what, const MeshLines& lines);
+
 }  // namespace rt

@@ -25,7 +25,7 @@ struct Numbered {
         const auto number = whole_number(word);
         if (!number || *number == 0) {
             lines.refuse(std::string("a corner's ") + what +
-                         " must be a whole number, not zero, not " + quoted(word));
+                         " must be a whole number other than 0, not " + quoted(word));
         }
         if (*number < -count) {
             lines.refuse(std::string("a corner's ") + what + " must be one of the " +
@@ -102,13 +102,15 @@ void read_obj(std::string content, const std::string& file, MeshImporter& import
         const std::string_view keyword = take_word(rest);
         if (keyword == "v") {
             require_three_numbers(rest, "a vertex", lines);
+            require_no_word(rest, "a vertex", lines);
             ++vertices.count;
         } else if (keyword == "vn") {
             require_three_numbers(rest, "a normal", lines);
+            require_no_word(rest, "a normal", lines);
             ++normals.count;
         } else if (keyword == "f") {
             // OpenMesh leaves it out in silence.
-            if (!check_face(rest, vertices, normals, lines)) importer.leave_out_face();
+            if (!check_face(rest, vertices, normals, lines)) importer.leave_out_faces(1);
         } else {
             // Turned into a comment: OpenMesh would open the file that a mtllib names.
             content[begin] = '#';

@@ -61,6 +61,13 @@ void read_off(std::string content, const std::string& file, MeshImporter& import
     MeshLists lists;
     lists.vertices = take_count(line, "vertices", lines);
     lists.faces = take_count(line, "faces", lines);
+    static_cast<void>(take_word(line));
+    const std::string_view next = take_word(line);
+    if (!next.empty()) {
+        lines.refuse(
+            "expected the numbers of vertices, faces and edges, and then one vertex a line, not " +
+            quoted(next));
+    }
 
     lists.columns = {0, 1, 2};
     if (has_normals) lists.columns = {0, 1, 2, 3, 4, 5};

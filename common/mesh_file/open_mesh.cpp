@@ -33,8 +33,6 @@ void read_checked(CheckedMesh mesh, const std::string& file, MeshImporter& impor
     try {
         const bool is_read = OpenMesh::IO::IOManager().read(stream, mesh.reader, importer, options);
         if (!is_read) throw InputError({file}, "is not a mesh that OpenMesh can read");
-    } catch (const MeshRefusal& refusal) {
-        throw InputError({file}, refusal.message);
     } catch (const std::ios_base::failure&) {
         throw InputError({file}, "the file ends too early");
     }

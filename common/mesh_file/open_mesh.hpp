@@ -14,7 +14,8 @@ struct CheckedMesh {
     bool is_binary = false;
 };
 
-/// Calls OpenMesh, which hands the mesh to the importer. Throws InputError.
+/// Calls OpenMesh, which hands the mesh to the importer. Throws InputError, or
+/// the importer's MeshRefusal.
 void read_checked(CheckedMesh mesh, const std::string& file, MeshImporter& importer);
 
 }  // namespace rt

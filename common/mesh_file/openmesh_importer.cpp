@@ -99,7 +99,7 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
         if (corners_.empty() || corners_.back() != place) corners_.push_back(place);
     }
     while (corners_.size() > 1 && corners_.back() == corners_.front()) corners_.pop_back();
-    if (corners_.size() < 3) ++faces_without_area_;
+    const std::size_t before = mesh_.triangles.size();
     if (corners_.size() == 3) {
         add_triangle(corners_[0], corners_[1], corners_[2]);
     } else if (corners_.size() > 3) {
@@ -109,14 +109,18 @@ OpenMesh::FaceHandle MeshImporter::add_face(const VHandles& corners) {
             add_triangle(corners_[a], corners_[b], corners_[c]);
         }
     }
+    if (mesh_.triangles.size() == before) leave_out_faces(1);
     return Face(static_cast<int>(faces_++));
 }
 
 MeshFile MeshImporter::take() {
-    if (faces_without_area_ > 0)
-        mesh_.warnings.push_back(std::to_string(faces_without_area_) +
-                                 (faces_without_area_ == 1 ? " face has" : " faces have") +
-                                 " fewer than three different corners, and no area: left out");
+    const std::string few = std::to_string(faces_without_area_) +
+                            (faces_without_area_ == 1 ? " face has" : " faces have") +
+                            " fewer than three different corners";
+    const bool has_few = faces_without_area_ > 0;
+    if (mesh_.triangles.empty())
+        throw MeshRefusal{"has no triangles: " + (has_few ? few : "expected at least one")};
+    if (has_few) mesh_.warnings.push_back(few + ", and no area: left out");
     if (mesh_.normals.empty()) return std::move(mesh_);
     has_normal_.resize(mesh_.vertices.size());
     mesh_.normals.resize(mesh_.vertices.size(), glm::vec3(0));

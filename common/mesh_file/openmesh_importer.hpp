@@ -33,7 +33,7 @@ public:
     using Face = OpenMesh::FaceHandle;
 
     /// Returns the mesh after all has been read, with warnings about omitted parts. It has normals
-    /// only if each vertex of a triangle has one.
+    /// only if each vertex of a triangle has one. Throws MeshRefusal if it has no triangle.
     [[nodiscard]] MeshFile take();
 
     Vertex add_vertex(const OpenMesh::Vec3f& point) override;
@@ -46,8 +46,8 @@ public:
         set_normal(vertex, OpenMesh::Vec3f(normal));
     }
     Face add_face(const VHandles& corners) override;
-    /// Counts a face of fewer than three different vertices that is not added.
-    void leave_out_face() { ++faces_without_area_; }
+    /// Counts faces of fewer than three different vertices that are not added.
+    void leave_out_faces(std::size_t count) { faces_without_area_ += count; }
 
     /// The counts have been checked: the file is large enough for them.
     void reserve(unsigned int vertices, unsigned int edges, unsigned int faces) override;

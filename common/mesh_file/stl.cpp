@@ -45,12 +45,21 @@ bool begins_as_text(const std::string& content) {
     return begin.starts_with("solid") || begin.starts_with("   solid");
 }
 
-/// Checks a text file, and allows only the lines that OpenMesh recognizes: it searches for "outer"
-/// anywhere, even in the name of the solid, and parses the next three lines as vertices.
-CheckedMesh checked_text(std::string content, const std::string& file) {
+/// Calls OpenMesh, which leaves out the triangles that have two corners in one place in silence.
+void read_triangles(CheckedMesh mesh, std::size_t triangles, const std::string& file,
+                    MeshImporter& importer) {
+    read_checked(std::move(mesh), file, importer);
+    importer.leave_out_faces(triangles - importer.n_faces());
+}
+
+/// Reads a text file. Checks it first, and allows only the lines that OpenMesh recognizes: it
+/// searches for "outer" anywhere, even in the name of the solid, and parses the next three lines as
+/// vertices.
+void read_text(std::string content, const std::string& file, MeshImporter& importer) {
     plain_text(content);
     MeshLines lines(content, file);
     CheckedMesh checked = {.reader = "stl"};
+    std::size_t triangles = 0;
     int corners_to_come = 0;
     std::string keyword;
     while (const auto line = lines.next()) {
@@ -60,19 +69,22 @@ CheckedMesh checked_text(std::string content, const std::string& file) {
             lines.refuse(
                 std::string("expected ") +
                 (corners_to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
-                ", not " + quoted(*line));
+                " at the start of a line, not " + quoted(*line));
         }
         if (keyword == "outer") {
             checked.content += "outer\n";
             corners_to_come = 3;
+            ++triangles;
         } else if (keyword == "vertex") {
             require_three_numbers(rest, "a vertex", lines);
+            require_no_word(rest, "a vertex", lines);
             checked.content.append(*line).append("\n");
             --corners_to_come;
         }
     }
-    if (keyword != "endsolid") lines.refuse("the file ends before its \"endsolid\"");
-    return checked;
+    if (keyword != "endsolid")
+        lines.refuse("the file ends before its \"endsolid\" at the start of a line");
+    read_triangles(std::move(checked), triangles, file, importer);
 }
 
 }  // namespace
@@ -83,13 +95,13 @@ void read_stl(std::string content, const std::string& file, MeshImporter& import
     const std::uint64_t count = has_header ? triangle_count(content) : 0;
     if (has_header && content.size() == header_size + count * triangle_size) {
         check_numbers(content, file);
-        read_checked({.content = std::move(content), .reader = "stl", .is_binary = true}, file,
-                     importer);
+        read_triangles({.content = std::move(content), .reader = "stl", .is_binary = true}, count,
+                       file, importer);
         return;
     }
     blank_byte_order_mark(content);
     if (begins_as_text(content)) {
-        read_checked(checked_text(std::move(content), file), file, importer);
+        read_text(std::move(content), file, importer);
         return;
     }
     if (!has_header) throw InputError({file}, "is not STL: expected \"solid\" or a binary header");

@@ -112,15 +112,18 @@ bool ElementLine::color_follows() {
 }
 
 bool ElementLine::hexadecimal_follows() {
-    if (at_end()) {
-        if (line_.comment.column == end_of_line().column) return false;  // in the middle of a word
-        Line longer = line_;
-        take_from_comment(longer);
-        if (longer.tokens.size() == next_ || !is_hexadecimal(longer.tokens[next_].text))
-            return false;
+    if (at_end()) take_color_from_comment();
+    return !at_end() && is_hexadecimal(line_.tokens[next_].text);
+}
+
+/// Appends the words of the comment to the line if the first of them is `#rrggbb` or `#rgb`.
+void ElementLine::take_color_from_comment() {
+    if (line_.comment.column == end_of_line().column) return;  // in the middle of a word
+    Line longer = line_;
+    take_from_comment(longer);
+    const std::size_t words = line_.tokens.size();
+    if (longer.tokens.size() > words && is_hexadecimal(longer.tokens[words].text))
         line_ = std::move(longer);
-    }
-    return is_hexadecimal(line_.tokens[next_].text);
 }
 
 FileLocation ElementLine::place() const {
@@ -174,35 +177,28 @@ Token ElementLine::take_word(std::string_view field) {
 }
 
 std::array<Token, 3> ElementLine::take_triple(std::string_view field) {
-    const Token token = take(field, at_end() ? 1 : words_of_field());
+    const Token token = take(field, at_end() ? 1 : words_around_commas());
     const auto parts = three_parts(token);
-    const bool has_blanks = token.text.find_first_of(blanks) != std::string_view::npos;
-    if (parts && has_blanks) {
-        warn(token, "blank in triple", "blanks around the commas of " + quoted(token.text));
-    }
-    if (parts) return *parts;
-    if (strict()) refuse_blanks();
-    refuse(token, what(field) + " must be three numbers as in 1,2,3");
+    if (!parts) refuse(token, what(field) + " must be three numbers as in 1,2,3");
+    if (token.text.find_first_of(blanks) == std::string_view::npos) return *parts;
+    const std::string message = "blanks around the commas of " + quoted(token.text);
+    if (strict())
+        report_.fail(line_.number, token.column, message + ": expected three numbers as in 1,2,3");
+    warn(token, "blank in triple", message);
+    return *parts;
 }
 
-/// Throws InputError if the triple just taken is wrong because of its blanks.
-void ElementLine::refuse_blanks() {
-    --next_;
-    const Token whole =
-        joined(line_.tokens[next_], line_.tokens[next_ + words_around_commas() - 1]);
-    if (three_parts(whole))
-        report_.fail(line_.number, whole.column,
-                     "blanks around the commas of " + quoted(whole.text) +
-                         ": expected three numbers as in 1,2,3");
-    ++next_;
-}
-
-void ElementLine::skip_to_triple(std::string_view field) {
-    const auto last_comma = std::find_if(line_.tokens.rbegin(),
-                                         line_.tokens.rend() - static_cast<std::ptrdiff_t>(next_),
-                                         [](Token token) { return commas(token.text) > 0; });
-    const auto end = static_cast<std::size_t>(line_.tokens.rend() - last_comma);
-    for (; next_ < end && commas(peek_field().text) == 0; ++next_) {
+void ElementLine::skip_to_color(std::string_view field) {
+    const auto may_be_color = [](Token token) {
+        return commas(token.text) > 0 || is_hexadecimal(token.text);
+    };
+    const auto color_is_left = [&] {
+        const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
+        return std::any_of(rest, line_.tokens.end(), may_be_color);
+    };
+    if (!at_end() && !color_is_left()) take_color_from_comment();
+    if (!color_is_left()) return;
+    for (; !may_be_color(peek_field()); ++next_) {
         const Token token = line_.tokens[next_];
         doubt(token, "before color " + std::string(form_.keyword),
               quoted(token.text) + " is in place of " + what(field), "it is skipped");
@@ -238,12 +234,8 @@ std::size_t ElementLine::words_around_commas() const {
     return end - next_;
 }
 
-std::size_t ElementLine::words_of_field() const {
-    return strict() ? 1 : words_around_commas();
-}
-
 Token ElementLine::peek_field() const {
-    return joined(line_.tokens[next_], line_.tokens[next_ + words_of_field() - 1]);
+    return joined(line_.tokens[next_], line_.tokens[next_ + words_around_commas() - 1]);
 }
 
 Token ElementLine::take(std::string_view field, std::size_t words) {

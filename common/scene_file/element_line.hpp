@@ -80,8 +80,8 @@ protected:
     [[nodiscard]] bool hexadecimal_follows();
 
     /// Skips words before a color that cannot be part of one, if a triple follows later on the
-    /// line.
-    void skip_to_triple(std::string_view field);
+    /// line, or `#rrggbb` after its other words.
+    void skip_to_color(std::string_view field);
 
     [[nodiscard]] bool at_end() const { return next_ == line_.tokens.size(); }
 
@@ -92,9 +92,8 @@ protected:
 
 private:
     [[nodiscard]] std::size_t words_around_commas() const;
-    [[nodiscard]] std::size_t words_of_field() const;
     [[nodiscard]] Token peek_field() const;
-    void refuse_blanks();
+    void take_color_from_comment();
     [[nodiscard]] Token take(std::string_view field, std::size_t words);
 
     Line line_;

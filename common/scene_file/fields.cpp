@@ -84,8 +84,8 @@ Real Fields::angle(std::string_view field) {
 }
 
 Color Fields::color(std::string_view field) {
+    skip_to_color(field);
     if (hexadecimal_follows()) return hexadecimal_color(field);
-    skip_to_triple(field);
     if (word_for_color(field)) return Color(1);
     const Triple read = triple(field);
     const std::string name = component_of(what(field));

@@ -58,6 +58,10 @@ TEST_CASE("files that are no mesh") {
         {"a.stl", "OFF\n", ": error: is not STL: expected \"solid\" or a binary header"},
         {"a.obj", "OFF\n3 1 0\n", ": error: has no triangles: expected at least one"},
         {"a.obj", "\0\xff\x1b"s, ": error: has no triangles: expected at least one"},
+        {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 0\n",
+         ": error: has no triangles: 1 face has fewer than three different corners"},
+        {"a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 1\n",
+         ": error: has no triangles: 2 faces have fewer than three different corners"},
     });
     const MeshFolder folder;
     const auto refusal = [](const std::string& file) {
@@ -117,6 +121,18 @@ TEST_CASE("faces and meshes without area are warned of") {
           Warnings{"3 faces have " + few});
     CHECK(warnings("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n") ==
           Warnings{"1 face has " + few});
+    CHECK(warnings("a.off", "OFF\n4 2 0\n" + four + "3 0 1 2\n4 0 1 0 1\n") ==
+          Warnings{"1 face has " + few});
+    CHECK(warnings("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 1 2\n") ==
+          Warnings{"1 face has " + few});
+    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
+    const std::string end = "endloop\nendfacet\n";
+    CHECK(warnings("a.stl", "solid\n" + facet + "vertex 0 1 0\n" + end + facet + "vertex 0 0 0\n" +
+                                end + "endsolid\n") == Warnings{"1 face has " + few});
+    std::string binary = binary_stl(2, 84 + 100);
+    binary.replace(84 + 24, 4, "\0\0\x80\x3f"s);  // the second corner is 1,0,0
+    binary.replace(84 + 40, 4, "\0\0\x80\x3f"s);  // the third is 0,1,0
+    CHECK(warnings("a.stl", binary) == Warnings{"1 face has " + few});
     CHECK(warnings("a.off", "OFF\n4 1 0\n" + four + "3 0 1 3\n") ==
           Warnings{"no triangle has an area: no ray hits the mesh"});
     CHECK(warnings("a.off", "OFF\n4 2 0\n" + four + "3 0 1 3\n3 0 1 2\n").empty());
@@ -147,7 +163,14 @@ TEST_CASE("OFF") {
         {"a.off", "OFF\n0 0 0\n", ": error: has no triangles: expected at least one"},
         {"a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n",
          ": error: has no triangles: expected at least one"},
-        {"a.off", three + "3 0 0 1\n", ": error: has no triangles: expected at least one"},
+        {"a.off", "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2\n",
+         ":1: error: expected the numbers of vertices, faces and edges, and then one vertex a "
+         "line, not \"0\""},
+        {"a.off", "OFF\n3 1 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+         ":2: error: expected the numbers of vertices, faces and edges, and then one vertex a "
+         "line, not \"0\""},
+        {"a.off", three + "3 0 0 1\n",
+         ": error: has no triangles: 1 face has fewer than three different corners"},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
          ":4: error: a vertex has 3 numbers here, on a line of its own, not 2"},
         {"a.off", three, ":5: error: the file ends after 0 of 1 faces"},
@@ -187,7 +210,12 @@ TEST_CASE("OBJ") {
     const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     check({
         {"a.obj", three, ": error: has no triangles: expected at least one"},
-        {"a.obj", three + "f 1 1 2\n", ": error: has no triangles: expected at least one"},
+        {"a.obj", three + "f 1 1 2\n",
+         ": error: has no triangles: 1 face has fewer than three different corners"},
+        {"a.obj", "v 0 0 0 v 1 0 0 v 0 1 0 f 1 2 3\n",
+         ":1: error: a vertex is on a line of its own, followed here by \"v\""},
+        {"a.obj", three + "vn 0 0 1 f\n",
+         ":4: error: a normal is on a line of its own, followed here by \"f\""},
         {"a.obj", three + "f 1 2\n", ":4: error: a face of 2 corners: expected 3 to 4096"},
         {"a.obj", three + "f\n", ":4: error: a face of 0 corners: expected 3 to 4096"},
         {"a.obj", "v 0 0\n", ":1: error: a vertex must be three numbers up to 3.4e38, not \"\""},
@@ -200,11 +228,11 @@ TEST_CASE("OBJ") {
         {"a.obj", three + "vn 1 0 z\n",
          ":4: error: a normal must be three numbers up to 3.4e38, not \"z\""},
         {"a.obj", three + "f 1 2 0\n",
-         ":4: error: a corner's vertex must be a whole number, not zero, not \"0\""},
+         ":4: error: a corner's vertex must be a whole number other than 0, not \"0\""},
         {"a.obj", three + "f 1 2 x\n",
-         ":4: error: a corner's vertex must be a whole number, not zero, not \"x\""},
+         ":4: error: a corner's vertex must be a whole number other than 0, not \"x\""},
         {"a.obj", three + "f /1 2 3\n",
-         ":4: error: a corner's vertex must be a whole number, not zero, not \"\""},
+         ":4: error: a corner's vertex must be a whole number other than 0, not \"\""},
         {"a.obj", three + "f 1 2 9999999999\n",
          ":4: error: a corner's vertex must be from 1 to 3, not \"9999999999\""},
         {"a.obj", "f 1 2 3\n",
@@ -221,7 +249,7 @@ TEST_CASE("OBJ") {
         {"a.obj", three + "f 1/x 2/1 3/1\n",
          ":4: error: a corner is vertex/texture/normal, each a whole number, not \"1/x\""},
         {"a.obj", three + "vn 0 0 1\nf 1/1/1/1 2 3\n",
-         ":5: error: a corner's normal must be a whole number, not zero, not \"1/1\""},
+         ":5: error: a corner's normal must be a whole number other than 0, not \"1/1\""},
     });
 }
 
@@ -316,8 +344,10 @@ TEST_CASE("binary PLY") {
         {"a.ply", whole.substr(0, whole.size() - 1), ": error: the file ends too early"},
         {"a.ply", with("vertex 3", "vertex 1000000000000000000"),
          ":3: error: the file ends too early for 1000000000000000000 vertices"},
-        {"a.ply", with("vertex 3", "vertex 4"), ": error: has no triangles: expected at least one"},
-        {"a.ply", with("vertex 3", "vertex 2"), ": error: has no triangles: expected at least one"},
+        {"a.ply", with("vertex 3", "vertex 4"),
+         ": error: has no triangles: 1 face has fewer than three different corners"},
+        {"a.ply", with("vertex 3", "vertex 2"),
+         ": error: has no triangles: 1 face has fewer than three different corners"},
         {"a.ply", with("face 1", "face 4294967297"),
          ":7: error: the file ends too early for 4294967297 faces"},
         {"a.ply", with("face 1", "face 2"), ": error: the file ends too early"},
@@ -344,13 +374,16 @@ TEST_CASE("STL") {
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
         "endfacet\n";
     check({
-        {"a.stl", "solid x", ":1: error: the file ends before its \"endsolid\""},
+        {"a.stl", "solid x",
+         ":1: error: the file ends before its \"endsolid\" at the start of a line"},
         {"a.stl", "solid x\nendsolid x\n", ": error: has no triangles: expected at least one"},
-        {"a.stl", "solid x\n" + facet, ":8: error: the file ends before its \"endsolid\""},
+        {"a.stl", "solid x\n" + facet,
+         ":8: error: the file ends before its \"endsolid\" at the start of a line"},
         {"a.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\n",
-         ":4: error: expected \"vertex x y z\", not \"endloop\""},
+         ":4: error: expected \"vertex x y z\" at the start of a line, not \"endloop\""},
         {"a.stl", "solid x\nvertex 0 0 0\n",
-         ":2: error: expected \"facet\" or \"outer loop\", not \"vertex 0 0 0\""},
+         ":2: error: expected \"facet\" or \"outer loop\" at the start of a line, not \"vertex 0 0 "
+         "0\""},
         {"a.stl", "solid x\nouter loop\nvertex 0 0\n",
          ":3: error: a vertex must be three numbers up to 3.4e38, not \"\""},
         {"a.stl", "solid x\nouter loop\nvertex 0 0 nan\n",
@@ -358,7 +391,15 @@ TEST_CASE("STL") {
         {"a.stl", binary_stl(2, 84 + 50),
          ": error: a binary STL of 2 triangles has 184 bytes, not 134"},
         {"a.stl", binary_stl(0, 84), ": error: has no triangles: expected at least one"},
-        {"a.stl", binary_stl(1, 84 + 50), ": error: has no triangles: expected at least one"},
+        {"a.stl", binary_stl(1, 84 + 50),
+         ": error: has no triangles: 1 face has fewer than three different corners"},
+        {"a.stl", "solid x facet normal 0 0 1 outer loop vertex 0 0 0",
+         ":1: error: the file ends before its \"endsolid\" at the start of a line"},
+        {"a.stl", "solid x\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\n",
+         ":3: error: expected \"facet\" or \"outer loop\" at the start of a line, not \"vertex 0 0 "
+         "0\""},
+        {"a.stl", "solid x\nouter loop\nvertex 0 0 0 vertex 1 0 0\n",
+         ":3: error: a vertex is on a line of its own, followed here by \"vertex\""},
     });
     std::string infinite = binary_stl(1, 84 + 50);
     infinite.replace(84 + 12 + 4, 4, "\0\0\x80\xff"s);

@@ -103,6 +103,19 @@ TEST_CASE("lenient reading takes #rrggbb for a color where the line would have n
           std::vector<std::string>{"scene.rt:2:12: warning: a sphere's color must be three numbers "
                                    "as in 1,2,3, not \"#ff3300\"; it is 255,51,0"});
 
+    // Words before it are skipped, as before a triple.
+    for (const std::string word : {"wall.xpm", "0.5", "spec:1"}) {
+        const Lenient read = lenient(camera + "sp 1,2,3 4 " + word + " #f30 spec:0.5\n");
+        CHECK(read.warnings.size() == 2);
+        CHECK(read.warnings.at(0) == "scene.rt:2:12: warning: \"" + word +
+                                         "\" is in place of a sphere's color; it is skipped");
+        CHECK(read.scene.spheres.at(0).material.color == orange);
+        CHECK(read.scene.spheres.at(0).material.specular == Real(0.5));
+    }
+    CHECK(lenient(camera + "sky a #f30 b #00ff00\n").scene.sky->top == Color(0, 1, 0));
+    CHECK(lenient(camera + "sp 1,2,3 4 wall.xpm#f30\n").scene.spheres.at(0).material.color ==
+          Color(1));
+
     const Scene scene = lenient(camera +
                                 "A 0.5 #ff3300\nL 0,1,0 0.5 #f30 radius:2\nsky #f30 #00ff00\n"
                                 "cy 3,0,1 0,1,0 #f30 4 2\nmesh x.off 0,0,0 1 #f30 dir:0,1,0\n")
