@@ -52,6 +52,8 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
     const Read read = reader_for(file);
     if (content.empty()) throw InputError({file}, "is empty: expected a mesh");
     require_size(content.size(), file);
+    // The 80 arbitrary bytes of a binary STL may begin so too.
+    if (read != read_stl && is_utf16(content)) throw InputError({file}, text_in_utf16);
     MeshImporter importer;
     try {
         read(std::move(content), file, importer);

@@ -29,8 +29,7 @@ void check_is_text(std::string_view text, const SceneReport& report) {
         report.fail(
             0, 0,
             "larger than " + std::to_string(largest_file / mebibyte) + " MiB: expected a scene");
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        report.fail(1, 1, "text in UTF-16: expected UTF-8, as which an editor can save it");
+    if (is_utf16(text)) report.fail(1, 1, text_in_utf16);
     const char end = line_end(text);
     for (int number = 1; !text.empty(); ++number) {
         const std::string_view line = text.substr(0, text.find(end));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace rt {
 
@@ -10,5 +11,14 @@ namespace rt {
 /// too large by the extra byte. Throws InputError for a directory, and for a file that is absent or
 /// cannot be read.
 [[nodiscard]] std::string read_input_file(const std::string& file, std::size_t limit);
+
+/// Returns whether the content begins with the byte order mark of UTF-16, or of UTF-32.
+[[nodiscard]] inline bool is_utf16(std::string_view content) {
+    return content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
+}
+
+/// The error of a file that is_utf16.
+inline constexpr const char* text_in_utf16 =
+    "text in UTF-16 or UTF-32: expected UTF-8, as which an editor can save it";
 
 }  // namespace rt

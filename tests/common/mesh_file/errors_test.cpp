@@ -52,6 +52,8 @@ TEST_CASE("files that are no mesh") {
          ": error: is not a mesh: expected a name that ends in .off, .obj, .ply or .stl"},
         {"off", "OFF",
          ": error: is not a mesh: expected a name that ends in .off, .obj, .ply or .stl"},
+        {"a.obj", "\xFF\xFEv\0 \0"s,
+         ": error: text in UTF-16 or UTF-32: expected UTF-8, as which an editor can save it"},
         {"a.off", "ply\n", ":1: error: expected OFF, not \"ply\""},
         {"a.off", "\n\n", ":2: error: expected OFF, not \"\""},
         {"a.ply", "OFF\n", ":1: error: expected ply, not \"OFF\""},

@@ -298,7 +298,8 @@ TEST_CASE("binary files, and text of two bytes a character") {
         24);
     CHECK(lenient_refusal(elf) == "scene.rt:2:5: error: a zero byte: expected text");
     const std::string utf16 =
-        "scene.rt:1:1: error: text in UTF-16: expected UTF-8, as which an editor can save it";
+        "scene.rt:1:1: error: text in UTF-16 or UTF-32: expected UTF-8, as which an editor can "
+        "save it";
     CHECK(lenient_refusal({"\xFF\xFE"
                            "C\0",
                            4}) == utf16);
