@@ -73,6 +73,15 @@ void refuse_mesh_as_output(const Scene& scene, const Options& options) {
     }
 }
 
+/// Warns of what double loses. Of float the program warns before, with the numbers in double.
+void warn_of_rounding([[maybe_unused]] const Scene& scene, [[maybe_unused]] const std::string& file,
+                      [[maybe_unused]] const Warn& warn) {
+#ifndef RT_FLOAT
+    for (const std::string& risk : risks_in_double(scene_sizes(scene)))
+        warn(to_string(FileLocation{file}) + "warning: " + risk + "; move or scale the scene");
+#endif
+}
+
 Scene load(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
@@ -84,6 +93,7 @@ Scene load(const Program& program, const Options& options) {
     refuse_later_stages(scene, program, options);
     if (options.makes_picture()) refuse_mesh_as_output(scene, options);
     load_meshes(scene, reading.warn);
+    if (reading.warn) warn_of_rounding(scene, options.scene, reading.warn);
     build_acceleration(scene, arrangement(program, options));
     return scene;
 }

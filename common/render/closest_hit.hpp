@@ -63,6 +63,17 @@ inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
     return answer->t;
 }
 
+/// The normal of the shape at a point of it. A sphere, a cylinder or a cone whose radius is within
+/// the error of the point has no normal there, as the point may be in its middle: that towards the
+/// eye stands for it.
+template <class Shape>
+Vec3 normal_at(const Shape& shape, const PointWithError& place, Vec3 direction) {
+    if constexpr (requires { shape.radius; })
+        if (!(shape.radius > place.error)) [[unlikely]]
+            return unit(-direction);
+    return normal(shape, place.point);
+}
+
 /// The number of tests that a query of a shape takes: one, but of a mesh many.
 template <class Shape>
 std::int64_t test_count(const Ray& /*ray*/, const Shape& /*shape*/, Interval /*interval*/,
@@ -178,7 +189,7 @@ private:
                                       geometric_normal(shape, hit), material);
         } else {
             const PointWithError place = snapped_to(shape, at(nearest.ray_, t));
-            const Vec3 geometric_normal = normal(shape, place.point);
+            const Vec3 geometric_normal = normal_at(shape, place, nearest.ray_.direction);
             return std::optional<Hit>(std::in_place, t, place, geometric_normal, geometric_normal,
                                       material);
         }

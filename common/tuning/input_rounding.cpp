@@ -117,7 +117,7 @@ Real smallest_gap(const Scene& scene, Real widest) {
 
 }  // namespace
 
-SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
+SceneLengths RT_PRECISION::scene_sizes(const Scene& scene) {
     SceneLengths found;
     found.largest = double(largest_component(scene.cameras.front().position));
     for_each_kind(scene, [&](const auto& primitives) { take_in(found, primitives); });
@@ -125,6 +125,11 @@ SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
     for (const MeshRequest& mesh : scene.mesh_requests)
         found.largest =
             std::max(found.largest, double(largest_component(mesh.placement.translation)));
+    return found;
+}
+
+SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
+    SceneLengths found = scene_sizes(scene);
     const double widest = SceneLengths::widest_lost_gap * found.displacement(float_unit_roundoff);
     const auto gap = double(smallest_gap(scene, Real(widest)));
     found.gap = gap > 16 * double(unit_roundoff) * found.largest ? gap : 0;
@@ -133,24 +138,47 @@ SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
 
 #ifndef RT_FLOAT
 
-std::vector<std::string> f64::risks_in_float(const SceneLengths& scene) {
+namespace {
+
+/// What a precision loses: digits, and numbers outside its range.
+struct PrecisionLimits {
+    std::string name;
+    double roundoff;
+    /// The longest and the shortest length that are computed with safely: with distances in
+    /// between, squares and products of lengths reach the limits of the range, 3e38 and 1e-38 or
+    /// 2e308 and 2e-308.
+    double longest;
+    double shortest;
+};
+
+std::vector<std::string> risks(const SceneLengths& scene, const PrecisionLimits& precision) {
     const std::string off = "coordinates reach " + number(scene.largest) +
-                            ", so that surfaces in float are off by up to " +
-                            number(scene.displacement(float_unit_roundoff));
-    std::vector<std::string> risks;
-    if (scene.loses_sizes(float_unit_roundoff))
-        risks.push_back(off + ", and the smallest shape has a size of " + number(scene.smallest));
-    if (scene.loses_gaps(float_unit_roundoff))
-        risks.push_back(off + ", and two of them are only " + number(scene.gap) + " apart");
-    // With distances in between, squares and products of lengths reach 3e38, or fall to 1e-45.
-    constexpr double longest = 1e18;
-    constexpr double shortest = 1e-18;
-    const std::string out = ", whose square is out of the range of float";
-    if (scene.largest > longest)
-        risks.push_back("coordinates reach " + number(scene.largest) + out);
-    if (scene.smallest > 0 && scene.smallest < shortest)
-        risks.push_back("the smallest shape has a size of " + number(scene.smallest) + out);
-    return risks;
+                            ", so that surfaces in " + precision.name + " are off by up to " +
+                            number(scene.displacement(precision.roundoff));
+    std::vector<std::string> found;
+    if (scene.loses_sizes(precision.roundoff))
+        found.push_back(off + ", and the smallest shape has a size of " + number(scene.smallest));
+    if (scene.loses_gaps(precision.roundoff))
+        found.push_back(off + ", and two of them are only " + number(scene.gap) + " apart");
+    const std::string out = ", whose square is out of the range of " + precision.name;
+    if (scene.largest > precision.longest)
+        found.push_back("coordinates reach " + number(scene.largest) + out);
+    if (scene.smallest > 0 && scene.smallest < precision.shortest)
+        found.push_back("the smallest shape has a size of " + number(scene.smallest) + out);
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> f64::risks_in_float(const SceneLengths& scene) {
+    return risks(
+        scene,
+        {.name = "float", .roundoff = float_unit_roundoff, .longest = 1e18, .shortest = 1e-18});
+}
+
+std::vector<std::string> f64::risks_in_double(const SceneLengths& scene) {
+    return risks(
+        scene, {.name = "double", .roundoff = unit_roundoff, .longest = 1e153, .shortest = 1e-153});
 }
 
 #endif

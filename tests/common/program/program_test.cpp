@@ -6,6 +6,8 @@
 #include "common/render/closest_hit.hpp"
 #include "common/stages/stages.hpp"
 
+#include "steps/step08_cone/all_shapes.hpp"
+
 #include "tests/kit/for_all.hpp"
 
 #include <cmath>
@@ -245,6 +247,25 @@ TEST_CASE("a hit shortens the interval of the shapes after it, and a tie stays w
     CHECK(asked.min == 0);
     CHECK(asked.max == 2);
     CHECK(closest.hit()->material == &shapes[0].material);
+}
+
+TEST_CASE("a shape that is smaller than the error of its points faces the eye") {
+    const Vec3 far(Real(1e6), Real(2e6), Real(-1e6));
+    const auto normal_of = [far](const auto& shape, Vec3 direction) {
+        Context context;
+        const Ray ray{.origin = far, .direction = direction};
+        ClosestHit closest(ray, context);
+        const PrimitiveList<std::remove_cvref_t<decltype(shape)>> one({{.shape = shape}});
+        closest.test(one);
+        REQUIRE(closest.hit());
+        return closest.hit()->normal;
+    };
+    constexpr auto tiny = Real(1e-12);
+    for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 0, -2), Vec3(3, 0, 4)}) {
+        CHECK(normal_of(Sphere{.center = far, .radius = tiny}, direction) == unit(-direction));
+        CHECK(normal_of(Cylinder{.center = far, .radius = tiny}, direction) == unit(-direction));
+    }
+    CHECK(normal_of(Sphere{.center = far, .radius = 10}, {2, 0, 0}).x > Real(0.9));
 }
 
 TEST_CASE("the story contains each tested shape, and counts the misses that it leaves out") {

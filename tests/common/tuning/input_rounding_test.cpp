@@ -85,6 +85,20 @@ TEST_CASE("where a plane's point is in the plane does not matter, nor does the s
     }
 }
 
+TEST_CASE("double loses what float does, much later") {
+    for (const auto& [distance, count] : {std::pair(0., 0U), {1e3, 0U}, {1e7, 1U}, {1e170, 2U}}) {
+        const SceneLengths lengths{.largest = distance, .smallest = 1e-6};
+        CHECK(risks_in_double(lengths).size() == count);
+    }
+    CHECK(risks_in_double({.largest = 1e-150, .smallest = 1e-160}) ==
+          std::vector<std::string>{
+              "the smallest shape has a size of 1e-160, whose square is out of the range of "
+              "double"});
+    CHECK(risks_in_double({.largest = 1e7, .smallest = 1e-6}) ==
+          std::vector<std::string>{"coordinates reach 1e+07, so that surfaces in double are off by "
+                                   "up to 8.9e-09, and the smallest shape has a size of 1e-06"});
+}
+
 TEST_CASE("gaps between surfaces that lie along each other are found, and lost in float if small") {
     for (const Real gap : {Real(1e-8), Real(1e-7), Real(1e-6), Real(0.01)}) {
         CAPTURE(gap);
