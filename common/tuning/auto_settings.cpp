@@ -85,9 +85,10 @@ private:
         const QualityLadder ladder = measure_pixel_ladder(runner_, study);
         choice_.expected = ladder.within_time(*aim_.time);
         if (aim_.tolerance && !runner_.no_time_left()) {
-            const Trial enough = keep_tolerance_of_pixels(study);
-            if (enough.seconds <= *aim_.time) {
-                choice_.expected = enough;
+            const auto enough =
+                runner_.within_time([&] { return keep_tolerance_of_pixels(study); });
+            if (enough && enough->seconds <= *aim_.time) {
+                choice_.expected = *enough;
                 return;
             }
         }
@@ -113,8 +114,12 @@ private:
         QualityLadder ladder = measure_ladder(runner_, trials_, settings_);
         choice_.expected = ladder.top();
         if (aim_.tolerance && !runner_.no_time_left()) {
-            choice_.expected = keep_tolerance(runner_, trials_, settings_);
-            ladder.end_with(choice_.expected);
+            const auto enough =
+                runner_.within_time([&] { return keep_tolerance(runner_, trials_, settings_); });
+            if (enough) {
+                choice_.expected = *enough;
+                ladder.end_with(*enough);
+            }
         }
         if (choice_.expected.seconds > *aim_.time)
             choice_.expected = ladder.within_time(*aim_.time);

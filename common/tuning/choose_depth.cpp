@@ -15,16 +15,30 @@ int sufficient_depth(double strongest_mirror, double tolerance) {
 }
 
 int depth_within_time(TrialRunner& runner, const Trials& trials, const RenderSettings& given) {
+    constexpr int few = 8;  // a trial with all reflections could take longer than the picture may
     const CheaperPicture cheaper = with_few_rays(given);
-    RenderSettings settings = cheaper.settings;
+    const double allowed = *runner.aim().time / 2;
     const std::vector<Pixel> all = runner.spread().pixels();
-    const std::vector<Pixel> pixels = some_of(all, std::max<std::size_t>(all.size() / 8, 512));
-    const auto takes_too_long = [&] {
+    const std::vector<Pixel> pixels =
+        some_of(all, std::clamp<std::size_t>(all.size() / 4, 64, 512));
+    const auto seconds_with = [&](int depth) {
+        RenderSettings settings = cheaper.settings;
+        settings.depth = depth;
         const double seconds = runner.render_pixels(trials, settings, pixels, 0).seconds;
-        return runner.picture_seconds(cheaper.times * seconds) > *runner.aim().time;
+        return runner.picture_seconds(cheaper.times * seconds);
     };
-    while (settings.depth > 0 && takes_too_long()) settings.depth /= 2;
-    return settings.depth;
+    int depth = std::min(given.depth, few);
+    double seconds = seconds_with(depth);
+    while (depth > 0 && seconds > allowed) seconds = seconds_with(depth /= 2);
+    // With n times the depth, the picture takes up to n times as long.
+    while (depth < given.depth && 2 * seconds <= allowed) {
+        const double deeper = double(depth) * allowed / std::max(seconds, 1e-9);
+        const int next = int(std::min(deeper, double(given.depth)));
+        seconds = seconds_with(next);
+        if (seconds > allowed) break;
+        depth = next;
+    }
+    return depth;
 }
 
 }  // namespace rt

@@ -9,8 +9,8 @@ namespace rt {
 /// mirrors of strength m contribute with a weight of m^n. The tolerance is in 8-bit levels.
 [[nodiscard]] int sufficient_depth(double strongest_mirror, double tolerance);
 
-/// Returns the depth of the given settings, halved until the picture with one shadow ray per light
-/// fits in the time budget.
+/// Returns a depth, at most that of the given settings, with which the picture with one shadow ray
+/// per light takes up to half of the time budget: the rest is for trials, and for more rays.
 [[nodiscard]] int depth_within_time(TrialRunner& runner, const Trials& trials,
                                     const RenderSettings& given);
 

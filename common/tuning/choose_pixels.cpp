@@ -156,9 +156,12 @@ RenderSettings with_few_shadow_rays(TrialRunner& runner, const Trials& trials,
     if (runner.aim().time) {
         constexpr std::size_t enough = 128;
         const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
-        const double seconds = runner.render_pixels(trials, many, pixels, 0).seconds;
-        const bool is_long = runner.picture_seconds(seconds) > *runner.aim().time / 4;
-        if (is_long) return with_rays(settings, 4);
+        const auto is_long = [&](const RenderSettings& lit, double part) {
+            const double seconds = runner.render_pixels(trials, lit, pixels, 0).seconds;
+            return runner.picture_seconds(seconds) > part * *runner.aim().time;
+        };
+        const RenderSettings few = with_rays(settings, 4);
+        if (is_long(many, 0.25)) return is_long(few, 0.75) ? with_rays(settings, 1) : few;
     }
     const RenderSettings fewer = with_rays(settings, 16);
     const double share = share_in_penumbrae(runner, trials, fewer);

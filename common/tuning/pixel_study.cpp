@@ -6,6 +6,7 @@
 #include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -69,7 +70,9 @@ PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings
                {.at_least = 16, .first = 128},
                {.at_least = PixelHistory::fewest, .first = 512}}} {
     constexpr std::size_t enough = 4096;
-    reference_.pixel_samples = right_pixel_samples;
+    constexpr double fewest_pixels = 48;
+    reference_.pixel_samples = int(std::bit_floor(unsigned(
+        std::clamp<double>(rays_in(seconds_left()) / fewest_pixels, 8, right_pixel_samples))));
     while (sorted_ < enough && sort_more()) {
     }
 }
@@ -132,8 +135,11 @@ void PixelStudy::begin(double right_error) {
 }
 
 void PixelStudy::trace_first() {
-    for (Stratum& stratum : strata_)
-        if (stratum.traced.empty()) trace_up_to(stratum.first, stratum);
+    double left = kinds;
+    for (Stratum& stratum : strata_) {
+        if (stratum.traced.empty()) trace_up_to(stratum.first, stratum, 1 / left);
+        --left;
+    }
 }
 
 void PixelStudy::grow(std::size_t kind) {
@@ -142,18 +148,39 @@ void PixelStudy::grow(std::size_t kind) {
     if (stratum.places.size() < 2 * known) sort_more();
     while (stratum.places.size() == known && sort_more()) {
     }
-    trace_up_to(2 * known, stratum);
+    trace_up_to(2 * known, stratum, 1);
     trace_first();  // of kinds of which the first pixels were sorted just now
 }
 
-void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum) {
-    const std::size_t known = stratum.traced.size();
+double PixelStudy::seconds_left() const {
+    constexpr double part = 0.1;
+    if (!runner_.aim().time) return std::numeric_limits<double>::infinity();
+    return std::max(part * *runner_.aim().time - seconds_, 0.);
+}
+
+double PixelStudy::rays_in(double seconds) const {
+    return seconds / std::max(centers_.seconds, 1e-12);
+}
+
+void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum, double part) {
+    const double start = seconds_;
+    const double end = start + part * seconds_left();
+    const int at_least = std::min(stratum.at_least, reference_.pixel_samples);
     const std::size_t count = std::min(wanted, stratum.places.size());
-    if (count <= known) return;
-    std::vector<TrialPixel> more =
-        traced(std::span(stratum.places).subspan(known, count - known), stratum.at_least);
-    for (const TrialPixel& pixel : more) stratum.rays += pixel.steps.back().rays;
-    std::ranges::move(more, std::back_inserter(stratum.traced));
+    const std::size_t before = stratum.traced.size();
+    std::size_t known = before;
+    // A pixel may take as many rays as the right one; after the first few, what they took is known.
+    double pixels = rays_in(end - start) / reference_.pixel_samples;
+    while (known < count && (known == before || seconds_ < end)) {
+        const auto next = std::size_t(std::clamp(pixels, 1., double(count - known)));
+        std::vector<TrialPixel> more =
+            traced(std::span(stratum.places).subspan(known, next), at_least);
+        for (const TrialPixel& pixel : more) stratum.rays += pixel.steps.back().rays;
+        std::ranges::move(more, std::back_inserter(stratum.traced));
+        known += next;
+        const double tried = double(known - before);
+        pixels = std::min(tried, tried * (end - seconds_) / std::max(seconds_ - start, 1e-12));
+    }
 }
 
 double PixelStudy::Outcome::at_most() const {

@@ -120,8 +120,13 @@ private:
     [[nodiscard]] int contrast_around(Pixel pixel, int reach) const;
     /// Traces the first trial pixels of each kind that has none yet, but has pixels.
     void trace_first();
-    /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known.
-    void trace_up_to(std::size_t wanted, Stratum& stratum);
+    /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known,
+    /// or until the time of trials is over: this part of what is left of it.
+    void trace_up_to(std::size_t wanted, Stratum& stratum, double part);
+    /// The CPU seconds that trials may still take: in a run with a time, of a tenth of it.
+    [[nodiscard]] double seconds_left() const;
+    /// The number of rays through pixels that take about this time, as through their centers.
+    [[nodiscard]] double rays_in(double seconds) const;
     [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least);
     [[nodiscard]] TrialPixel compared(Pixel place, PixelHistory history, int at_least) const;
     [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);

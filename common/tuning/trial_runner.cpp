@@ -13,7 +13,7 @@ TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSetting
                                        std::span<const Pixel> pixels, int round) {
     TrialSample sample = trials.render_pixels(
         settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
-    if (stop_) throw Stopped();
+    check_time();
     drawn_ += pixels.size();
     rays_ += sample.rays * double(pixels.size());
     return sample;
@@ -24,7 +24,7 @@ TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSe
     TrialHistories histories = trials.trace_histories(
         settings,
         {.pixels = pixels, .at_least = at_least, .threads = aim_.threads, .stop = &stop_});
-    if (stop_) throw Stopped();
+    check_time();
     drawn_ += pixels.size();
     rays_ += histories.rays;
     return histories;
@@ -33,7 +33,7 @@ TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSe
 TrialCenters TrialRunner::render_centers(Trials& trials, const RenderSettings& settings) {
     const TrialCenters centers =
         trials.render_centers(settings, {.threads = aim_.threads, .stop = &stop_});
-    if (stop_) throw Stopped();
+    check_time();
     center_rays_ = centers.rays;
     return centers;
 }
@@ -44,6 +44,11 @@ double TrialRunner::picture_seconds(double of_a_pixel) const {
 
 double TrialRunner::seconds_since_start() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void TrialRunner::check_time() const {
+    if (stop_) throw Stopped();
+    if (deadline_ && seconds_since_start() > *deadline_) throw OutOfTime();
 }
 
 bool TrialRunner::no_time_left() const {

@@ -5,12 +5,16 @@
 #include "common/tuning/trial_pixels.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace rt {
 
 /// Thrown between trials when the program is to stop.
 struct Stopped {};
+
+/// Thrown between trials when those of a search have used up its time.
+struct OutOfTime {};
 
 /// Measures settings on sample pixels, and counts the pixels rendered.
 class TrialRunner {
@@ -56,6 +60,11 @@ public:
     /// Returns whether the trials have used up a tenth of the time budget, if there is one.
     [[nodiscard]] bool no_time_left() const;
 
+    /// The result of a search for the settings of a tolerance, if it ends within a quarter of the
+    /// time budget; else nothing.
+    template <class Search>
+    [[nodiscard]] auto within_time(Search search) -> std::optional<decltype(search())>;
+
     [[nodiscard]] std::size_t pixels_drawn() const { return drawn_; }
 
     /// The rays of all trials, without those of the picture.
@@ -66,6 +75,9 @@ public:
     [[nodiscard]] double center_rays() const { return center_rays_; }
 
 private:
+    /// Throws Stopped, or OutOfTime.
+    void check_time() const;
+
     Aim aim_;
     const std::atomic<bool>& stop_;
     Resolution size_;
@@ -74,7 +86,20 @@ private:
     std::size_t drawn_ = 0;
     double rays_ = 0;
     double center_rays_ = 0;
+    std::optional<double> deadline_;  ///< seconds since the start
 };
+
+template <class Search>
+auto TrialRunner::within_time(Search search) -> std::optional<decltype(search())> {
+    deadline_ = *aim_.time / 4;
+    std::optional<decltype(search())> found;
+    try {
+        found = search();
+    } catch (const OutOfTime&) {
+    }
+    deadline_.reset();
+    return found;
+}
 
 template <class First, class Second>
 std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,

@@ -189,6 +189,27 @@ TEST_CASE("a time is filled by shadow samples, and depth makes room for it") {
     CHECK(choice.expected.settings.depth == 0);
 }
 
+TEST_CASE("trials take a small part of the time, however often mirrors reflect") {
+    for (const Resolution size : {Resolution{64, 48}, {160, 120}, {640, 480}, {1920, 1080}})
+        for (const double reflections : {0., 10., 1000.})
+            for (const double seconds : {0.2, 1., 3.}) {
+                ModelScene model = plain();
+                model.size = size;
+                model.traits.strongest_mirror = 1;
+                model.reflections = reflections;
+                model.edges = 0.1;
+                const RenderSettings settings = chosen(model, {.time = seconds}).expected.settings;
+                INFO(size.width << " pixels wide, " << reflections << " reflections, " << seconds
+                                << " s, depth " << settings.depth);
+                CHECK(model.spent <= 0.3 * seconds);
+                const double centers = model.pixels() * path_cost(model, settings);
+                CHECK((settings.depth == 0 || centers <= 0.6 * seconds));
+                // Deeper would take more than half of the time.
+                CHECK((settings.depth >= reflections || centers >= 0.2 * seconds ||
+                       2 * model.pixels() * model.ray_cost > 0.2 * seconds));
+            }
+}
+
 TEST_CASE("no time is negative, and no error less than was sampled, however wrong the clock is") {
     for (int i = 0; i < 200; ++i) {
         ModelScene model = soft(0.01);

@@ -25,7 +25,8 @@ struct ModelScene {
     double lost = 0;  ///< the share of these that no ray through a center leads to: the upper ones
     double estimated = 1;  ///< the part of the error of rays that --pixel-error estimates
     bool thin_shadow =
-        false;  ///< in one tile fewer than 64 rays that agree are wrong half the time
+        false;               ///< in one tile fewer than 64 rays that agree are wrong half the time
+    double reflections = 0;  ///< of a ray, if the depth allows them
     double ray_cost = 1e-7;
     double shadow_ray_cost = 1e-7;
     double list_cost = 1;       ///< in units of ray_cost
@@ -69,10 +70,15 @@ inline double light_rays(const RenderSettings& settings, bool shaded) {
     return shaded ? std::max(rays_for(error_of(settings)), double(settings.shadow_agree)) : 0;
 }
 
+/// Seconds of a ray without those to lights, its reflections included.
+inline double path_cost(const ModelScene& model, const RenderSettings& settings) {
+    return model.ray_cost * (1 + std::min(double(settings.depth), model.reflections));
+}
+
 /// Seconds of a pixel.
 inline double cost_of(const ModelScene& model, const RenderSettings& settings, bool shaded) {
     const bool listed = model.traits.most_alike < model.pays_from;
-    return model.ray_cost * (listed ? model.list_cost : model.hierarchy_cost) +
+    return path_cost(model, settings) * (listed ? model.list_cost : model.hierarchy_cost) +
            model.shadow_ray_cost * light_rays(settings, shaded);
 }
 
@@ -108,7 +114,8 @@ public:
             sample.shades.push_back({shade, shade, shade});
             sample.light_rays.push_back(int(std::lround(light_rays(settings, shaded))));
             sample.rays += edge + light_rays(settings, shaded);
-            sample.seconds += cost_of(model_, settings, shaded) + (edge - 1) * model_.ray_cost;
+            sample.seconds +=
+                cost_of(model_, settings, shaded) + (edge - 1) * path_cost(model_, settings);
         }
         const auto count = double(std::max<std::size_t>(request.pixels.size(), 1));
         model_.asked += request.pixels.size();
@@ -126,14 +133,14 @@ public:
             histories.pixels.push_back(history(pixel, settings, request.at_least));
             histories.rays += histories.pixels.back().steps.back().rays;
         }
-        histories.seconds = histories.rays * model_.ray_cost;
+        histories.seconds = histories.rays * path_cost(model_, settings);
         model_.asked += request.pixels.size();
         model_.spent += histories.seconds;
         histories.seconds *= wrong_clock();
         return histories;
     }
 
-    [[nodiscard]] TrialCenters render_centers(const RenderSettings& /*settings*/,
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
                                               const TrialRequest& request) override {
         if (*request.stop) return {};
         centers_ = Image(model_.size);
@@ -144,7 +151,7 @@ public:
                     std::lround(100 + (is_found ? deviation(pixel, 0) * one_center_error : 0)));
                 centers_[pixel] = {level, level, level};
             }
-        return {.image = &centers_, .rays = 1, .seconds = model_.ray_cost};
+        return {.image = &centers_, .rays = 1, .seconds = path_cost(model_, settings)};
     }
 
 private:
