@@ -82,7 +82,7 @@ private:
     }
 
     void pixels_for_time(PixelStudy& study) {
-        const QualityLadder ladder = measure_pixel_ladder(runner_, study);
+        QualityLadder ladder = measure_pixel_ladder(runner_, study);
         choice_.expected = ladder.within_time(*aim_.time);
         if (aim_.tolerance && !runner_.no_time_left()) {
             const auto enough =
@@ -92,6 +92,7 @@ private:
                 return;
             }
         }
+        ladder.shorten(study.center_seconds());
         set_pace(ladder);
     }
 

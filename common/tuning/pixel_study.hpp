@@ -41,6 +41,11 @@ public:
     [[nodiscard]] double center_rays() const { return centers_.rays * runner_.pixels(); }
     [[nodiscard]] double spent() const { return spent_; }
 
+    /// The seconds that the rays through the centers took.
+    [[nodiscard]] double center_seconds() const {
+        return runner_.picture_seconds(centers_.seconds);
+    }
+
     /// Forgets the trial pixels, and traces rays through some, up to right colors whose estimated
     /// error is `right_error`: settings with a --pixel-error of 1.4 times that, or more, can be
     /// compared with them.

@@ -23,8 +23,11 @@ RenderSettings TimeBudget::next(Clock::time_point now) {
     // not representative.
     const double doubt = 0.02 * seconds(end_ - start_);
     const double slower = (seconds(now - start_) + doubt) / (expected_ + doubt);
-    const int left = std::max(rows_ - given_, 1);
-    const double all_rows = seconds(end_ - now) / slower * rows_ / left;
+    // The last rows do not get all that is left: one of them may take longer than the mean, and
+    // rows beside edges that are found late follow.
+    const int left = std::max({rows_ - given_, rows_ / 16, 1});
+    // The trials may have taken all of the time, and more.
+    const double all_rows = now < end_ ? seconds(end_ - now) / slower * rows_ / left : 0;
     const Trial trial = ladder_.within_time(all_rows);
     expected_ += trial.seconds / rows_;
     errors_ += trial.error;

@@ -8,6 +8,9 @@ namespace rt {
 
 namespace {
 
+/// The least time of a trial: a clock's resolution may be too low to measure it.
+constexpr double least = 1e-9;
+
 Trial between(const Trial& cheap, const Trial& good, double share) {
     const auto mean = [share](double a, double b) {
         constexpr double tiny = 1e-9;
@@ -49,7 +52,6 @@ bool have_a_middle(const Trial& a, const Trial& b) {
 }  // namespace
 
 void QualityLadder::add(Trial trial) {
-    constexpr double least = 1e-9;  // a clock's resolution may be too low to measure
     trial.seconds = std::max(trial.seconds, trials_.empty() ? least : top().seconds);
     trials_.push_back(trial);
 }
@@ -64,6 +66,10 @@ void QualityLadder::extend(const std::vector<RenderSettings>& candidates, double
         const double rays = (last.seconds - without_rays) * std::exp2(2.0 / 3);
         add({.settings = settings, .seconds = without_rays + rays, .error = last.error});
     }
+}
+
+void QualityLadder::shorten(double seconds) {
+    for (Trial& trial : trials_) trial.seconds = std::max(trial.seconds - seconds, least);
 }
 
 void QualityLadder::end_with(const Trial& trial) {

@@ -31,6 +31,9 @@ public:
     /// Makes the trial the most accurate entry, in place of all that cost as much.
     void end_with(const Trial& trial);
 
+    /// Subtracts these seconds from all, as they are spent before.
+    void shorten(double seconds);
+
     [[nodiscard]] const Trial& top() const { return trials_.back(); }
 
     /// The most accurate settings that take at most this time in seconds.

@@ -2,6 +2,9 @@
 
 #include "common/tuning/candidates.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace rt {
 
 double TrialRunner::limit() const {
@@ -11,12 +14,31 @@ double TrialRunner::limit() const {
 
 TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSettings& settings,
                                        std::span<const Pixel> pixels, int round) {
-    TrialSample sample = trials.render_pixels(
-        settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
-    check_time();
-    drawn_ += pixels.size();
-    rays_ += sample.rays * double(pixels.size());
-    return sample;
+    TrialSample all;
+    double rays = 0;
+    double seconds = 0;
+    std::size_t done = 0;
+    // With a deadline in parts of 1, 1, 2, 4, … pixels: the last takes no longer than all before.
+    std::size_t next = deadline_ ? 1 : pixels.size();
+    do {
+        const auto part = pixels.subspan(done, std::min(next, pixels.size() - done));
+        TrialSample sample = trials.render_pixels(
+            settings, {.pixels = part, .round = round, .threads = aim_.threads, .stop = &stop_});
+        check_time();
+        const auto count = double(part.size());
+        drawn_ += part.size();
+        rays_ += sample.rays * count;
+        if (part.size() == pixels.size()) return sample;
+        rays += sample.rays * count;
+        seconds += sample.seconds * count;
+        std::ranges::move(sample.shades, std::back_inserter(all.shades));
+        std::ranges::move(sample.light_rays, std::back_inserter(all.light_rays));
+        done += part.size();
+        next = done;
+    } while (done < pixels.size());
+    all.rays = rays / double(pixels.size());
+    all.seconds = seconds / double(pixels.size());
+    return all;
 }
 
 TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSettings& settings,

@@ -287,6 +287,29 @@ TEST_CASE("a pace takes its time on a machine that is slower or faster than expe
         }
 }
 
+TEST_CASE("once the time is over, the fastest settings are left") {
+    QualityLadder ladder;
+    for (const double error : {16, 4, 1})
+        ladder.add({.settings = {.shadow_error = error}, .seconds = 16 / error, .error = error});
+    const Clock::time_point end{};
+    for (const int late : {0, 1, 100}) {
+        TimeBudget pace(ladder, 480, end);
+        for (int row = 0; row < 3; ++row)
+            CHECK(pace.next(end + std::chrono::milliseconds(late)).shadow_error == 16);
+    }
+}
+
+TEST_CASE("rays that are traced before count for no row") {
+    QualityLadder ladder;
+    for (const double error : {16, 4, 1})
+        ladder.add(
+            {.settings = {.shadow_error = error}, .seconds = 5 + 16 / error, .error = error});
+    ladder.shorten(5);
+    CHECK(ladder.within_time(4).settings.shadow_error == Approx(4));
+    ladder.shorten(100);
+    CHECK(ladder.top().seconds > 0);
+}
+
 TEST_CASE("a threshold has two digits, and one that is computed is not one step lower") {
     CHECK(two_digits(std::pow(std::pow(2, 0.125), 16)) == 4);  // 3.9999999999999973
     CHECK(two_digits(1.4) == 1.4);                             // 1.4 / 0.1 is below 14
