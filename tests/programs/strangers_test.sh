@@ -122,4 +122,30 @@ draw 'C 0,0,5 0,0,-1 60\nmesh line.off 0,0,0 1 255,0,0\n'
 grep -q '^line.off: warning: no triangle has an area.*(the mesh of scene.rt:2:1)$' err ||
     fail "a mesh without area"
 
+# Shapes without a sensible number of digits: every pixel is a number, and a warning has the reason.
+for shape in 'sp 1000000,1000000,1000000 .000000000001' \
+    'cy 1000000,1000000,1000000 0,1,0 .000000000001 .000000000001' \
+    'co 1000000,1000000,1000000 0,1,0 .000000000001 .000000000001'; do
+    for precision in float double; do
+        for shade in phong normal; do
+            draw "C 1000000,1000000,1000000 0,1,-1 60\n$light$shape 255,0,0\n" \
+                --precision $precision --shade $shade
+            grep -q "not a number" out && fail "$shape, $precision, $shade: a pixel is no number"
+            grep -q "surfaces in $precision are off by up to" err ||
+                fail "$shape, $precision: it is told that it is lost"
+        done
+    done
+done
+# From a point of a surface, that surface is in view only through the shape.
+for shape in 'sp 0,0,0 2' 'cy 0,0,0 0,1,0 2 2' 'co 0,1,0 0,-1,0 4 2'; do
+    for precision in float double; do
+        blank "it points past them" "C 1,0,0 1,0,0 60\n$light$shape 255,0,0\n" \
+            --precision $precision
+    done
+done
+large=$(printf '1%0160d' 0)
+draw "C 0,0,${large}0 0,0,-1 60\n${light}sp 0,0,0 $large 255,0,0\n"
+grep -q 'whose square is out of the range of double; move or scale the scene$' err ||
+    fail "lengths whose squares leave the range of double"
+
 exit $failed

@@ -156,6 +156,33 @@ TEST_CASE("a sphere's roots from its surface, along it, are no quotients of roun
     }
 }
 
+TEST_CASE("a ray from the surface of a cylinder or a cone meets only its other side") {
+    // Points of whole numbers are exactly on these: one root is 0, and no rounding error beside it.
+    Random random(1);
+    const std::vector<Vec3> places = {{3, 0, 4}, {-5, 0, 0}, {4, 0, -3}, {0, 0, 5}};
+    for (int i = 0; i < 10'000; ++i) {
+        const Vec3 place = places[std::size_t(random.below(int(places.size())))];
+        const Vec3 foot = random.point_in_eighths(8);
+        const Ray ray{.origin = foot + place, .direction = random.direction()};
+        const Real outward = dot(ray.direction, place);
+
+        const Cylinder cylinder{
+            .center = foot, .axis = {0, 1, 0}, .radius = 5, .height = Real(1e6)};
+        const std::optional<Real> t = intersect(ray, cylinder, {});
+        const Vec3 across(ray.direction.x, 0, ray.direction.z);
+        const Real chord = -2 * outward / dot(across, across);
+        CHECK(t.has_value() == (outward < 0 && chord * std::abs(ray.direction.y) < Real(4e5)));
+        if (t) CHECK(*t == Approx(chord).epsilon(1e-4).margin(1e-3));
+
+        const Cone cone{
+            .apex = foot - Vec3(0, 5, 0), .axis = {0, 1, 0}, .radius = 10, .height = 10};
+        const std::optional<Real> on_cone = intersect(ray, cone, {});
+        const Real inward = ray.direction.y - outward / 5;  // by the cone's normal
+        if (inward <= 0) CHECK_FALSE(on_cone);
+        if (on_cone) CHECK(*on_cone > inward);
+    }
+}
+
 TEST_CASE("planes at the extremes") {
     hold<Plane>("plane",
                 {Sweep::moderate, Sweep::distance, Sweep::grazing, Sweep::offset, Sweep::scale,
