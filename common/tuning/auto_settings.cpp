@@ -130,7 +130,8 @@ private:
     void set_pace(const QualityLadder& ladder) {
         RenderSettings& settings = choice_.expected.settings;
         if (settings.shadow_error > 0) settings.shadow_error = two_digits(settings.shadow_error);
-        if (settings.pixel_error > 0) settings.pixel_error = two_digits(settings.pixel_error);
+        if (settings.pixel_error > 0 && settings.pixel_error < largest_pixel_error)
+            settings.pixel_error = two_digits(settings.pixel_error);
         const auto time = std::chrono::duration<double>(*aim_.time);
         choice_.pace = std::make_unique<TimeBudget>(
             ladder, runner_.size().height,

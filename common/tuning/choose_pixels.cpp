@@ -26,7 +26,7 @@ RenderSettings with_pixel_samples(RenderSettings settings, int count) {
 
 RenderSettings with_pixel_error(RenderSettings settings, double error) {
     settings.pixel_samples = right_pixel_samples;
-    settings.pixel_error = two_digits(error);
+    settings.pixel_error = error < largest_pixel_error ? two_digits(error) : largest_pixel_error;
     return settings;
 }
 

@@ -164,6 +164,15 @@ TEST_CASE("a light with a size gets 4 rays if time is short") {
     CHECK(rays(5) == 4);
 }
 
+TEST_CASE("a time that is too short leaves one ray through each pixel") {
+    ModelScene model = plain();
+    model.edges = 0.1;
+    model.ray_cost = 1e-5;  // 3 s for one ray through each pixel
+    const AutoSettings choice = chosen(model, {.time = 1});
+    CHECK(choice.expected.settings.pixel_error == largest_pixel_error);
+    CHECK(choice.pace->next().pixel_error == largest_pixel_error);
+}
+
 TEST_CASE("much time is filled down to an estimated error of half a level") {
     ModelScene model = plain();
     model.edges = 0.2;
