@@ -313,6 +313,8 @@ public:
         return scene_traits(scene_, program_.stage, settings_);
     }
 
+    [[nodiscard]] double smallest_gap() const override { return scene_lengths(scene_).gap; }
+
     void build_acceleration(std::size_t hierarchy_from) override {
         Acceleration how = arrangement_;
         how.hierarchy_from = hierarchy_from;

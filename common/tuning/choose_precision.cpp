@@ -67,8 +67,6 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
                          "; every ray is decided with --precision exact");
     if (rounding_error(traits, float_unit_roundoff) > runner.limit() / 2)
         return in_double(": rounding errors of float may be visible" + extremes);
-    if (traits.lengths.loses_gaps(float_unit_roundoff))
-        return in_double(": float may lose a gap of " + number(traits.lengths.gap));
 
     const std::vector<Pixel> pixels = runner.spread().pixels();
     const double again = runner.center_rays() / saved_part;  // float would trace these again
@@ -77,6 +75,10 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
         return in_double(": trying float costs more than it could save");
     if (runner.no_time_left())
         return in_double(": float may be sufficient, but there is no time to try it");
+    SceneLengths lengths = traits.lengths;
+    lengths.gap = trials.smallest_gap();
+    if (lengths.loses_gaps(float_unit_roundoff))
+        return in_double(": float may lose a gap of " + number(lengths.gap));
 
     Trials* opened = nullptr;
     try {

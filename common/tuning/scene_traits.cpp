@@ -34,7 +34,7 @@ void take_in(SceneTraits& traits, const PrimitiveList<Shape>& primitives) {
 }  // namespace
 
 SceneTraits scene_traits(const Scene& scene, int stage, const RenderSettings& settings) {
-    SceneTraits traits{.lengths = scene_lengths(scene), .unit_roundoff = unit_roundoff};
+    SceneTraits traits{.lengths = scene_sizes(scene), .unit_roundoff = unit_roundoff};
     for_each_kind(scene, [&](const auto& primitives) { take_in(traits, primitives); });
     take_in(traits, scene.meshes);
     const bool lit = settings.shading == Shading::color && stage >= light_stage;

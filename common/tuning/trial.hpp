@@ -17,7 +17,7 @@ namespace rt {
 
 /// The traits of a scene that affect the choice of settings.
 struct SceneTraits {
-    SceneLengths lengths;
+    SceneLengths lengths;  ///< without the gap
     bool sized_lights = false;
     double shininess = 1;            ///< largest exponent of a highlight
     double strongest_mirror = 0;     ///< largest mirror strength of a shape
@@ -106,6 +106,9 @@ public:
 
     [[nodiscard]] virtual Resolution resolution() const = 0;
     [[nodiscard]] virtual SceneTraits traits() const = 0;
+
+    /// The gap of scene_lengths, which takes up to a second to find.
+    [[nodiscard]] virtual double smallest_gap() const = 0;
 
     /// Builds a hierarchy for each kind of shape with at least this many shapes.
     virtual void build_acceleration(std::size_t hierarchy_from) = 0;

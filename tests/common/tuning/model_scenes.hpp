@@ -98,6 +98,7 @@ public:
 
     [[nodiscard]] Resolution resolution() const override { return model_.size; }
     [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
+    [[nodiscard]] double smallest_gap() const override { return model_.traits.lengths.gap; }
     void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
 
     [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,

@@ -35,6 +35,7 @@ public:
 
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution(); }
     [[nodiscard]] SceneTraits traits() const override { return scene_.traits(); }
+    [[nodiscard]] double smallest_gap() const override { return scene_.smallest_gap(); }
     void build_acceleration(std::size_t hierarchy_from) override {
         scene_.build_acceleration(hierarchy_from);
     }
