@@ -31,7 +31,7 @@ int depth_within_time(TrialRunner& runner, const Trials& trials, const RenderSet
     double seconds = seconds_with(depth);
     while (depth > 0 && seconds > allowed) seconds = seconds_with(depth /= 2);
     // With n times the depth, the picture takes up to n times as long.
-    while (depth < given.depth && 2 * seconds <= allowed) {
+    while (0 < depth && depth < given.depth && 2 * seconds <= allowed) {
         const double deeper = double(depth) * allowed / std::max(seconds, 1e-9);
         const int next = int(std::min(deeper, double(given.depth)));
         seconds = seconds_with(next);

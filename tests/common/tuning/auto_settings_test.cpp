@@ -210,6 +210,16 @@ TEST_CASE("trials take a small part of the time, however often mirrors reflect")
             }
 }
 
+TEST_CASE("no depth is found where one reflection takes too long") {
+    ModelScene model = plain();
+    model.traits.strongest_mirror = 1;
+    model.reflections = 1000;
+    model.reflection_cost = 100;
+    const double centers = model.pixels() * model.ray_cost;
+    CHECK(chosen(model, {.time = 10 * centers}).expected.settings.depth == 0);
+    CHECK(chosen(model, {.time = 1000 * centers}).expected.settings.depth == 4);
+}
+
 TEST_CASE("no time is negative, and no error less than was sampled, however wrong the clock is") {
     for (int i = 0; i < 200; ++i) {
         ModelScene model = soft(0.01);

@@ -27,6 +27,7 @@ struct ModelScene {
     bool thin_shadow =
         false;               ///< in one tile fewer than 64 rays that agree are wrong half the time
     double reflections = 0;  ///< of a ray, if the depth allows them
+    double reflection_cost = 1;  ///< in units of ray_cost
     double ray_cost = 1e-7;
     double shadow_ray_cost = 1e-7;
     double list_cost = 1;       ///< in units of ray_cost
@@ -72,7 +73,8 @@ inline double light_rays(const RenderSettings& settings, bool shaded) {
 
 /// Seconds of a ray without those to lights, its reflections included.
 inline double path_cost(const ModelScene& model, const RenderSettings& settings) {
-    return model.ray_cost * (1 + std::min(double(settings.depth), model.reflections));
+    const double reflections = std::min(double(settings.depth), model.reflections);
+    return model.ray_cost * (1 + model.reflection_cost * reflections);
 }
 
 /// Seconds of a pixel.
