@@ -1,5 +1,5 @@
-// attack: answers with weights that are no numbers
-// ceiling: as a stub
+// attack: answers with weights that are no numbers, which is right for a triangle without area
+// ceiling: 6
 // stage: step05_triangle
 #include "steps/step05_triangle/triangle.hpp"
 
