@@ -26,15 +26,17 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
     if (!(half_chord_squared >= 0)) return std::nullopt;  // NaN must miss
 
     // From a point of the cylinder itself one root is 0, and not the rounding error beside it.
-    const Vec3 from_axis = cross(from_center, cylinder.axis);
-    const bool from_surface = dot(from_axis, from_axis) == cylinder.radius * cylinder.radius;
+    const auto starts_on_side = [&] {
+        const Vec3 from_axis = cross(from_center, cylinder.axis);
+        return dot(from_axis, from_axis) == cylinder.radius * cylinder.radius;
+    };
 
     // This close to both roots, a difference is as accurate as a quotient.
     const Real half_chord = std::sqrt(half_chord_squared / a);
     for (const Real from_p : {t_closest - half_chord, t_closest + half_chord}) {
         const Real z = dot(p, cylinder.axis) + from_p * dot(ray.direction, cylinder.axis);
         Real t = t_near + from_p;
-        if (from_surface && std::abs(t) < half_chord) t = 0;
+        if (std::abs(t) < half_chord && starts_on_side()) t = 0;
         if (std::abs(z) <= cylinder.height / 2 && interval.contains(t)) return t;
     }
     return std::nullopt;

@@ -55,8 +55,6 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     // roots depends on the sign of a. Through the apex c / q is 0 / 0, and both are q / a.
     const Real first = std::min(q / a, c / q);
     const Real last = std::max(q / a, c / q);
-    // From a point of the cone itself one root is 0, and not the rounding error beside it.
-    const bool from_surface = off_cone(cone, from_apex) == 0;
     for (const Real root : {first, last}) {
         // A ray that is steeper than the side hits each nappe once, this one last if it runs up the
         // axis. For other rays z decides, but here both roots may round to points behind the apex.
@@ -67,7 +65,9 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
         // alone determines that distance poorly.
         const bool below_rim = dot(point, point) <= rr + hh;
         Real t = (t_closest + root) * (slow / shrink);
-        if (from_surface && std::abs(t_closest + root) <= (last - first) / 2) t = 0;
+        // From a point of the cone itself one root is 0, and not the rounding error beside it.
+        if (std::abs(t_closest + root) <= (last - first) / 2 && off_cone(cone, from_apex) == 0)
+            t = 0;
         if (on_nappe && below_rim && interval.contains(t)) return t;
     }
     return std::nullopt;
