@@ -140,7 +140,7 @@ SceneLengths RT_PRECISION::scene_lengths(const Scene& scene) {
 
 namespace {
 
-/// What a precision loses: digits, and numbers outside its range.
+/// The rounding error of a precision, and the lengths whose squares are within its range.
 struct PrecisionLimits {
     std::string name;
     double roundoff;

@@ -160,8 +160,8 @@ inline Verdict closest_of_a_long_list_is_seen(int stage, const std::string& head
     return all;
 }
 
-/// Every scene has the same color when it is asked again after others: `trace` keeps nothing from
-/// one ray to the next.
+/// A scene has the same color when it is computed again after other scenes: `trace` must store
+/// nothing between rays.
 inline Verdict colors_do_not_depend_on_order(int stage, const std::string& head) {
     return for_all(
         [&](Random& random) {

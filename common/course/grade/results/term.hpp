@@ -53,9 +53,9 @@ struct Term {
 /// roster. Throws InputError.
 [[nodiscard]] Term read_term(const std::filesystem::path& results, const std::vector<Mark>& marks);
 
-/// Writes results/upload.csv, the roster with grades, in the platform's import format, and, if the
-/// term is anonymous, results/names.csv; removes those that the term does not ask for. Throws
-/// InputError.
+/// Writes results/upload.csv, the roster with grades in the platform's import format, if the term
+/// has a roster, and results/names.csv if the term is anonymous. Removes a file of an earlier run
+/// that the term no longer requires. Throws InputError.
 void write_upload(const std::filesystem::path& results, const std::vector<Mark>& marks,
                   const Term& term);
 
