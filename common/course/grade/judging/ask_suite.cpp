@@ -5,6 +5,8 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 
+#include <sched.h>
+
 namespace rt::grade {
 
 namespace {
@@ -28,6 +30,30 @@ std::set<std::string> given_cases(const Grading& grading, GradedFile graded) {
     return {lines.begin(), lines.end()};
 }
 
+/// While it exists, the processes that this thread starts run on the processor that the thread is on.
+/// A suite and its worker take turns: to wake the other on another, idle processor takes longer than
+/// most answers. The next one may find another processor.
+class OneProcessor {
+public:
+    OneProcessor() : found_(sched_getaffinity(0, sizeof before_, &before_) == 0) {
+        const int here = sched_getcpu();
+        if (!found_ || here < 0 || here >= CPU_SETSIZE) return;
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(std::size_t(here), &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
+    ~OneProcessor() {
+        if (found_) sched_setaffinity(0, sizeof before_, &before_);
+    }
+    OneProcessor(const OneProcessor&) = delete;
+    OneProcessor& operator=(const OneProcessor&) = delete;
+
+private:
+    cpu_set_t before_{};
+    bool found_;
+};
+
 }  // namespace
 
 ProcessResult run_asking(const Grading& grading, int stage, const Command& program,
@@ -39,6 +65,7 @@ ProcessResult run_asking(const Grading& grading, int stage, const Command& progr
     command.insert(command.end(), program.begin() + 1, program.end());
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
     if (left.count() <= 0) return {.out_of_time = true};
+    const OneProcessor suite_and_worker;
     ProcessResult ending = run_captured(command, left, grading.workshop.stop);
     go_on(grading.workshop);
     if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
