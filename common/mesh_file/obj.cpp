@@ -87,10 +87,34 @@ bool check_face(std::string_view line, Numbered& vertices, Numbered& normals,
                  std::to_string(most_corners));
 }
 
+/// Joins each line that ends in a backslash, outside of a comment, with the next one. The line ends
+/// that this removes follow the joined line, so that all lines keep their numbers.
+void join_continued_lines(std::string& content) {
+    if (content.find('\\') == std::string::npos) return;
+    std::string joined;
+    joined.reserve(content.size());
+    std::size_t removed = 0;
+    for (std::string_view rest = content; !rest.empty();) {
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(line.size() + 1);
+        const std::size_t last = line.find_last_not_of(" \t\r");
+        if (last != std::string_view::npos && line[last] == '\\' && !rest.empty() &&
+            line.find('#') == std::string_view::npos) {
+            joined.append(line.substr(0, last)).append(1, ' ');
+            ++removed;
+        } else {
+            joined.append(line).append(1 + removed, '\n');
+            removed = 0;
+        }
+    }
+    content = std::move(joined);
+}
+
 }  // namespace
 
 void read_obj(std::string content, const std::string& file, MeshImporter& importer) {
     plain_text(content);
+    join_continued_lines(content);
     MeshLines lines(content, file);
     Numbered vertices = {.what = "vertex"};
     Numbered normals = {.what = "normal"};

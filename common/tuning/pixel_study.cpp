@@ -153,9 +153,7 @@ void PixelStudy::grow(std::size_t kind) {
 }
 
 double PixelStudy::seconds_left() const {
-    constexpr double part = 0.1;
-    if (!runner_.aim().time) return std::numeric_limits<double>::infinity();
-    return std::max(part * *runner_.aim().time - seconds_, 0.);
+    return std::max(runner_.seconds_for_trials() - seconds_, 0.);
 }
 
 double PixelStudy::rays_in(double seconds) const {

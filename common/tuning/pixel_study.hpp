@@ -128,7 +128,7 @@ private:
     /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known,
     /// or until the time of trials is over: this part of what is left of it.
     void trace_up_to(std::size_t wanted, Stratum& stratum, double part);
-    /// The CPU seconds that trials may still take: in a run with a time, of a tenth of it.
+    /// The CPU seconds that these trials may still take of those for all.
     [[nodiscard]] double seconds_left() const;
     /// The number of rays through pixels that take about this time, as through their centers.
     [[nodiscard]] double rays_in(double seconds) const;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace rt {
 
@@ -73,8 +74,8 @@ void TrialRunner::check_time() const {
     if (deadline_ && seconds_since_start() > *deadline_) throw OutOfTime();
 }
 
-bool TrialRunner::no_time_left() const {
-    return aim_.time && seconds_since_start() > *aim_.time / 10;
+double TrialRunner::seconds_for_trials() const {
+    return aim_.time ? *aim_.time / 10 : std::numeric_limits<double>::infinity();
 }
 
 RenderSettings with_one_shadow_ray(RenderSettings settings, const Aim& aim) {

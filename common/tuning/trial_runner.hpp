@@ -57,8 +57,11 @@ public:
 
     [[nodiscard]] double seconds_since_start() const;
 
-    /// Returns whether the trials have used up a tenth of the time budget, if there is one.
-    [[nodiscard]] bool no_time_left() const;
+    /// The part of the time budget that trials may take: a tenth of it, or infinity without one.
+    [[nodiscard]] double seconds_for_trials() const;
+
+    /// Returns whether the trials have used up their part of the time budget.
+    [[nodiscard]] bool no_time_left() const { return seconds_since_start() > seconds_for_trials(); }
 
     /// The result of a search for the settings of a tolerance, if it ends within a quarter of the
     /// time budget; else nothing.

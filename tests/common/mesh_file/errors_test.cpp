@@ -223,6 +223,10 @@ TEST_CASE("OBJ") {
         {"a.obj", "v 0 0\n", ":1: error: a vertex must be three numbers up to 3.4e38, not \"\""},
         {"a.obj", "v 0 0 1e39\n",
          ":1: error: a vertex must be three numbers up to 3.4e38, not \"1e39\""},
+        {"a.obj", "v 0 \\\n0 \\\n0\nv 0 0 x\n",  // the number of the line, as in the file
+         ":4: error: a vertex must be three numbers up to 3.4e38, not \"x\""},
+        {"a.obj", three + "f 1 2 \\\n",
+         ":4: error: a corner's vertex must be a whole number other than 0, not \"\\\""},
         {"a.obj", "v 0 0 inf\n",
          ":1: error: a vertex must be three numbers up to 3.4e38, not \"inf\""},
         {"a.obj", "v 0 0x1 0\n",

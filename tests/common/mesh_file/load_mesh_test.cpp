@@ -167,6 +167,14 @@ TEST_CASE("OBJ: a comment may follow on any line; STL: keywords in upper case") 
               .triangles.size() == 1);
 }
 
+TEST_CASE("OBJ: a line that ends in a backslash goes on in the next one, but no comment does") {
+    const Mesh mesh = mesh_of("a.obj",
+                              "# C:\\meshes\\\nv 0 0 0\nv 1 \\\n0\\ \r\n 0\nv 0 1 0 # a \\\n"
+                              "f 1 \\\n  2 3\n");
+    CHECK(mesh.vertices == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+    CHECK(mesh.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+}
+
 TEST_CASE("OFF: comments, blank lines, counts beside the keyword, colors") {
     const std::string vertices = "0 0 0\n\n# one more\n1 0 0 # here\n0 1 0\n";
     for (const std::string& text :
