@@ -30,9 +30,9 @@ std::set<std::string> given_cases(const Grading& grading, GradedFile graded) {
     return {lines.begin(), lines.end()};
 }
 
-/// While it exists, the processes that this thread starts run on the processor that the thread is on.
-/// A suite and its worker take turns: to wake the other on another, idle processor takes longer than
-/// most answers. The next one may find another processor.
+/// While it exists, the processes that this thread starts run on the processor that the thread is
+/// on. A suite and its worker take turns: to wake the other on another, idle processor takes longer
+/// than most answers. The next one may find another processor.
 class OneProcessor {
 public:
     OneProcessor() : found_(sched_getaffinity(0, sizeof before_, &before_) == 0) {
