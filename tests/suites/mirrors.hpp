@@ -3,9 +3,54 @@
 // The ray meets a mirror at 0,0,-4. A wall at z = 6, behind the eye, is what it shows.
 #pragma once
 
-#include "tests/suites/kinds.hpp"
+#include "tests/suites/lights.hpp"
+
+#include <algorithm>
 
 namespace rt {
+
+/// A camera and this many perfect mirrors, each of which turns its ray by a right angle. After the
+/// last one the ray comes from 0,0,1 along 0,0,-1, as if the usual camera had sent it.
+inline std::string seen_in_mirrors(int count, const std::string& fov = "60") {
+    // Back from the last mirror, the way goes in turn to the left and away from the scene.
+    const auto place = [](int number) {
+        return std::to_string(-2 * (number / 2)) + ",0," + std::to_string(1 + (number - 1) / 2 * 2);
+    };
+    const bool even = count % 2 == 0;
+    std::string lines = "C " + place(count + 1) + (even ? " 0,0,-1 " : " 1,0,0 ") + fov + "\n";
+    for (int number = 1; number <= count; ++number)
+        lines += "sq " + place(number) +
+                 (number % 2 == 0 ? " 0.70710678,0,0.70710678" : " -0.70710678,0,-0.70710678") +
+                 " 0.5 255,255,255 mirror:1\n";
+    return lines;
+}
+
+/// A scene with all three terms, seen in this many mirrors. The ray meets the shape, which faces it
+/// at the cosine 1, at 0,0,-4. The highlight of the green light on the left is at 0.8 of the
+/// direction of reflection. Another kind of shape hides the red light on the right.
+inline std::string lit_in_mirrors(int count) {
+    const auto kind = std::size_t(count - 1);
+    const std::string material = "255,255,255 spec:0.5 shin:1";
+    const bool flat = 0 < kind && kind < 4;  // its normal may point away without a shape all around
+    return seen_in_mirrors(count) + "A 0.2 0,0,255\nL 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\n" +
+           (flat ? all_kinds[kind].other_side : all_kinds[kind].line)(4, material) +
+           halfway_shapes[std::size_t(count) % halfway_shapes.size()];
+}
+
+/// What one to six mirrors show of each other is lit, and in shadow, as if it were seen, and so is
+/// the sky. The option --term selects a term there too.
+inline Verdict mirrors_show_mirrors() {
+    Verdict all;
+    for (int count = 1; count <= 5; ++count)
+        keep_first(all, shows(lit_in_mirrors(count), {0, 153, 51}));
+    // A cone, at a cosine of 0.566, whose highlight is at a right angle to the ray.
+    keep_first(all, shows(lit_in_mirrors(6), {0, 72, 51}));
+    keep_first(all, shows(lit_in_mirrors(1), {0, 51, 0}, {.term = PhongTerm::specular}));
+    keep_first(all, shows(lit_in_mirrors(2), {0, 0, 51}, {.term = PhongTerm::ambient}));
+    keep_first(all, shows(lit_in_mirrors(3), {0, 102, 0}, {.term = PhongTerm::diffuse}));
+    keep_first(all, shows(seen_in_mirrors(6) + "sky 0,255,0 0,255,0\n", {0, 255, 0}));
+    return all;
+}
 
 /// A mirror shows the sum of all terms, which may be brighter than white before its share is taken.
 inline Verdict mirrors_show_all_terms() {
@@ -89,13 +134,32 @@ inline Verdict mirrors_show_what_is_close() {
     return all;
 }
 
-/// A mirror shows soft shadows: of a light behind the eye, a quarter reaches the wall in the
-/// mirror.
+/// In a mirror, too, each pixel has samples of its own: a half hidden light, with one sample, is
+/// seen in some of 64 pixels. All or none have a probability of 2^-63.
+inline Verdict pixels_in_mirrors_have_their_own_samples() {
+    const std::string scene =
+        seen_in_mirrors(1, "0.01") + red_light_and_wall + "sq 1.5,1,-2 0.6,0,0.8 2 9,9,9\n";
+    const Image image = picture_seen(scene, {.width = 8, .height = 8}, {.shadow_samples = 1});
+    const bool differ = std::ranges::any_of(
+        image.pixels, [&](const Rgb& color) { return color != image.pixels.front(); });
+    return verdict(
+        differ, told_of_pixel("the pixels of a picture of 8 x 8, with --shadow-samples 1", scene) +
+                    "\n  got:      all pixels agree"
+                    "\n  expected: in a mirror, too, each pixel has samples of its own");
+}
+
+/// A mirror shows soft shadows, with all samples: a quarter of a light reaches the wall in the
+/// mirror, of a light behind the eye and in the last of six mirrors.
 inline Verdict mirrors_show_soft_shadows() {
-    return shows(
-        "pl 0,0,-4 0,0,1 255,255,255 mirror:1\npl 0,0,6 0,0,-1 255,255,255\n"
-        "L 3,0,2 0.5 255,0,0 radius:0.3\nsq 1.5,0.94,4 0.6,0,-0.8 2 9,9,9\n",
-        {26, 0, 0}, {.shadow_samples = 256}, 10);
+    const std::string in_six = seen_in_mirrors(6) + red_light_and_wall + three_quarters_hidden;
+    Verdict all;
+    keep_first(all, shows("pl 0,0,-4 0,0,1 255,255,255 mirror:1\npl 0,0,6 0,0,-1 255,255,255\n"
+                          "L 3,0,2 0.5 255,0,0 radius:0.3\nsq 1.5,0.94,4 0.6,0,-0.8 2 9,9,9\n",
+                          {26, 0, 0}, {.shadow_samples = 256}, 10));
+    keep_first(all, shows(in_six, {26, 0, 0}, {.shadow_samples = 256}, 10));
+    keep_first(all, share_is_of_samples(in_six, 97));
+    keep_first(all, pixels_in_mirrors_have_their_own_samples());
+    return all;
 }
 
 /// A reflection is black if its weight in the pixel, the product of the shares of all mirrors on

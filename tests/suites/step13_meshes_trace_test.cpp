@@ -151,6 +151,7 @@ TEST_CASE("mirrors are as in stage 12 (CR §5.1)") {
     CHECK(mirrors_show_black_or_sky());
     CHECK(mirrors_show_what_is_close());
     CHECK(mirrors_show_soft_shadows());
+    CHECK(mirrors_show_mirrors());
     CHECK(reflections_end());
     CHECK(weak_reflections_are_black());
 }
