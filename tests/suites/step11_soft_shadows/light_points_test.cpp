@@ -76,32 +76,46 @@ Seen seen(const Light& light, Vec3 from, Vec3 point) {
 }
 
 /// For 4096 evenly spread samples, each of 8 rings and 8 sectors of equal solid angle contains 64
-/// points, within 16: 4 standard deviations of points that are twice as uneven as the samples.
+/// points, within 16: 4 standard deviations of points that are twice as uneven as the samples. And
+/// each of 128 rings, and of 128 sectors, contains a point: of independent points, 32 are in each,
+/// and none with a probability of 10^-14.
 Verdict points_are_even(const Light& light, Vec3 from, std::uint32_t seed) {
     constexpr int samples = 4096;
     std::array<std::array<int, 8>, 8> counts{};
+    std::array<bool, 128> is_ring_hit{};
+    std::array<bool, 128> is_sector_hit{};
     const std::vector<Vec3> points = light_points(light, from, seed, samples);
     for (std::uint32_t i = 0; i < samples; ++i) {
         const auto [ring, turn] = seen(light, from, points[i]);
         if (!(ring < 1.01))  // NaN too
             return aims_at_what_is_seen(light, from, spread_sample(i, seed));
-        const auto box = [](double x) { return std::size_t(std::clamp(x * 8, 0.0, 7.0)); };
-        ++counts[box(ring)][box(turn)];
+        const auto box = [](double x, double count) {
+            return std::size_t(std::clamp(x * count, 0.0, count - 1));
+        };
+        ++counts[box(ring, 8)][box(turn, 8)];
+        is_ring_hit[box(ring, 128)] = true;
+        is_sector_hit[box(turn, 128)] = true;
     }
+    const std::string asked = "sample_light(" + code(light) + ",\n              Vec3" + code(from) +
+                              ", sample) for " + std::to_string(samples) +
+                              " samples: the light as seen from there, cut into ";
+    const std::string paste = "\n  paste:    CHECK(points_are_even(" + code(light) + ", Vec3" +
+                              code(from) + ", " + std::to_string(seed) + "));";
     for (std::size_t ring = 0; ring < 8; ++ring)
         for (const int count : counts[ring])
             if (std::abs(count - 64) > 16)
                 return verdict(
-                    false,
-                    "sample_light(" + code(light) + ",\n              Vec3" + code(from) +
-                        ", sample) for " + std::to_string(samples) +
-                        " samples: the light as seen from there, cut into 8 rings of 8 pieces "
-                        "of equal solid angle\n  got:      " +
-                        std::to_string(count) + " points in a piece of ring " +
-                        std::to_string(ring + 1) +
-                        " from the middle\n  expected: 64 in each, give or take 16\n"
-                        "  paste:    CHECK(points_are_even(" +
-                        code(light) + ", Vec3" + code(from) + ", " + std::to_string(seed) + "));");
+                    false, asked + "8 rings of 8 pieces of equal solid angle\n  got:      " +
+                               std::to_string(count) + " points in a piece of ring " +
+                               std::to_string(ring + 1) +
+                               " from the middle\n  expected: 64 in each, give or take 16" + paste);
+    for (std::size_t i = 0; i < 128; ++i)
+        if (!is_ring_hit[i] || !is_sector_hit[i])
+            return verdict(false, asked + "128 " + (is_ring_hit[i] ? "sectors" : "rings") +
+                                      " of equal solid angle\n  got:      none in number " +
+                                      std::to_string(i + 1) +
+                                      (is_ring_hit[i] ? "" : " from the middle") +
+                                      "\n  expected: about 32 in each" + paste);
     return {};
 }
 
@@ -110,11 +124,14 @@ Vec2 draw_sample(Random& random) {
     return {x, random.between(0, Real(0.9999))};
 }
 
-/// A light from a twentieth of its radius above its surface to ten radii away.
+/// A light from a twentieth of its radius above its surface to ten radii away, or one in four times
+/// to 400.
 Light draw_light(Random& random, Vec3 from) {
     const Real radius = random.between(Real(0.5), 2);
     const Vec3 way = random.direction();
-    return {.position = from + radius * random.between(Real(1.05), 10) * way, .radius = radius};
+    const Real radii =
+        random.below(4) > 0 ? random.between(Real(1.05), 10) : random.between(10, 400);
+    return {.position = from + radius * radii * way, .radius = radius};
 }
 
 const Light above{.position = {0, 4, 0}, .radius = 2};
@@ -227,6 +244,10 @@ TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratu
     CHECK(aims_at_what_is_seen({.position = {5, 5, 5}, .radius = 1}, {0, 0, 0}, {Real(0.5), 0}));
     CHECK(aims_at_what_is_seen({.position = {0, 0, -3}, .radius = 2}, {0, 0, 0}, {0, 0}));
     CHECK(aims_at_what_is_seen(above, {0, 0, 0}, {Real(0.999), Real(0.25)}));
+    const Real farthest = std::min(Real(0.25) / tolerance, std::ldexp(Real(1), 20));
+    for (const Real distance : {Real(25), Real(100), farthest})  // where a disc looks alike
+        CHECK(aims_at_what_is_seen({.position = {0, 0, distance}, .radius = 1}, {0, 0, 0},
+                                   {Real(0.0625), Real(0.25)}));
     CHECK(for_all([](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
