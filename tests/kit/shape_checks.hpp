@@ -28,6 +28,12 @@ inline Real draw_gap(Random& random) {
 /// A share of a size that is above rounding where almost nothing is rounded.
 constexpr Real hair = sizeof(Real) == sizeof(float) ? Real(0x1p-18) : Real(0x1p-40);
 
+/// Any rotation, and in one of eight cases one that maps axes to axes: some wrong answers are wrong
+/// there alone.
+inline Basis draw_basis(Random& random) {
+    return random.below(8) == 0 ? random.axes() : random.basis();
+}
+
 /// A shape, a point of its surface well inside any edge, and the outward unit normal there.
 template <class Shape>
 struct Sample {

@@ -181,6 +181,10 @@ TEST_CASE("the view matrix maps the camera to 0, and the view direction to -z (M
     CHECK(gives("two to the right", seen(position + Real(2) * basis.x), Vec3(2, 0, 0)));
     CHECK(gives("three up", seen(position + Real(3) * basis.y), Vec3(0, 3, 0)));
     CHECK(gives("w", (view * Vec4(1, 2, 3, 1)).w, Real(1)));
+    const Basis to_the_left{.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}};
+    const Mat4 other = view_matrix(to_the_left, position);
+    CHECK(gives("five ahead, of another camera there", Vec3(other * Vec4(2, 8, 9, 1)),
+                Vec3(0, 0, -5)));
 }
 
 TEST_CASE("the view matrix undoes what carries a ray into the world (M1, MRT §2)") {

@@ -12,7 +12,7 @@ namespace {
 const Plane ground{.point = {0, 0, 0}, .normal = {0, 1, 0}};
 
 Sample<Plane> draw(Random& random) {
-    const Basis basis = random.basis();
+    const Basis basis = draw_basis(random);
     const Vec3 point = random.point(3);
     const Vec3 other = point + random.between(-2, 2) * basis.x + random.between(-2, 2) * basis.y;
     return {.shape = {.point = point, .normal = basis.z}, .point = other, .normal = basis.z};
@@ -161,7 +161,7 @@ TEST_CASE("the normal is the plane's, with unit length (PHY, situation A)", "[pa
                     {Real(0.6), 0, Real(0.8)}));
     CHECK(normals_point_outward(draw));
     CHECK(for_all([](Random& random) {
-        const Vec3 direction = random.direction();
+        const Vec3 direction = draw_basis(random).z;
         const Plane plane{.point = random.point(3), .normal = draw_length(random) * direction};
         return normal_is(plane, plane.point, direction);
     }));

@@ -24,7 +24,7 @@ Vec3 inner_weights(Random& random) {
 
 /// Two sides of length 1 to 2 at an angle of 30° at least: not a sliver.
 Triangle draw_triangle(Random& random) {
-    const Basis basis = random.basis();
+    const Basis basis = draw_basis(random);
     const Vec3 a = random.point(3);
     const Real angle = random.between(pi / 6, 5 * pi / 6);
     const Vec3 along = std::cos(angle) * basis.x + std::sin(angle) * basis.y;

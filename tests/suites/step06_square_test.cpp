@@ -22,7 +22,7 @@ Ray down_at(Real x, Real y) {
 }
 
 Square draw_square(Random& random) {
-    return {.center = random.point(3), .basis = random.basis(), .side = random.between(1, 3)};
+    return {.center = random.point(3), .basis = draw_basis(random), .side = random.between(1, 3)};
 }
 
 /// x and y in units of half a side, at most 0.9: rounding does not decide what is inside.

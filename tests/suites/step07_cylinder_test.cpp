@@ -22,7 +22,7 @@ Cylinder draw_cylinder(Random& random) {
 
 /// At most 0.9 of the way to a rim: rounding does not decide what is within the height.
 Sample<Cylinder> draw(Random& random) {
-    const Basis basis = random.basis();
+    const Basis basis = draw_basis(random);
     Cylinder cylinder = draw_cylinder(random);
     cylinder.axis = basis.z;
     const Real z = random.between(Real(-0.45), Real(0.45)) * cylinder.height;

@@ -25,7 +25,7 @@ Cone draw_cone(Random& random, Vec3 axis) {
 
 /// This share of the height away from the apex.
 Sample<Cone> draw_at(Real share, Random& random) {
-    const Basis basis = random.basis();
+    const Basis basis = draw_basis(random);
     const Cone cone = draw_cone(random, basis.z);
     const Real z = share * cone.height;
     const Real slope = cone.radius / cone.height;

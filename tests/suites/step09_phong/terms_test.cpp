@@ -95,7 +95,7 @@ Lit make_lit(Random& random, Real theta, Real alpha, Real round) {
         unit(basis.z + Real(0.4) * random.direction());  // as on a smooth mesh
     lit.surface.to_eye = std::cos(alpha) * r + std::sin(alpha) * beside;
     lit.surface.material.shininess = random.between(Real(0.5), 64);
-    lit.surface.material.mirror = random.between(0, 1);
+    lit.surface.material.mirror = random.below(4) == 0 ? Real(1) : random.between(0, 1);
     lit.light = {.position = lit.surface.point + random.between(Real(0.5), 8) * l,
                  .brightness = random.between(Real(0.1), 1),
                  .color = abs(random.point(1))};

@@ -15,7 +15,7 @@ const OrientedBox upright{.center = {0, 0, -5}, .half_size = {1, 2, 3}};
 
 /// At most 0.9 of the way to an edge.
 Sample<OrientedBox> draw_box(Random& random) {
-    const Basis basis = random.basis();
+    const Basis basis = draw_basis(random);
     const Vec3 half_size = Vec3(Real(0.5)) + abs(random.point(1));
     const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
     const auto face = glm::length_t(random.below(3));
