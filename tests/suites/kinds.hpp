@@ -54,7 +54,7 @@ inline const std::vector<Kind> all_kinds = {
          return "co 0," + std::to_string(d) + ",0 0,-1,0 " + std::to_string(4 * d) + " " +
                 std::to_string(2 * d) + " " + c + "\n";
      },
-     0.70710678},
+     0.70710678118654752},
     {13,
      [](int d, const std::string& c) {
          return "box" + at_depth(d + 1) + " 0,0,1 2,2,2 " + c + "\n";
@@ -72,6 +72,12 @@ inline const std::vector<Kind> all_kinds = {
                 " dir:0,0,-1\n";
      }},
 };
+
+/// The pixel has the color, of 1, to a few roundings: shows allows 1 of 255.
+inline Verdict shows_exactly(const std::string& scene, Color expected) {
+    return gives(told_of_pixel("the color of the only pixel, of 1", scene), seen_unrounded(scene),
+                 expected);
+}
 
 /// The kinds of this stage and of earlier ones.
 inline std::span<const Kind> kinds_until(int stage) {
@@ -126,12 +132,15 @@ inline Verdict almost_equal_t_differ(const std::string& head) {
     return all;
 }
 
-/// A sphere and a plane are seen from any distance: no constant ends the search, at either end.
+/// A sphere and a plane are seen from any distance: no constant ends the search, at either end. The
+/// sphere's squares, and the distance of the plane, are in the range of float.
 inline Verdict all_distances_are_seen(const std::string& head) {
+    const auto zeros = [](int count) { return std::string(std::size_t(count), '0'); };
     Verdict all;
-    for (const std::string shape :
-         {"sp 0,0,-3000000000000000 2000000000000000", "pl 0,0,-2000000000000000 0,0,1",
-          "sp 0,0,-0.0000000006 0.0000000002", "pl 0,0,-0.0000000005 0,0,1"})
+    for (const std::string& shape :
+         {"sp 0,0,-3" + zeros(17) + " 2" + zeros(17), "pl 0,0,-1" + zeros(36) + " 0,0,1",
+          std::string("sp 0,0,-0.0000000006 0.0000000002"),
+          std::string("pl 0,0,-0.0000000005 0,0,1")})
         keep_first(all, shows(head + shape + " 255,0,0\n", {255, 0, 0}));
     return all;
 }
@@ -214,10 +223,9 @@ inline Verdict nearest_of_each_pair_is_seen(int stage, const std::string& head, 
 /// Each kind of shape is seen, at its brightness, by an eye that looks along 0,0,1.
 inline Verdict all_are_seen_from_the_other_side(int stage) {
     Verdict all;
-    for (const Kind& kind : kinds_until(stage)) {
-        const auto light = std::uint8_t(255 * kind.torch + 0.5);
-        keep_first(all, shows("C 0,0,0 0,0,1 60\n" + kind.line(-5, "0,255,0"), {0, light, 0}));
-    }
+    for (const Kind& kind : kinds_until(stage))
+        keep_first(all, shows_exactly("C 0,0,0 0,0,1 60\n" + kind.line(-5, "0,255,0"),
+                                      {0, Real(kind.torch), 0}));
     return all;
 }
 

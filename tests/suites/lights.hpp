@@ -30,7 +30,7 @@ inline Verdict terms_add_up() {
     for (int i = 0; i < 1000; ++i) thousand += "L 0,0,0 0.0004 255,255,255\n";
     Verdict all;
     keep_first(all, shows(ambient + wall, {51, 51, 51}));
-    keep_first(all, shows(ambient + light + wall, {153, 153, 153}));
+    keep_first(all, shows_exactly(ambient + light + wall, Color(Real(0.6))));
     keep_first(all, shows(ambient + half_light + half_light + wall, {153, 153, 153}));
     keep_first(all, shows(ambient + thousand + wall, {153, 153, 153}));
     keep_first(all, shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 255,0,0\n" + shining, {76, 0, 0}));
@@ -60,6 +60,22 @@ inline const std::array<std::string, 6> halfway_shapes = {
     "cy 1.5,0,-2 0,1,0 0.2 2 9,9,9\n",
     "co 1.5,1,-2 0,-1,0 0.4 2 9,9,9\n",
 };
+
+/// The lights of a shape at 0,0,-4 with all three terms, if its material has spec:0.5 shin:1: the
+/// blue ambient light, a red light on the right, which the halfway shapes hide, and a green one on
+/// the left, whose highlight is at 0.8 of the direction of reflection.
+inline const std::string all_terms = "A 0.2 0,0,255\nL 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\n";
+
+/// The term that the option --term selects has its shadows.
+inline Verdict term_has_shadows() {
+    const std::string scene =
+        all_terms + "pl 0,0,-4 0,0,1 255,255,255 spec:0.5 shin:1\n" + halfway_shapes[0];
+    Verdict all;
+    keep_first(all, shows(scene, {0, 0, 51}, {.term = PhongTerm::ambient}));
+    keep_first(all, shows(scene, {0, 102, 0}, {.term = PhongTerm::diffuse}));
+    keep_first(all, shows(scene, {0, 51, 0}, {.term = PhongTerm::specular}));
+    return all;
+}
 
 /// This many shapes of the kind behind the wall, where they block no light.
 inline std::string behind_the_wall(const Kind& kind, int count) {

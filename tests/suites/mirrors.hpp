@@ -6,6 +6,8 @@
 #include "tests/suites/lights.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 
 namespace rt {
 
@@ -25,29 +27,32 @@ inline std::string seen_in_mirrors(int count, const std::string& fov = "60") {
     return lines;
 }
 
-/// A scene with all three terms, seen in this many mirrors. The ray meets the shape, which faces it
-/// at the cosine 1, at 0,0,-4. The highlight of the green light on the left is at 0.8 of the
-/// direction of reflection. Another kind of shape hides the red light on the right.
-inline std::string lit_in_mirrors(int count) {
-    const auto kind = std::size_t(count - 1);
-    const std::string material = "255,255,255 spec:0.5 shin:1";
-    const bool flat = 0 < kind && kind < 4;  // its normal may point away without a shape all around
-    return seen_in_mirrors(count) + "A 0.2 0,0,255\nL 3,0,0 0.5 255,0,0\nL -3,0,0 0.5 0,255,0\n" +
-           (flat ? all_kinds[kind].other_side : all_kinds[kind].line)(4, material) +
-           halfway_shapes[std::size_t(count) % halfway_shapes.size()];
-}
-
 /// What one to six mirrors show of each other is lit, and in shadow, as if it were seen, and so is
-/// the sky. The option --term selects a term there too.
-inline Verdict mirrors_show_mirrors() {
+/// the sky. The option --term selects a term there too. The ray meets one of the last six kinds of
+/// this stage at 0,0,-4, and one of `hiding`, as a mirror, hides the red light.
+inline Verdict mirrors_show_mirrors(int stage,
+                                    std::span<const std::string> hiding = halfway_shapes) {
+    const auto kind_of = [stage](int count) {
+        return kinds_until(stage).size() - 7 + std::size_t(count);
+    };
+    const auto lit = [&](int count) {
+        const std::size_t kind = kind_of(count);
+        const std::string material = "255,255,255 spec:0.5 shin:1";
+        const bool flat = 0 < kind && kind < 4;  // the other side of other kinds is all around
+        std::string mirror = hiding[std::size_t(count) % hiding.size()];
+        mirror.insert(mirror.size() - 1, " mirror:1");
+        return seen_in_mirrors(count) + all_terms +
+               (flat ? all_kinds[kind].other_side : all_kinds[kind].line)(4, material) + mirror;
+    };
     Verdict all;
-    for (int count = 1; count <= 5; ++count)
-        keep_first(all, shows(lit_in_mirrors(count), {0, 153, 51}));
-    // A cone, at a cosine of 0.566, whose highlight is at a right angle to the ray.
-    keep_first(all, shows(lit_in_mirrors(6), {0, 72, 51}));
-    keep_first(all, shows(lit_in_mirrors(1), {0, 51, 0}, {.term = PhongTerm::specular}));
-    keep_first(all, shows(lit_in_mirrors(2), {0, 0, 51}, {.term = PhongTerm::ambient}));
-    keep_first(all, shows(lit_in_mirrors(3), {0, 102, 0}, {.term = PhongTerm::diffuse}));
+    for (int count = 1; count <= 6; ++count) {
+        // A cone is lit at a cosine of 0.566, and its highlight is at a right angle to the ray.
+        const bool is_cone = all_kinds[kind_of(count)].torch < 1;
+        keep_first(all, shows(lit(count), is_cone ? Rgb{0, 72, 51} : Rgb{0, 153, 51}));
+    }
+    keep_first(all, shows(lit(1), {0, 51, 0}, {.term = PhongTerm::specular}));
+    keep_first(all, shows(lit(2), {0, 0, 51}, {.term = PhongTerm::ambient}));
+    keep_first(all, shows(lit(3), {0, 102, 0}, {.term = PhongTerm::diffuse}));
     keep_first(all, shows(seen_in_mirrors(6) + "sky 0,255,0 0,255,0\n", {0, 255, 0}));
     return all;
 }
@@ -61,8 +66,11 @@ inline Verdict mirrors_show_all_terms() {
     const std::string white = "pl 0,0,6 0,0,-1 255,255,255\n";
     Verdict all;
     keep_first(all, shows(light + perfect + shining, {51, 51, 153}));
-    keep_first(all, shows("A 0.2 255,255,255\n" + light + perfect + white, {153, 153, 153}));
     keep_first(all, shows("A 1 255,255,255\n" + light + black + white, {179, 179, 179}));
+    // A mirror's own share is lit, and in shadow, too: half of 0.6, and of 0.2, is left.
+    keep_first(all, shows(all_terms + "pl 0,0,-4 0,0,1 255,255,255 spec:0.5 shin:1 mirror:0.5\n" +
+                              halfway_shapes[0],
+                          {0, 76, 26}));
     // The wall is a mirror of a tenth: it shows 0.9 · 1.4, and a twentieth of itself.
     const std::string mirror = "pl 0,0,6 0,0,-1 255,255,255 mirror:0.1\n";
     keep_first(all, shows("A 1 255,255,255\n" + light + black + mirror, {169, 169, 169}));
@@ -208,12 +216,12 @@ inline Verdict reflections_end() {
     // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
     keep_first(all, shows(two, {85, 0, 170}, {.depth = 100}, 2));
     // Between perfect mirrors, ten apart, the ray climbs by one on each way: it meets a wall after
-    // 90 reflections.
+    // 400 reflections.
     const std::string hall =
         "A 1 255,255,255\npl 0,0,-4 0,0,1 255,255,255 mirror:1\n"
-        "pl 0,0,6 0,0,-1 255,255,255 mirror:1\nC 0,0,0 0,1,-10 60\npl 0,89.9,0 0,-1,0 255,0,0\n";
-    keep_first(all, shows(hall, {255, 0, 0}, {.depth = 90}));
-    keep_first(all, shows(hall, {0, 0, 0}, {.depth = 89}));
+        "pl 0,0,6 0,0,-1 255,255,255 mirror:1\nC 0,0,0 0,1,-10 60\npl 0,399.9,0 0,-1,0 255,0,0\n";
+    keep_first(all, shows(hall, {255, 0, 0}, {.depth = 400}));
+    keep_first(all, shows(hall, {0, 0, 0}, {.depth = 399}));
     return all;
 }
 

@@ -83,6 +83,7 @@ TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {
     const std::string ambient = "A 0.2 255,255,255\n";
     CHECK(shows(ambient + red_right + white_wall + ball_on_the_right, {51, 51, 51}));
     CHECK(shows(ambient + red_right + green_left + white_wall + ball_on_the_right, {51, 153, 51}));
+    CHECK(term_has_shadows());
 }
 
 TEST_CASE("every kind of shape casts a shadow (CR §3.2)") {

@@ -1,6 +1,6 @@
 // origin: invented
 // caught by: the option --depth is the largest number of reflections (CR §5.1)
-// sentence: You allow 20 reflections at most, whatever --depth is.
+// sentence: You allow a fixed number of reflections at most, whatever --depth is.
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
 #include "common/render/stage.hpp"
