@@ -40,7 +40,7 @@ const std::vector<File> files = {
     {"pictures", "pictures", {"pictures"}, 3, 18, true},
     {"memory", "memory", {"memory_float", "memory_double"}, 1, 1, true},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
-    {"choices", "choices", {"choices"}, 1, 120, true},
+    {"choices", "choices", {"choices"}, 1, 350, true},
 };
 
 /// "measuring: 45 %, 80 s left"

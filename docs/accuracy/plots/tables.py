@@ -248,12 +248,14 @@ def choices():
         for asked in ("1", "4"):
             turns = where(own, goal="tolerance", asked=asked)
             line += [f"{100 * middle(turns, 'kept'):.1f} %",
+                     f"{100 * middle(turns, 'kept_in_penumbrae'):.0f} %",
                      two_digits(middle(turns, "seconds") / middle(turns, "best"))]
         for asked in ("1", "3"):
             line.append(two_digits(middle(where(own, goal="time", asked=asked), "seconds")) + " s")
         lines.append(line)
-    return table(["scene", "`--tolerance 1`: kept by", "time", "`--tolerance 4`: kept by", "time",
-                  "`--time 1`", "`--time 3`"], lines)
+    return table(["scene", "`--tolerance 1`: kept by", "in penumbrae", "time",
+                  "`--tolerance 4`: kept by", "in penumbrae", "time", "`--time 1`", "`--time 3`"],
+                 lines)
 
 
 def tables():
