@@ -37,12 +37,15 @@ pick() {
 # A known mistake as a student would submit it, without includes of the project other than headers.
 flattened() {
     awk -v project="$project" '
-        /^#include "(steps\/.*\/reference|tests)\// {
-            split($0, words, "\"")
-            while ((getline line < (project "/" words[2])) > 0) print line
-            next
+        function flatten(file,    line, words) {
+            while ((getline line < file) > 0)
+                if (line ~ /^#include "(steps\/.*\/reference|tests)\//) {
+                    split(line, words, "\"")
+                    flatten(project "/" words[2])
+                } else
+                    print line
         }
-        { print }' "$1"
+        BEGIN { flatten(ARGV[1]) }' "$1"
 }
 
 # stage_points REPORT SUITE: the points of a suite's report. 0 if only the starter's cases pass.

@@ -1,17 +1,9 @@
 // origin: course/mistakes.md
 // caught by: the closest triangle is hit, for any order of the triangles (M1, CR §4.2)
 // sentence: You keep the last triangle that is hit. Keep the nearest: shorten the interval, or compare t.
-#include "tests/mistakes/step13_meshes/stage5.hpp"
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef intersect
+#include "tests/mistakes/step13_meshes/all_but_mesh.hpp"
 
 namespace rt {
-
-std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
-    return correct_intersect(ray, box, interval);
-}
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
     std::optional<MeshHit> nearest;

@@ -1,17 +1,9 @@
 // origin: CR §4.2 as printed, erratum 28
 // caught by: the vertices are where they are, not ten thousand times nearer (erratum 28, CR §4.2)
 // sentence: You multiply the vertices by 0.0001, as CR §4.2 prints it. They are where they are.
-#include "tests/mistakes/step13_meshes/stage5.hpp"
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef intersect
+#include "tests/mistakes/step13_meshes/all_but_mesh.hpp"
 
 namespace rt {
-
-std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
-    return correct_intersect(ray, box, interval);
-}
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
     std::optional<MeshHit> nearest;

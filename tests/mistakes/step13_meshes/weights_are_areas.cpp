@@ -1,17 +1,9 @@
 // origin: CR §4.1: the areas not divided by the whole
 // caught by: the weights are those of the vertices in their order, and sum to 1 (CR §4.1, M1)
 // sentence: Your weights are areas. Divide them by the area of the whole triangle, so that they sum to 1.
-#include "tests/mistakes/step13_meshes/stage5.hpp"
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef intersect
+#include "tests/mistakes/step13_meshes/all_but_mesh.hpp"
 
 namespace rt {
-
-std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
-    return correct_intersect(ray, box, interval);
-}
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
     auto hit = correct_intersect(ray, mesh, interval);

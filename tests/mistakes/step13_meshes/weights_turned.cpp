@@ -1,17 +1,9 @@
 // origin: invented: each weight one vertex further
 // caught by: the weights are those of the vertices in their order, and sum to 1 (CR §4.1, M1)
 // sentence: Your weights stand one vertex too far: the first is that of triangle[0], and belongs to the area opposite to it.
-#include "tests/mistakes/step13_meshes/stage5.hpp"
-
-#define intersect(...) correct_intersect(__VA_ARGS__)
-#include "steps/step13_meshes/reference/meshes.cpp"
-#undef intersect
+#include "tests/mistakes/step13_meshes/all_but_mesh.hpp"
 
 namespace rt {
-
-std::optional<Real> intersect(const Ray& ray, const OrientedBox& box, Interval interval) {
-    return correct_intersect(ray, box, interval);
-}
 
 std::optional<MeshHit> intersect(const Ray& ray, const Mesh& mesh, Interval interval) {
     auto hit = correct_intersect(ray, mesh, interval);
