@@ -1,5 +1,5 @@
-// How the grader runs a suite: on one processor; if something else ends it, that is the grader's
-// failure, and no mark.
+// The grader runs a suite and its worker on one processor. If something else ends the suite, the
+// grader has failed, and gives no mark.
 #include "common/course/grade/judging/ask_suite.hpp"
 #include "common/system/files.hpp"
 
@@ -41,7 +41,7 @@ std::vector<grade::CaseMark> marked_until(const std::string& signal) {
     return grade::ask_suite(build.grading(), 3, build.folder() / "worker", in_a_minute());
 }
 
-/// Of those that the thread may run on.
+/// The number of processors that this thread may run on.
 int processors() {
     cpu_set_t all;
     REQUIRE(sched_getaffinity(0, sizeof all, &all) == 0);

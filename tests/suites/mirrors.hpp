@@ -27,9 +27,10 @@ inline std::string seen_in_mirrors(int count, const std::string& fov = "60") {
     return lines;
 }
 
-/// What one to six mirrors show of each other is lit, and in shadow, as if it were seen, and so is
-/// the sky. The option --term selects a term there too. The ray meets one of the last six kinds of
-/// this stage at 0,0,-4, and one of `hiding`, as a mirror, hides the red light.
+/// A ray that one to six mirrors have reflected has the same color as a ray of the camera: with
+/// light, shadow and sky, and with the term that the option --term selects. The ray meets one of
+/// the last six kinds of this stage at 0,0,-4, and one of `hiding`, as a mirror, hides the red
+/// light.
 inline Verdict mirrors_show_mirrors(int stage,
                                     std::span<const std::string> hiding = halfway_shapes) {
     const auto kind_of = [stage](int count) {
@@ -178,20 +179,17 @@ inline Verdict weak_reflections_are_black() {
     const auto mirror = [](const std::string& plane, const std::string& share) {
         return "pl " + plane + " 0,0,0 mirror:" + share + "\n";
     };
-    const auto sees = [](const std::string& scene, Real weight) {
-        return gives(told_of_pixel("the color of the only pixel, of 1", scene),
-                     seen_unrounded(scene), Color(weight));
-    };
     const auto in_one = [&](const std::string& share, Real weight) {
-        return sees(bright + mirror("0,0,-4 0,0,1", share) + "pl 0,0,6 0,0,-1 255,255,255\n",
-                    weight);
+        return shows_exactly(
+            bright + mirror("0,0,-4 0,0,1", share) + "pl 0,0,6 0,0,-1 255,255,255\n",
+            Color(weight));
     };
     // Down at the first, and at the second to the left.
     const auto in_two = [&](const std::string& first, const std::string& second, Real weight) {
-        return sees(bright + mirror("0,0,-4 0,-0.70710678,0.70710678", first) +
-                        mirror("0,-5,0 -0.70710678,0.70710678,0", second) +
-                        "pl -7,0,0 1,0,0 255,255,255\n",
-                    weight);
+        return shows_exactly(bright + mirror("0,0,-4 0,-0.70710678,0.70710678", first) +
+                                 mirror("0,-5,0 -0.70710678,0.70710678,0", second) +
+                                 "pl -7,0,0 1,0,0 255,255,255\n",
+                             Color(weight));
     };
     Verdict all;
     keep_first(all, in_two("0.0025", "1", Real(0.0025)));

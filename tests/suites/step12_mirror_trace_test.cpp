@@ -2,6 +2,7 @@
 //
 // The ray meets a mirror at 0,0,-4, which faces the eye. The wall behind the eye, at z = 6, is what
 // it shows.
+#include "tests/suites/lights.hpp"
 #include "tests/suites/mirrors.hpp"
 
 using namespace rt;
