@@ -1,0 +1,95 @@
+#include "common/program/make_picture.hpp"
+
+#include "common/image/png.hpp"
+#include "common/image/preview.hpp"
+#include "common/program/blank_picture.hpp"
+#include "common/program/picture_texts.hpp"
+#include "common/program/shade_picture.hpp"
+#include "common/program/used_options.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/terminal.hpp"
+#include "common/tuning/wording.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+namespace rt {
+
+namespace {
+
+void report(const Rendering& rendering, const Options& options, const TimeBudget* pace,
+            double seconds) {
+    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
+                size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
+                static_cast<long long>(rendering.rays));
+    if (rendering.sized_light_rays > 0)
+        std::printf(", %lld of them to lights with a size",
+                    static_cast<long long>(rendering.sized_light_rays));
+    if (pace != nullptr)
+        std::printf("; 99 of 100 pixels within %s of 255, according to the trials",
+                    number(pace->error()).c_str());
+    std::printf("\n");
+    if (rendering.not_a_number == 0) return;
+    const Pixel first = rendering.first_not_a_number;
+    const bool one = rendering.not_a_number == 1;
+    std::printf("%lld %s not a number, and shown in magenta: see --pixel %d,%d\n",
+                static_cast<long long>(rendering.not_a_number), one ? "pixel is" : "pixels are",
+                first.row, first.column);
+}
+
+/// Renders the picture, or that of the numbers of --shade, whose legend is added.
+std::optional<Rendering> rendering_of(const Scene& scene, const Options& options,
+                                      const RenderJob& job, std::vector<std::string>& legend) {
+    if (!shows_number(options.settings.shading)) return render(scene, job);
+    const auto values = pixel_values(scene, job);
+    if (!values) return std::nullopt;
+    ShadePicture picture = shade_picture(*values, options, scene);
+    legend = std::move(picture.legend);
+    Rendering rendering{.rays = values->rays, .sized_light_rays = values->sized_light_rays};
+    rendering.image = std::move(picture.image);
+    return rendering;
+}
+
+/// Warns if the picture has a single color, with the reason.
+void warn_if_blank(const Scene& scene, const Program& program, const Options& options,
+                   const Image& image) {
+    if (program.stage < shapes_stage) return;
+    const std::string reason = why_blank(scene, options.settings, program.stage, image);
+    if (!reason.empty())
+        std::cerr << to_string(FileLocation{options.scene}) << "warning: " << reason << '\n';
+}
+
+}  // namespace
+
+bool make_picture(const Program& program, const Options& options, const Scene& scene,
+                  Rendering* centers, TimeBudget* pace, const std::atomic<bool>& stop) {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<std::string> legend;
+    std::optional<Rendering> rendering;
+    {
+        Progress progress(!options.quiet && errors_on_terminal(), scene.resolution.height);
+        RenderJob job{.threads = options.threads,
+                      .settings = options.settings,
+                      .row_done = [&progress] { progress.advance(); },
+                      .centers = centers,
+                      .stop = &stop};
+        if (pace != nullptr) job.next_settings = [pace] { return pace->next(); };
+        rendering = rendering_of(scene, options, job, legend);
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    if (!rendering) return false;
+    std::vector<PngText> metadata = picture_texts(program, options, scene.resolution);
+    for (const std::string& line : legend) metadata.push_back({"Legend", line});
+    write_png(options.output, rendering->image, metadata,
+              legend.empty() ? options.settings.gamma : Gamma::unstated);
+    if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
+    if (!options.quiet && legend.empty()) warn_if_blank(scene, program, options, rendering->image);
+    if (options.quiet) return true;
+    report(*rendering, options, pace, seconds.count());
+    for (const std::string& line : legend) std::printf("  %s\n", line.c_str());
+    return true;
+}
+
+}  // namespace rt

@@ -1,0 +1,20 @@
+// The picture of a scene, as a file.
+#pragma once
+
+#include "common/program/options.hpp"
+#include "common/render/render.hpp"
+#include "common/tuning/time_budget.hpp"
+
+#include <atomic>
+
+namespace rt {
+
+/// Renders the scene, writes the picture with its legend, and reports the result. `centers`, if not
+/// null, is the result of render_centers with the same settings, and is moved from. A time budget
+/// `pace`, if not null, changes the settings from row to row. Returns false, and leaves no file, if
+/// it was stopped.
+[[nodiscard]] bool make_picture(const Program& program, const Options& options, const Scene& scene,
+                                Rendering* centers, TimeBudget* pace,
+                                const std::atomic<bool>& stop);
+
+}  // namespace rt
