@@ -1,8 +1,8 @@
 #include "common/tuning/choose_pixels.hpp"
 
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/choose_samples.hpp"
 #include "common/tuning/penumbrae.hpp"
+#include "common/tuning/promise.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>

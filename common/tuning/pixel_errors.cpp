@@ -43,4 +43,17 @@ double error_but_for_share(double share, const std::vector<double>& distances) {
     return too_few * quantile(allowed_outliers(distances.size(), share), distances);
 }
 
+double chance_beyond(double error, double allowed) {
+    if (allowed < 1) return error > allowed ? 1 : 0;  // before rounding
+    return std::clamp(error - std::floor(allowed), 0.0, 1.0);
+}
+
+double largest_share(double beyond, double tried, double all) {
+    const double square = certain_95 * certain_95 * std::max(1 - tried / all, 0.0);
+    const double share = beyond / tried;
+    return (beyond + square / 2 +
+            std::sqrt(square * (std::max(beyond * (1 - share), 0.0) + square / 4))) /
+           (tried + square);
+}
+
 }  // namespace rt

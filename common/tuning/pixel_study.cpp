@@ -2,8 +2,9 @@
 
 #include "common/math/spread_order.hpp"
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/choose_samples.hpp"
+#include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/promise.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -15,33 +16,10 @@ namespace rt {
 
 namespace {
 
-/// The largest difference of a component, of 255.
-int largest_difference(const Rgb& a, const Rgb& b) {
-    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
-
 DisplayColor display_color(const Rgb& rgb) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if (rgb == not_a_color) return {nan, nan, nan};
     return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
-}
-
-/// The chance that a pixel with this error does not keep the tolerance. Two pictures of 8 bits
-/// differ by whole levels: colors that differ by 2.3 differ by 3 levels in 3 of 10 cases, and by 2
-/// otherwise.
-double chance_beyond(double error, double allowed) {
-    if (allowed < 1) return error > allowed ? 1 : 0;  // before rounding
-    return std::clamp(error - std::floor(allowed), 0.0, 1.0);
-}
-
-/// With 95 % confidence, the largest share of `all` pixels that are beyond if `beyond` of `tried`
-/// are (Wilson 1927). The other pixels only are uncertain.
-double largest_share(double beyond, double tried, double all) {
-    const double square = certain_95 * certain_95 * std::max(1 - tried / all, 0.0);
-    const double share = beyond / tried;
-    return (beyond + square / 2 +
-            std::sqrt(square * (std::max(beyond * (1 - share), 0.0) + square / 4))) /
-           (tried + square);
 }
 
 /// The number of pixels that one pixel stands for, in which the first few rays found a difference
@@ -95,33 +73,8 @@ bool PixelStudy::sort_more() {
 }
 
 std::size_t PixelStudy::stratum_of(Pixel pixel) const {
-    if (contrast_around(pixel, 1) <= allowed_) return 2;  // most pixels
-    return contrast_around(pixel, 0) > 8 * allowed_ ? 0 : 1;
-}
-
-int PixelStudy::contrast_around(Pixel pixel, int reach) const {
-    constexpr int most_places = 5;
-    const Image& image = *centers_.image;
-    const auto [width, height] = image.resolution;
-    std::array<const Rgb*, most_places> rows{};
-    std::array<int, most_places> columns{};
-    const int places = 2 * reach + 3;
-    for (int i = 0; i < places; ++i) {
-        const int row = std::clamp(pixel.row + i - reach - 1, 0, height - 1);
-        rows[std::size_t(i)] = &image.pixels[std::size_t(row) * std::size_t(width)];
-        columns[std::size_t(i)] = std::clamp(pixel.column + i - reach - 1, 0, width - 1);
-    }
-    int most = 0;
-    const auto compare = [&](int row, int column, int next_row, int next_column) {
-        const auto at = [&](int i, int j) { return rows[std::size_t(i)][columns[std::size_t(j)]]; };
-        most = std::max(most, largest_difference(at(row, column), at(next_row, next_column)));
-    };
-    for (int line = 1; line + 1 < places; ++line)
-        for (int place = 1; place < places; ++place) {
-            compare(line, place - 1, line, place);
-            compare(place - 1, line, place, line);
-        }
-    return most;
+    if (contrast_around(*centers_.image, pixel, 1) <= allowed_) return 2;  // most pixels
+    return contrast_around(*centers_.image, pixel, 0) > 8 * allowed_ ? 0 : 1;
 }
 
 void PixelStudy::begin(double right_error) {
@@ -224,7 +177,7 @@ PixelStudy::TrialPixel PixelStudy::compared(Pixel place, PixelHistory history, i
     const PixelStep& right = history.steps.back();
     const DisplayColor center = display_color((*centers_.image)[place]);
     TrialPixel pixel{.place = place,
-                     .contrast = contrast_around(place, 1),
+                     .contrast = contrast_around(*centers_.image, place, 1),
                      .center_off = distance(center, right.mean)};
     // The ray through the center sends as many rays to a light as 4 of the others together. In a
     // penumbra, the difference contains the errors of both.

@@ -122,7 +122,6 @@ private:
     /// Sorts more pixels of the picture by kind. Returns false if all are.
     bool sort_more();
     [[nodiscard]] std::size_t stratum_of(Pixel pixel) const;
-    [[nodiscard]] int contrast_around(Pixel pixel, int reach) const;
     /// Traces the first trial pixels of each kind that has none yet, but has pixels.
     void trace_first();
     /// Traces rays through more pixels of a kind, until as many as wanted are traced, or all known,

@@ -1,8 +1,8 @@
 // Every scene of the project with --tolerance and --time. For a tolerance: the number of pixels
-// within it, and the cost of the picture with its trials, beside the cheapest of other candidate
+// within it, and the cost of the picture with its trials, beside the cheapest of other candidates
 // within it. For a time: the run time of the program.
 #include "common/system/cpu_seconds.hpp"
-#include "common/tuning/choose_samples.hpp"
+#include "common/tuning/promise.hpp"
 
 #include "tests/measurements/accuracy/certain_shades.hpp"
 #include "tests/measurements/accuracy/drawing.hpp"

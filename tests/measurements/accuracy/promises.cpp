@@ -4,8 +4,8 @@
 // picture and its trials take, in units of the fewest rays of other settings that keep it too.
 #include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/choose_samples.hpp"
 #include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/promise.hpp"
 
 #include "tests/measurements/accuracy/drawing.hpp"
 
