@@ -12,6 +12,23 @@ root=$folder/autograder
 mkdir -p "$root/source" "$root/submission" "$folder/bin"
 (cd "$root/source" && cmake -E tar xf "$folder/made/autograder.zip") || fail "autograder.zip"
 [ "$(ls made)" = autograder.zip ] || fail "nothing else is written: $(ls made)"
+# Nothing of the lecturer's is replaced.
+! "$grade" --for gradescope made 2> out || fail "a second autograder.zip is refused"
+grep -q 'autograder.zip: error: exists already$' out || fail "autograder.zip exists: $(cat out)"
+"$grade" --for slurm batch && "$grade" --for slurm batch || fail "the same files a second time"
+echo '#SBATCH --mem=9G' >> batch/grade.sbatch
+rm batch/submit.sh
+! "$grade" --for slurm batch 2> out || fail "a changed grade.sbatch is refused"
+grep -q 'grade.sbatch: error: exists already, with other content$' out || fail "changed: $(cat out)"
+grep -q mem=9G batch/grade.sbatch && [ ! -e batch/submit.sh ] || fail "a changed file stays"
+: > file
+! "$grade" --for slurm file 2> out || fail "a file in place of the folder is refused"
+grep -q '^file: error: ' out || fail "a file in place of the folder: $(cat out)"
+echo mine > mine.cpp
+mkdir class
+! "$grade" class --out results --gradescope mine.cpp 2> out || fail "--gradescope mine.cpp is refused"
+grep -q '^mine.cpp: error: is no results.json, and would be replaced$' out || fail "mine.cpp: $(cat out)"
+[ "$(cat mine.cpp)" = mine ] && [ ! -e results ] || fail "mine.cpp stays, and nothing is written"
 run=$root/source/run_autograder
 grep -q -- " --stages 3,5 " "$run" || fail "the stages are in run_autograder"
 setup=$root/source/setup.sh

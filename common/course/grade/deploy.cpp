@@ -4,6 +4,8 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 
+#include <map>
+
 namespace rt::grade {
 
 namespace fs = std::filesystem;
@@ -220,7 +222,7 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
         text.replace(i, what.size(), by);
 }
 
-/// Writes files of one place.
+/// The files of one place. None of them replaces one that the lecturer has changed.
 class Writer {
 public:
     Writer(const fs::path& project, const std::set<int>& stages)
@@ -229,17 +231,26 @@ public:
             stages_ += (stages_.empty() ? " --stages " : ",") + std::to_string(stage);
     }
 
-    void write(const fs::path& file, std::string text) const {
+    void add(const fs::path& file, std::string text) {
         replace(text, "@PROJECT@", project_);
         replace(text, "@STAGES@", stages_);
-        write_text(file, text);
-        if (text.rfind("#!", 0) == 0)
+        if (fs::exists(file) && (!fs::is_regular_file(file) || read_text(file) != text))
+            throw InputError({file}, "exists already, with other content");
+        texts_[file] = text;
+    }
+
+    void write() const {
+        for (const auto& [file, text] : texts_) {
+            write_text(file, text);
+            if (text.rfind("#!", 0) != 0) continue;
             fs::permissions(file,
                             fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
                             fs::perm_options::add);
+        }
     }
 
 private:
+    std::map<fs::path, std::string> texts_;
     std::string project_;
     std::string stages_;
 };
@@ -249,16 +260,21 @@ void run(const Command& command) {
     if (ending.status != 0) throw ProgramError("error: " + command[0] + " fails\n" + ending.output);
 }
 
-void write_autograder(const fs::path& folder, const fs::path& project, const Writer& writer) {
+void write_autograder(const fs::path& folder, const fs::path& project, Writer& writer) {
+    const fs::path archive = folder / "autograder.zip";
+    if (fs::exists(fs::symlink_status(archive))) throw InputError({archive}, "exists already");
     const TemporaryFolder scratch;
     const fs::path& packed = scratch.path();
     fs::create_directories(packed / "raysteps");
     run({"sh", "-c", copy_project, "copy", project.string(), (packed / "raysteps").string()});
-    writer.write(packed / "setup.sh", setup);
-    writer.write(packed / "run_autograder", run_autograder);
-    const fs::path archive = folder / "autograder.zip";
-    run({"cmake", "-E", "chdir", packed.string(), "cmake", "-E", "tar", "cf", archive.string(),
+    writer.add(packed / "setup.sh", setup);
+    writer.add(packed / "run_autograder", run_autograder);
+    writer.write();
+    const TemporaryFolder beside(folder);  // an unfinished archive is not left
+    const fs::path part = beside.path() / "autograder.zip";
+    run({"cmake", "-E", "chdir", packed.string(), "cmake", "-E", "tar", "cf", part.string(),
          "--format=zip", "setup.sh", "run_autograder", "raysteps"});
+    fs::rename(part, archive);
 }
 
 }  // namespace
@@ -267,17 +283,20 @@ void write_for(const std::string& place, const fs::path& place_of_files, const f
                const std::set<int>& stages) {
     if (place != "gradescope" && place != "github" && place != "slurm")
         throw InputError({}, "--for gradescope, github or slurm, not \"" + place + "\"");
-    fs::create_directories(place_of_files);
+    std::error_code error;
+    fs::create_directories(place_of_files, error);
+    if (error) throw InputError({place_of_files}, "cannot be made: " + error.message());
     const fs::path folder = fs::absolute(place_of_files);  // for tools that start in another folder
-    const Writer writer(project, stages);
-    if (place == "gradescope") write_autograder(folder, project, writer);
-    if (place == "github") writer.write(folder / "grade.yml", workflow);
+    Writer writer(project, stages);
+    if (place == "gradescope") return write_autograder(folder, project, writer);
+    if (place == "github") writer.add(folder / "grade.yml", workflow);
     if (place == "slurm") {
-        writer.write(folder / "submit.sh", submit);
-        writer.write(folder / "grade.sbatch", array);
-        writer.write(folder / "report.sbatch", report);
-        writer.write(folder / "in_parallel.sh", in_parallel);
+        writer.add(folder / "submit.sh", submit);
+        writer.add(folder / "grade.sbatch", array);
+        writer.add(folder / "report.sbatch", report);
+        writer.add(folder / "in_parallel.sh", in_parallel);
     }
+    writer.write();
 }
 
 }  // namespace rt::grade

@@ -15,7 +15,8 @@ namespace rt::grade {
 ///              the same for GNU parallel
 ///
 /// On Gradescope only `stages` are graded; all of them if it is empty. Throws InputError if the
-/// place is unknown or a file cannot be written; ProgramError if the project cannot be packed.
+/// place is unknown, a file exists with other content (autograder.zip: if it exists), or one cannot
+/// be written; ProgramError if the project cannot be packed.
 void write_for(const std::string& place, const std::filesystem::path& folder,
                const std::filesystem::path& project, const std::set<int>& stages);
 

@@ -134,6 +134,7 @@ int carry_out(const Command& command) {
         return 0;
     }
     if (order.places.empty()) throw rt::InputError({}, "grade: no submissions given");
+    if (!command.gradescope.empty()) rt::grade::check_gradescope_file(command.gradescope);
     return grade_class(order, command.gradescope);
 }
 

@@ -4,6 +4,7 @@
 #include "common/course/grade/results/submissions.hpp"
 
 #include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,16 @@ std::string diagnosis(const Mark& mark) {
 }
 
 }  // namespace
+
+void check_gradescope_file(const std::filesystem::path& file) {
+    if (!std::filesystem::exists(file)) return;
+    if (std::filesystem::is_regular_file(file)) {
+        const std::string text = read_text(file);
+        const Json older = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+        if (text.empty() || (older.is_object() && older.contains("score"))) return;
+    }
+    throw InputError({file}, "is no results.json, and would be replaced");
+}
 
 void write_gradescope(const std::filesystem::path& file, const std::vector<Mark>& marks) {
     int score = 0;

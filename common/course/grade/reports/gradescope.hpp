@@ -6,6 +6,10 @@
 
 namespace rt::grade {
 
+/// Throws InputError if the file exists and is neither empty nor a results.json, which a new one
+/// may replace.
+void check_gradescope_file(const std::filesystem::path& file);
+
 /// Writes results.json from the marks of one student. Throws InputError.
 void write_gradescope(const std::filesystem::path& file, const std::vector<Mark>& marks);
 
