@@ -12,6 +12,9 @@ root=$folder/autograder
 mkdir -p "$root/source" "$root/submission" "$folder/bin"
 (cd "$root/source" && cmake -E tar xf "$folder/made/autograder.zip") || fail "autograder.zip"
 [ "$(ls made)" = autograder.zip ] || fail "nothing else is written: $(ls made)"
+if [ -c /dev/full ]; then
+    ! "$grade" --help > /dev/full 2> out || fail "output that is lost is an error"
+fi
 # Nothing of the lecturer's is replaced.
 ! "$grade" --for gradescope made 2> out || fail "a second autograder.zip is refused"
 grep -q 'autograder.zip: error: exists already$' out || fail "autograder.zip exists: $(cat out)"

@@ -19,6 +19,24 @@ TEST_CASE("results inside a submission give nobody another's files") {
     CHECK(ground.take("ann").files == Files{{3, "hers"}});
 }
 
+TEST_CASE("a full disk is no fault of a submission") {
+    const Ground ground(RAYSTEPS_SEALED);
+    CHECK_NOTHROW(check_space(ground.place("")));
+    if (fs::space("/proc").available == 0) CHECK_THROWS_AS(check_space("/proc"), InputError);
+}
+
+TEST_CASE("an archive without a file, and one that is no file, are told apart from a damaged one") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("none/x", "");
+    fs::remove(ground.place("none/x"));
+    ground.pack("none.tar", "none", {"--files-from=/dev/null"});
+    CHECK(ground.take("none.tar").words_on_all == "The archive none.tar is empty.\n");
+    ground.write("ann/x", "");
+    fs::create_symlink("x", ground.place("ann/work.zip"));
+    CHECK(ground.take("ann").words_on_all ==
+          "The archive work.zip was not opened: a link, or not a regular file.\n");
+}
+
 TEST_CASE("a file is found by its name, wherever it is") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("flat/sphere.cpp", "three");

@@ -6,12 +6,14 @@
 #include "common/stages/stages.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
 #include "common/system/two_numbers.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <sys/stat.h>
 
+#include <csignal>
 #include <iostream>
 #include <optional>
 #include <thread>
@@ -141,9 +143,12 @@ int carry_out(const Command& command) {
 }  // namespace
 
 int main(int count, char** words) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file above the size limit is an error to report
     try {
         const std::optional<Command> command = parse(count, words);
-        return command ? carry_out(*command) : 0;
+        const int status = command ? carry_out(*command) : 0;
+        rt::finish_output();
+        return status;
     } catch (const rt::InputError& error) {
         std::cerr << error.what() << '\n';
     } catch (const rt::ProgramError& error) {

@@ -79,7 +79,10 @@ std::optional<Unpacked> unpack(const BuildDirectory& workshop, const fs::path& a
     std::error_code failed;
     if (!fs::is_regular_file(fs::symlink_status(archive, failed))) return std::nullopt;
     fs::copy_file(archive, copy, failed);
-    if (failed) return std::nullopt;
+    if (failed) {
+        check_space(scratch.path());
+        return std::nullopt;
+    }
     fs::permissions(copy, fs::perms(0644));
     fs::permissions(scratch.path(), fs::perms(0755));
     const ProcessResult ending =
@@ -87,6 +90,10 @@ std::optional<Unpacked> unpack(const BuildDirectory& workshop, const fs::path& a
     const std::optional<std::string> list = plain_bytes(folder / "list", largest_list);
     Unpacked unpacked = read_list(list.value_or(""), folder);
     if (ending.status != 0) unpacked.whole = false;
+    const auto is_damaged = [](const Entry& each) { return each.kind == Entry::Kind::damaged; };
+    if (!unpacked.whole ||
+        std::any_of(unpacked.entries.begin(), unpacked.entries.end(), is_damaged))
+        check_space(folder);
     if (!unpacked.whole && unpacked.entries.empty()) return std::nullopt;
     return unpacked;
 }

@@ -92,7 +92,7 @@ public:
         const fs::file_type type = fs::symlink_status(place, none).type();
         if (type == fs::file_type::directory)
             add_folder(place, name, depth);
-        else if (is_archive(name.filename()))
+        else if (type == fs::file_type::regular && is_archive(name.filename()))
             add_archive(place, name, depth);
         else
             add_file(name, source_text(place),
@@ -148,11 +148,13 @@ private:
             unpack(workshop_, archive, taken_out_.back().path(), most_megabytes);
         if (!unpacked)
             return problem("The archive " + called +
-                           " cannot be opened: it is damaged, or not of a supported kind (zip, "
-                           "tar, 7z).");
+                           " cannot be opened: it is damaged, not readable, or not of a "
+                           "supported kind (zip, tar, 7z).");
         all_whole_ = unpacked->whole;
         if (!unpacked->whole)
             problem("The archive " + called + " is damaged, or too large: not all was read.");
+        else if (unpacked->entries.empty())
+            problem("The archive " + called + " is empty.");
         for (const Entry& entry : unpacked->entries) add_entry(entry, name, depth);
     }
 

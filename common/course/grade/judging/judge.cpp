@@ -182,10 +182,18 @@ namespace {
 /// The part of the picture that the student's own stages draw.
 std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
                                       const fs::path& file, Clock::time_point until) {
-    const ProcessResult ending = run_asking(
-        grading, stage, {"ask_picture", worker.string(), name_of(stage), file.string()}, {}, until);
+    // In the workshop first: a worker without an answer and a full disk are different failures.
+    const fs::path drawn = worker.parent_path() / file.filename();
+    const ProcessResult ending =
+        run_asking(grading, stage, {"ask_picture", worker.string(), name_of(stage), drawn.string()},
+                   {}, until);
     PictureMark mark{.file = file.filename()};
-    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) return {};
+    if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) {
+        check_space(drawn.parent_path());
+        return {};
+    }
+    copy_whole(drawn, file);
+    fs::remove(drawn);
     return mark;
 }
 
@@ -211,8 +219,8 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
         if (found != known_.end()) {
             const Mark& same = found->second;
             if (!same.slice.empty())
-                fs::copy_file(student_folder(grading_.results, same.student) / same.slice,
-                              job.beside(stage, ".svg"), fs::copy_options::overwrite_existing);
+                copy_whole(student_folder(grading_.results, same.student) / same.slice,
+                           job.beside(stage, ".svg"));
             return same;
         }
     }
@@ -261,15 +269,21 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point u
         const std::string probes =
             grading_.project / "tests/mistakes" / stage_name(stage) / "probes.txt";
         const fs::path report = job.worker().parent_path() / (name_of(stage) + ".report");
+        const fs::path slice = job.worker().parent_path() / (name_of(stage) + ".svg");
         write_report(report, as_written);
         const ProcessResult ending =
             run_asking(grading_, stage,
                        {"diagnose", probes, job.worker().string(), reference_result.worker.string(),
-                        report.string(), job.beside(stage, ".svg").string()},
+                        report.string(), slice.string()},
                        {}, until);
         fs::remove(report);
         if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
-        if (fs::exists(job.beside(stage, ".svg"))) mark.slice = name_of(stage) + ".svg";
+        if (ending.status > 1) check_space(slice.parent_path());
+        if (fs::exists(slice)) {
+            copy_whole(slice, job.beside(stage, ".svg"));
+            fs::remove(slice);
+            mark.slice = name_of(stage) + ".svg";
+        }
     }
 }
 
@@ -280,8 +294,8 @@ std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::
         const auto found = drawn_.find(known);
         if (found != drawn_.end()) {
             const auto& [student, mark] = found->second;
-            fs::copy_file(student_folder(grading_.results, student) / mark.file,
-                          job.beside(stage, ".png"), fs::copy_options::overwrite_existing);
+            copy_whole(student_folder(grading_.results, student) / mark.file,
+                       job.beside(stage, ".png"));
             return mark;
         }
     }

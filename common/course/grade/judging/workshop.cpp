@@ -8,6 +8,7 @@
 
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
 
 #include <unistd.h>
 
@@ -22,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
+constexpr std::uintmax_t least_space = 64 << 20;  // for the files of a few tools at a time
 // An honest file compiles in less than a second. With the limits of a first compile, a file that
 // takes all its time before an error would take it twice.
 constexpr ToolLimits of_second_compile{.processor_seconds = 5, .wall_seconds = 8};
@@ -194,8 +196,16 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 
 }  // namespace
 
+void check_space(const fs::path& folder) {
+    std::error_code unknown;
+    const fs::space_info space = fs::space(folder, unknown);
+    if (!unknown && space.available < least_space)
+        throw InputError({folder}, "the disk is full: less than " +
+                                       std::to_string(least_space >> 20) + " MB are left");
+}
+
 BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
-                             const fs::path& folder) {
+                             const fs::path& folder) try {
     const BuildDirectory workshop{.folder = folder, .sealed = build / "sealed"};
     fs::copy(build / "seats", folder / "seats",
              fs::copy_options::recursive | fs::copy_options::overwrite_existing);
@@ -214,6 +224,9 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
     for (const char* each : {"headers", "seats"})
         if (fs::exists(folder / each)) let_all_read(folder / each);
     return workshop;
+} catch (const fs::filesystem_error&) {
+    check_space(folder);
+    throw;
 }
 
 void go_on(const BuildDirectory& workshop) {
@@ -243,6 +256,7 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     // no submission's mark.
     if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
+    if (ending.status != 0) check_space(writable);
     return ending;
 }
 
@@ -253,7 +267,7 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
     // own, so that messages, __FILE__ and __TIMESTAMP__ are the same in every run.
     const std::string source = file_name(graded);
     const fs::path made = scratch.path() / "submission.o";
-    std::ofstream(scratch.path() / source) << text;
+    write_text(scratch.path() / source, text);
     fs::permissions(scratch.path() / source, fs::perms(0644));
     fs::last_write_time(scratch.path() / source, fs::file_time_type());
 

@@ -30,7 +30,12 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted if the workshop is stopped.
 void go_on(const BuildDirectory& workshop);
 
-/// Fills the folder from the project and its build. Throws filesystem_error.
+/// Throws InputError if the disk of the folder is full, or nearly: a tool that failed there may
+/// have failed for no fault of the submission.
+void check_space(const std::filesystem::path& folder);
+
+/// Fills the folder from the project and its build. Throws filesystem_error, or InputError if the
+/// disk is full.
 [[nodiscard]] BuildDirectory open_workshop(const std::filesystem::path& project,
                                            const std::filesystem::path& build,
                                            const std::filesystem::path& folder);
@@ -41,7 +46,7 @@ struct Build {
     std::string words;  ///< the reason for a failure, for the author of the file
 };
 
-// Both functions throw ProgramError or filesystem_error if the grader itself fails, and
+// Both functions throw ProgramError, InputError or filesystem_error if the grader itself fails, and
 // Interrupted.
 
 /// Compiles a file of a submission. Refuses one that defines symbols other than its own.
@@ -66,7 +71,8 @@ struct ToolLimits {
 };
 
 /// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
-/// its -isystem options; it may write only to its working folder.
+/// its -isystem options; it may write only to its working folder. Throws InputError if it fails on
+/// a full disk.
 [[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop,
                                        const std::filesystem::path& writable,
                                        const std::vector<std::filesystem::path>& readable,
