@@ -44,6 +44,13 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending
     return files;
 }
 
+fs::path temporary_place() {
+    std::error_code error;
+    fs::path place = fs::temp_directory_path(error);
+    if (error) throw InputError({}, "the variable TMPDIR must be the name of a folder");
+    return place;
+}
+
 fs::path make_folder(const fs::path& parent, const std::string& start) {
     std::string name = parent / (start + "XXXXXX");  // completed by mkdtemp
     if (mkdtemp(name.data()) == nullptr) throw InputError({name}, "cannot be created");

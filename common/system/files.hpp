@@ -24,6 +24,9 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 /// The lines of a text, without their line ends.
 [[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
+/// The system's folder for temporary files. Throws InputError if TMPDIR names no folder.
+[[nodiscard]] std::filesystem::path temporary_place();
+
 /// Creates a folder whose name is `start` and random letters, and returns its path. Only its owner
 /// may enter it. Throws InputError.
 [[nodiscard]] std::filesystem::path make_folder(const std::filesystem::path& parent,
@@ -36,8 +39,7 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 class TemporaryFolder {
 public:
     /// Throws InputError.
-    explicit TemporaryFolder(
-        const std::filesystem::path& parent = std::filesystem::temp_directory_path());
+    explicit TemporaryFolder(const std::filesystem::path& parent = temporary_place());
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -15,6 +15,8 @@ mkdir -p "$root/source" "$root/submission" "$folder/bin"
 if [ -c /dev/full ]; then
     ! "$grade" --help > /dev/full 2> out || fail "output that is lost is an error"
 fi
+! TMPDIR=nowhere "$grade" --for gradescope other 2> out || fail "a wrong TMPDIR is refused"
+grep -qx 'error: the variable TMPDIR must be the name of a folder' out || fail "TMPDIR: $(cat out)"
 # Nothing of the lecturer's is replaced.
 ! "$grade" --for gradescope made 2> out || fail "a second autograder.zip is refused"
 grep -q 'autograder.zip: error: exists already$' out || fail "autograder.zip exists: $(cat out)"

@@ -79,6 +79,8 @@ Comparison compare_both(const ComparisonRequest& contest) {
         const TemporaryFolder folder(build_folder);
         const std::string file = (folder.path() / "picture.png").string();
         answer(program, contest, {"--quiet", "-o", file}, limit);
+        if (!std::filesystem::exists(file))
+            throw InputError({}, "with these options no picture is made: nothing is compared");
         return read_png(file);
     });
     return compare(both.mine, both.reference);
@@ -125,9 +127,12 @@ void show_parts(const ComparisonRequest& contest) {
 }  // namespace
 
 int compare_pictures(const ComparisonRequest& contest) {
+    const std::string file = "renders/" + stage_target(contest.stage, "_compare.png");
+    for (const std::string& word : contest.words)
+        if (word.starts_with("-o") || word.starts_with("--output"))
+            throw InputError({}, "compare writes " + file + ", and has no " + word);
     build_both(contest);
     const Comparison comparison = compare_both(contest);
-    const std::string file = "renders/" + stage_target(contest.stage, "_compare.png");
     write_png((project_folder / file).string(), comparison.side_by_side, {});
     if (isatty(STDOUT_FILENO) == 1)
         std::fputs(preview(comparison.side_by_side, terminal_columns()).c_str(), stdout);

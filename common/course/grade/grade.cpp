@@ -82,10 +82,11 @@ fs::path workshop_folder(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
     const std::string start =
         "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
+    const fs::path place = temporary_place();
     std::error_code none;
-    for (const auto& each : fs::directory_iterator(fs::temp_directory_path(), none))
+    for (const auto& each : fs::directory_iterator(place, none))
         if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
-    const fs::path folder = make_folder(fs::temp_directory_path(), start);
+    const fs::path folder = make_folder(place, start);
     if (geteuid() == 0 && (lchown(folder.c_str(), 0, builders_group) != 0 ||
                            chmod(folder.c_str(), S_IRWXU | S_IXGRP) != 0))
         throw InputError({folder}, "cannot be made accessible to compilers");
