@@ -40,4 +40,13 @@ std::string percent_encoded(std::string_view text) {
     return result;
 }
 
+std::string shell_word(const std::string& word) {
+    constexpr const char* plain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text;
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return "'" + text + "'";
+}
+
 }  // namespace rt

@@ -1,4 +1,4 @@
-// Text of unknown content, made safe for a message and for a URL.
+// Text of unknown content, made safe for a message, for a URL and for a shell.
 #pragma once
 
 #include <string>
@@ -13,5 +13,8 @@ namespace rt {
 /// The text as a part of a URL or of a header (RFC 3986 §2.1): each byte is written as %NN, except
 /// for letters and digits of ASCII, and - . _ ~.
 [[nodiscard]] std::string percent_encoded(std::string_view text);
+
+/// The word as a shell takes it, in single quotes if it needs any.
+[[nodiscard]] std::string shell_word(const std::string& word);
 
 }  // namespace rt

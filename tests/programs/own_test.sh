@@ -78,6 +78,9 @@ says "status 2"
 [ -z "$(find . -maxdepth 1 -name 'raysteps*' -o -maxdepth 1 -name '.raysteps*')" ] ||
     fail "nothing is left over"
 
+own 2 "it's mine" "$build/step10_shadows" 60
+says "cmake -G Ninja -S 'it'\\''s mine' -B 'it'\\''s mine/build'"
+
 # An empty folder is taken. Of common/ there are values alone.
 cp -r "$project/steps/step04_plane/reference" course/steps/step04_plane/student
 rm -r mine

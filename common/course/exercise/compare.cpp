@@ -7,6 +7,7 @@
 #include "common/course/exercise/log_text.hpp"
 #include "common/image/png.hpp"
 #include "common/image/preview.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/status_line.hpp"
@@ -91,16 +92,6 @@ Both<std::string> explain_both(const ComparisonRequest& contest, const std::stri
     return run_both(contest, [&](const std::string& program, auto limit) {
         return answer(program, contest, {"--pixel", pixel}, limit);
     });
-}
-
-/// A word as the shell takes it.
-std::string shell_word(const std::string& word) {
-    constexpr const char* plain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text;
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return "'" + text + "'";
 }
 
 /// The command that explains the same picture.

@@ -1,5 +1,6 @@
 #include "common/course/grade/deploy.hpp"
 
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
@@ -210,13 +211,6 @@ else
 fi | tar -xf - -C "$2"
 )sh";
 
-/// An argument quoted for the shell.
-std::string quoted(const std::string& word) {
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return text + "'";
-}
-
 void replace(std::string& text, const std::string& what, const std::string& by) {
     for (std::size_t i = 0; (i = text.find(what, i)) != std::string::npos; i += by.size())
         text.replace(i, what.size(), by);
@@ -226,7 +220,7 @@ void replace(std::string& text, const std::string& what, const std::string& by) 
 class Writer {
 public:
     Writer(const fs::path& project, const std::set<int>& stages)
-        : project_(quoted(project.string())) {
+        : project_(shell_word(project.string())) {
         for (const int stage : stages)
             stages_ += (stages_.empty() ? " --stages " : ",") + std::to_string(stage);
     }

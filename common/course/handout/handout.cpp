@@ -7,6 +7,7 @@
 #include "common/course/handout/live_links.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/system/ending_of.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
@@ -304,7 +305,8 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also) 
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
     std::printf("%s: %zu files, without solutions\nfor %s\n", destination.c_str(), files,
                 kind_of(machines).c_str());
-    std::printf("To update an older hand-out: ./course update %s\n", target.filename().c_str());
+    std::printf("To update an older hand-out: ./course update %s\n",
+                shell_word(target.filename().string()).c_str());
     return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/course/exercise/may_include.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
@@ -167,8 +168,9 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(folder, target);
 
-    std::printf("%s: your files of %zu stages, and the headers that they include\n",
-                destination.c_str(), layout.stages().size());
+    const std::size_t stages = layout.stages().size();
+    std::printf("%s: your files of %zu %s, and the headers that they include\n",
+                destination.c_str(), stages, stages == 1 ? "stage" : "stages");
     std::string left_out;
     for (const int stage : layout.left_out())
         left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
@@ -178,8 +180,9 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
 }
 
 std::string own_build_command(const fs::path& folder) {
-    const std::string build = (folder / "build").string();
-    return "cmake -G Ninja -S " + folder.string() + " -B " + build + " && cmake --build " + build;
+    const std::string build = shell_word((folder / "build").string());
+    return "cmake -G Ninja -S " + shell_word(folder.string()) + " -B " + build +
+           " && cmake --build " + build;
 }
 
 }  // namespace rt

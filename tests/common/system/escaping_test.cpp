@@ -19,3 +19,10 @@ TEST_CASE("percent-encoding keeps RFC 3986's unreserved characters alone") {
     CHECK(percent_encoded("../é\n") == "..%2F%C3%A9%0A");
     CHECK(percent_encoded("100 %") == "100%20%25");
 }
+
+TEST_CASE("a word for the shell is in quotes if it needs any") {
+    CHECK(shell_word("a-1/b_2.png") == "a-1/b_2.png");
+    CHECK(shell_word("my scene.rt") == "'my scene.rt'");
+    CHECK(shell_word("it's") == "'it'\\''s'");
+    CHECK(shell_word("") == "''");
+}
