@@ -43,6 +43,10 @@ for script in "$run" "$setup"; do
     ! command -v shellcheck > /dev/null || shellcheck -e SC2086 "$script" || fail "shellcheck $script"
 done
 
+mkdir none
+! "$grade" none --out results/deep 2> out || fail "a class without submissions is refused"
+[ ! -e results/deep ] || fail "an error in the class leaves no folder of results"
+
 # With a stub for the grader: results.json exists whatever it does.
 mkdir -p "$root/source/raysteps/build"
 stand_in() { printf '#!/bin/sh\n%s\n' "$1" > "$root/source/raysteps/build/grade"; }

@@ -45,6 +45,27 @@ void check_seal() {
             "error: submissions are not run without these. docs/reference/instructors.md\n");
 }
 
+/// The folder of the results. A new one is removed if it is still empty at the end, as after an
+/// error in the class.
+class ResultsFolder {
+public:
+    explicit ResultsFolder(const fs::path& folder) : folder_(folder) {
+        std::error_code error;
+        is_new_ = fs::create_directories(folder, error);
+        if (error) throw InputError({folder}, "cannot be made: " + error.message());
+    }
+    ~ResultsFolder() {
+        std::error_code not_empty;
+        if (is_new_) fs::remove(folder_, not_empty);
+    }
+    ResultsFolder(const ResultsFolder&) = delete;
+    ResultsFolder& operator=(const ResultsFolder&) = delete;
+
+private:
+    fs::path folder_;
+    bool is_new_ = false;
+};
+
 /// The results are one run's at a time, or one part's.
 class Lock {
 public:
@@ -188,12 +209,12 @@ Outcome grade(const Order& order, const fs::path& folder) {
                     .build = order.build,
                     .results = fs::absolute(order.results),
                     .workshop = open_workshop(order.project, order.build, folder),
-                    .seed = seed_identifier(agreed_seed(order.results, order.seed_file)),
                     .stages = stages_of(order)};
     grading.workshop.stop = &stop;
     const ClassFolder found = order.one ? one_submission(order.places)
                                         : find_class(grading.workshop, order.places, order.results);
     const std::vector<Submission> submissions = chosen(found.submissions, order);
+    grading.seed = seed_identifier(agreed_seed(order.results, order.seed_file));
     // Grading one student again keeps the report on the class.
     const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())
@@ -227,7 +248,7 @@ Outcome grade(const Order& order) {
     check_seal();
     check_places(order);
     static_cast<void>(read_term(order.results, {}));  // an error there ends the run at its start
-    fs::create_directories(order.results);
+    const ResultsFolder results(order.results);
     const Lock lock(order.results, order.part);
     const Workplace workplace(order);
     try {
