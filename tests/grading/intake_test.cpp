@@ -4,6 +4,8 @@
 
 #include "tests/grading/intake_ground.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 
 using namespace rt;
@@ -35,6 +37,18 @@ TEST_CASE("an archive without a file, and one that is no file, are told apart fr
     fs::create_symlink("x", ground.place("ann/work.zip"));
     CHECK(ground.take("ann").words_on_all ==
           "The archive work.zip was not opened: a link, or not a regular file.\n");
+}
+
+TEST_CASE("a folder that cannot be read hides nothing but its own files") {
+    if (geteuid() == 0) return;  // who reads every folder
+    const Ground ground(RAYSTEPS_SEALED);
+    for (const char* name : {"ann/a/sphere.cpp", "ann/b/x", "ann/c/plane.cpp"})
+        ground.write(name, "hers");
+    fs::permissions(ground.place("ann/b"), fs::perms::none);
+    const SubmittedFiles found = ground.take("ann");
+    fs::permissions(ground.place("ann/b"), fs::perms::owner_all);
+    CHECK(found.files == Files{{3, "hers"}, {4, "hers"}});
+    CHECK(found.words_on_all == "The folder b cannot be read.\n");
 }
 
 TEST_CASE("a file is found by its name, wherever it is") {

@@ -6,6 +6,8 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <list>
 #include <optional>
@@ -126,13 +128,18 @@ private:
                 is_litter(each->path().filename()) || (is_folder && is_results(each->path()));
             if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
             if (is_folder && each.depth() >= deepest) problem("Folders are too deep.");
+            if (is_folder && !litter && access(each->path().c_str(), R_OK | X_OK) != 0) {
+                problem("The folder " + told(name / each->path().lexically_relative(folder)) +
+                        " cannot be read.");
+                each.disable_recursion_pending();  // the others are
+            }
             if (!is_folder && !litter) files.push_back(each->path());
             if (++entries_ > most_entries) {
                 problem("There are more than a million files; not all were searched.");
                 break;
             }
         }
-        if (failed) problem(told(name) + ": part of it cannot be read.");
+        if (failed) problem("Part of the submission cannot be read.");
         std::sort(files.begin(), files.end());
         for (const fs::path& file : files) add(file, name / file.lexically_relative(folder), depth);
     }
