@@ -23,7 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t longest_words = 4000;
-constexpr std::uintmax_t least_space = 64 << 20;  // for the files of a few tools at a time
 // An honest file compiles in less than a second. With the limits of a first compile, a file that
 // takes all its time before an error would take it twice.
 constexpr ToolLimits of_second_compile{.processor_seconds = 5, .wall_seconds = 8};
@@ -196,12 +195,12 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 
 }  // namespace
 
-void check_space(const fs::path& folder) {
+void check_space(const fs::path& folder, std::uintmax_t least) {
     std::error_code unknown;
     const fs::space_info space = fs::space(folder, unknown);
-    if (!unknown && space.available < least_space)
-        throw InputError({folder}, "the disk is full: less than " +
-                                       std::to_string(least_space >> 20) + " MB are left");
+    if (!unknown && space.capacity > 0 && space.available < least)
+        throw InputError({folder}, "the disk is full: less than " + std::to_string(least >> 20) +
+                                       " MB are left");
 }
 
 BuildDirectory open_workshop(const fs::path& project, const fs::path& build,

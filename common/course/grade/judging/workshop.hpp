@@ -5,6 +5,7 @@
 #include "common/system/process.hpp"
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -30,9 +31,12 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted if the workshop is stopped.
 void go_on(const BuildDirectory& workshop);
 
+/// Space on a disk for the files of a few tools at a time, in bytes.
+constexpr std::uintmax_t space_of_tools = 64 << 20;
+
 /// Throws InputError if the disk of the folder is full, or nearly: a tool that failed there may
-/// have failed for no fault of the submission.
-void check_space(const std::filesystem::path& folder);
+/// have failed for no fault of the submission. A file system that does not know its size is not.
+void check_space(const std::filesystem::path& folder, std::uintmax_t least = space_of_tools);
 
 /// Fills the folder from the project and its build. Throws filesystem_error, or InputError if the
 /// disk is full.
