@@ -35,7 +35,7 @@ void go_on(const BuildDirectory& workshop);
 constexpr std::uintmax_t space_of_tools = 64 << 20;
 
 /// Throws InputError if the disk of the folder is full, or nearly: a tool that failed there may
-/// have failed for no fault of the submission. A file system that does not know its size is not.
+/// have failed for no fault of the submission. A disk that reports no size does not count as full.
 void check_space(const std::filesystem::path& folder, std::uintmax_t least = space_of_tools);
 
 /// Fills the folder from the project and its build. Throws filesystem_error, or InputError if the
