@@ -16,10 +16,10 @@ has_terminal() {
     script -qec true /dev/null < /dev/null > "$folder/terminal" 2>&1
 }
 
-# copy_project PROJECT: into the folder, without what is built, drawn, or a student's
+# copy_project PROJECT [FOLDER]: without what is built, drawn, or a student's
 copy_project() {
     (cd "$1" && tar -cf - --exclude=./build --exclude=./renders --exclude=./.git \
-        --exclude='./steps/*/student*' .) | tar -xf - -C "$folder"
+        --exclude='./steps/*/student*' .) | tar -xf - -C "${2-$folder}"
 }
 
 # course STATUS WORDS…: runs ./course; its output is in the folder's file out, without the lines of a
