@@ -52,6 +52,17 @@ Sample<Triangle> draw_across_an_axis(Random& random) {
     return {.shape = triangle, .point = weighted(triangle, inner_weights(random)), .normal = z};
 }
 
+/// As `draw_across_an_axis`, but a rounding off: no coordinate of the normal is 0, and points in
+/// the plane can do without the coordinate along the axis alone.
+Sample<Triangle> draw_almost_across_an_axis(Random& random) {
+    const auto [x, y, z] = random.axes();
+    const Vec3 a = random.between(-3, 3) * x;
+    const Triangle triangle{.a = a,
+                            .b = a + random.between(1, 2) * x + unit_roundoff * z,
+                            .c = a + random.between(1, 2) * y + unit_roundoff * z};
+    return {.shape = triangle, .point = weighted(triangle, inner_weights(random)), .normal = z};
+}
+
 /// A ray at a point of the plane whose weight of a random corner is this.
 Aimed<Triangle> aimed_with_weight(Real weight, Random& random) {
     Sample<Triangle> sample = draw(random);
@@ -266,6 +277,7 @@ TEST_CASE("small triangles and short directions count: no epsilon on the determi
 TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
     CHECK(aimed_rays_hit(draw));
     CHECK(aimed_rays_hit(draw_across_an_axis));
+    CHECK(aimed_rays_hit(draw_almost_across_an_axis));
 }
 
 TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {

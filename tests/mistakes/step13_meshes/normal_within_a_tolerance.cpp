@@ -9,9 +9,9 @@ namespace rt {
 
 Vec3 normal(const OrientedBox& box, Vec3 point) {
     const Vec3 share = in_frame(box.basis, point - box.center) / box.half_size;
-    if (std::abs(std::abs(share.x) - 1) < Real(0.001))
+    if (std::abs(std::abs(share.x) - 1) < Real(0.0004))
         return std::copysign(Real(1), share.x) * box.basis.x;
-    if (std::abs(std::abs(share.y) - 1) < Real(0.001))
+    if (std::abs(std::abs(share.y) - 1) < Real(0.0004))
         return std::copysign(Real(1), share.y) * box.basis.y;
     return std::copysign(Real(1), share.z) * box.basis.z;
 }

@@ -237,6 +237,13 @@ TEST_CASE("a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.
         const Vec3 way = random.between(100, 1000) * draw_leaving(random, basis.z, Real(0.5));
         return lamp_is_not_shadowed(random, random.point(1), basis, way);
     }));
+    CHECK(for_all([](Random& random) {
+        // And far from it, where neither the surface's coordinates nor its error reveal how the
+        // light's are rounded.
+        const Basis basis = random.basis();
+        const Vec3 way = random.between(100, 1000) * draw_leaving(random, basis.z, Real(0.5));
+        return lamp_is_not_shadowed(random, way + random.point(1), basis, way);
+    }));
 }
 
 TEST_CASE("a surface does not shadow itself at any scale: no acne (CR §3.2, erratum 31)") {

@@ -29,6 +29,24 @@ Sample<OrientedBox> draw_box(Random& random) {
             .normal = sign * axes[std::size_t(face)]};
 }
 
+/// Close to an edge: less than a thousandth of the size away from another face.
+Sample<OrientedBox> draw_beside_an_edge(Random& random) {
+    const Basis basis = draw_basis(random);
+    const Vec3 half_size = Vec3(Real(0.5)) + abs(random.point(1));
+    const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
+    const auto face = glm::length_t(random.below(3));
+    const auto other = (face + 1 + random.below(2)) % 3;
+    const Real sign = random.coin() ? 1 : -1;
+    Vec3 share = random.point(Real(0.9));
+    share[face] = sign;
+    share[other] = (random.coin() ? 1 : -1) * (1 - draw_narrow(random));
+    const OrientedBox box{.center = random.point(3), .basis = basis, .half_size = half_size};
+    const Vec3 p = share * half_size;
+    return {.shape = box,
+            .point = box.center + p.x * basis.x + p.y * basis.y + p.z * basis.z,
+            .normal = sign * axes[std::size_t(face)]};
+}
+
 /// In eighths, along the axes, half sizes powers of two from 1: with rays along or across them
 /// nothing is rounded.
 OrientedBox draw_box_in_eighths(Random& random) {
@@ -168,6 +186,7 @@ TEST_CASE("the normal is that of the face, not of the largest coordinate (M1)") 
     const Real beside = 1 - std::ldexp(Real(1), -11);
     CHECK(normal_is(upright, {beside, 2, -5}, {0, 1, 0}));
     CHECK(normal_is(upright, {1, 2 * beside, -5}, {1, 0, 0}));
+    CHECK(normals_point_outward(draw_beside_an_edge));
     CHECK(normals_point_outward(draw_box));
     // However small the box is.
     CHECK(for_all([](Random& random) {
