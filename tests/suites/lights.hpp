@@ -39,6 +39,18 @@ inline Verdict terms_add_up() {
     return all;
 }
 
+/// Each kind of shape is lit on the side of the eye, whichever its normal points to.
+inline Verdict every_kind_is_lit_from_either_side(int stage) {
+    const std::string light = "L 0,0,0 0.4 255,255,255\n";
+    Verdict all;
+    for (const Kind& kind : kinds_until(stage)) {
+        const auto level = std::uint8_t(102 * kind.torch + 0.5);
+        for (const Kind::Line line : {kind.line, kind.other_side})
+            keep_first(all, shows(light + line(5, "255,255,255"), {level, level, level}));
+    }
+    return all;
+}
+
 /// The option --term selects a term of the sum.
 inline Verdict term_is_selected() {
     const std::string scene =

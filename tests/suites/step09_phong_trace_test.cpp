@@ -100,6 +100,7 @@ TEST_CASE("the surface is lit on the side of the eye (CR §3.1)") {
     CHECK(shows(light + "pl 0,0,-4 0,0,-1 255,255,255\n", {102, 102, 102}));
     CHECK(shows(light + "sp 0,0,0 8 255,255,255\n", {102, 102, 102}));
     CHECK(shows("L 0,0,-9 1 255,255,255\nsp 0,0,0 8 255,255,255\n", {0, 0, 0}));
+    CHECK(every_kind_is_lit_from_either_side(9));
 }
 
 TEST_CASE(

@@ -144,6 +144,7 @@ TEST_CASE("a lamp that lies in a ceiling is not shadowed by it (CR §2.4, §3.2)
 
 TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
     CHECK(terms_add_up());
+    CHECK(every_kind_is_lit_from_either_side(10));
     CHECK(term_is_selected());
 }
 
