@@ -58,6 +58,22 @@ inline Verdict mirrors_show_mirrors(int stage,
     return all;
 }
 
+/// Each kind of shape is a mirror, from either side. A cone sends the ray up, and one around the
+/// eye sends it down; all others send it back.
+inline Verdict every_kind_is_a_mirror(int stage) {
+    const std::string material = "255,255,255 mirror:1";
+    Verdict all;
+    for (const Kind& kind : kinds_until(stage)) {
+        const bool back = kind.torch == 1;
+        const std::string shown = back ? "sp 0,0,2 1 255,0,0\n" : "sp 0,3,-4 1 255,0,0\n";
+        const std::string other = back ? shown : "sp 0,-3,-4 1 255,0,0\n";
+        const std::string bright = "A 1 255,255,255\n";
+        keep_first(all, shows(bright + kind.line(4, material) + shown, {255, 0, 0}));
+        keep_first(all, shows(bright + kind.other_side(4, material) + other, {255, 0, 0}));
+    }
+    return all;
+}
+
 /// A mirror shows the sum of all terms, which may be brighter than white before its share is taken.
 inline Verdict mirrors_show_all_terms() {
     const std::string light = "L 0,0,0 0.4 255,255,255\n";

@@ -85,13 +85,7 @@ TEST_CASE("where the reflections end, it is black (CR §5.1)") {
 }
 
 TEST_CASE("each kind of shape is a mirror, from either side (CR §5.1)") {
-    const std::string red_ball_behind = "sp 0,0,2 1 255,0,0\n";
-    for (const Kind& kind : kinds_until(12)) {
-        if (kind.torch < 1) continue;  // not straight back
-        const std::string material = "255,255,255 mirror:1";
-        CHECK(shows(bright + kind.line(4, material) + red_ball_behind, {255, 0, 0}));
-        CHECK(shows(bright + kind.other_side(4, material) + red_ball_behind, {255, 0, 0}));
-    }
+    CHECK(every_kind_is_a_mirror(12));
 }
 
 TEST_CASE("a mirror's own color may be brighter than white before its share is taken (CR §5.1)") {
@@ -189,5 +183,6 @@ TEST_CASE("every kind of shape casts a shadow, up to both ends of its way (CR §
 
 TEST_CASE("the terms of all lights add up, from any eye, and --term selects one (CR §3.1)") {
     CHECK(terms_add_up());
+    CHECK(every_kind_is_lit_from_either_side(12));
     CHECK(term_is_selected());
 }

@@ -116,7 +116,9 @@ TEST_CASE("boxes and meshes are seen in a mirror, and are mirrors (CR §5.1)") {
     const std::string behind = "pl 0,0,6 0,0,-1 255,0,0\n";
     CHECK(shows(bright + "box 0,0,-5 0,0,1 2,2,2 0,0,255 mirror:1\n" + behind, {255, 0, 0}));
     CHECK(shows(bright + wall + "0,0,-5 1 0,0,255 mirror:0.2\n" + behind, {51, 0, 204}));
+    CHECK(every_kind_is_a_mirror(13));
     CHECK(mirrors_show_mirrors(13, in_the_way));
+    CHECK(mirrors_show_mirrors(13));  // in which earlier shapes cast shadows
 }
 
 TEST_CASE("boxes and meshes cast the shadows that a mirror shows (CR §5.1)") {
