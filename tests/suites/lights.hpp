@@ -33,6 +33,8 @@ inline Verdict terms_add_up() {
     keep_first(all, shows_exactly(ambient + light + wall, Color(Real(0.6))));
     keep_first(all, shows(ambient + half_light + half_light + wall, {153, 153, 153}));
     keep_first(all, shows(ambient + thousand + wall, {153, 153, 153}));
+    // A light behind the wall adds nothing, and those after it count.
+    keep_first(all, shows("L 0,0,-9 1 255,255,255\n" + light + wall, {102, 102, 102}));
     keep_first(all, shows("L 0,0,0 0.4 255,0,0\nL 0,0,0 0.2 255,0,0\n" + shining, {76, 0, 0}));
     // The eye is at 0.8 of the direction of reflection.
     keep_first(all, shows("C 6,0,0 0,0,-1 60\nL 9,0,0 0.5 255,255,255\n" + shining, {51, 51, 153}));

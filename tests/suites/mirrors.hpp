@@ -84,6 +84,9 @@ inline Verdict mirrors_show_all_terms() {
     Verdict all;
     keep_first(all, shows(light + perfect + shining, {51, 51, 153}));
     keep_first(all, shows("A 1 255,255,255\n" + light + black + white, {179, 179, 179}));
+    const std::string bright = "L 0,0,0 0.8 255,255,255\n";
+    keep_first(
+        all, shows(bright + bright + "pl 0,0,-4 0,0,1 255,255,255 mirror:0.5\n", {204, 204, 204}));
     // A mirror's own share is lit, and in shadow, too: half of 0.6, and of 0.2, is left.
     keep_first(all, shows(all_terms + "pl 0,0,-4 0,0,1 255,255,255 spec:0.5 shin:1 mirror:0.5\n" +
                               halfway_shapes[0],
