@@ -13,8 +13,9 @@ namespace {
 /// Around (0, 0, -5), half as wide, high and deep as 2, 4, 6; along the axes.
 const OrientedBox upright{.center = {0, 0, -5}, .half_size = {1, 2, 3}};
 
-/// At most 0.9 of the way to an edge.
-Sample<OrientedBox> draw_box(Random& random) {
+/// A point of a face: at most 0.9 of the way to an edge, or beside one, less than a thousandth of
+/// the size away from another face.
+Sample<OrientedBox> draw_on_face(Random& random, bool beside_an_edge) {
     const Basis basis = draw_basis(random);
     const Vec3 half_size = Vec3(Real(0.5)) + abs(random.point(1));
     const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
@@ -22,6 +23,10 @@ Sample<OrientedBox> draw_box(Random& random) {
     const Real sign = random.coin() ? 1 : -1;
     Vec3 share = random.point(Real(0.9));
     share[face] = sign;
+    if (beside_an_edge) {
+        const auto other = (face + 1 + random.below(2)) % 3;
+        share[other] = (random.coin() ? 1 : -1) * (1 - draw_narrow(random));
+    }
     const OrientedBox box{.center = random.point(3), .basis = basis, .half_size = half_size};
     const Vec3 p = share * half_size;
     return {.shape = box,
@@ -29,22 +34,12 @@ Sample<OrientedBox> draw_box(Random& random) {
             .normal = sign * axes[std::size_t(face)]};
 }
 
-/// Close to an edge: less than a thousandth of the size away from another face.
+Sample<OrientedBox> draw_box(Random& random) {
+    return draw_on_face(random, false);
+}
+
 Sample<OrientedBox> draw_beside_an_edge(Random& random) {
-    const Basis basis = draw_basis(random);
-    const Vec3 half_size = Vec3(Real(0.5)) + abs(random.point(1));
-    const std::array<Vec3, 3> axes = {basis.x, basis.y, basis.z};
-    const auto face = glm::length_t(random.below(3));
-    const auto other = (face + 1 + random.below(2)) % 3;
-    const Real sign = random.coin() ? 1 : -1;
-    Vec3 share = random.point(Real(0.9));
-    share[face] = sign;
-    share[other] = (random.coin() ? 1 : -1) * (1 - draw_narrow(random));
-    const OrientedBox box{.center = random.point(3), .basis = basis, .half_size = half_size};
-    const Vec3 p = share * half_size;
-    return {.shape = box,
-            .point = box.center + p.x * basis.x + p.y * basis.y + p.z * basis.z,
-            .normal = sign * axes[std::size_t(face)]};
+    return draw_on_face(random, true);
 }
 
 /// In eighths, along the axes, half sizes powers of two from 1: with rays along or across them
