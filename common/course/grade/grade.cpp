@@ -271,11 +271,11 @@ std::string today() {
     return text;
 }
 
-/// The project's commit, if it is a git clone.
+/// The project's commit, if it is a git clone, and git is there.
 std::string version_of(const fs::path& project) {
     const ProcessResult told =
-        run_captured({"git", "-c", "safe.directory=" + project.string(), "-C", project.string(),
-                      "rev-parse", "--short=10", "HEAD"},
+        run_captured({"env", "git", "-c", "safe.directory=" + project.string(), "-C",
+                      project.string(), "rev-parse", "--short=10", "HEAD"},
                      std::chrono::seconds(10));
     return told.status == 0 ? lines_of(told.output).at(0) : "unknown commit";
 }
