@@ -3,8 +3,9 @@
 #
 # Writes OUT/engine_double.wasm and OUT/engine_float.wasm, the functions of the stages, and
 # OUT/picture_double.wasm, which draws whole pictures. Needs Debian's clang, lld and, of 14 MB,
-# wasi-libc, libc++-16-dev-wasm32, libc++abi-16-dev-wasm32 and libclang-rt-16-dev-wasm32: without one of
-# these it prints its name and writes nothing. Compiles all again if one of the project's files is newer.
+# wasi-libc, libc++-16-dev-wasm32, libc++abi-16-dev-wasm32 and libclang-rt-16-dev-wasm32 (19 in Debian 13):
+# without one of these it prints its name and writes nothing. Compiles all again if one of the
+# project's files is newer.
 set -eu
 mkdir -p "$2/include"
 out=$(CDPATH='' cd -- "$2" && pwd)
@@ -17,10 +18,10 @@ missing() {
 compiler=$(command -v clang++-14 || command -v clang++) || missing clang
 command -v wasm-ld-14 > /dev/null || command -v wasm-ld > /dev/null || missing lld
 [ -e /usr/lib/wasm32-wasi/libc.a ] || missing wasi-libc
-[ -e /usr/include/wasm32-wasi/c++/v1/optional ] || missing libc++-16-dev-wasm32
-[ -e /usr/lib/wasm32-wasi/libc++abi.a ] || missing libc++abi-16-dev-wasm32
+[ -e /usr/include/wasm32-wasi/c++/v1/optional ] || missing "libc++-16-dev-wasm32, or a newer one,"
+[ -e /usr/lib/wasm32-wasi/libc++abi.a ] || missing "libc++abi-16-dev-wasm32, or a newer one,"
 builtins=$(find /usr/lib/llvm-*/lib/clang -name libclang_rt.builtins-wasm32.a 2> /dev/null | head -n 1)
-[ -n "$builtins" ] || missing libclang-rt-16-dev-wasm32
+[ -n "$builtins" ] || missing "libclang-rt-16-dev-wasm32, or a newer one,"
 
 if [ -e "$out/built" ]; then
     newer=$(find common steps docs/figures/engine scenes/meshes -name '*.?pp' -newer "$out/built" | head -n 1)
