@@ -78,8 +78,12 @@ function(raysteps_recognition stage)
 
     set(suite $<TARGET_FILE:${stage}_test_double>)
     set(check $<TARGET_FILE:check_probes> ${folder}/probes.txt ${folder} ${reference} ${words})
+    set(names "--list-test-names-only")
+    if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
+        set(names "--list-tests --verbosity quiet")
+    endif()
     add_test(NAME recognition_${stage}
-        COMMAND sh -c "suite=$1; shift; \"$suite\" --list-test-names-only | \"$@\"" sh ${suite} ${check})
+        COMMAND sh -c "suite=$1; shift; \"$suite\" ${names} | \"$@\"" sh ${suite} ${check})
     set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
 
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${stage})
