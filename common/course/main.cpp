@@ -108,8 +108,7 @@ int view(int stage) {
                      }});
 }
 
-/// True if the words are for the help of the stage's program, whose options compare and explain
-/// have.
+/// True if the words ask for the help of the stage's program.
 bool wants_help(const rt::Command& rest) {
     return std::any_of(rest.begin(), rest.end(),
                        [](const std::string& word) { return word == "--help" || word == "-h"; });
@@ -208,7 +207,10 @@ CLI::App* Commands::add_of_stage(const std::string& usage, const std::string& de
 
 void Commands::add_of_program(const std::string& usage, const std::string& description,
                               const Body& body) {
-    CLI::App* command = add_of_stage(usage, description, body)->allow_extras();
+    const auto answer = [this, body](const rt::Command& rest) {
+        return wants_help(rest) ? rt::run_stage(stage(), rest, "") : body(rest);
+    };
+    CLI::App* command = add_of_stage(usage, description, answer)->allow_extras();
     command->set_help_flag();
     command->add_flag("--mine", words_.mine);
     command->add_option("--reference", words_.reference);
@@ -235,15 +237,10 @@ void Commands::add_student_commands() {
         "run N [scene.rt] [options]", "render its scene, or yours; --help lists options",
         [this](Rest rest) { return rt::run_stage(stage(), rest, parse_stages(words_.reference)); });
     add_of_program("compare N [scene.rt] [options]",
-                   "your picture, the reference's, the difference", [this](Rest rest) {
-                       return wants_help(rest) ? rt::run_stage(stage(), rest, "")
-                                               : rt::compare_pictures(comparison(words_, rest));
-                   });
+                   "your picture, the reference's, the difference",
+                   [this](Rest rest) { return rt::compare_pictures(comparison(words_, rest)); });
     add_of_program("explain N [ROW,COLUMN]", "your numbers for a pixel beside the reference's",
-                   [this](Rest rest) {
-                       return wants_help(rest) ? rt::run_stage(stage(), rest, "")
-                                               : explain(words_, rest);
-                   });
+                   [this](Rest rest) { return explain(words_, rest); });
     add_of_stage("view [N]", "your picture and the reference's in a browser, with a movable camera",
                  [this](Rest) { return view(stage()); });
     add_of_stage("solution N", "show the reference, once you have passed or at the second call",

@@ -1,4 +1,4 @@
-// What `--pixel` prints.
+// The log of one pixel (--pixel).
 #pragma once
 
 #include "common/image/pixel.hpp"

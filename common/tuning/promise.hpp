@@ -1,4 +1,4 @@
-// What `--tolerance` promises of a picture.
+// The promise of `--tolerance`: how many pixels of a picture may exceed it.
 #pragma once
 
 namespace rt {
