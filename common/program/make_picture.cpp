@@ -27,7 +27,7 @@ void report(const Rendering& rendering, const Options& options, const TimeBudget
     if (rendering.sized_light_rays > 0)
         std::printf(", %lld of them to lights with a size",
                     static_cast<long long>(rendering.sized_light_rays));
-    if (pace != nullptr)
+    if (pace != nullptr && pace->error() < 255)
         std::printf("; 99 of 100 pixels within %s of 255, according to the trials",
                     number(pace->error()).c_str());
     std::printf("\n");

@@ -10,6 +10,7 @@
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/cpu_seconds.hpp"
+#include "common/tuning/fine_shapes.hpp"
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/render_trials.hpp"
 #include "common/tuning/scene_traits.hpp"
@@ -77,6 +78,8 @@ public:
     [[nodiscard]] SceneTraits traits() const override {
         return scene_traits(scene_, program_.stage, settings_);
     }
+
+    [[nodiscard]] FineShapes fine_shapes() const override { return rt::fine_shapes(scene_); }
 
     [[nodiscard]] double smallest_gap() const override { return scene_lengths(scene_).gap; }
 

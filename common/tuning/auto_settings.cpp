@@ -5,6 +5,7 @@
 #include "common/tuning/choose_pixels.hpp"
 #include "common/tuning/choose_precision.hpp"
 #include "common/tuning/choose_samples.hpp"
+#include "common/tuning/promise.hpp"
 #include "common/tuning/trial_runner.hpp"
 #include "common/tuning/wording.hpp"
 
@@ -69,17 +70,26 @@ private:
 
     /// Chooses the rays through pixels, and those to lights with them.
     void pixels() {
-        const RenderSettings lit = with_few_shadow_rays(runner_, trials_, traits_, settings_);
-        PixelStudy study(runner_, trials_, lit, aim_.tolerance.value_or(1), traits_.sized_lights);
-        if (aim_.time)
-            pixels_for_time(study);
-        else
-            choice_.expected = keep_tolerance_of_pixels(study);
-        const bool chosen = traits_.sized_lights && !aim_.given.shadow_samples;
+        constexpr int many = 128;  // rays to a light, so many that few pixels need more
+        const bool soft = traits_.sized_lights && !aim_.given.shadow_samples;
+        RenderSettings lit = with_few_shadow_rays(runner_, trials_, traits_, settings_);
+        for (bool again = true; again; lit.shadow_samples *= 4) {
+            PixelStudy study(runner_, trials_, lit, allowed(), soft);
+            if (aim_.time)
+                pixels_for_time(study);
+            else
+                choice_.expected = keep_tolerance_of_pixels(study);
+            details_ = study.details();
+            again = soft && !aim_.time && !is_promised() && lit.shadow_samples < many;
+        }
         const RenderSettings& settings = choice_.expected.settings;
-        say("shadow samples", chosen ? samples_in_words(settings) : why_no_samples());
+        say("shadow samples", soft ? samples_in_words(settings) : why_no_samples());
         say("pixel samples", pixels_in_words(settings));
+        if (!details_.empty()) say("fine shapes", details_);
     }
+
+    [[nodiscard]] double allowed() const { return aim_.tolerance.value_or(1); }
+    [[nodiscard]] bool is_promised() const { return choice_.expected.at_most <= few_pixels; }
 
     void pixels_for_time(PixelStudy& study) {
         QualityLadder ladder = measure_pixel_ladder(runner_, study);
@@ -159,19 +169,33 @@ private:
                           number(runner_.seconds_since_start()) + " s");
     }
 
-    /// The expected error and its confidence, never below the tolerance of the trials.
+    /// The expected error, the picture from which it is measured, and what is not promised.
     [[nodiscard]] std::string expected_error() const {
-        if (!aim_.given.pixel_samples)
-            return ", and 99 of 100 pixels within " +
-                   levels(std::max(choice_.expected.error, runner_.limit())) +
-                   " of the mean of many rays, with 95 % confidence";
-        const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
-        if (traits_.sized_lights && !sampled) return "";
         const double error = std::max(choice_.expected.error, runner_.limit());
+        if (aim_.given.pixel_samples) return error_of_light(error);
+        const std::string right = " the mean of endlessly many rays";
+        if (choice_.pace)
+            return error < largest_pixel_error ? ", and 99 of 100 pixels within " + levels(error) +
+                                                     " of" + right + ", with 95 % confidence"
+                                               : ", and an error that there is no time to measure";
+        const auto percent = [](double share) { return number(100 * share) + " %"; };
+        return "; off from" + right + " by more than " + levels(allowed()) + ": " +
+               percent(choice_.expected.beyond) + " of the pixels, with 95 % confidence at most " +
+               percent(choice_.expected.at_most) +
+               (is_promised() ? "" : ". The tolerance is not promised");
+    }
+
+    /// The same where the number of rays through a pixel is given.
+    [[nodiscard]] std::string error_of_light(double error) const {
+        const std::string samples = std::to_string(aim_.settings.pixel_samples);
+        const std::string missed = ". What " + samples + (samples == "1" ? " ray" : " rays") +
+                                   " through a pixel cannot show is not promised";
+        const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
+        if (traits_.sized_lights && !sampled) return missed + ", nor is the error of shadows";
         std::string text = ", and 99 of 100 pixels within " + levels(error);
-        if (!sampled) return text;
-        if (aim_.tolerance && !aim_.time) text += ", 9 of 10 in penumbrae and in any tile";
-        return text + ", with 95 % confidence";
+        if (!sampled) return text + " of double precision" + missed;
+        if (aim_.tolerance && !aim_.time) text += ", 9 of 10 in penumbrae and in any tile,";
+        return text + " of endlessly many rays to each light, with 95 % confidence" + missed;
     }
 
     void say(const std::string& what, const std::string& why) {
@@ -185,6 +209,7 @@ private:
     SceneTraits traits_;
     RenderSettings settings_;
     AutoSettings choice_;
+    std::string details_;  ///< of shapes narrower than a pixel
 };
 
 }  // namespace

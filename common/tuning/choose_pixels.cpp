@@ -18,12 +18,6 @@ namespace {
 /// The factor from one error that is tried to the next. Every eighth needs twice as many rays.
 const double error_step = std::pow(2, 0.125);
 
-RenderSettings with_pixel_samples(RenderSettings settings, int count) {
-    settings.pixel_samples = count;
-    settings.pixel_error = 0;
-    return settings;
-}
-
 RenderSettings with_pixel_error(RenderSettings settings, double error) {
     settings.pixel_samples = right_pixel_samples;
     settings.pixel_error = error < largest_pixel_error ? two_digits(error) : largest_pixel_error;
@@ -40,34 +34,21 @@ struct Candidate {
 class PixelSearch {
 public:
     explicit PixelSearch(PixelStudy& study)
-        : allowed_(study.allowed()),
-          share_(allowed_share(study)),
-          settings_(study.settings()),
-          study_(study) {}
+        : allowed_(study.allowed()), settings_(study.settings()), study_(study) {}
 
     /// The least accurate right colors are compared first, since most of the cost is theirs. With
     /// more accurate ones, rays beside edges may keep the tolerance where before only rays through
     /// every pixel seemed to.
     [[nodiscard]] Trial best() {
-        Candidate best{.settings = with_pixel_samples(settings_, right_pixel_samples)};
+        Candidate best{.settings = study_.with_pixel_samples(right_pixel_samples)};
         for (double right_error = allowed_; right_error > allowed_ / 16; right_error /= 2) {
             best = best_with(right_error).value_or(best);
             if (best.settings.pixel_error > 0 || best.settings.pixel_samples == 1) break;
         }
-        Trial trial = study_.trial(best.settings);
-        trial.error = allowed_;
-        return trial;
+        return study_.trial(best.settings);
     }
 
 private:
-    /// The share of the pixels that may be beyond the tolerance. A picture of 1,024 rays sends as
-    /// many to a light: of cornell_mirror.rt, 0.26 % of its own pixels are off by more than one
-    /// level.
-    [[nodiscard]] static double allowed_share(const PixelStudy& study) {
-        constexpr double noise = 0.0026;
-        return study.soft() && study.allowed() < 2 ? few_pixels - noise : few_pixels;
-    }
-
     /// Traces trial pixels until more of them would take more rays than they could save.
     [[nodiscard]] std::optional<Candidate> best_with(double right_error) {
         study_.begin(right_error);
@@ -125,7 +106,7 @@ private:
         const auto add = [&](const RenderSettings& settings) {
             all.push_back({.settings = settings, .outcome = study_.outcome(settings)});
         };
-        add(with_pixel_samples(settings_, 1));
+        add(study_.with_pixel_samples(1));
         constexpr double far_beyond = 3 * few_pixels;
         for (double error = right_error * std::numbers::sqrt2;
              error < std::min(64 * allowed_, largest_pixel_error); error *= error_step) {
@@ -133,15 +114,15 @@ private:
             if (all.back().outcome.beyond > far_beyond) break;  // a larger error has more
         }
         if (right_error < allowed_)
-            for (int count = 4; count < right_pixel_samples; count *= 2)
-                add(with_pixel_samples(settings_, count));
+            for (int count = 4; count <= right_pixel_samples; count *= 2)
+                add(study_.with_pixel_samples(count));
         std::ranges::stable_sort(all, {},
                                  [](const Candidate& candidate) { return candidate.outcome.rays; });
         return all;
     }
 
     double allowed_;
-    double share_;
+    double share_ = few_pixels;
     RenderSettings settings_;
     PixelStudy& study_;
 };
@@ -177,7 +158,7 @@ QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study)
     constexpr double finest = 0.5;
     const double time = *runner.aim().time;
     study.begin(finest / std::numbers::sqrt2);
-    const RenderSettings most = with_pixel_samples(study.settings(), right_pixel_samples);
+    const RenderSettings most = study.with_pixel_samples(right_pixel_samples);
     while (runner.seconds_since_start() < time / 20) {
         const auto growth = study.growth(study.outcome(most), few_pixels);
         if (!growth) break;
@@ -196,7 +177,7 @@ QualityLadder measure_pixel_ladder(const TrialRunner& runner, PixelStudy& study)
     // There is time for more than adaptive sampling can use: it does not find every edge.
     QualityLadder whole;
     for (int count = 64; count <= right_pixel_samples; count *= 2) {
-        whole.add(study.trial(with_pixel_samples(study.settings(), count)));
+        whole.add(study.trial(study.with_pixel_samples(count)));
         if (whole.top().seconds > time) break;
     }
     const bool fits = whole.within_time(0).seconds <= time;  // the cheapest

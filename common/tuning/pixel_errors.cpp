@@ -2,8 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rt {
+
+DisplayColor display_color(const Rgb& rgb) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if (rgb == not_a_color) return {nan, nan, nan};
+    return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
+}
 
 double distance(const DisplayColor& a, const DisplayColor& b) {
     double most = 0;

@@ -5,6 +5,9 @@
 
 namespace rt {
 
+/// The color of a pixel of a picture; NaN where it is not a number.
+[[nodiscard]] DisplayColor display_color(const Rgb& rgb);
+
 /// The difference of two colors: that of the channel with the largest one, in 8-bit levels.
 [[nodiscard]] double distance(const DisplayColor& a, const DisplayColor& b);
 

@@ -5,33 +5,28 @@
 #include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/promise.hpp"
+#include "common/tuning/wording.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <map>
 
 namespace rt {
 
 namespace {
 
-DisplayColor display_color(const Rgb& rgb) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    if (rgb == not_a_color) return {nan, nan, nan};
-    return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
+/// The number of steps of a history from n rays to 2n.
+constexpr std::size_t octave = 4;
+
+/// The rays to a light of each ray through a trial pixel (pixel_samples.hpp, adaptive_settings).
+constexpr int of_each_ray(int shadow_samples) {
+    return (shadow_samples + 3) / 4;
 }
 
-/// The number of pixels that one pixel stands for, in which the first few rays found a difference
-/// from the center: in the others they missed it, as the center did.
-double pixels_missed(double off, double range) {
-    const double part = off / std::max({off, range, 1.0});
-    return 1 / (1 - std::pow(1 - std::min(part, 1.0), PixelHistory::fewest));
-}
-
-/// With N rays, the square of an error is N^(−1.5) on an edge, and about N^(−1.2) in a soft shadow.
-constexpr double fall = 1.5;
-constexpr double soft_fall = 1.2;
+/// Pixels with smaller details are too few to break the promise.
+constexpr double very_few = few_pixels / 10;
 
 }  // namespace
 
@@ -44,15 +39,61 @@ PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings
       reference_(settings),
       allowed_(allowed),
       centers_(runner.render_centers(trials, settings)),
-      strata_{{{.at_least = 32, .first = 64},
-               {.at_least = 16, .first = 128},
-               {.at_least = PixelHistory::fewest, .first = 512}}} {
+      fine_(trials.fine_shapes()),
+      strata_{{{.at_least = 8, .scouts = 16, .first = 64},
+               {.at_least = 8, .scouts = 8, .first = 128},
+               {.at_least = 8, .scouts = PixelHistory::fewest, .first = 512},
+               {.at_least = 32, .first = 128}}} {
     constexpr std::size_t enough = 4096;
     constexpr double fewest_pixels = 48;
     reference_.pixel_samples = int(std::bit_floor(unsigned(
         std::clamp<double>(rays_in(seconds_left()) / fewest_pixels, 8, right_pixel_samples))));
+    expect_details(trials.traits());
     while (sorted_ < enough && sort_more()) {
     }
+}
+
+void PixelStudy::expect_details(const SceneTraits& traits) {
+    std::vector<float> parts;
+    std::ranges::copy_if(fine_.parts, std::back_inserter(parts),
+                         [](float part) { return part < 1; });
+    if (double(parts.size()) <= very_few * runner_.pixels()) return fine_.parts.clear();
+    const auto least = parts.begin() + std::ptrdiff_t(very_few * runner_.pixels());
+    std::ranges::nth_element(parts, least);
+    // A detail that no ray meets does not matter if it changes no pixel by more than the tolerance.
+    const double part = std::max(double(*least), allowed_ / 255);
+    constexpr double most_found = 3;  // that no ray meets it is then 5 % likely
+    strata_[3].at_least = int(std::clamp(most_found / part, 32.0, double(right_pixel_samples)));
+    elsewhere_ = (traits.shadows || traits.strongest_mirror > 0) &&
+                 double(parts.size()) > few_pixels * runner_.pixels();
+    if (!elsewhere_) return;
+    Stratum& others = strata_[2];
+    others.scouts = int(std::bit_ceil(unsigned(std::clamp(1 / part, 4.0, 64.0))));
+    others.unseen = 1 / (1 - std::pow(1 - std::min(part, 0.5), others.scouts));
+}
+
+std::string PixelStudy::details() const {
+    if (fine_.parts.empty()) return "";
+    const Stratum& fine = strata_[3];
+    std::string text = "a " + fine_.narrowest + " is " + number(fine_.width) +
+                       " pixels wide: trial pixels on such shapes get " +
+                       std::to_string(fine.at_least) + " rays";
+    if (fine.at_least == right_pixel_samples)
+        text += "; what covers less than 1/" + std::to_string(fine.at_least / 3) +
+                " of a pixel is missed, and not promised";
+    if (elsewhere_)
+        text += "; their shadows and reflections are found from 1/" +
+                std::to_string(2 * strata_[2].scouts) + " of a pixel on";
+    return text;
+}
+
+RenderSettings PixelStudy::with_pixel_samples(int count) const {
+    RenderSettings settings = settings_;
+    settings.pixel_samples = count;
+    settings.pixel_error = 0;
+    if (soft_ && count > 1)
+        settings.shadow_samples = int(of_each_ray(settings_.shadow_samples) * std::sqrt(count));
+    return settings;
 }
 
 bool PixelStudy::sort_more() {
@@ -73,12 +114,16 @@ bool PixelStudy::sort_more() {
 }
 
 std::size_t PixelStudy::stratum_of(Pixel pixel) const {
+    const auto place =
+        std::size_t(pixel.row) * std::size_t(runner_.size().width) + std::size_t(pixel.column);
+    if (!fine_.parts.empty() && fine_.parts[place] < 1) return 3;
     if (contrast_around(*centers_.image, pixel, 1) <= allowed_) return 2;  // most pixels
     return contrast_around(*centers_.image, pixel, 0) > 8 * allowed_ ? 0 : 1;
 }
 
 void PixelStudy::begin(double right_error) {
     reference_.pixel_error = right_error;
+    nearer_ = farther_ = 0;
     tiles_.clear();
     for (Stratum& stratum : strata_) {
         stratum.traced.clear();
@@ -115,6 +160,7 @@ double PixelStudy::rays_in(double seconds) const {
 
 void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum, double part) {
     const double start = seconds_;
+    const double rays_before = spent_;
     const double end = start + part * seconds_left();
     const int at_least = std::min(stratum.at_least, reference_.pixel_samples);
     const std::size_t count = std::min(wanted, stratum.places.size());
@@ -125,23 +171,23 @@ void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum, double part) 
     while (known < count && (known == before || seconds_ < end)) {
         const auto next = std::size_t(std::clamp(pixels, 1., double(count - known)));
         std::vector<TrialPixel> more =
-            traced(std::span(stratum.places).subspan(known, next), at_least);
-        for (const TrialPixel& pixel : more) stratum.rays += pixel.steps.back().rays;
+            traced(std::span(stratum.places).subspan(known, next), at_least, stratum.scouts);
         std::ranges::move(more, std::back_inserter(stratum.traced));
         known += next;
         const double tried = double(known - before);
         pixels = std::min(tried, tried * (end - seconds_) / std::max(seconds_ - start, 1e-12));
     }
+    stratum.rays += spent_ - rays_before;
 }
 
 double PixelStudy::Outcome::at_most() const {
     // That all kinds are at their worst at once is less likely (Zou and Donner 2008).
-    return beyond + std::hypot(doubts[0], doubts[1], doubts[2]);
+    return beyond + std::hypot(std::hypot(doubts[0], doubts[1]), std::hypot(doubts[2], doubts[3]));
 }
 
 std::optional<PixelStudy::Growth> PixelStudy::growth(const Outcome& outcome, double share) const {
     Outcome later = outcome;
-    std::array<double, kinds> times{1, 1, 1};  // as many trial pixels as now
+    std::array<double, kinds> times{1, 1, 1, 1};  // as many trial pixels as now
     std::optional<Growth> all;
     while (later.at_most() > share) {
         std::optional<std::size_t> best;
@@ -162,64 +208,83 @@ std::optional<PixelStudy::Growth> PixelStudy::growth(const Outcome& outcome, dou
     return all;
 }
 
-std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> places,
-                                                       int at_least) {
-    TrialHistories histories = runner_.trace_histories(trials_, reference_, places, at_least);
+std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> places, int at_least,
+                                                       int scouts) {
+    TrialHistories histories =
+        runner_.trace_histories(trials_, reference_,
+                                {.pixels = places,
+                                 .at_least = at_least,
+                                 .scouts = std::min(scouts, reference_.pixel_samples),
+                                 .centers = centers_.image,
+                                 .visible = allowed_ / 4});
     spent_ += histories.rays;
     seconds_ += histories.seconds;
     std::vector<TrialPixel> pixels;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        pixels.push_back(compared(places[i], std::move(histories.pixels[i]), at_least));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::vector<PixelStep>& steps = histories.pixels[i].steps;
+        if (steps.size() > 2 * octave) {
+            const auto apart = [&](std::size_t before) {
+                return distance(steps[steps.size() - 1 - before].mean, steps.back().mean);
+            };
+            nearer_ += std::pow(apart(octave), 2);
+            farther_ += std::pow(apart(2 * octave), 2);
+        }
+        pixels.push_back({.place = places[i],
+                          .contrast = contrast_around(*centers_.image, places[i], 1),
+                          .center = display_color((*centers_.image)[places[i]]),
+                          .history = std::move(histories.pixels[i])});
+    }
+    // The differences of n and 2n of 4n rays have squares of n^-f - (4n)^-f, and so on.
+    if (nearer_ > 0) fall_ = std::log2(std::clamp(farther_ / nearer_ - 1, 1.8, 4.0));
     return pixels;
 }
 
-PixelStudy::TrialPixel PixelStudy::compared(Pixel place, PixelHistory history, int at_least) const {
-    const PixelStep& right = history.steps.back();
-    const DisplayColor center = display_color((*centers_.image)[place]);
-    TrialPixel pixel{.place = place,
-                     .contrast = contrast_around(*centers_.image, place, 1),
-                     .center_off = distance(center, right.mean)};
-    // The ray through the center sends as many rays to a light as 4 of the others together. In a
-    // penumbra, the difference contains the errors of both.
-    const bool few_rays = at_least == PixelHistory::fewest;
-    if (soft_ && !few_rays)
-        pixel.center_off /= std::sqrt(1 + std::pow(4.0 / right.count, soft_fall));
-    if (few_rays && history.steps.size() > 1)
-        pixel.center_seen = pixels_missed(pixel.center_off, history.range);
-    for (const PixelStep& step : history.steps) {
-        // The right color contains the same rays, so that its difference from their mean is smaller
-        // than the error of that.
-        const double others =
-            1 - std::pow(double(step.count) / right.count, soft_ ? soft_fall : fall);
-        pixel.offs.push_back(others > 0 ? distance(step.mean, right.mean) / std::sqrt(others) : 0);
-    }
-    pixel.steps = std::move(history.steps);
-    return pixel;
+double PixelStudy::off(const PixelHistory& history, std::size_t step, int count) const {
+    // The mean of all rays contains the same rays, so that its difference from a mean of some of
+    // them is smaller than the error of that. That of more than half follows from half.
+    const std::size_t last = history.steps.size() - 1;
+    const std::size_t compared = std::min(step, last - std::min(last, octave));
+    const PixelStep& some = history.steps[compared];
+    const PixelStep& all = history.steps[last];
+    const double others = 1 - std::pow(double(some.count) / all.count, fall_);
+    const double later = std::pow(double(some.count) / count, fall_ / 2);
+    return others > 0 ? distance(some.mean, all.mean) / std::sqrt(others) * later : 0;
 }
 
-PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSettings& settings) {
+PixelStudy::Result PixelStudy::result(const TrialPixel& pixel,
+                                      const RenderSettings& settings) const {
+    const std::vector<PixelStep>& steps = pixel.history.steps;
+    const double stands_for = pixel.history.stands_for;
     const bool adaptive = settings.pixel_error > 0;
     if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
-        return {.error = pixel.center_off, .pixels = pixel.center_seen};
-    const std::vector<PixelStep>& steps = pixel.steps;
-    int count = adaptive ? first_pixel_samples(settings.pixel_error) : settings.pixel_samples;
+        return {.error = steps.empty() ? 0 : distance(pixel.center, steps.back().mean),
+                .pixels = stands_for};
+    int count = adaptive
+                    ? std::min(first_pixel_samples(settings.pixel_error), settings.pixel_samples)
+                    : settings.pixel_samples;
+    const double ray_rays = pixel.history.ray_rays;
+    if (steps.empty()) return {.rays = ray_rays * count};
     std::size_t step = PixelHistory::step_of(count);
     while (adaptive && step < steps.size() && steps[step].error > settings.pixel_error &&
            count < settings.pixel_samples) {
         count = next_pixel_samples(count, settings.pixel_samples);
         step = PixelHistory::step_of(count);
     }
-    if (step >= steps.size()) return {.rays = steps.back().rays * count / steps.back().count};
-    return {.error = pixel.offs[step], .rays = steps[step].rays};
+    return {.error = off(pixel.history, step, count),
+            .rays = step < steps.size() ? steps[step].rays : ray_rays * count,
+            .pixels = stands_for};
 }
 
 Trial PixelStudy::trial(const RenderSettings& settings) const {
-    const double more = outcome(settings, allowed_).rays / runner_.pixels();
+    const Outcome expected = outcome(settings);
+    const double more = expected.rays / runner_.pixels();
     const double seconds_of_a_ray = seconds_ / std::max(spent_, 1.0);
     Trial trial{.settings = settings,
                 .seconds = runner_.picture_seconds(centers_.seconds + more * seconds_of_a_ray),
                 .rays = centers_.rays + more,
-                .error = largest_pixel_error};
+                .error = largest_pixel_error,
+                .beyond = expected.beyond,
+                .at_most = expected.at_most()};
     const double step = std::sqrt(2);
     while (trial.error > reference_.pixel_error &&
            outcome(settings, trial.error / step).at_most() <= few_pixels)
@@ -234,17 +299,23 @@ PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double a
         if (stratum.places.empty()) continue;
         double beyond = 0;
         double rays = 0;
+        double squares = stratum.unseen;  // as if one more were
         for (const TrialPixel& pixel : stratum.traced) {
             const Result with = result(pixel, settings);
+            const double chance = chance_beyond(with.error, allowed);
             rays += with.rays;
-            beyond += with.pixels * chance_beyond(with.error, allowed);
+            beyond += with.pixels * chance;
+            squares += with.pixels * with.pixels * chance;
         }
+        // Pixels that stand for k are as uncertain as if there were 1/k of them (Kish 1965).
+        const double stands_for = squares / (1 + beyond);
         const auto tried = double(stratum.traced.size());
         const double part = stratum.pixels / runner_.pixels();
         outcome.rays += rays / tried * stratum.pixels;
         outcome.beyond += part * beyond / tried;
-        outcome.doubts[kind] =
-            part * (largest_share(beyond, tried, stratum.pixels) - beyond / tried);
+        outcome.doubts[kind] = part * (largest_share(beyond / stands_for, tried / stands_for,
+                                                     stratum.pixels / stands_for) -
+                                       beyond / tried);
     }
     return outcome;
 }
@@ -272,7 +343,7 @@ bool PixelStudy::tile_keeps(int tile, const RenderSettings& settings, double all
             std::ranges::copy_if(
                 runner_.spread().pixels(draw), std::back_inserter(places),
                 [&](Pixel pixel) { return tile_of(pixel, runner_.size()) == tile; });
-        tried = traced(places, strata_[0].at_least);
+        tried = traced(places, strata_[0].at_least, 0);
     }
     double errors = 0;
     for (const TrialPixel& pixel : tried) errors += result(pixel, settings).error;

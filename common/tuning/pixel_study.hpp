@@ -9,33 +9,40 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rt {
 
-/// The number of rays through a pixel of a right picture: the error of a picture is its difference
-/// from the right one. Also the largest number with --pixel-error, if none is given.
+/// The largest number of rays through a trial pixel, and with --pixel-error, if none is given. The
+/// error of a picture is its difference from the mean of endlessly many rays.
 inline constexpr int right_pixel_samples = 1024;
 
 /// No error of a pixel is larger: with it, one ray through each pixel is enough.
 inline constexpr double largest_pixel_error = 255;
 
-/// A picture of one ray a pixel, and trial pixels of three kinds: those on an edge of it, those
-/// beside one, and the others. Few pixels of the first kind give the error of a picture, and few
-/// rays through those of the last kind find what the centers miss. The rays are those of the
-/// picture: the mean of the first few is the color of a pixel with any --pixel-error, the mean of
-/// all its right color.
+/// A picture of one ray a pixel, and trial pixels of four kinds: those on an edge of it, those
+/// beside one, the others, and those that a shape narrower than a pixel may cover in part. The
+/// README describes the estimator. The rays are those of the picture: the mean of the first few is
+/// the color of a pixel with any --pixel-error, and the errors of all counts follow from it.
 class PixelStudy {
 public:
     /// The settings contain those of rays to lights. `allowed` is the largest error of a pixel that
-    /// keeps the tolerance. `soft` is whether a light has a size.
+    /// keeps the tolerance. `soft` is whether the rays to a light with a size are chosen.
     PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings& settings, double allowed,
                bool soft);
 
     /// The settings to which those of rays through pixels are added.
     [[nodiscard]] const RenderSettings& settings() const { return settings_; }
     [[nodiscard]] double allowed() const { return allowed_; }
-    [[nodiscard]] bool soft() const { return soft_; }
+
+    /// The settings of that number of rays through every pixel. Each sends as many to a light as
+    /// those through trial pixels.
+    [[nodiscard]] RenderSettings with_pixel_samples(int count) const;
+
+    /// Describes the shapes narrower than a pixel, and what trial pixels do not find of them; empty
+    /// if there are none.
+    [[nodiscard]] std::string details() const;
 
     /// The rays through the centers of the picture's pixels, and through all trial pixels so far.
     [[nodiscard]] double center_rays() const { return centers_.rays * runner_.pixels(); }
@@ -51,8 +58,8 @@ public:
     /// compared with them.
     void begin(double right_error);
 
-    /// The three kinds of pixels.
-    static constexpr std::size_t kinds = 3;
+    /// The kinds of pixels.
+    static constexpr std::size_t kinds = 4;
 
     /// The expected cost and error of a picture.
     struct Outcome {
@@ -95,17 +102,17 @@ public:
 private:
     struct TrialPixel {
         Pixel place;
-        int contrast = 0;          ///< of its surroundings in the picture of one ray a pixel
-        double center_off = 0;     ///< error of the ray through the center
-        double center_seen = 1;    ///< number of pixels for which this error stands
-        std::vector<double> offs;  ///< error of the mean after each step
-        std::vector<PixelStep> steps;
+        int contrast = 0;  ///< of its surroundings in the picture of one ray a pixel
+        DisplayColor center{};
+        PixelHistory history;
     };
 
     /// Pixels of one kind.
     struct Stratum {
         int at_least = 0;           ///< rays through each
+        int scouts = 0;             ///< other rays that decide whether these are traced
         std::size_t first = 0;      ///< number that is traced first
+        double unseen = 1;          ///< the number of pixels like one that scouts may just find
         double rays = 0;            ///< of all kinds, through those traced
         double pixels = 0;          ///< number of them in the picture
         std::vector<Pixel> places;  ///< those that may be traced, in this order
@@ -131,9 +138,13 @@ private:
     [[nodiscard]] double seconds_left() const;
     /// The number of rays through pixels that take about this time, as through their centers.
     [[nodiscard]] double rays_in(double seconds) const;
-    [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least);
-    [[nodiscard]] TrialPixel compared(Pixel place, PixelHistory history, int at_least) const;
-    [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
+    [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least,
+                                                 int scouts);
+    /// The error of the mean after a number of rays, as far as that of all does not share it.
+    [[nodiscard]] double off(const PixelHistory& history, std::size_t step, int count) const;
+    [[nodiscard]] Result result(const TrialPixel& pixel, const RenderSettings& settings) const;
+    /// Expects small details where the scene has some.
+    void expect_details(const SceneTraits& traits);
     [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);
 
     bool soft_;
@@ -143,9 +154,14 @@ private:
     RenderSettings reference_;
     double allowed_;
     TrialCenters centers_;
-    std::array<Stratum, kinds> strata_;             ///< on edges, beside edges, and the others
-    int draws_ = 0;                                 ///< of the spread pixels
-    std::size_t sorted_ = 0;                        ///< pixels
+    FineShapes fine_;
+    bool elsewhere_ = false;             ///< their shadows or reflections may be anywhere
+    std::array<Stratum, kinds> strata_;  ///< on edges, beside edges, the others, and fine shapes
+    double fall_ = 1.5;       ///< with N rays, the mean square of an error is about N^-fall
+    double nearer_ = 0;       ///< sum of the squares of differences of half of the rays from all
+    double farther_ = 0;      ///< the same of a quarter
+    int draws_ = 0;           ///< of the spread pixels
+    std::size_t sorted_ = 0;  ///< pixels
     std::map<int, std::vector<TrialPixel>> tiles_;  ///< those whose mean error was in doubt
     double spent_ = 0;
     double seconds_ = 0;

@@ -3,6 +3,7 @@
 #include "common/render/pixel_samples.hpp"
 #include "common/system/cpu_seconds.hpp"
 #include "common/system/parallel_for.hpp"
+#include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -36,27 +37,41 @@ public:
     [[nodiscard]] Color color(Pixel pixel) {
         context_.sized_light_rays = 0;
         const bool several = settings_.pixel_samples > 1;
-        begin(pixel, several ? shared_settings(settings_) : settings_);
+        begin(pixel, several ? shared_settings(settings_) : settings_, request_.round);
         return several ? mean_color(scene_, finer_rays_, pixel, context_)
                        : trace(scene_, pixel_ray_(pixel), context_);
     }
 
     [[nodiscard]] PixelHistory history(Pixel pixel) {
-        begin(pixel, adaptive_settings(settings_));
-        PixelSamples samples(scene_, finer_rays_, pixel, context_);
-        const auto before = context_.rays;
+        const Gamma gamma = settings_.gamma;
         PixelHistory history;
+        double seen = 0;
+        if (request_.scouts > 0) {
+            const auto before = context_.rays;
+            begin(pixel, adaptive_settings(settings_), request_.round + 1);
+            PixelSamples scouts(scene_, finer_rays_, pixel, context_);
+            scouts.trace_to(request_.scouts);
+            history.ray_rays = double(context_.rays - before) / request_.scouts;
+            if (!is_found(pixel, scouts.mean())) return history;
+            seen = scouts.range(gamma);
+        }
+        begin(pixel, adaptive_settings(settings_), request_.round);
+        PixelSamples samples(scene_, finer_rays_, pixel, context_);
+        ScoutGroups groups;
+        const auto before = context_.rays;
         for (int count = PixelHistory::fewest; count <= settings_.pixel_samples;
              count = PixelHistory::next(count)) {
-            samples.trace_to(count);
+            trace_to(count, pixel, samples, groups);
             history.steps.push_back({.count = count,
-                                     .mean = shade(samples.mean(), settings_.gamma),
-                                     .error = samples.error(settings_.gamma),
+                                     .mean = shade(samples.mean(), gamma),
+                                     .error = samples.error(gamma),
                                      .rays = double(context_.rays - before)});
-            if (count >= request_.at_least && history.steps.back().error <= settings_.pixel_error)
-                break;
+            seen = std::max(seen, samples.range(gamma));
+            const double error = std::max(history.steps.back().error, seen / count);
+            if (count >= request_.at_least && error <= settings_.pixel_error) break;
         }
-        history.range = samples.range(settings_.gamma);
+        history.ray_rays = history.steps.back().rays / history.steps.back().count;
+        history.stands_for = (groups.all + 1.0) / (groups.found + 1.0);
         return history;
     }
 
@@ -65,9 +80,34 @@ public:
     [[nodiscard]] std::int64_t rays() const { return context_.rays; }
 
 private:
-    void begin(Pixel pixel, const RenderSettings& settings) {
+    /// The rays of a history in groups of as many as there are scouts.
+    struct ScoutGroups {
+        int all = 0;
+        int found = 0;  ///< the groups that would have found something
+        Color sum{0};   ///< of the colors of their rays
+    };
+
+    void begin(Pixel pixel, const RenderSettings& settings, int round) {
         context_.settings = settings;
-        context_.pixel = seed_pixel(pixel, scene_.resolution, request_.round);
+        context_.pixel = seed_pixel(pixel, scene_.resolution, round);
+    }
+
+    /// Returns whether the mean color of scouts differs from that of the center.
+    [[nodiscard]] bool is_found(Pixel pixel, const Color& mean) const {
+        return distance(shade(mean, settings_.gamma), display_color((*request_.centers)[pixel])) >
+               request_.visible;
+    }
+
+    void trace_to(int count, Pixel pixel, PixelSamples& samples, ScoutGroups& groups) {
+        const int scouts = request_.scouts;
+        for (int end = (groups.all + 1) * scouts; scouts > 0 && end <= count; end += scouts) {
+            samples.trace_to(end);
+            const Color sum = Real(end) * samples.mean();
+            groups.found += is_found(pixel, (sum - groups.sum) / Real(scouts));
+            groups.sum = sum;
+            ++groups.all;
+        }
+        samples.trace_to(count);
     }
 
     const Scene& scene_;

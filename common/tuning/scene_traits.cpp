@@ -42,6 +42,7 @@ SceneTraits scene_traits(const Scene& scene, int stage, const RenderSettings& se
         traits.strongest_mirror = 0;
         traits.shininess = 1;
     }
+    traits.shadows = lit && stage > light_stage && !scene.lights.empty();
     traits.sized_lights = lit && std::ranges::any_of(scene.lights, [](const Light& light) {
                               return light.radius > 0;
                           });

@@ -13,6 +13,8 @@ struct Trial {
     double seconds = 0;  ///< for the whole picture on all threads
     double rays = 0;     ///< mean for each pixel: unlike the seconds, the same in every run
     double error = 0;    ///< in 8-bit levels: 99 of 100 pixels have an error of at most this
+    double beyond = 0;   ///< estimated share of the pixels that exceed the tolerance
+    double at_most = 0;  ///< the same, with 95 % confidence
 };
 
 /// Settings sorted by cost. Clocks are noisy: a trial that seems faster than a cheaper one counts

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace rt {
@@ -19,7 +20,8 @@ namespace rt {
 struct SceneTraits {
     SceneLengths lengths;  ///< without the gap
     bool sized_lights = false;
-    double shininess = 1;            ///< largest exponent of a highlight
+    double shininess = 1;  ///< largest exponent of a highlight
+    bool shadows = false;
     double strongest_mirror = 0;     ///< largest mirror strength of a shape
     std::size_t shapes = 0;          ///< number of shapes, with the triangles of meshes
     std::size_t most_alike = 0;      ///< length of the longest list that a hierarchy could replace
@@ -35,6 +37,9 @@ struct TrialRequest {
     std::span<const Pixel> pixels;
     int round = 0;     ///< each round uses its own random samples
     int at_least = 0;  ///< of a history: the least number of rays through every pixel
+    int scouts = 0;    ///< other rays before a history, which is traced only if they find something
+    const Image* centers = nullptr;  ///< what scouts find is another color than here
+    double visible = 0;              ///< by more than this, in 8-bit levels
     int threads = 1;
     const std::atomic<bool>* stop =
         nullptr;  ///< rendering stops when this becomes true; may be null
@@ -58,7 +63,7 @@ struct PixelStep {
 };
 
 /// A pixel after each number of rays at which --pixel-error may stop, and after fewer. The rays are
-/// those of the picture.
+/// those of the picture. Without a step if scouts found nothing.
 struct PixelHistory {
     static constexpr int fewest = 4;
 
@@ -79,7 +84,16 @@ struct PixelHistory {
     }
 
     std::vector<PixelStep> steps;
-    double range = 0;  ///< largest difference between two of the rays, in 8-bit levels
+    double ray_rays = 1;    ///< rays of all kinds for each through the pixel
+    double stands_for = 1;  ///< the number of pixels like this one among those that scouts pass
+};
+
+/// The shapes narrower than a pixel.
+struct FineShapes {
+    std::vector<float> parts;  ///< for each pixel, the smallest part of it that such a shape may
+                               ///< cover; 1 if none does. Empty if there are none.
+    std::string narrowest;     ///< kind of the narrowest
+    double width = 0;          ///< of that, in pixels
 };
 
 /// The histories of the pixels of a trial, and their cost.
@@ -107,6 +121,9 @@ public:
     [[nodiscard]] virtual Resolution resolution() const = 0;
     [[nodiscard]] virtual SceneTraits traits() const = 0;
 
+    /// The shapes that the picture's rays may miss.
+    [[nodiscard]] virtual FineShapes fine_shapes() const { return {}; }
+
     /// The gap of scene_lengths, which takes up to a second to find.
     [[nodiscard]] virtual double smallest_gap() const = 0;
 
@@ -119,8 +136,9 @@ public:
                                                     const TrialRequest& request) const = 0;
 
     /// Traces rays through the pixels, at least `request.at_least` and at most
-    /// `settings.pixel_samples`, until the estimated error is `settings.pixel_error`. If stopped
-    /// early, the result is meaningless.
+    /// `settings.pixel_samples`, until the estimated error is `settings.pixel_error`, and one ray
+    /// less of what was seen would change the mean by no more. If stopped early, the result is
+    /// meaningless.
     [[nodiscard]] virtual TrialHistories trace_histories(const RenderSettings& settings,
                                                          const TrialRequest& request) const = 0;
 

@@ -43,12 +43,12 @@ TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSetting
 }
 
 TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSettings& settings,
-                                            std::span<const Pixel> pixels, int at_least) {
-    TrialHistories histories = trials.trace_histories(
-        settings,
-        {.pixels = pixels, .at_least = at_least, .threads = aim_.threads, .stop = &stop_});
+                                            TrialRequest request) {
+    request.threads = aim_.threads;
+    request.stop = &stop_;
+    TrialHistories histories = trials.trace_histories(settings, request);
     check_time();
-    drawn_ += pixels.size();
+    drawn_ += request.pixels.size();
     rays_ += histories.rays;
     return histories;
 }

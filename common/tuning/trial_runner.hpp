@@ -41,7 +41,7 @@ public:
     /// Stopped if the program is to stop.
     [[nodiscard]] TrialHistories trace_histories(const Trials& trials,
                                                  const RenderSettings& settings,
-                                                 std::span<const Pixel> pixels, int at_least);
+                                                 TrialRequest request);
     [[nodiscard]] TrialCenters render_centers(Trials& trials, const RenderSettings& settings);
 
     /// The estimated time of the whole picture on all threads, in seconds, if one pixel takes

@@ -237,9 +237,10 @@ done
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 --samples 2 > out
 grep -q "^  equivalent .* --samples 2 --shadow-samples" out || fail "--tolerance keeps --samples"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
-grep -q '; 99 of 100 pixels within [0-9.]* of 255' out || fail "--time tells the error"
+unmeasured='^  expected .*an error that there is no time to measure'  # on a busy machine
+grep -q -e '; 99 of 100 pixels within [0-9.]* of 255' -e "$unmeasured" out || fail "--time tells the error"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.001 > out
-grep -q '; 99 of 100 pixels within [0-9.]* of 255' out || fail "--time tells a large error"
+grep -q "$unmeasured" out && ! grep -q 'of 255' out || fail "--time tells no error that was not measured"
 printf 'C 0,0,0 0,0,-1 60\npl 0,0,-5 0,0,1 255,0,0\n' > wall.rt
 "$build/step04_plane" wall.rt -o 1.png --size 8x6 --shade id > out
 grep -q 'plane 1, 100 % of the pixels' out || fail "--shade id tells the share of all pixels"

@@ -133,7 +133,10 @@ public:
         if (*request.stop) return {};
         TrialHistories histories;
         for (const Pixel pixel : request.pixels) {
-            histories.pixels.push_back(history(pixel, settings, request.at_least));
+            histories.rays += request.scouts;
+            histories.pixels.emplace_back();
+            if (request.scouts > 0 && !is_on_edge(pixel)) continue;
+            histories.pixels.back() = history(pixel, settings, request.at_least);
             histories.rays += histories.pixels.back().steps.back().rays;
         }
         histories.seconds = histories.rays * path_cost(model_, settings);
@@ -166,7 +169,6 @@ private:
         const bool on_edge = is_on_edge(pixel);
         const double right =
             100 + (on_edge && is_lost(pixel) ? deviation(pixel, 0) * one_center_error : 0);
-        history.range = on_edge ? one_center_error : 0;
         // The mean of the first rays is wrong by the error of all, and by one of its own.
         std::vector<PixelStep> all;
         double off = 0;

@@ -1,14 +1,18 @@
 // Measures the promise of --tolerance about the rays through pixels, and its cost. The picture of
-// each scene with the chosen settings is compared with one of 1,024 rays through each pixel. The
-// rays of the trials and of the picture, and the processor time from the scene's file to the
-// picture's, are given in units of those of the fastest settings found that keep the same promise.
-// The arguments are the tolerance, one scene (the file, a name, or "all"), and the width.
+// each scene with the chosen settings is compared with one of 1,024 rays through each pixel, each
+// with 16 to a light with a size. The share of pixels in which that is off by more than half of the
+// tolerance is estimated, from pixels with other random numbers. The rays of the trials and of the
+// picture, and the processor time from the scene's file to the picture's, are given in units of
+// those of the fastest settings found that keep the same promise. The arguments are the tolerance,
+// one scene (the file, a name, or "all"), and the width.
 #include "common/program/load_meshes.hpp"
 #include "common/program/renderer.hpp"
 #include "common/render/render.hpp"
 #include "common/scene_file/reader.hpp"
 #include "common/system/cpu_seconds.hpp"
 #include "common/tuning/candidates.hpp"
+#include "common/tuning/pixel_errors.hpp"
+#include "common/tuning/render_trials.hpp"
 #include "common/tuning/trial_pixels.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -21,6 +25,7 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
+#include <numbers>
 
 using namespace rt;
 
@@ -53,6 +58,7 @@ public:
         rays_ += histories.rays;
         return histories;
     }
+    [[nodiscard]] FineShapes fine_shapes() const override { return scene_.fine_shapes(); }
     [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
                                               const TrialRequest& request) override {
         return scene_.render_centers(settings, request);  // a part of the picture
@@ -92,9 +98,14 @@ public:
         sized_lights_ =
             std::ranges::any_of(scene_.lights, [](const Light& light) { return light.radius > 0; });
         RenderSettings right{.pixel_samples = 1024, .depth = 64};
-        if (sized_lights_) right = with_rays(right, 1);
+        if (sized_lights_) right = with_rays(right, 16 * 32);  // the root of 1,024 is 32
         exact_ = render(scene_, {.settings = right}).value().image;
+        exact_off_ = exact_off(right);
     }
+
+    /// The estimated share of pixels in which the yardstick is off by more than half of the
+    /// tolerance: the difference of two pictures is √2 times the error of each.
+    [[nodiscard]] double exact_off() const { return exact_off_; }
 
     [[nodiscard]] Outcome outcome(const RenderSettings& settings) const {
         const double start = cpu_seconds();
@@ -154,10 +165,23 @@ public:
     }
 
 private:
+    [[nodiscard]] double exact_off(const RenderSettings& right) const {
+        constexpr std::size_t enough = 500;
+        const std::vector<Pixel> pixels = some_of(SpreadPixels(size).pixels(), enough);
+        const TrialSample other =
+            render_pixels(scene_, right, {.pixels = pixels, .round = 1, .stop = &going_on});
+        int beyond = 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            beyond += distance(other.shades[i], display_color(exact_[pixels[i]])) >
+                      tolerance_ / std::numbers::sqrt2 + 0.5;  // the yardstick is rounded
+        return beyond / double(pixels.size());
+    }
+
     double tolerance_;
     Scene scene_;
     bool sized_lights_ = false;
     Image exact_;
+    double exact_off_ = 0;
 };
 
 /// The processor time from the scene's file to the picture's. With a tolerance, the trials are
@@ -201,9 +225,10 @@ void measure(const std::filesystem::path& scene, double tolerance) {
     options.settings = fastest;
     const TimeRatio time =
         time_ratio([&] { return whole_time(with_tolerance); }, [&] { return whole_time(options); });
-    std::printf("%s,%d,%g,%d,%g,%d,%.5f,%.3f,%.3f,%.3f,%.3f,%.2f,%.2f,%.2f,%d,%g,%d\n",
+    std::printf("%s,%d,%g,%d,%g,%d,%.5f,%.5f,%.5f,%.3f,%.3f,%.3f,%.3f,%.2f,%.2f,%.2f,%d,%g,%d\n",
                 scene.stem().c_str(), size.width, tolerance, settings.pixel_samples,
-                settings.pixel_error, settings.shadow_samples, picture.beyond, picture.worst_tile,
+                settings.pixel_error, settings.shadow_samples, picture.beyond,
+                choice->expected.at_most, subject.exact_off(), picture.worst_tile,
                 trials.rays() / rays, picture.rays / rays, (trials.rays() + picture.rays) / rays,
                 time.time, time.least, time.greatest, fastest.pixel_samples, fastest.pixel_error,
                 fastest.shadow_samples);
@@ -218,8 +243,9 @@ int main(int count, char** arguments) {
     if (count > 3) size.width = std::atoi(arguments[3]);
     size.height = size.width * 3 / 4;
     std::puts(
-        "scene,width,tolerance,samples,pixel_error,shadow_samples,beyond,worst_tile,trials,picture,"
-        "rays,time,least,greatest,fastest_samples,fastest_pixel_error,fastest_shadow_samples");
+        "scene,width,tolerance,samples,pixel_error,shadow_samples,beyond,at_most,exact_off,"
+        "worst_tile,trials,picture,rays,time,least,greatest,fastest_samples,fastest_pixel_error,"
+        "fastest_shadow_samples");
     if (std::filesystem::is_regular_file(only)) return measure(only, tolerance), 0;
     for (const auto& scene : scenes_for_choices())
         if (only == "all" || scene.stem() == only) measure(scene, tolerance);

@@ -1,0 +1,181 @@
+// What --tolerance promises of details narrower than a pixel, on scenes that the picture of stage 8
+// draws: their errors are those of real pictures.
+#include "common/render/render.hpp"
+#include "common/tuning/auto_settings.hpp"
+#include "common/tuning/fine_shapes.hpp"
+#include "common/tuning/render_trials.hpp"
+#include "common/tuning/scene_traits.hpp"
+
+#include "tests/kit/catch.hpp"
+#include "tests/kit/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+using namespace rt;
+
+namespace {
+
+constexpr Resolution picture_size{.width = 96, .height = 72};
+constexpr int shapes_only = 8;
+
+/// The side of a pixel at the distance of the shapes, which are in the plane z = 0.
+const Real pixel_side = Real(0.1);
+
+/// A wall of this gray behind z = 0, seen from z = 10.
+Scene wall(Real gray = Real(0.2)) {
+    Scene scene{.resolution = picture_size};
+    const Real half = pixel_side * picture_size.height / 2;
+    scene.cameras.push_back({.position = {0, 0, 10}, .fov = 2 * std::atan(half / 10)});
+    scene.planes.push_back({.shape = {{0, 0, -1}, {0, 0, 1}}, .material = {.color = Color(gray)}});
+    return scene;
+}
+
+Vec3 place(Random& random) {
+    const Vec2 half = pixel_side * Vec2(picture_size.width, picture_size.height) / Real(2);
+    return {random.between(-half.x, half.x), random.between(-half.y, half.y), 0};
+}
+
+/// Grains of this diameter in pixels.
+Scene dust(Real diameter, int grains, unsigned seed) {
+    Scene scene = wall();
+    Random random(seed);
+    for (int i = 0; i < grains; ++i)
+        scene.spheres.push_back(
+            {.shape = {place(random), diameter * pixel_side / 2}, .material = {}});
+    return scene;
+}
+
+/// Cylinders of this diameter in pixels, across the picture.
+Scene threads(Real diameter, int count, unsigned seed) {
+    Scene scene = wall();
+    Random random(seed);
+    for (int i = 0; i < count; ++i) {
+        const Real angle = random.between(0, pi);
+        scene.cylinders.push_back({.shape = {.center = place(random),
+                                             .axis = {std::cos(angle), std::sin(angle), 0},
+                                             .radius = diameter * pixel_side / 2,
+                                             .height = 12},
+                                   .material = {}});
+    }
+    return scene;
+}
+
+/// Dark slats before a bright wall, with slits of this width in pixels between them.
+Scene slits(Real width, unsigned seed) {
+    Scene scene = wall(1);
+    Random random(seed);
+    const Real tilt = random.between(Real(0.1), Real(0.6));
+    const Real pitch = Real(5.3) * pixel_side;
+    for (Real y = random.between(-4, Real(-3.9)); y < 4; y += pitch) {
+        const Vec3 a{-6, y - tilt, 0};
+        const Vec3 b{6, y + tilt, 0};
+        const Vec3 up{0, pitch - width * pixel_side, 0};
+        const Material dark{.color = Color(Real(0.1))};
+        scene.triangles.push_back({.shape = {a, b, b + up}, .material = dark});
+        scene.triangles.push_back({.shape = {a, b + up, a + up}, .material = dark});
+    }
+    return scene;
+}
+
+class SceneTrials : public Trials {
+public:
+    explicit SceneTrials(const Scene& scene) : scene_(scene) { rt::build_acceleration(scene_); }
+
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
+    [[nodiscard]] SceneTraits traits() const override {
+        return scene_traits(scene_, shapes_only, {});
+    }
+    [[nodiscard]] FineShapes fine_shapes() const override { return rt::fine_shapes(scene_); }
+    [[nodiscard]] double smallest_gap() const override {
+        return std::numeric_limits<double>::infinity();
+    }
+    void build_acceleration(std::size_t) override {}
+    [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
+                                            const TrialRequest& request) const override {
+        return rt::render_pixels(scene_, settings, request);
+    }
+    [[nodiscard]] TrialHistories trace_histories(const RenderSettings& settings,
+                                                 const TrialRequest& request) const override {
+        return rt::trace_histories(scene_, settings, request);
+    }
+    [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
+                                              const TrialRequest& /*request*/) override {
+        centers_ = rt::render_centers(scene_, {.settings = settings});
+        return {.image = &centers_->image, .rays = 1, .seconds = 1e-7};
+    }
+
+private:
+    Scene scene_;
+    std::optional<Rendering> centers_;
+};
+
+/// The share of the pixels that the chosen settings leave off by more than the tolerance.
+double share_beyond(const Scene& scene, double tolerance) {
+    SceneTrials trials(scene);
+    const std::atomic<bool> going_on = false;
+    const auto choice =
+        choose(trials, {}, {.tolerance = tolerance}, Clock::now(), going_on).value();
+    for (const std::string& reason : choice.reasons) UNSCOPED_INFO(reason);
+    const auto picture = [&](const RenderSettings& settings) {
+        return render(trials.scene(), {.settings = settings})->image;
+    };
+    const Image chosen = picture(choice.expected.settings);
+    const Image right = picture({.pixel_samples = 1024});
+    int beyond = 0;
+    for (std::size_t i = 0; i < right.pixels.size(); ++i) {
+        int most = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            most = std::max(most, std::abs(chosen.pixels[i][k] - right.pixels[i][k]));
+        beyond += most > tolerance;
+    }
+    return double(beyond) / double(right.pixels.size());
+}
+
+}  // namespace
+
+TEST_CASE("details narrower than a pixel keep the tolerance") {
+    for (const unsigned seed : {1U, 2U}) {
+        INFO("seed " << seed);
+        CHECK(share_beyond(dust(Real(1) / 6, 900, seed), 2) <= 0.01);
+        CHECK(share_beyond(threads(Real(1) / 40, 15, seed), 2) <= 0.01);
+        CHECK(share_beyond(slits(Real(1) / 12, seed), 2) <= 0.01);
+    }
+}
+
+TEST_CASE("the pixels of shapes narrower than a pixel are known before any ray is traced") {
+    const auto part = [](const Scene& scene, int row, int column) {
+        return fine_shapes(scene).parts[std::size_t(row * picture_size.width + column)];
+    };
+    Scene scene = wall();
+    CHECK(fine_shapes(scene).parts.empty());
+    // The center of the pixel in row 36, column 48: half a pixel from the middle of the picture.
+    const Vec3 place{pixel_side / 2, -pixel_side / 2, 0};
+    scene.spheres.push_back({.shape = {place, pixel_side}, .material = {}});
+    CHECK(fine_shapes(scene).parts.empty());  // two pixels wide
+    scene.spheres.push_back({.shape = {place, pixel_side / 16}, .material = {}});
+    const FineShapes fine = fine_shapes(scene);
+    CHECK(fine.narrowest == "sphere");
+    CHECK(fine.width == Approx(0.125).epsilon(0.01));
+    CHECK(std::ranges::count_if(fine.parts, [](float of) { return of < 1; }) == 1);
+    // It covers π / 4 · 1/64 of the pixel, and counts as rather less.
+    CHECK(part(scene, 36, 48) <= 0.0123F);
+    CHECK(part(scene, 36, 48) >= 0.006F);
+    // A thread through that pixel, from the left edge to the right one, and nowhere else.
+    scene.cylinders.push_back({.shape = {.center = place,
+                                         .axis = {1, 0, 0},
+                                         .radius = pixel_side / 32,
+                                         .height = 2 * pixel_side * picture_size.width},
+                               .material = {}});
+    for (int column = 0; column < picture_size.width; ++column) {
+        CHECK(part(scene, 36, column) < 1);
+        CHECK(part(scene, 35, column) == 1);
+        CHECK(part(scene, 37, column) == 1);
+    }
+    CHECK(fine_shapes(scene).narrowest == "cylinder");
+    scene.spheres.push_back({.shape = {{0, 0, 20}, pixel_side / 1000}, .material = {}});  // behind
+    CHECK(fine_shapes(scene).narrowest == "cylinder");
+}
