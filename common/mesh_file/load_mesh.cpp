@@ -4,7 +4,14 @@
 #include "common/mesh_file/mesh_file.hpp"
 #include "common/system/huge_pages.hpp"
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace rt {
@@ -12,24 +19,97 @@ inline namespace RT_PRECISION {
 
 namespace {
 
-std::vector<Vec3> as_real(const std::vector<glm::vec3>& values) {
+/// Edges of an STL file stay sharp beyond this angle between the normals of their faces, in
+/// radians.
+constexpr double crease_angle = 40 * std::numbers::pi / 180;
+
+/// The largest share of a triangle's size by which rounding to float may move its corners unseen.
+constexpr double unseen_share = 1e-4;
+
+glm::dvec3 as_float(glm::dvec3 point) {
+    return glm::dvec3(glm::vec3(point));
+}
+
+double largest_of(glm::dvec3 v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Returns whether the mesh looks the same with coordinates of float. (A triangle whose corners are
+/// in one place is never seen.)
+[[maybe_unused]] bool is_same_in_float(const MeshFile& content) {
+    return std::ranges::all_of(content.triangles, [&](const auto& corners) {
+        const glm::dvec3 a = content.vertices[corners[0]];
+        const glm::dvec3 b = content.vertices[corners[1]];
+        const glm::dvec3 c = content.vertices[corners[2]];
+        const glm::dvec3 moved =
+            glm::max(glm::abs(a - as_float(a)),
+                     glm::max(glm::abs(b - as_float(b)), glm::abs(c - as_float(c))));
+        const double size = std::max(largest_of(b - a), largest_of(c - a));
+        return size == 0 || largest_of(moved) <= unseen_share * size;
+    });
+}
+
+/// Double keeps the digits that float would lose in sight; other meshes are rounded, because
+/// packets of floats are faster.
+std::vector<Vec3> rounded_vertices(const MeshFile& content) {
     std::vector<Vec3> result;
-    reserve_huge(result, values.size());
-    result.assign(values.begin(), values.end());
+    reserve_huge(result, content.vertices.size());
+    const bool in_float = sizeof(Real) == sizeof(float) || is_same_in_float(content);
+    for (const glm::dvec3& vertex : content.vertices)
+        result.push_back(in_float ? Vec3(glm::vec3(vertex)) : Vec3(vertex));
     return result;
 }
 
-/// Scales every normal to unit length; replaces a zero or NaN normal by a smooth normal.
-void repair_normals(Mesh& mesh) {
-    std::vector<Vec3> smooth;
-    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const double length = glm::length(glm::dvec3(mesh.normals[i]));
-        if (length > 0 && length < std::numeric_limits<double>::infinity()) {  // also false for NaN
-            mesh.normals[i] = Vec3(glm::dvec3(mesh.normals[i]) / length);
+/// A sentence about coordinates that float cannot resolve; empty if there is no such loss.
+[[maybe_unused]] std::string loss_in_float(const MeshFile& content) {
+    glm::dvec3 low(content.vertices[content.triangles[0][0]]);
+    glm::dvec3 high = low;
+    for (const auto& corners : content.triangles) {
+        for (const std::uint32_t corner : corners) {
+            low = glm::min(low, content.vertices[corner]);
+            high = glm::max(high, content.vertices[corner]);
+        }
+    }
+    const double largest = std::max(largest_of(low), largest_of(high));
+    const double shift = double(std::numeric_limits<float>::epsilon()) / 2 * largest;
+    const double size = largest_of(high - low);
+    if (!(shift > unseen_share * size)) return "";
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(),
+                  "coordinates reach %.3g, where float moves points by up to %.2g, and the mesh is "
+                  "%.2g large; try --precision double",
+                  largest, shift, size);
+    return text.data();
+}
+
+/// The file's normals, of unit length; where one has no direction, the smooth normal.
+void set_normals(Mesh& mesh, const MeshFile& content) {
+    Mesh smooth;
+    reserve_huge(mesh.normals, content.normals.size());
+    for (std::size_t i = 0; i < content.normals.size(); ++i) {
+        const double length = glm::length(content.normals[i]);
+        if (length > 0) {
+            mesh.normals.emplace_back(content.normals[i] / length);
             continue;
         }
-        if (smooth.empty()) smooth = smooth_normals(mesh);
-        mesh.normals[i] = smooth[i];
+        if (smooth.normals.empty()) {
+            smooth = {.vertices = mesh.vertices, .triangles = mesh.triangles};
+            add_smooth_normals(smooth);
+        }
+        mesh.normals.push_back(smooth.normals[i]);
+    }
+}
+
+/// Turns each triangle over whose corners are clockwise, seen from the side of its normals: the
+/// normals decide. Shading needs both on the same side.
+void turn_to_normals(Mesh& mesh) {
+    for (auto& [i, j, k] : mesh.triangles) {
+        const glm::dvec3 a = mesh.vertices[i];
+        const glm::dvec3 side =
+            glm::cross(glm::dvec3(mesh.vertices[j]) - a, glm::dvec3(mesh.vertices[k]) - a);
+        const glm::dvec3 normals =
+            glm::dvec3(mesh.normals[i]) + glm::dvec3(mesh.normals[j]) + glm::dvec3(mesh.normals[k]);
+        if (glm::dot(side, normals) < 0) std::swap(j, k);
     }
 }
 
@@ -37,12 +117,18 @@ void repair_normals(Mesh& mesh) {
 
 Mesh load_mesh(const std::string& file, const Warn& warn) {
     MeshFile content = read_mesh_file(file);
-    for (const std::string& warning : content.warnings)
+    const auto warn_of = [&](const std::string& warning) {
         if (warn) warn(to_string(FileLocation{file}) + "warning: " + warning);
-    Mesh mesh = {.vertices = as_real(content.vertices),
-                 .normals = as_real(content.normals),
-                 .triangles = std::move(content.triangles)};
-    repair_normals(mesh);
+    };
+    std::ranges::for_each(content.warnings, warn_of);
+#ifdef RT_FLOAT
+    if (const std::string loss = loss_in_float(content); !loss.empty()) warn_of(loss);
+#endif
+    std::vector<Vec3> vertices = rounded_vertices(content);  // which looks at the triangles
+    Mesh mesh = {.vertices = std::move(vertices), .triangles = std::move(content.triangles)};
+    set_normals(mesh, content);
+    if (!mesh.normals.empty()) turn_to_normals(mesh);
+    if (content.facets) add_creased_normals(mesh, crease_angle);
     return mesh;
 }
 

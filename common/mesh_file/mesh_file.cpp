@@ -1,7 +1,7 @@
 #include "common/mesh_file/mesh_file.hpp"
 
-#include "common/mesh_file/checked_mesh.hpp"
-#include "common/mesh_file/openmesh_importer.hpp"
+#include "common/mesh_file/mesh_builder.hpp"
+#include "common/mesh_file/mesh_formats.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/input_file.hpp"
 
@@ -17,7 +17,7 @@ namespace rt {
 
 namespace {
 
-using Read = void (*)(std::string content, const std::string& file, MeshImporter& importer);
+using Read = void (*)(std::string& content, const std::string& file, MeshBuilder& builder);
 
 /// The reader of the format that the file name indicates.
 Read reader_for(const std::string& file) {
@@ -54,10 +54,12 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
     require_size(content.size(), file);
     // The 80 arbitrary bytes of a binary STL may begin so too.
     if (read != read_stl && is_utf16(content)) throw InputError({file}, text_in_utf16);
-    MeshImporter importer;
+    if (content.starts_with("version https://git-lfs"))
+        throw InputError({file}, "is a pointer of Git LFS, not the mesh: run git lfs pull");
+    MeshBuilder builder;
     try {
-        read(std::move(content), file, importer);
-        MeshFile result = importer.take();
+        read(content, file, builder);
+        MeshFile result = builder.take();
         if (!has_area(result))
             result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
         return result;

@@ -1,4 +1,4 @@
-// The content of a mesh file as OpenMesh reads it, without types of OpenMesh and without Real.
+// The content of a mesh file, without Real.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -17,13 +17,12 @@ inline constexpr std::size_t largest_mesh_file = std::size_t(512) << 20;
 /// the square of this number.
 inline constexpr int most_corners = 4096;
 
-/// Coordinates are float in either precision, because OpenMesh reads no more digits. Both
-/// precisions therefore render the same mesh.
 struct MeshFile {
-    std::vector<glm::vec3> vertices;  ///< all finite
-    std::vector<glm::vec3> normals;  ///< one for each vertex, of any length, possibly NaN; or empty
+    std::vector<glm::dvec3> vertices;  ///< all in the range of float
+    std::vector<glm::dvec3> normals;   ///< one for each vertex, of any length, 0 included; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< at least one
     std::vector<std::string> warnings;  ///< content that is accepted but hardly intended
+    bool facets = false;  ///< the file has no shared vertices: this reader joined its corners
 };
 
 /// Reads the mesh in the file. Throws InputError if the file cannot be read, or a part of it is

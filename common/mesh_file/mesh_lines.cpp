@@ -1,12 +1,14 @@
 #include "common/mesh_file/mesh_lines.hpp"
 
 #include "common/system/escaping.hpp"
+#include "common/system/lower_case.hpp"
 #include "common/system/parse_floating.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace rt {
 
@@ -20,8 +22,10 @@ constexpr bool is_digit(char c) {
     return '0' <= c && c <= '9';
 }
 
-void skip_blanks(std::string_view& line) {
-    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+inline void skip_blanks(std::string_view& line) {
+    std::size_t blanks = 0;
+    while (blanks < line.size() && is_blank(line[blanks])) ++blanks;
+    line.remove_prefix(blanks);
 }
 
 /// Removes what was parsed from the line. Returns false, and removes nothing, if that is not a
@@ -48,20 +52,22 @@ void plain_text(std::string& content) {
         }
     }
     if (content.find('\n') == std::string::npos) std::ranges::replace(content, '\r', '\n');
-    if (!content.ends_with('\n')) content += '\n';
+}
+
+std::optional<std::string_view> MeshLines::next_of_any_kind() {
+    if (position_ >= text_.size()) return std::nullopt;
+    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    auto line = text_.substr(position_, end - position_);
+    position_ = std::min(end + 1, text_.size());
+    ++number_;
+    skip_blanks(line);
+    return line;
 }
 
 std::optional<std::string_view> MeshLines::next() {
-    while (position_ < text_.size()) {
-        const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-        auto line = std::string_view(text_).substr(position_, end - position_);
-        position_ = end + 1;
-        ++number_;
-        skip_blanks(line);
-        if (!line.empty()) return line;
-    }
-    position_ = text_.size();
-    return std::nullopt;
+    auto line = next_of_any_kind();
+    while (line && line->empty()) line = next_of_any_kind();
+    return line;
 }
 
 void MeshLines::refuse(const std::string& message) const {
@@ -111,43 +117,67 @@ std::optional<std::int64_t> take_whole_number(std::string_view& line) {
     return value;
 }
 
-std::optional<float> float_number(std::string_view word) {
-    const auto plain = whole_floating<float>(word);
-    if (plain && std::isfinite(*plain)) return plain;
-    // It rejects "+1", and numbers near 0 that round to 0. (strtof also accepts "0x1p3".)
-    constexpr std::string_view allowed = "0123456789+-.eE";
-    if (word.find_first_not_of(allowed) != std::string_view::npos) return std::nullopt;
-    const std::string text(word);
-    char* rest = nullptr;
-    const float value = std::strtof(text.c_str(), &rest);
-    if (text.empty() || rest != text.c_str() + text.size() || !std::isfinite(value))
-        return std::nullopt;
+std::optional<double> take_number(std::string_view& line) {
+    skip_blanks(line);
+    double value = 0;
+    // Most numbers are parsed in the line, without a search for the end of the word before.
+    std::string_view rest = line;
+    if (!take_parsed(rest, parse_floating(line, value))) {
+        // It rejects "+1", and numbers near 0 that round to 0. (strtod also accepts "0x1p3".)
+        const std::string word(take_word(rest));
+        constexpr const char* allowed = "0123456789+-.eE";
+        char* end = nullptr;
+        value = std::strtod(word.c_str(), &end);
+        if (word.empty() || word.find_first_not_of(allowed) != std::string::npos ||
+            end != word.c_str() + word.size())
+            return std::nullopt;
+    }
+    if (!(std::abs(value) <= double(std::numeric_limits<float>::max()))) return std::nullopt;
+    line = rest;
     return value;
 }
 
-std::optional<float> take_float(std::string_view& line) {
-    skip_blanks(line);
-    float value = 0;
-    // Most numbers are parsed in the line, without a search for the end of the word before.
-    if (const auto parsed = parse_floating(line, value);
-        std::isfinite(value) && take_parsed(line, parsed))
-        return value;
+std::optional<double> take_number_or_nan(std::string_view& line) {
+    if (const auto number = take_number(line)) return number;
     std::string_view rest = line;
-    const auto number = float_number(take_word(rest));
-    if (number) line = rest;
-    return number;
+    std::string word = lower_case(std::string(take_word(rest).substr(0, 16)));
+    if (word.starts_with('-') || word.starts_with('+')) word.erase(0, 1);
+    if (!word.starts_with("nan") && !word.starts_with("inf") && !word.starts_with("1.#"))
+        return std::nullopt;
+    line = rest;
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
-void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines) {
-    for (int i = 0; i < 3; ++i)
-        if (!take_float(line))
+namespace {
+
+glm::dvec3 take_three(std::string_view& line, const char* what, const MeshLines& lines,
+                      std::optional<double> (*take)(std::string_view& line)) {
+    glm::dvec3 result(0);
+    for (int i = 0; i < 3; ++i) {
+        const auto number = take(line);
+        if (!number) {
             lines.refuse(std::string(what) + " must be three numbers up to 3.4e38, not " +
                          quoted(take_word(line)));
+        }
+        result[i] = *number;
+    }
+    return result;
+}
+
+}  // namespace
+
+glm::dvec3 take_point(std::string_view& line, const char* what, const MeshLines& lines) {
+    return take_three(line, what, lines, take_number);
+}
+
+glm::dvec3 take_normal(std::string_view& line, const char* what, const MeshLines& lines) {
+    return take_three(line, what, lines, take_number_or_nan);
 }
 
 void require_no_word(std::string_view rest, const char* what, const MeshLines& lines) {
-    const std::string_view word = take_word(rest);
-    if (word.empty() || float_number(word)) return;
+    std::string_view line = rest;
+    const std::string_view word = take_word(line);
+    if (word.empty() || take_number_or_nan(rest)) return;
     lines.refuse(std::string(what) + " is on a line of its own, followed here by " + quoted(word));
 }
 

@@ -1,7 +1,9 @@
-// The text of a mesh file, split into lines and words for the checks before OpenMesh reads it.
+// The text of a mesh file, split into lines and words.
 #pragma once
 
 #include "common/system/input_error.hpp"
+
+#include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,19 +17,19 @@ namespace rt {
 /// Replaces a byte order mark, which some editors write at the start of a text, with blanks.
 void blank_byte_order_mark(std::string& content);
 
-/// Replaces a byte order mark with blanks, and CR with LF if no line ends in LF. Adds the end of
-/// the last line if it is missing, because OpenMesh's streams must not reach the end of the file
-/// inside a number. Replaces vertical tab and form feed with blanks, because OpenMesh's readers
-/// treat them differently.
+/// Replaces a byte order mark, vertical tab and form feed with blanks, and CR with LF if no line
+/// ends in LF.
 void plain_text(std::string& content);
 
-/// The lines of a text, in order. The text may be modified between calls.
+/// The lines of a text, in order. A copy goes on from the same line.
 class MeshLines {
 public:
-    MeshLines(const std::string& text, std::string file) : text_(text), file_(std::move(file)) {}
+    MeshLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
     /// Returns the next line that contains a word, without its end; nothing after the last.
     [[nodiscard]] std::optional<std::string_view> next();
+    /// Returns the next line, which may be empty, without its end; nothing after the last.
+    [[nodiscard]] std::optional<std::string_view> next_of_any_kind();
     /// The offset in the text of the following line.
     [[nodiscard]] std::size_t position() const { return position_; }
     /// The number of bytes from there to the end of the text.
@@ -38,7 +40,7 @@ public:
     [[noreturn]] void refuse(const std::string& message) const;
 
 private:
-    const std::string& text_;
+    std::string_view text_;
     std::string file_;
     std::size_t position_ = 0;
     int number_ = 0;
@@ -57,16 +59,21 @@ private:
 /// nothing, and the line still has the word, if it is not one of 64 bits.
 [[nodiscard]] std::optional<std::int64_t> take_whole_number(std::string_view& line);
 
-/// Parses the whole word as a float; nothing if it is not one, or out of range.
-[[nodiscard]] std::optional<float> float_number(std::string_view word);
+/// Removes the next word from the line and returns it as a number; nothing, and the line still has
+/// the word, if it is not one, or float cannot represent it.
+[[nodiscard]] std::optional<double> take_number(std::string_view& line);
 
-/// Removes the next word from the line and returns it as a float; nothing, and the line still has
-/// the word, if float_number returns nothing.
-[[nodiscard]] std::optional<float> take_float(std::string_view& line);
+/// As take_number; NaN for a word that programs write for NaN and infinity, as nan, -inf, 1.#IND.
+[[nodiscard]] std::optional<double> take_number_or_nan(std::string_view& line);
 
 /// Removes three words from the line. Throws InputError unless each is a number that a float can
 /// represent; `what` names their owner in the message.
-void require_three_numbers(std::string_view& line, const char* what, const MeshLines& lines);
+[[nodiscard]] glm::dvec3 take_point(std::string_view& line, const char* what,
+                                    const MeshLines& lines);
+
+/// As take_point, for a vector of which take_number_or_nan accepts each number.
+[[nodiscard]] glm::dvec3 take_normal(std::string_view& line, const char* what,
+                                     const MeshLines& lines);
 
 /// Throws InputError if the rest of a line begins with a word that is not a number, as in a file
 /// whose line ends are lost. More numbers are skipped: a color, for example.

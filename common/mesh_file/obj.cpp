@@ -1,148 +1,174 @@
-#include "common/mesh_file/checked_mesh.hpp"
-#include "common/mesh_file/mesh_file.hpp"
+#include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
-#include "common/mesh_file/open_mesh.hpp"
 #include "common/system/escaping.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 namespace rt {
 
 namespace {
 
-/// Vertices or normals: their count so far, and the largest index in a face.
-struct Numbered {
-    const char* what;
-    std::int64_t count = 0;
-    std::int64_t largest = 0;
-    int line_of_largest = 0;
-
-    /// Checks an index in a face: from 1, or negative to count back from the last. Returns the
-    /// index from 1.
-    std::int64_t check(std::string_view word, const MeshLines& lines) {
-        const auto number = whole_number(word);
-        if (!number || *number == 0) {
-            lines.refuse(std::string("a corner's ") + what +
-                         " must be a whole number other than 0, not " + quoted(word));
-        }
-        if (*number < -count) {
-            lines.refuse(std::string("a corner's ") + what + " must be one of the " +
-                         std::to_string(count) + " before it, not " + quoted(word));
-        }
-        if (*number > largest) {
-            largest = *number;
-            line_of_largest = lines.number();
-        }
-        return *number < 0 ? count + 1 + *number : *number;
-    }
-
-    void check_largest(const std::string& file) const {
-        if (largest <= count) return;
-        const std::string given = ", not \"" + std::to_string(largest) + "\"";
-        const std::string named = std::string("a corner's ") + what;
-        if (count == 0)
-            throw InputError({file, line_of_largest},
-                             named + " must be in the file, which has none" + given);
-        throw InputError({file, line_of_largest},
-                         named + " must be from 1 to " + std::to_string(count) + given);
-    }
+/// A line of an OBJ file that is read: v, vn or f.
+struct Statement {
+    std::string_view keyword;
+    std::string_view rest;
 };
 
-/// Checks a corner "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal". Returns
-/// the vertex.
-std::int64_t check_corner(std::string_view word, Numbered& vertices, Numbered& normals,
-                          const MeshLines& lines) {
-    const std::size_t first = word.find('/');
-    const std::int64_t vertex = vertices.check(word.substr(0, first), lines);
-    if (first == std::string_view::npos) return vertex;
-    const std::string_view rest = word.substr(first + 1);
-    const std::size_t second = rest.find('/');
-    const std::string_view texture = rest.substr(0, second);
-    const std::string_view normal =
-        second == std::string_view::npos ? std::string_view() : rest.substr(second + 1);
-    if (!texture.empty() && !whole_number(texture)) {
-        lines.refuse("a corner is vertex/texture/normal, each a whole number, not " + quoted(word));
-    }
-    if (!normal.empty()) normals.check(normal, lines);
-    return vertex;
+/// The line without its comment. The # of Microsoft's -1.#IND begins none.
+std::string_view without_comment(std::string_view line) {
+    std::size_t at = line.find('#');
+    while (at != std::string_view::npos && at >= 2 && line.substr(at - 2, 2) == "1.")
+        at = line.find('#', at + 1);
+    return line.substr(0, at);
 }
 
-/// Checks a face. Returns whether it has three different vertices.
-bool check_face(std::string_view line, Numbered& vertices, Numbered& normals,
-                const MeshLines& lines) {
-    int corners = 0;
-    std::array<std::int64_t, 3> different{};
-    std::size_t found = 0;
-    for (auto word = take_word(line); !word.empty(); word = take_word(line)) {
-        const std::int64_t vertex = check_corner(word, vertices, normals, lines);
-        const auto end = different.begin() + std::ptrdiff_t(found);
-        if (found < different.size() && std::find(different.begin(), end, vertex) == end)
-            different[found++] = vertex;
-        ++corners;
-    }
-    if (corners >= 3 && corners <= most_corners) return found == different.size();
-    lines.refuse("a face of " + std::to_string(corners) + " corners: expected 3 to " +
-                 std::to_string(most_corners));
-}
+/// The statements of a file.
+class Statements {
+public:
+    explicit Statements(MeshLines& lines) : lines_(lines) {}
 
-/// Joins each line that ends in a backslash, outside of a comment, with the next one. The line ends
-/// that this removes follow the joined line, so that all lines keep their numbers.
-void join_continued_lines(std::string& content) {
-    if (content.find('\\') == std::string::npos) return;
-    std::string joined;
-    joined.reserve(content.size());
-    std::size_t removed = 0;
-    for (std::string_view rest = content; !rest.empty();) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
-        rest.remove_prefix(line.size() + 1);
-        const std::size_t last = line.find_last_not_of(" \t\r");
-        if (last != std::string_view::npos && line[last] == '\\' && !rest.empty() &&
-            line.find('#') == std::string_view::npos) {
-            joined.append(line.substr(0, last)).append(1, ' ');
-            ++removed;
-        } else {
-            joined.append(line).append(1 + removed, '\n');
-            removed = 0;
+    std::optional<Statement> next() {
+        while (const auto line = lines_.next()) {
+            std::string_view rest = without_comment(*line);
+            const std::string_view keyword = take_word(rest);
+            if (keyword != "v" && keyword != "vn" && keyword != "f") continue;
+            if (rest.find('\\') != std::string_view::npos) rest = with_continuation(rest);
+            return Statement{keyword, rest};
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// Appends the next line to a line that ends in a backslash. Of the other statements only their
+    /// first line has a known keyword; and a path or a name may end in a backslash.
+    std::string_view with_continuation(std::string_view rest) {
+        joined_.clear();
+        while (true) {
+            const std::size_t last = rest.find_last_not_of(" \t\r");
+            const bool ends_in_backslash = last != std::string_view::npos && rest[last] == '\\';
+            const auto next = ends_in_backslash ? lines_.next_of_any_kind() : std::nullopt;
+            if (!next) return joined_.append(rest);
+            joined_.append(rest.substr(0, last)).append(1, ' ');
+            rest = without_comment(*next);
         }
     }
-    content = std::move(joined);
+
+    MeshLines& lines_;
+    std::string joined_;
+};
+
+/// Converts an index, from 1, or negative to count back from the last of `before`, to one from 0.
+std::int64_t from_zero(std::string_view word, const char* what, std::size_t before,
+                       const MeshLines& lines) {
+    const auto number = whole_number(word);
+    const auto count = static_cast<std::int64_t>(before);
+    if (!number || *number == 0) {
+        lines.refuse(std::string("a corner's ") + what +
+                     " must be a whole number other than 0, not " + quoted(word));
+    }
+    if (*number < -count) {
+        lines.refuse(std::string("a corner's ") + what + " must be one of the " +
+                     std::to_string(count) + " before it, not " + quoted(word));
+    }
+    return *number < 0 ? count + *number : *number - 1;
 }
+
+/// Reads the faces of a file whose vertices and normals are known.
+class Faces {
+public:
+    Faces(const MeshLines& lines, const std::vector<glm::dvec3>& normals, MeshBuilder& builder)
+        : lines_(lines), normals_(normals), builder_(builder), vertices_(builder.vertex_count()) {}
+
+    void count_vertex() { ++vertices_before_; }
+    void count_normal() { ++normals_before_; }
+
+    void read(std::string_view line) {
+        face_.clear();
+        for (auto word = take_word(line); !word.empty(); word = take_word(line))
+            face_.push_back(corner(word));
+        if (face_.size() > std::size_t(most_corners)) {
+            lines_.refuse("a face of " + std::to_string(face_.size()) +
+                          " corners: expected at most " + std::to_string(most_corners));
+        }
+        builder_.add_face(face_);
+    }
+
+    void warn_of_lost_normals() const {
+        if (lost_normals_ == 0) return;
+        builder_.warn(std::to_string(lost_normals_) +
+                      (lost_normals_ == 1 ? " corner names a normal that is"
+                                          : " corners name normals that are") +
+                      " not in the file: computed from the faces");
+    }
+
+private:
+    /// Reads a corner "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal".
+    std::uint32_t corner(std::string_view word) {
+        const std::size_t first = word.find('/');
+        const std::int64_t index =
+            from_zero(word.substr(0, first), "vertex", vertices_before_, lines_);
+        if (index >= std::int64_t(vertices_)) {
+            lines_.refuse("a corner's vertex must be " +
+                          (vertices_ == 0 ? "in the file, which has none"
+                                          : "from 1 to " + std::to_string(vertices_)) +
+                          ", not " + quoted(word.substr(0, first)));
+        }
+        const auto vertex = static_cast<std::uint32_t>(index);
+        if (first == std::string_view::npos) return vertex;
+        const std::size_t second = word.find('/', first + 1);
+        if (second == std::string_view::npos) return vertex;
+        const std::string_view of_normal = word.substr(second + 1);
+        if (of_normal.empty()) return vertex;
+        const std::int64_t normal =
+            of_normal == "0" ? -1 : from_zero(of_normal, "normal", normals_before_, lines_);
+        if (normal >= 0 && normal < std::int64_t(normals_.size()))
+            return builder_.with_normal(vertex, normals_[std::size_t(normal)]);
+        ++lost_normals_;
+        return vertex;
+    }
+
+    const MeshLines& lines_;
+    const std::vector<glm::dvec3>& normals_;
+    MeshBuilder& builder_;
+    std::size_t vertices_;
+    std::size_t vertices_before_ = 0;
+    std::size_t normals_before_ = 0;
+    std::size_t lost_normals_ = 0;
+    std::vector<std::uint32_t> face_;
+};
 
 }  // namespace
 
-void read_obj(std::string content, const std::string& file, MeshImporter& importer) {
+void read_obj(std::string& content, const std::string& file, MeshBuilder& builder) {
     plain_text(content);
-    join_continued_lines(content);
+    // Faces may precede their vertices.
+    std::vector<glm::dvec3> normals;
     MeshLines lines(content, file);
-    Numbered vertices = {.what = "vertex"};
-    Numbered normals = {.what = "normal"};
-    while (const auto line = lines.next()) {
-        const std::size_t begin = static_cast<std::size_t>(line->data() - content.data());
-        const std::size_t comment = std::min(line->find('#'), line->size());
-        std::fill_n(content.begin() + std::ptrdiff_t(begin + comment), line->size() - comment, ' ');
-        std::string_view rest = line->substr(0, comment);
-        const std::string_view keyword = take_word(rest);
-        if (keyword == "v") {
-            require_three_numbers(rest, "a vertex", lines);
+    Statements first(lines);
+    while (const auto statement = first.next()) {
+        std::string_view rest = statement->rest;
+        if (statement->keyword == "v") {
+            builder.add_vertex(take_point(rest, "a vertex", lines));
             require_no_word(rest, "a vertex", lines);
-            ++vertices.count;
-        } else if (keyword == "vn") {
-            require_three_numbers(rest, "a normal", lines);
+        } else if (statement->keyword == "vn") {
+            normals.push_back(take_normal(rest, "a normal", lines));
             require_no_word(rest, "a normal", lines);
-            ++normals.count;
-        } else if (keyword == "f") {
-            // OpenMesh leaves it out in silence.
-            if (!check_face(rest, vertices, normals, lines)) importer.leave_out_faces(1);
-        } else {
-            // Turned into a comment: OpenMesh would open the file that a mtllib names.
-            content[begin] = '#';
         }
     }
-    vertices.check_largest(file);
-    normals.check_largest(file);
-    read_checked({.content = std::move(content), .reader = "obj"}, file, importer);
+    lines = MeshLines(content, file);
+    Statements second(lines);
+    Faces faces(lines, normals, builder);
+    while (const auto statement = second.next()) {
+        if (statement->keyword == "v") faces.count_vertex();
+        if (statement->keyword == "vn") faces.count_normal();
+        if (statement->keyword == "f") faces.read(statement->rest);
+    }
+    faces.warn_of_lost_normals();
 }
 
 }  // namespace rt

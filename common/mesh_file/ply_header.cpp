@@ -11,16 +11,16 @@ namespace {
 
 constexpr std::array<PlyType, 16> types = {{{"char", 1},
                                             {"int8", 1},
-                                            {"uchar", 1},
-                                            {"uint8", 1},
+                                            {"uchar", 1, false, false},
+                                            {"uint8", 1, false, false},
                                             {"short", 2},
                                             {"int16", 2},
-                                            {"ushort", 2},
-                                            {"uint16", 2},
+                                            {"ushort", 2, false, false},
+                                            {"uint16", 2, false, false},
                                             {"int", 4},
                                             {"int32", 4},
-                                            {"uint", 4},
-                                            {"uint32", 4},
+                                            {"uint", 4, false, false},
+                                            {"uint32", 4, false, false},
                                             {"float", 4, true},
                                             {"float32", 4, true},
                                             {"double", 8, true},
@@ -45,6 +45,7 @@ PlyProperty take_property(std::string_view line, const MeshLines& lines) {
     }
     property.type = take_type(line, lines);
     property.name = take_word(line);
+    property.line = lines.number();
     if (property.name.empty()) lines.refuse("expected the name of a property after its type");
     return property;
 }

@@ -17,14 +17,16 @@ struct PlyType {
     std::string_view name;
     std::size_t size = 0;
     bool is_float = false;
+    bool is_signed = true;
 };
 
-/// A property of an element: its type and name.
+/// A property of an element: its type and name, and the line that declares it.
 struct PlyProperty {
     PlyType type;
     std::string name;
     /// For a list: the type of its length.
     std::optional<PlyType> length;
+    int line = 0;
 };
 
 /// An element, such as vertex or face: its number and properties, and the line that declares it.

@@ -1,113 +1,142 @@
-#include "common/mesh_file/checked_mesh.hpp"
+#include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
-#include "common/mesh_file/open_mesh.hpp"
+#include "common/mesh_file/welder.hpp"
 #include "common/system/escaping.hpp"
+#include "common/system/input_file.hpp"
 #include "common/system/lower_case.hpp"
 
-#include <utility>
+#include <array>
+#include <bit>
+#include <cmath>
 
 namespace rt {
 
 namespace {
 
 /// The layout of a binary file: 80 arbitrary bytes, the number of triangles, then 50 bytes for
-/// each: twelve floats and two bytes more.
+/// each: twelve floats, of which the first three are a normal, and two bytes more.
 constexpr std::size_t header_size = 84;
 constexpr std::size_t triangle_size = 50;
 
-std::uint64_t byte(const std::string& content, std::size_t at) {
-    return static_cast<unsigned char>(content[at]);
+std::uint32_t little_endian(std::string_view content, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | static_cast<unsigned char>(content[at + i]);
+    return value;
 }
 
-std::uint64_t triangle_count(const std::string& content) {
-    return byte(content, 80) | byte(content, 81) << 8 | byte(content, 82) << 16 |
-           byte(content, 83) << 24;
-}
+/// Adds the facets to the builder, with one vertex for all corners in one place.
+class Facets {
+public:
+    explicit Facets(MeshBuilder& builder) : builder_(builder) { builder.set_facets(); }
 
-/// Throws InputError for NaN and infinity, which OpenMesh would look up in a sorted map: all ones
-/// in the exponent of a little-endian float. The first three floats are the face's normal, which is
-/// not used.
-void check_numbers(const std::string& content, const std::string& file) {
-    for (std::size_t at = header_size; at < content.size(); at += triangle_size) {
-        for (std::size_t i = 3; i < 12; ++i) {
-            const std::size_t high = at + 4 * i + 3;
-            if ((byte(content, high) & 0x7f) != 0x7f || byte(content, high - 1) < 0x80) continue;
-            throw InputError({file}, "triangle " +
-                                         std::to_string((at - header_size) / triangle_size) +
-                                         " has a corner that is not a place");
+    void add(const std::array<glm::dvec3, 3>& corners) {
+        std::array<std::uint32_t, 3> face;
+        for (std::size_t i = 0; i < 3; ++i) {
+            face[i] = welder_.place(corners[i]);
+            if (face[i] == builder_.vertex_count()) builder_.add_vertex(corners[i]);
         }
+        builder_.add_face(face);
+    }
+
+private:
+    MeshBuilder& builder_;
+    Welder welder_;
+};
+
+void read_binary(std::string_view content, std::size_t triangles, const std::string& file,
+                 MeshBuilder& builder) {
+    builder.reserve(triangles / 2 + 2, triangles);
+    Facets facets(builder);
+    for (std::size_t i = 0; i < triangles; ++i) {
+        const std::size_t at = header_size + i * triangle_size + 12;
+        std::array<glm::dvec3, 3> corners;
+        for (std::size_t k = 0; k < 9; ++k) {
+            const double value = std::bit_cast<float>(little_endian(content, at + 4 * k));
+            if (!std::isfinite(value)) {
+                throw InputError(
+                    {file}, "triangle " + std::to_string(i) + " has a corner that is not a place");
+            }
+            corners[k / 3][glm::length_t(k % 3)] = value;
+        }
+        facets.add(corners);
     }
 }
 
-/// "solid", in any case, perhaps after three blanks.
-bool begins_as_text(const std::string& content) {
-    const std::string begin = lower_case(content.substr(0, 8));
-    return begin.starts_with("solid") || begin.starts_with("   solid");
+bool is_comment(std::string_view line) {
+    return line.starts_with('#') || line.starts_with("//") || line.starts_with(';');
 }
 
-/// Calls OpenMesh, which leaves out the triangles that have two corners in one place in silence.
-void read_triangles(CheckedMesh mesh, std::size_t triangles, const std::string& file,
-                    MeshImporter& importer) {
-    read_checked(std::move(mesh), file, importer);
-    importer.leave_out_faces(triangles - importer.n_faces());
+/// The keyword of a line in lower case, without the blank of "end solid".
+std::string take_keyword(std::string_view& line) {
+    std::string keyword = lower_case(std::string(take_word(line).substr(0, 16)));
+    if (keyword == "end") keyword += lower_case(std::string(take_word(line).substr(0, 16)));
+    return keyword;
 }
 
-/// Reads a text file. Checks it first, and allows only the lines that OpenMesh recognizes: it
-/// searches for "outer" anywhere, even in the name of the solid, and parses the next three lines as
-/// vertices.
-void read_text(std::string content, const std::string& file, MeshImporter& importer) {
+void read_text(std::string& content, const std::string& file, MeshBuilder& builder) {
     plain_text(content);
     MeshLines lines(content, file);
-    CheckedMesh checked = {.reader = "stl"};
-    std::size_t triangles = 0;
-    int corners_to_come = 0;
+    Facets facets(builder);
+    std::array<glm::dvec3, 3> corners;
+    std::size_t to_come = 0;  // corners
     std::string keyword;
     while (const auto line = lines.next()) {
+        if (is_comment(*line)) continue;
         std::string_view rest = *line;
-        keyword = lower_case(std::string(take_word(rest).substr(0, 16)));
-        if ((corners_to_come > 0) != (keyword == "vertex")) {
-            lines.refuse(
-                std::string("expected ") +
-                (corners_to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
-                " at the start of a line, not " + quoted(*line));
+        keyword = take_keyword(rest);
+        if ((to_come > 0) != (keyword == "vertex")) {
+            lines.refuse(std::string("expected ") +
+                         (to_come > 0 ? "\"vertex x y z\"" : "\"facet\" or \"outer loop\"") +
+                         " at the start of a line, not " + quoted(*line));
         }
-        if (keyword == "outer") {
-            checked.content += "outer\n";
-            corners_to_come = 3;
-            ++triangles;
-        } else if (keyword == "vertex") {
-            require_three_numbers(rest, "a vertex", lines);
-            require_no_word(rest, "a vertex", lines);
-            checked.content.append(*line).append("\n");
-            --corners_to_come;
-        }
+        if (keyword == "outer") to_come = 3;
+        if (keyword != "vertex") continue;
+        corners[3 - to_come] = take_point(rest, "a vertex", lines);
+        require_no_word(rest, "a vertex", lines);
+        if (--to_come == 0) facets.add(corners);
     }
+    if (to_come > 0) lines.refuse("the file ends within a facet");
     if (keyword != "endsolid")
-        lines.refuse("the file ends before its \"endsolid\" at the start of a line");
-    read_triangles(std::move(checked), triangles, file, importer);
+        builder.warn("has no \"endsolid\" at its end: its last facets may be missing");
+}
+
+/// Returns whether a line begins with "solid" or "facet", in any case. Any text may precede it.
+bool is_text(const std::string& content) {
+    MeshLines lines(content, "");
+    while (const auto line = lines.next()) {
+        const std::string word = lower_case(std::string(line->substr(0, 5)));
+        if (word == "solid" || word == "facet") return true;
+    }
+    return false;
 }
 
 }  // namespace
 
-void read_stl(std::string content, const std::string& file, MeshImporter& importer) {
-    // The same criterion as OpenMesh's: a binary file may start with "solid" too.
-    const bool has_header = content.size() >= header_size;
-    const std::uint64_t count = has_header ? triangle_count(content) : 0;
-    if (has_header && content.size() == header_size + count * triangle_size) {
-        check_numbers(content, file);
-        read_triangles({.content = std::move(content), .reader = "stl", .is_binary = true}, count,
-                       file, importer);
-        return;
+void read_stl(std::string& content, const std::string& file, MeshBuilder& builder) {
+    // The first bytes of a binary file may be "solid" too. But the last of its count is 0, below 16
+    // million triangles, and no text has a zero byte.
+    const bool has_header = content.size() >= header_size && content[header_size - 1] == '\0';
+    if (!has_header) {
+        blank_byte_order_mark(content);
+        if (is_text(content)) return read_text(content, file, builder);
+        throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
     }
-    blank_byte_order_mark(content);
-    if (begins_as_text(content)) {
-        read_text(std::move(content), file, importer);
-        return;
+    const std::size_t count = little_endian(content, 80);
+    const std::size_t size = header_size + count * triangle_size;
+    if (content.size() != size && is_utf16(content)) throw InputError({file}, text_in_utf16);
+    // Some programs write a byte or a line end more.
+    if (content.size() < size || content.size() >= size + triangle_size) {
+        throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
+                                     std::to_string(size) + " bytes, not " +
+                                     std::to_string(content.size()));
     }
-    if (!has_header) throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
-    throw InputError({file}, "a binary STL of " + std::to_string(count) + " triangles has " +
-                                 std::to_string(header_size + count * triangle_size) +
-                                 " bytes, not " + std::to_string(content.size()));
+    if (content.size() > size) {
+        const std::size_t more = content.size() - size;
+        builder.warn("the last " + (more == 1 ? "byte is" : std::to_string(more) + " bytes are") +
+                     " no triangle: skipped");
+    }
+    read_binary(content, count, file, builder);
 }
 
 }  // namespace rt

@@ -3,6 +3,8 @@
 
 #include "common/scene/scene.hpp"
 
+#include <string>
+
 namespace rt {
 
 /// Loads the scene's named meshes, each file once, and adds an instance for each. Throws InputError
@@ -10,5 +12,9 @@ namespace rt {
 /// the file. Only the program of a stage with meshes has this function: in the others
 /// no_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
+
+/// Returns the lines about the meshes' files that `--requirements` prints: what their triangles
+/// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError as load_meshes does.
+[[nodiscard]] std::string mesh_forms(const Scene& scene);
 
 }  // namespace rt

@@ -10,4 +10,8 @@ void load_meshes(Scene& scene, const Warn& /*warn*/) {
                      "a mesh, which " + name_of(mesh_stage) + " introduces: run that stage");
 }
 
+std::string mesh_forms(const Scene& /*scene*/) {
+    return "";
+}
+
 }  // namespace rt

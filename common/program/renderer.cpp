@@ -1,6 +1,7 @@
 #include "common/program/renderer.hpp"
 
 #include "common/program/explain_pixel.hpp"
+#include "common/program/load_meshes.hpp"
 #include "common/program/make_animation.hpp"
 #include "common/program/make_picture.hpp"
 #include "common/program/picture_texts.hpp"
@@ -115,7 +116,7 @@ public:
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
                            const std::atomic<bool>& stop) override {
         if (options.requirements) {
-            std::cout << options.scene << explanation(scene_);
+            std::cout << options.scene << explanation(scene_) << mesh_forms(scene_);
         } else if (options.pixel) {
             check_pixel("--pixel", *options.pixel, scene_.resolution);
             explain_pixel(program_, options, scene_, *options.pixel);

@@ -76,7 +76,8 @@ Polygons with_normals(Polygons polygons) {
                                   static_cast<std::uint32_t>(face[1]),
                                   static_cast<std::uint32_t>(face[2])});
     }
-    for (const Vec3& normal : smooth_normals(mesh)) polygons.normals.emplace_back(normal);
+    add_smooth_normals(mesh);
+    for (const Vec3& normal : mesh.normals) polygons.normals.emplace_back(normal);
     return polygons;
 }
 

@@ -1,6 +1,7 @@
 // libFuzzer's entry into the mesh reader, for each of the four formats. docs/reference/meshes.md
 // explains how to run it.
 
+#include "common/mesh_file/half_edges.hpp"
 #include "common/mesh_file/mesh_file.hpp"
 #include "common/system/input_error.hpp"
 
@@ -28,7 +29,7 @@ void check_mesh(const rt::MeshFile& mesh, std::size_t size) {
             "each vertex and each triangle takes a byte of the file");
     require(mesh.normals.empty() || mesh.normals.size() == mesh.vertices.size(),
             "all vertices have a normal, or none has");
-    for (const glm::vec3& v : mesh.vertices) {
+    for (const glm::dvec3& v : mesh.vertices) {
         require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z),
                 "vertices are finite");
     }
@@ -36,6 +37,10 @@ void check_mesh(const rt::MeshFile& mesh, std::size_t size) {
         require(std::max({a, b, c}) < mesh.vertices.size(), "corners are vertices");
         require(a != b && b != c && c != a, "a triangle has three corners");
     }
+    const rt::MeshForm form = rt::form_of(mesh.triangles, mesh.vertices.size());
+    require(form.parts >= 1 && form.parts <= mesh.triangles.size(), "a part has a triangle");
+    require(2 * form.turned <= mesh.triangles.size(), "most triangles are not turned over");
+    require((form.holes == 0) == (form.longest_hole == 0), "a hole has edges");
 }
 
 void check_message(const std::string& message) {

@@ -1,6 +1,7 @@
 // Shortcuts for reading a mesh in a test.
 #pragma once
 
+#include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/load_mesh.hpp"
 #include "common/system/input_error.hpp"
 
@@ -39,6 +40,12 @@ struct MeshFolder {
 inline Mesh mesh_of(const std::string& name, std::string_view content) {
     const MeshFolder folder;
     return load_mesh(folder.write(name, content));
+}
+
+/// The mesh with smooth normals.
+inline Mesh smoothed(Mesh mesh) {
+    add_smooth_normals(mesh);
+    return mesh;
 }
 
 /// The error message for the file, without the folder; "accepted" if there is none.

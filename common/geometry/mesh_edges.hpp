@@ -1,0 +1,49 @@
+// The edges at which the triangles of a mesh meet.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace rt {
+
+/// Three vertices for each triangle.
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+// Corner k of triangle t has the number 3t + k; so has the side from this corner to the next one.
+
+/// The corner at which a side ends.
+[[nodiscard]] constexpr std::uint32_t end_of(std::uint32_t side) {
+    return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+/// In place of a side, at an edge of one triangle.
+inline constexpr std::uint32_t border = 0xffffffff;
+/// In place of a side, at an edge of three triangles or more.
+inline constexpr std::uint32_t crowded = 0xfffffffe;
+
+/// Returns for each side the one of the other triangle at this edge; or border, or crowded.
+[[nodiscard]] std::vector<std::uint32_t> other_sides(const Triangles& triangles,
+                                                     std::size_t vertices);
+
+/// Returns whether the two triangles at an edge run along it in opposite directions, as neighbors
+/// do of which none is turned over.
+[[nodiscard]] inline bool is_consistent(const Triangles& triangles, std::uint32_t side,
+                                        std::uint32_t other) {
+    return triangles[side / 3][side % 3] != triangles[other / 3][other % 3];
+}
+
+/// Returns a group for each corner, named by one of its corners. Two corners at a vertex are in one
+/// group if consistent edges connect them for which `is_joined(side, other)` holds.
+[[nodiscard]] std::vector<std::uint32_t> corner_groups(
+    const Triangles& triangles, const std::vector<std::uint32_t>& others,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& is_joined);
+
+/// Returns for each triangle whether it must be turned over so that all neighbors are consistent:
+/// in every part, the fewer of them. Empty if no triangle must.
+[[nodiscard]] std::vector<bool> turned_triangles(const Triangles& triangles,
+                                                 const std::vector<std::uint32_t>& others);
+
+}  // namespace rt

@@ -1,0 +1,22 @@
+// The form of a mesh, found on the half-edges of OpenMesh.
+#pragma once
+
+#include "common/geometry/mesh_edges.hpp"
+
+#include <cstddef>
+
+namespace rt {
+
+/// What the triangles of a mesh form together.
+struct MeshForm {
+    std::size_t parts = 0;          ///< not connected by a vertex
+    std::size_t holes = 0;          ///< closed ways along edges of one triangle
+    std::size_t longest_hole = 0;   ///< edges
+    std::size_t crowded_edges = 0;  ///< of three triangles or more, which half-edges cannot have
+    std::size_t turned = 0;         ///< triangles that are turned over, compared to their neighbors
+};
+
+/// Returns the form of the triangles; vertices in the same place must be one.
+[[nodiscard]] MeshForm form_of(const Triangles& triangles, std::size_t vertices);
+
+}  // namespace rt
