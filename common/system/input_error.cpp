@@ -1,20 +1,8 @@
 #include "common/system/input_error.hpp"
 
-#include <algorithm>
+#include "common/system/readable.hpp"
 
 namespace rt {
-
-namespace {
-
-/// A file name may contain a line break or a terminal's control sequence; a message is one plain
-/// line.
-std::string one_line(std::string text) {
-    const auto is_control = [](unsigned char c) { return c < ' ' || c == '\x7f'; };
-    std::replace_if(text.begin(), text.end(), is_control, '?');
-    return text;
-}
-
-}  // namespace
 
 std::string to_string(const FileLocation& place) {
     if (place.file.empty()) return "";

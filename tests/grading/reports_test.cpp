@@ -7,6 +7,7 @@
 #include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/reports/junit.hpp"
 #include "common/system/files.hpp"
+#include "common/system/readable.hpp"
 
 #include "tests/grading/reports_class.hpp"
 #include "tests/kit/catch.hpp"

@@ -1,10 +1,10 @@
 #include "common/course/grade/reports/gradescope.hpp"
 
-#include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/results/submissions.hpp"
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/readable.hpp"
 
 #include <nlohmann/json.hpp>
 

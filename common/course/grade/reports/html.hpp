@@ -6,12 +6,7 @@
 
 namespace rt::grade {
 
-/// The text as valid UTF-8, with tab and line feed as its only control characters. Any other byte
-/// becomes "�", and so do characters that change the direction of writing, since they can disguise
-/// "1 of 9" as another mark.
-[[nodiscard]] std::string readable(std::string_view text);
-
-/// The same, for HTML and XML, between tags and in quotes.
+/// readable() for HTML and XML, between tags and in quotes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 /// The bytes of a file as a URL: "data:image/png;base64,…".
