@@ -7,6 +7,16 @@ using namespace rt;
 using namespace rt::grade;
 namespace fs = std::filesystem;
 
+namespace {
+
+std::vector<std::string> names(const ClassFolder& found) {
+    std::vector<std::string> all;
+    for (const Submission& each : found.submissions) all.push_back(each.student);
+    return all;
+}
+
+}  // namespace
+
 TEST_CASE("students are called as their folders are, in plain letters") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("zoë/sphere.cpp", "");
@@ -18,6 +28,16 @@ TEST_CASE("students are called as their folders are, in plain letters") {
     ground.write("list.txt", "is no submission");
     CHECK(ground.students() ==
           std::vector<std::string>{"_-rf", "_..._x", "a__b__c_", "ann", "ann_2", "zoë"});
+}
+
+TEST_CASE("what is printed of a name controls no terminal") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("ann/sphere.cpp", "");
+    ground.write(
+        "x\xc2\x9b"
+        "31m\x1b[31m\xe2\x80\xae.txt",
+        "");
+    CHECK(ground.find({ground.place("")}).left_over.at(0).find("x\ufffd\ufffd31m?[31m\ufffd") == 0);
 }
 
 TEST_CASE("results among the submissions are no student's") {
@@ -68,10 +88,9 @@ TEST_CASE("a platform's files without folders are read from its archive too") {
     ground.write("all/Max Moe_125_assignsubmission_file_plane.cpp", "flat");
     ground.write("all/doezoe_123_4567_sphere-1.cpp", "round");
     ground.zip("all", "submissions.zip");
-    std::map<std::string, SubmittedFiles> all = ground.take_class();
-    CHECK(all.size() == 2);
-    CHECK(all["Max_Moe_125"].files == Files{{4, "flat"}});
-    CHECK(all["doezoe_123"].files == Files{{3, "round"}});
+    for (const Submission& each : ground.find_packed({ground.place("submissions.zip")}).submissions)
+        CHECK(ground.take(each).files ==
+              (each.student == "doezoe_123" ? Files{{3, "round"}} : Files{{4, "flat"}}));
 }
 
 TEST_CASE("what is said of a student's archive does not contain the student's name") {
@@ -90,7 +109,8 @@ TEST_CASE("a name that is too long for a file costs nobody a submission") {
     ground.write("a/ben/" + too_long, "");
     // tar renames what the system cannot store.
     ground.pack("class.tar", "a", {"--transform=s/xxx$/" + too_long + "/", "ann", "ben"});
-    CHECK(ground.students() == std::vector<std::string>{"ann", "ben"});
+    CHECK(names(ground.find_packed({ground.place("class.tar")})) ==
+          std::vector<std::string>{"ann", "ben"});
 }
 
 TEST_CASE("Canvas's files have the student's name before their own") {
@@ -110,7 +130,7 @@ TEST_CASE("Canvas's files have the student's name before their own") {
     CHECK(found.left_over[0].find("moemax_124: Canvas marks it LATE") == 0);
 }
 
-TEST_CASE("a class in one archive is a class, and a student's own archive is not") {
+TEST_CASE("an archive is a class if the lecturer says so, and else a submission") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("work/inner/sphere.cpp", "a");
     ground.zip("work", "all/class/ann.zip");
@@ -119,19 +139,58 @@ TEST_CASE("a class in one archive is a class, and a student's own archive is not
     ground.write("all/class/dora/readme", "nothing");
     ground.write("all/class/list.txt", "nobody's");
     ground.zip("all", "submissions.zip");
+    const std::string all = "class of 4, ann, ben, carl, dora, which --class would grade";
     for (const fs::path& place : {ground.place("submissions.zip"), ground.place("")}) {
-        const ClassFolder found = ground.find({place});
-        std::vector<std::string> names;
-        for (const Submission& each : found.submissions) names.push_back(each.student);
-        CHECK(names == std::vector<std::string>{"ann", "ben", "carl", "dora"});
+        const ClassFolder found = ground.find_packed({place});
+        CHECK(names(found) == std::vector<std::string>{"ann", "ben", "carl", "dora"});
         REQUIRE(found.left_over.size() == 1);
         CHECK(found.left_over[0].find("list.txt: ") == 0);
+        CHECK(found.taken_as ==
+              std::vector{place.string() + " is taken as a class of 4: ann, ben, carl, dora"});
+        CHECK(names(ground.find({place})) == std::vector<std::string>{"submissions"});
+        CHECK(ground.find({place}).taken_as.at(0).ends_with("submissions.zip looks like a " + all));
     }
-    // Beside others it belongs to one student, whatever names it contains.
-    ground.write("work/doezoe_123_4567_sphere.cpp", "a trap");
-    ground.write("work/doezoe_124_4567_sphere.cpp", "a trap");
-    ground.zip("work", "eve.zip");
-    CHECK(ground.students() == std::vector<std::string>{"eve", "submissions"});
+    ground.write("other/sphere.cpp", "no class");
+    ground.zip("other", "other.zip");
+    CHECK_THROWS_AS(ground.find_packed({ground.place("other.zip")}), InputError);
+}
+
+TEST_CASE("a late archive, alone, is its student's, whatever names it contains") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("work/Zoe Doe_123_assignsubmission_file_/sphere.cpp", "a trap");
+    ground.write("work/Bob Ray_124_assignsubmission_file_/sphere.cpp", "a trap");
+    ground.zip("work", "mallory.zip");
+    ground.write("weeks/week1.zip", "");
+    ground.write("weeks/week2.zip", "");
+    ground.zip("weeks", "late/anna.zip");
+    const std::string mallory = ground.place("mallory.zip").string();
+    const ClassFolder found = ground.find({mallory, ground.place("late")});
+    CHECK(names(found) == std::vector<std::string>{"anna", "mallory"});
+    CHECK(
+        found.taken_as ==
+        std::vector<std::string>{
+            mallory + " is taken as one submission, of mallory; mallory.zip looks like a class of "
+                      "2, Bob_Ray_124, Zoe_Doe_123, which --class would grade",
+            ground.place("late").string() +
+                " is taken as a class of 1: anna; anna.zip looks like a class of 2, week1, week2, "
+                "which --class would grade"});
+    CHECK(one_submission({mallory}).taken_as ==
+          std::vector{mallory + " is taken as one submission, of mallory"});
+    const std::string zoe = "late/Zoe Doe_1_assignsubmission_file_a.zip";
+    ground.write(zoe, "");
+    CHECK(one_submission({ground.place(zoe)}).submissions[0].student == "Zoe_Doe_1");
+}
+
+TEST_CASE("the first label of a name is the platform's, and the rest is the student's own") {
+    const Ground ground(RAYSTEPS_SEALED);
+    const std::string moodle = "_assignsubmission_file_";
+    ground.write("Mal Vex_125" + moodle + "x_123" + moodle + "sphere.cpp", "a trap");
+    ground.write("Mal Vex_125" + moodle + "ann_123_4567_plane.cpp", "a trap");
+    CHECK(ground.students() == std::vector<std::string>{"Mal_Vex_125"});
+    const Ground canvas(RAYSTEPS_SEALED);
+    canvas.write("vexmal_125_4567_x_123" + moodle + "sphere.cpp", "a trap");
+    canvas.write("vexmal_125_4568_ann_123_4567_plane.cpp", "a trap");
+    CHECK(canvas.students() == std::vector<std::string>{"vexmal_125"});
 }
 
 TEST_CASE("names that are one on other systems are made two") {
@@ -142,8 +201,8 @@ TEST_CASE("names that are one on other systems are made two") {
     ground.write("../x", "");
     CHECK(ground.students() == std::vector<std::string>{"Ann", "ann_2", "ann_3"});
     CHECK(ground.find({ground.place("")}).left_over ==
-          std::vector<std::string>{"ann: is graded as ann_2, since there is another ann",
-                                   "ann.: is graded as ann_3, since there is another ann"});
+          std::vector<std::string>{"ann: is graded as ann_2, since there is Ann",
+                                   "ann.: is graded as ann_3, since there is Ann"});
     CHECK(plain_name("..") == "_");
     CHECK(plain_name("../../x") == "_.._.._x");
     CHECK(plain_name("a\nb") == "a_b");

@@ -60,6 +60,15 @@ public:
         return take_in(workshop_, {.student = "s", .pieces = {{place(name), name}}});
     }
 
+    [[nodiscard]] SubmittedFiles take(const Submission& submission) const {
+        return take_in(workshop_, submission);
+    }
+
+    /// An archive is a class.
+    [[nodiscard]] ClassFolder find_packed(const std::vector<std::filesystem::path>& places) const {
+        return find_class(workshop_, places, {}, true);
+    }
+
     [[nodiscard]] std::vector<std::string> students() const {
         std::vector<std::string> names;
         for (const Submission& each : find({folder_ / "class"}).submissions)

@@ -78,6 +78,24 @@ TEST_CASE("a file is found by its name, wherever it is") {
           std::string::npos);
 }
 
+TEST_CASE("a file that an editor or a copy has renamed is named, and so is nothing at all") {
+    const Ground ground(RAYSTEPS_SEALED);
+    for (const char* name : {"sphere.cpp~", "sphere.cpp.bak", "sphere.cpp ", "sphere.cpp.",
+                             "Sphere.cc.orig", "step03_sphere.cpp.old", "#sphere.cpp#"}) {
+        INFO(name);
+        ground.write(std::string("step03_sphere/") + name, "three");
+        const SubmittedFiles taken = ground.take("step03_sphere");
+        CHECK(taken.files.empty());
+        CHECK(taken.words.at(3) == std::string("There is no sphere.cpp. Found, but not used: ") +
+                                       name + " (its name is not a stage's).\n");
+        fs::remove_all(ground.place("step03_sphere"));
+    }
+    fs::create_directory(ground.place("ann"));
+    CHECK(ground.take("ann").words_on_all == "The submission contains no file.\n");
+    ground.write("ann/report.pdf", "");
+    CHECK(ground.take("ann").words_on_all == "No file is a C++ source. Found: report.pdf.\n");
+}
+
 TEST_CASE("a main.cpp is the trace of the stage that its folder or its name gives") {
     const Ground ground(RAYSTEPS_SEALED);
     const GradedFile trace(3, true);

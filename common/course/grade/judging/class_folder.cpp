@@ -1,15 +1,13 @@
 #include "common/course/grade/judging/class_folder.hpp"
 
-#include "common/course/grade/judging/archive.hpp"
+#include "common/course/grade/judging/class_layout.hpp"
 #include "common/course/grade/judging/source_names.hpp"
 
-#include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/lower_case.hpp"
+#include "common/system/readable.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,92 +21,26 @@ namespace fs = std::filesystem;
 constexpr std::size_t longest_name = 80;
 // total size of the files unpacked from an archive of a class
 constexpr int class_megabytes = 2000;
+// and from a student's, to see whether it looks like one
+constexpr int submission_megabytes = 32;
 
-std::vector<fs::path> entries_of(const fs::path& folder) {
-    std::vector<fs::path> all;
-    std::error_code failed;
-    for (fs::directory_iterator each(folder, failed), end; !failed && each != end;
-         each.increment(failed))
-        if (!is_litter(each->path().filename())) all.push_back(each->path());
-    if (failed) throw InputError({folder}, "cannot be read");
-    std::sort(all.begin(), all.end());
+/// "Bob_Ray_124, Zoe_Doe_123 and 20 more"
+std::string listed(const std::vector<std::string>& students) {
+    constexpr std::size_t most = 6;
+    std::string all;
+    for (std::size_t i = 0; i < std::min(students.size(), most); ++i)
+        all += (i == 0 ? "" : ", ") + students[i];
+    if (students.size() > most) all += " and " + std::to_string(students.size() - most) + " more";
     return all;
-}
-
-bool is_folder(const fs::path& place) {
-    return fs::is_directory(fs::symlink_status(place));
-}
-
-/// The stages with a file anywhere in the folder.
-std::set<int> stages_in(const fs::path& folder) {
-    std::set<int> stages;
-    std::error_code failed;
-    fs::recursive_directory_iterator each(folder, failed);
-    for (const fs::recursive_directory_iterator end; !failed && each != end;
-         each.increment(failed)) {
-        const Named named = named_for(each->path().filename());
-        if (named.fit >= Fit::near && named.stage != 0) stages.insert(named.stage);
-    }
-    return stages;
-}
-
-/// True if the top of the folder contains a stage's file, a stage's folder, or "steps".
-bool is_submission(const std::vector<fs::path>& entries) {
-    return std::any_of(entries.begin(), entries.end(), [](const fs::path& each) {
-        const std::string name = each.filename();
-        const Named named = named_for(name);
-        return (named.fit >= Fit::near && named.stage != 0 && !label(name)) || name == "steps" ||
-               std::find(stage_names.begin(), stage_names.end(), name) != stage_names.end();
-    });
-}
-
-bool has_labels(const std::vector<fs::path>& entries) {
-    return std::any_of(entries.begin(), entries.end(),
-                       [](const fs::path& each) { return label(each.filename()).has_value(); });
-}
-
-/// True if the folders look like several students': two contain a file of the same stage.
-bool are_many(const std::vector<fs::path>& entries) {
-    const std::set<std::string> of_a_project = {"student", "starter", "reference", "src",
-                                                "source",  "include", "build",     "tests",
-                                                "test",    "code",    "backup",    "old"};
-    std::set<int> before;
-    for (const fs::path& each : entries) {
-        if (!is_folder(each) || of_a_project.count(lower_case(each.filename())) == 1) continue;
-        for (const int stage : stages_in(each))
-            if (!before.insert(stage).second) return true;
-    }
-    return false;
-}
-
-/// Creates the names of an archive as folders and files. Only files that may be a student's have
-/// contents; the other names are created too, so that no student is lost.
-void lay_out(const Unpacked& unpacked, const fs::path& folder) {
-    for (const Entry& entry : unpacked.entries) {
-        const fs::path name = fs::path(entry.name).lexically_normal();
-        if (name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end()) continue;
-        const fs::path to = folder / name;
-        std::error_code failed;
-        if (entry.kind == Entry::Kind::folder) {
-            fs::create_directories(to, failed);
-            continue;
-        }
-        fs::create_directories(to.parent_path(), failed);
-        // The name may be longer than this system's names.
-        if (failed || fs::exists(to, failed) || failed) continue;
-        if (entry.kind == Entry::Kind::source || entry.kind == Entry::Kind::archive)
-            fs::copy_file(entry.file, to, failed);
-        else
-            std::ofstream{to};
-    }
 }
 
 class Finding {
 public:
-    Finding(const BuildDirectory& workshop, const fs::path& results)
-        : workshop_(workshop), results_(results) {}
+    Finding(const BuildDirectory& workshop, const fs::path& results, bool archives_are_classes)
+        : workshop_(workshop), results_(results), archives_are_classes_(archives_are_classes) {}
 
     void add_place(const fs::path& place) {
+        places_.push_back({place});
         if (fs::is_directory(place))
             add_folder(place);
         else if (fs::is_regular_file(place) && is_archive(place.filename()))
@@ -119,22 +51,55 @@ public:
 
     [[nodiscard]] ClassFolder found() {
         ClassFolder all;
-        std::set<std::string> taken;
+        std::map<Key, std::string> names;
+        std::map<std::string, std::string> taken;  // by the name without capitals
         for (auto& [key, pieces] : by_student_) {
-            std::string student = plain_name(key.second);
-            const std::string first = student;
-            for (int i = 2; !taken.insert(lower_case(student)).second; ++i)
+            const std::string first = plain_name(key.second);
+            std::string student = first;
+            for (int i = 2; !taken.emplace(lower_case(student), student).second; ++i)
                 student = first + "_" + std::to_string(i);
+            const std::string other = taken.at(lower_case(first));
             if (student != first)
                 leave(key.first.has_filename() ? key.first : key.first.parent_path(),
-                      "is graded as " + student + ", since there is another " + first);
+                      "is graded as " + student + ", since there is " +
+                          (other == first ? "another " : "") + other);
             all.submissions.push_back({.student = student, .pieces = std::move(pieces)});
+            names[key] = student;
         }
+        for (const Place& place : places_) all.taken_as.push_back(taken_as(place, names));
         all.left_over = std::move(left_over_);
         return all;
     }
 
 private:
+    /// The place and the name of a student: for files with a platform's label, the place is their
+    /// folder.
+    using Key = std::pair<fs::path, std::string>;
+
+    /// A place that the lecturer has named.
+    struct Place {
+        fs::path path;
+        bool is_class = false;
+        std::set<Key> students;
+        std::string doubt;  ///< an archive that looks like a class
+    };
+
+    [[nodiscard]] static std::string taken_as(const Place& place,
+                                              const std::map<Key, std::string>& names) {
+        std::vector<std::string> students;
+        for (const Key& key : place.students) students.push_back(names.at(key));
+        const std::string taken = place.path.string() + " is taken as ";
+        if (!place.is_class) return taken + "one submission, of " + listed(students) + place.doubt;
+        const bool may_be_one = students.size() < 3 && place.doubt.empty();
+        return taken + "a class of " + std::to_string(students.size()) + ": " + listed(students) +
+               (may_be_one ? "; --one takes it as one submission" : "") + place.doubt;
+    }
+
+    void add(const Key& key, const Piece& piece) {
+        by_student_[key].push_back(piece);
+        places_.back().students.insert(key);
+    }
+
     void add_student(const fs::path& place) {
         const fs::path full = fs::absolute(place).lexically_normal();
         const std::string last =
@@ -148,13 +113,12 @@ private:
     /// The name of an archive is the student's, which no report on anonymous students contains.
     void add_unlabeled(const fs::path& place, const std::string& name) {
         const std::string student = without_archive_ending(name);
-        by_student_[{place, student}].push_back(
-            {place, "submission" + name.substr(student.size())});
+        add({place, student}, {place, "submission" + name.substr(student.size())});
     }
 
     /// A student may have several files and folders.
     void add_labeled(const fs::path& place, const Labeled& labeled) {
-        by_student_[{place.parent_path(), labeled.student}].push_back({place, labeled.name});
+        add({place.parent_path(), labeled.student}, {place, labeled.name});
         if (labeled.late)
             left_over_.push_back(plain_name(labeled.student) +
                                  ": Canvas marks it LATE; it is graded like the others");
@@ -163,23 +127,29 @@ private:
     void add_folder(const fs::path& place) {
         const std::vector<fs::path> entries = entries_of(place);
         const bool labels = has_labels(entries);
-        if (label(place.filename()) || (!labels && is_submission(entries))) {
+        if (!archives_are_classes_ &&
+            (label(place.filename()) || (!labels && is_submission(entries)))) {
             if (!labels && are_many(entries))
                 throw InputError({place},
                                  "has a stage's file, and folders that have one too: is it a class "
                                  "or a submission? --one grades it as one submission; move the "
                                  "file away to grade a class");
-            add_student(place);
-            return;
+            return add_student(place);
         }
-        // A single archive may be the whole class.
+        places_.back().is_class = true;
         const bool alone = 1 == std::count_if(entries.begin(), entries.end(), [](const auto& each) {
                                return is_folder(each) || is_archive(each.filename());
                            });
-        for (const fs::path& each : entries)
-            if (!(alone && !labels && is_archive(each.filename()) && fs::is_regular_file(each) &&
-                  add_class_archive(each)))
-                add_entry(each);
+        for (const fs::path& each : entries) {
+            const bool is_only_archive = alone && !labels && is_archive(each.filename()) &&
+                                         fs::is_regular_file(fs::symlink_status(each));
+            if (is_only_archive && archives_are_classes_) {
+                add_class_archive(each);
+                continue;
+            }
+            add_entry(each);
+            if (is_only_archive) doubt(each);
+        }
     }
 
     /// Adds one entry of a folder of a class.
@@ -201,60 +171,73 @@ private:
     }
 
     void leave(const fs::path& entry, const std::string& why) {
-        std::string name = entry.filename();
-        for (char& c : name)
-            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-        left_over_.push_back(name + ": " + why);
+        left_over_.push_back(one_line(entry.filename().string()) + ": " + why);
     }
 
     void add_archive(const fs::path& archive) {
-        if (label(archive.filename()) || !add_class_archive(archive)) add_student(archive);
+        if (label(archive.filename())) return add_student(archive);
+        if (archives_are_classes_) return add_class_archive(archive);
+        add_student(archive);
+        doubt(archive);
     }
 
-    /// Adds the submissions of an archive if it is a class. Not called for a student's own archive
-    /// beside others, since it could contain files named as another student's.
-    bool add_class_archive(const fs::path& archive) {
-        const TemporaryFolder taken_out(workshop_.folder);
-        const std::optional<Unpacked> unpacked =
-            unpack(workshop_, archive, taken_out.path(), class_megabytes);
-        if (!unpacked) return false;
-        const fs::path name = make_folder(workshop_.folder, "class.");
-        lay_out(*unpacked, name);
-        fs::path top = name;
-        std::vector<fs::path> entries = entries_of(top);
-        while (entries.size() == 1 && is_folder(entries[0]) && !label(entries[0].filename()) &&
-               !is_submission(entries)) {
-            top = entries[0];
-            entries = entries_of(top);
-        }
-        const auto archives = std::count_if(entries.begin(), entries.end(), [](const auto& each) {
-            return !is_folder(each) && is_archive(each.filename());
-        });
-        const bool labels = has_labels(entries);
-        if (!labels && (is_submission(entries) || (archives < 2 && !are_many(entries)))) {
-            fs::remove_all(name);
-            return false;
-        }
-        if (!unpacked->whole)
+    /// Adds the submissions in an archive, which the lecturer has called a class. A student's own
+    /// archive may contain files named as another student's.
+    void add_class_archive(const fs::path& archive) {
+        places_.back().is_class = true;
+        const std::optional<LaidOut> found = lay_out(workshop_, archive, class_megabytes);
+        if (!found || !found->whole)
             throw InputError({archive}, "is damaged, or contains more than " +
                                             std::to_string(class_megabytes) +
                                             " MB of submissions: please unpack it yourself");
-        for (const fs::path& each : entries) add_entry(each);
-        return true;
+        if (!has_labels(found->entries) && is_submission(found->entries))
+            throw InputError({archive},
+                             "has a stage's file at its top: it is one submission, and "
+                             "no class");
+        for (const fs::path& each : found->entries) add_entry(each);
+    }
+
+    /// Remarks that a student's archive looks like a class.
+    void doubt(const fs::path& archive) {
+        std::optional<LaidOut> found;
+        try {
+            found = lay_out(workshop_, archive, submission_megabytes);
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const std::exception&) {
+            // Its grading reports the reason.
+        }
+        if (!found) return;
+        const std::vector<fs::path>& entries = found->entries;
+        const auto archives = std::count_if(entries.begin(), entries.end(), [](const auto& each) {
+            return !is_folder(each) && is_archive(each.filename());
+        });
+        Finding inside(workshop_, results_, false);
+        inside.places_.push_back({archive});
+        if (has_labels(entries) || (!is_submission(entries) && (archives > 1 || are_many(entries))))
+            for (const fs::path& each : entries) inside.add_entry(each);
+        std::vector<std::string> students;
+        for (const Submission& each : inside.found().submissions) students.push_back(each.student);
+        if (!students.empty())
+            places_.back().doubt = "; " + archive.filename().string() + " looks like a class of " +
+                                   std::to_string(students.size()) + ", " + listed(students) +
+                                   ", which --class would grade";
+        fs::remove_all(found->folder);
     }
 
     const BuildDirectory& workshop_;
     const fs::path& results_;
-    // By place and name: for files with a platform's label, the place is their folder.
-    std::map<std::pair<fs::path, std::string>, std::vector<Piece>> by_student_;
+    bool archives_are_classes_;
+    std::map<Key, std::vector<Piece>> by_student_;
+    std::vector<Place> places_;
     std::vector<std::string> left_over_;
 };
 
 }  // namespace
 
 ClassFolder find_class(const BuildDirectory& workshop, const std::vector<fs::path>& places,
-                       const fs::path& results) {
-    Finding finding(workshop, results);
+                       const fs::path& results, bool archives_are_classes) {
+    Finding finding(workshop, results, archives_are_classes);
     for (const fs::path& place : places) finding.add_place(place);
     ClassFolder found = finding.found();
     if (found.submissions.empty()) {
@@ -267,16 +250,22 @@ ClassFolder find_class(const BuildDirectory& workshop, const std::vector<fs::pat
 
 ClassFolder one_submission(const std::vector<fs::path>& places) {
     Submission submission;
+    std::string all;
     for (const fs::path& place : places) {
         if (!fs::exists(place)) throw InputError({place}, "does not exist");
         const fs::path full = fs::absolute(place).lexically_normal();
         const std::string last =
             full.has_filename() ? full.filename() : full.parent_path().filename();
+        const std::optional<Labeled> labeled = label(last);
         if (submission.student.empty())
-            submission.student = plain_name(without_archive_ending(last));
-        submission.pieces.push_back({full, last});
+            submission.student =
+                plain_name(labeled ? labeled->student : without_archive_ending(last));
+        submission.pieces.push_back({full, labeled ? labeled->name : last});
+        all += (all.empty() ? "" : ", ") + place.string();
     }
-    return {.submissions = {submission}};
+    return {.submissions = {submission},
+            .taken_as = {all + (places.size() == 1 ? " is" : " are") +
+                         " taken as one submission, of " + submission.student}};
 }
 
 std::string plain_name(const std::string& text) {

@@ -27,6 +27,7 @@ constexpr int deepest_archive = 3;
 constexpr std::size_t most_told = 6;
 constexpr std::size_t longest_told = 200;  // of a name
 constexpr int most_problems = 20;
+constexpr std::size_t most_useless = 10000;
 
 /// A student's file whose name is a stage's, or nearly.
 struct Found {
@@ -111,12 +112,21 @@ public:
         if (handed_in.files.empty() && !others_.empty())
             handed_in.words_on_all +=
                 "No file has a stage's name. Found: " + enumerated(others_) + ".\n";
+        else if (found_.empty() && mains_.empty() && words_.empty())
+            handed_in.words_on_all += no_sources();
         for (auto& [graded, words] : handed_in.words)
             if (handed_in.files.count(graded) == 0) words += handed_in.words_on_all;
         return handed_in;
     }
 
 private:
+    /// The reason why nothing was found.
+    [[nodiscard]] std::string no_sources() {
+        if (useless_.empty()) return "The submission contains no file.\n";
+        std::sort(useless_.begin(), useless_.end());
+        return "No file is a C++ source. Found: " + enumerated(useless_) + ".\n";
+    }
+
     void add_folder(const fs::path& folder, const fs::path& name, int depth) {
         std::error_code failed;
         fs::recursive_directory_iterator each(folder, failed);
@@ -204,13 +214,16 @@ private:
                 problem("The archive " + told(name) + " was not opened: " + why_not + ".");
             else if (is_source(file))
                 others_.push_back(told(name));
+            else if (useless_.size() < most_useless)
+                useless_.push_back(told(name));
             if (is_trace && text)
                 mains_.emplace_back(name.parent_path(),
                                     Found{.path = name, .fit = fit, .text = std::move(text)});
             return;
         }
         // A stage's own header is in every copy of the project.
-        if (fit == Fit::suspect && name.parent_path().filename() == stage_name(stage)) return;
+        if (file == topic_of(stage) + ".hpp" && name.parent_path().filename() == stage_name(stage))
+            return;
         Found found{.path = name, .fit = fit, .why_not = std::move(why_not)};
         const GradedFile graded(stage, is_trace);
         if (is_ours(name, graded))
@@ -294,6 +307,7 @@ private:
     std::map<GradedFile, std::vector<Found>> found_;
     std::vector<std::pair<fs::path, Found>> mains_;  ///< by folder: the main.cpp of unknown stages
     std::vector<std::string> others_;                ///< sources of no stage's name
+    std::vector<std::string> useless_;               ///< files that are no source
     std::string words_;
     int problems_ = 0;
     int entries_ = 0;

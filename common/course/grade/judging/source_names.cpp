@@ -26,6 +26,19 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
+/// The start of the tail that editors and copies leave behind the name of a source, "~" of
+/// "sphere.cpp~", ".bak", a blank; npos for another name.
+std::size_t tail_of(const std::string& name) {
+    std::size_t tail = std::string::npos;
+    for (const std::string_view ending : source_endings) {
+        const std::size_t at = name.rfind(ending);
+        if (at == std::string::npos || at + ending.size() == name.size()) continue;
+        const char next = name[at + ending.size()];
+        if (!is_digit(next) && (next < 'a' || next > 'z')) tail = at + ending.size();
+    }
+    return tail;
+}
+
 /// Letters and digits alone: "soft shadows", "Soft-Shadows" and "soft_shadows" are one.
 std::string squeezed(const std::string& text) {
     std::string letters;
@@ -110,8 +123,9 @@ Named named_for(const std::string& file_name) {
     std::string stem = file_name.substr(0, file_name.size() - ending.size());
     if (!source) {
         ending = ending_of(name, suspect_endings);
-        if (ending.empty()) return {};
-        stem.resize(stem.size() - ending.size());
+        const std::size_t tail = ending.empty() ? tail_of(name) : name.size() - ending.size();
+        if (tail == std::string::npos || is_archive(name)) return {};
+        stem.resize(tail);
         stem.resize(stem.size() - ending_of(lower_case(stem), source_endings).size());
     }
     const std::string letters = bare(stem);
@@ -146,14 +160,16 @@ std::optional<int> stage_of_folder(const std::string& folder_name) {
 }
 
 std::optional<Labeled> label(const std::string& name) {
-    // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
-    static const std::regex moodle(R"(([\s\S]+_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
+    // The first label in the name is the platform's. What follows it is the student's own name for
+    // the file, which may look like another label.
     // doezoe_123_456_sphere.cpp: the student's number, and the file's
     static const std::regex canvas(R"(([^_]+)_(LATE_)?([0-9]+)_[0-9]+_([\s\S]+))");
+    // Zoe Doe_123_assignsubmission_file_, and a file's name after it if there are no folders
+    static const std::regex moodle(R"(([\s\S]+?_[0-9]+)_assignsubmission_[a-z]+_?([\s\S]*))");
     std::smatch parts;
-    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
     if (std::regex_match(name, parts, canvas))
         return Labeled{parts[1].str() + "_" + parts[3].str(), parts[4], parts[2].matched};
+    if (std::regex_match(name, parts, moodle)) return Labeled{parts[1], parts[2]};
     return std::nullopt;
 }
 

@@ -9,7 +9,8 @@ namespace rt::grade {
 
 enum class Fit {
     none,     ///< "notes.cpp"
-    suspect,  ///< a near miss: "shpere.cpp", "sphere.cpp.txt". Reported, and not graded.
+    suspect,  ///< a near miss: "shpere.cpp", "sphere.cpp.txt", "sphere.cpp~". Reported, and not
+              ///< graded.
     near,     ///< renamed by people and browsers: "Sphere.cpp", "sphere.cc", "sphere (1).cpp"
     exact,    ///< "sphere.cpp"
 };

@@ -1,0 +1,43 @@
+// The look of a class's submissions, in a folder or in an archive.
+#pragma once
+
+#include "common/course/grade/judging/workshop.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace rt::grade {
+
+/// The entries of a folder, sorted, without litter. Throws InputError if it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> entries_of(const std::filesystem::path& folder);
+
+/// True for a folder that is no link.
+[[nodiscard]] bool is_folder(const std::filesystem::path& place);
+
+/// The stages with a file anywhere in the folder.
+[[nodiscard]] std::set<int> stages_in(const std::filesystem::path& folder);
+
+/// True if the top of the folder contains a stage's file, a stage's folder, or "steps".
+[[nodiscard]] bool is_submission(const std::vector<std::filesystem::path>& entries);
+
+/// True if a learning platform has named one of the entries.
+[[nodiscard]] bool has_labels(const std::vector<std::filesystem::path>& entries);
+
+/// True if the folders look like several students': two contain a file of the same stage.
+[[nodiscard]] bool are_many(const std::vector<std::filesystem::path>& entries);
+
+/// An archive as a folder. Only files that may be a student's have contents; the other names are
+/// there too, so that no student is lost.
+struct LaidOut {
+    std::filesystem::path folder;                ///< in the workshop
+    std::vector<std::filesystem::path> entries;  ///< below the folders that contain all others
+    bool whole = false;                          ///< false if the archive is damaged or too large
+};
+
+/// Unpacks files of that total size. Returns nothing if the archive cannot be read at all.
+[[nodiscard]] std::optional<LaidOut> lay_out(const BuildDirectory& workshop,
+                                             const std::filesystem::path& archive, int megabytes);
+
+}  // namespace rt::grade
