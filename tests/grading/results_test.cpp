@@ -1,4 +1,5 @@
 // Marks, written and read: whole, or not at all.
+#include "common/course/grade/results/changes.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
@@ -99,6 +100,37 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(marks[2].verdict == Verdict::missing);
     CHECK(marks[2].points() == 0);
     CHECK(marks[3].points() == 3);
+}
+
+TEST_CASE("a change of a mark is listed with its reason, and nothing else is") {
+    const Results results;
+    const auto grade = [&](int points, const std::string& key, const std::string& source) {
+        write_mark(results.folder, {.student = "=anna",
+                                    .stage = 5,
+                                    .key = key,
+                                    .verdict = Verdict::judged,
+                                    .source = source,
+                                    .cases = {{.points = points, .passed = true}}});
+    };
+    grade(2, "1", "a");
+    grade(2, "2", "b");  // other work, the same points
+    CHECK_FALSE(std::filesystem::exists(results.folder / changes_file));
+    grade(3, "3", "b");
+    grade(1, "4", "c");
+    const std::uintmax_t size = size_of_changes(results.folder);
+    grade(0, "", "");
+    grade(4, "5", "c");
+    grade(0, "6", "");
+    const std::string text = read_text(results.folder / changes_file);
+    const std::string line = "\r\n" + today() + ",'=anna,step05_triangle,";
+    CHECK(text == "date,student,stage,before,after,why" + line +
+                      "2,3,\"the same files: the suite, a reference or the seed has changed\"" +
+                      line + "3,1,triangle.cpp is another" + line +
+                      "1,0,\"could not be graded; it will be judged again\"" + line +
+                      "0,4,could not be graded before" + line + "4,0,triangle.cpp is missing\r\n");
+    CHECK(changes_since(results.folder, 0).size() == 5);
+    CHECK(changes_since(results.folder, size).size() == 3);
+    CHECK(changes_since(results.folder, size).back().ends_with("4,0,triangle.cpp is missing"));
 }
 
 TEST_CASE("a mark that others have is missed, if it is damaged too") {

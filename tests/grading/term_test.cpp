@@ -1,64 +1,15 @@
 // A lecturer's settings: their effect on marks, computed by hand, and their errors.
 #include "common/course/grade/reports/class_page.hpp"
 #include "common/course/grade/reports/feedback_page.hpp"
-#include "common/course/grade/reports/grade_book.hpp"
-#include "common/course/grade/results/submissions.hpp"
+#include "common/course/grade/reports/upload.hpp"
 #include "common/system/files.hpp"
-#include "common/system/input_error.hpp"
 
-#include "tests/grading/reports_class.hpp"
+#include "tests/grading/term_class.hpp"
 #include "tests/kit/catch.hpp"
 
 namespace rt::grade {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Stages 3 and 5, of 4 and 10 points: ann_1 has 3 and 5, ben_2 has 4 and nothing.
-struct Small : Results {
-    Small() {
-        add("ann_1", 3, 3, 4);
-        add("ann_1", 5, 5, 10);
-        add("ben_2", 3, 4, 4);
-        marks.push_back({.student = "ben_2", .stage = 5, .verdict = Verdict::missing, .most = 10});
-        for (const Mark& mark : marks) write_mark(folder, mark);
-    }
-
-    void add(const std::string& student, int stage, int points, int most) {
-        marks.push_back({.student = student,
-                         .stage = stage,
-                         .verdict = Verdict::judged,
-                         .cases = {{.name = "passed", .points = points, .passed = true},
-                                   {.name = "failed", .points = most - points}},
-                         .most = most});
-    }
-
-    void write(const std::string& file, const std::string& text) const {
-        write_text(folder / file, text);
-    }
-
-    [[nodiscard]] Term term() const { return read_term(folder, marks); }
-
-    [[nodiscard]] std::string book() const {
-        write_grade_book(folder, marks, term());
-        return read_text(folder / "grades.csv");
-    }
-
-    /// The error message about the settings.
-    [[nodiscard]] std::string error() const {
-        try {
-            (void)term();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "none";
-    }
-
-    std::vector<Mark> marks;
-};
-
-}  // namespace
 
 TEST_CASE("without settings a grade book is the marks") {
     const Small two;
@@ -143,6 +94,47 @@ TEST_CASE(
               "overrides.csv:4: 25 points are more than the 24 of all stages; they count"});
 }
 
+TEST_CASE("a stage from which a student is excused counts neither for nor against") {
+    const Small two;
+    two.write("by_hand.csv", "student,stage,points,comment\nben_2,5,Excused,ill\n");
+    two.write("term.txt", "overrides: by_hand.csv\n");
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+          "ann_1,3,5,8,14,\r\n"
+          "ben_2,4,excused,4,4,5 triangle: excused: ill\r\n");
+    write_feedback(two.folder, two.marks, two.term());
+    CHECK(has(read_text(student_folder(two.folder, "ben_2") / "feedback.html"),
+              "<p>4 of 4 points</p>"));
+    write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, two.term());
+    CHECK(has(read_text(two.folder / "class.html"), "title=\"excused\">e</td>"));
+    // 4 of 4 points are all; who is excused from everything has no grade.
+    two.write("class.csv", "student,Max,Raysteps\nann_1,20,old\nben_2,20,\n");
+    two.write("term.txt", "overrides: by_hand.csv\nroster: class.csv\nmaximum: Max\n");
+    CHECK(two.upload() == "student,Max,Raysteps\r\nann_1,20,11.43\r\nben_2,20,20\r\n");
+    two.write("by_hand.csv", "student,stage,points\nann_1,5,excused\nann_1,3,excused\n");
+    CHECK(has(two.upload(), "ann_1,20,old\r\n"));
+    two.write("by_hand.csv", "student,stage,points\nann_1,total,excused\n");
+    CHECK(has(two.error(), "by_hand.csv:2: error: a total cannot be excused"));
+}
+
+TEST_CASE("points in addition come after the deduction, and may be a part of the maximum") {
+    const Small two;
+    two.write("late.csv", "student,days\nann_1,5\n");
+    two.write("style.csv",
+              "student;points;comment\nann_1;1,5;style\nann_1;3;report\nben_2;-9;copied\n");
+    const std::string settings = "late: late.csv\nlate percent: 10\nadditions: style.csv\n";
+    two.write("term.txt", settings);
+    CHECK(two.book() ==
+          "student,step03_sphere,step05_triangle,total,of,remarks\r\n"
+          "ann_1,3,5,8.5,14,\"5 days late: 50 % of 8 points\nin addition: 1.5: style\n"
+          "in addition: 3: report\"\r\n"
+          "ben_2,4,0,0,14,in addition: -9: copied\r\n");
+    two.write("term.txt", settings + "additions of: 6\n");
+    CHECK(has(two.book(), "ann_1,3,5,8.5,20,"));
+    two.write("style.csv", "student,points\nann_1,many\n");
+    CHECK(has(two.error(), "style.csv:2: error: \"many\" is no number from -1000000 to 1000000"));
+}
+
 TEST_CASE("a report that the settings do not ask for any more is removed") {
     const Small two;
     two.write("class.csv", "student\nann_1\n");
@@ -175,53 +167,6 @@ TEST_CASE(
           "student,email,Raysteps\r\nann_1,a@x,8\r\nZoe Doe,z@x,0\r\n");
     write_class_report(two.folder, RAYSTEPS_ROOT, two.marks, two.term());
     CHECK(has(read_text(two.folder / "class.html"), "zoe_doe</th>"));
-}
-
-TEST_CASE("Moodle's grading worksheet is returned with grades, relative to its maximum") {
-    const Small two;
-    const std::string head =
-        "Identifier,\"Full name\",\"Email address\",Status,Grade,\"Maximum Grade\",\"Grade can be "
-        "changed\",\"Last modified (grade)\",\"Feedback comments\"\n";
-    two.write("sheet.csv", "\xef\xbb\xbf" + head +
-                               "\"Participant 2\",\"Ben, B\",b@x,Submitted,,100.00,Yes,-,\n"
-                               "\"Participant 1\",-Ann,a@x,Submitted,,100.00,Yes,-,\n"
-                               "\"Participant 9\",Zoe Doe,z@x,No submission,,100.00,Yes,-,\n");
-    two.write("term.txt", "roster: sheet.csv\n");
-    write_upload(two.folder, two.marks, two.term());
-    // 4 and 8 of 14
-    CHECK(read_text(two.folder / "upload.csv") ==
-          "Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,"
-          "Last modified (grade),Feedback comments\r\n"
-          "Participant 2,\"Ben, B\",b@x,Submitted,28.57,100.00,Yes,-,\r\n"
-          "Participant 1,-Ann,a@x,Submitted,57.14,100.00,Yes,-,\r\n"
-          "Participant 9,Zoe Doe,z@x,No submission,0,100.00,Yes,-,submitted nothing\r\n");
-    CHECK(two.term().notes.empty());
-    two.write("term.txt", "roster: sheet.csv\nbonus: 5\n");
-    write_upload(two.folder, two.marks, two.term());
-    CHECK(has(read_text(two.folder / "upload.csv"), "-Ann,a@x,Submitted,100,100.00"));
-    two.write("term.txt", "roster: sheet.csv\n");
-    CHECK(has(two.book(), "zoe_doe_9,0,0,0,14,submitted nothing"));
-}
-
-TEST_CASE("Canvas's gradebook is returned with one column, and the points possible") {
-    const Small two;
-    two.write("gradebook.csv",
-              "Student,ID,SIS User ID,SIS Login ID,Section,Essay (77),Final Score\n"
-              "    Points Possible,,,,,10,(read only)\n"
-              "\"Ann, A\",1,u1,l1,S,9,90\n"
-              "\"Ben, B\",2,u2,l2,S,8,80\n"
-              "\"Student, Test\",99,,t,S,,\n");
-    two.write("term.txt", "roster: gradebook.csv\nout of: 28\n");
-    write_upload(two.folder, two.marks, two.term());
-    CHECK(read_text(two.folder / "upload.csv") ==
-          "Student,ID,SIS User ID,SIS Login ID,Section,Raysteps\r\n"
-          "    Points Possible,,,,,28\r\n"
-          "\"Ann, A\",1,u1,l1,S,16\r\n"
-          "\"Ben, B\",2,u2,l2,S,8\r\n"
-          "\"Student, Test\",99,,t,S,\r\n");
-    two.write("term.txt", "roster: gradebook.csv\ngrade: Essay (77)\n");
-    write_upload(two.folder, two.marks, two.term());
-    CHECK(has(read_text(two.folder / "upload.csv"), "\"Ann, A\",1,u1,l1,S,8\r\n"));
 }
 
 TEST_CASE("anonymous students have no name in public reports") {
@@ -278,14 +223,6 @@ TEST_CASE("a name is the same in capitals, and with its accents in letters of th
     CHECK(class_of_three.term().notes.size() == 1);
 }
 
-TEST_CASE("two namesakes on the roster who submitted nothing have a line each") {
-    const Small two;
-    two.write("class.csv", "student,name\nzd1a,Zoe Doe\nzd1b,Zoe Doe\nann_1,Ann\n");
-    two.write("term.txt", "roster: class.csv\n");
-    CHECK(has(two.book(), "zd1b,0,0,0,14,submitted nothing"));
-    CHECK(has(two.book(), "zoe_doe,0,0,0,14,submitted nothing"));
-}
-
 TEST_CASE("settings may begin with a byte order mark, and end their lines with CR") {
     const Small two;
     two.write("term.txt", "\xef\xbb\xbfweight: 5 2\rbonus: 3\r");
@@ -309,18 +246,16 @@ TEST_CASE("an error in the settings is reported with its place") {
     CHECK(says("anonymous\n") == file + ":1: error: \"anonymous\" is not \"word: value\"");
     two.write("a.csv", "who\nann_1\n");
     const std::string table = (two.folder / "a.csv").string();
-    CHECK(says("roster: a.csv\n") == table + ":1: error: has no column \"student\"");
+    CHECK(says("roster: a.csv\n") == table + ":1: error: has no column \"student\", but \"who\"");
     two.write("a.csv", "student,days\nann_1,\"2\n");
     CHECK(says("late: a.csv\n") == table + ":2: error: this quote is not closed");
     two.write("a.csv", "student,days\n\nann_1,-2\n");
     CHECK(says("late: a.csv\n") == table + ":3: error: \"-2\" is no number from 0 to 366");
-    two.write("a.csv", "student\nann_1\nAnn_1\n");
-    CHECK(says("roster: a.csv\n") ==
-          table + ":3: error: \"Ann_1\" is ann_1, who is listed already");
     CHECK(says("out of: 10\nout of: 20\n") == file + ":2: error: \"out of\" is set already");
     CHECK(says("weight: 5 2\nweight: triangle 3\n") ==
           file + ":2: error: stage 5 has a weight already");
-    CHECK(says("roster: a.csv\ncomment: Notes\n") == table + ":1: error: has no column \"Notes\"");
+    CHECK(says("roster: a.csv\ncomment: Notes\n") ==
+          table + ":1: error: has no column \"Notes\", but \"student\", \"days\"");
     two.write("a.csv", "student,days\nann_1,1\nAnn 1,2\nnobody,x\n");
     CHECK(says("late: a.csv\n") == table + ":3: error: ann_1 is listed already");
     two.write("a.csv", "student,days\nnobody,x\n");
@@ -330,6 +265,20 @@ TEST_CASE("an error in the settings is reported with its place") {
           table + ":3: error: ann_1 is listed already with this stage");
     two.write("a.csv", "");
     CHECK(says("roster: a.csv\n") == table + ": error: is empty");
+}
+
+TEST_CASE("a lecturer's file may be of a spreadsheet on Windows") {
+    TermClass one;
+    one.add("Zo\xc3\xa9_Lec\xc5\x93ur", 3, 1, 4);
+    one.write("term.txt", "late: a.csv\n");
+    const std::map<std::string, double> late{{"Zo\xc3\xa9_Lec\xc5\x93ur", 2}};
+    one.write("a.csv", "student;days\nZo\xe9 Lec\x9cur;2\n");  // code page 1252
+    CHECK(one.term().days_late == late);
+    std::string utf16 = "\xff\xfe";
+    for (const char c : std::string("student\tdays\r\nZo\xe9 Lec\x9cur\t2\r\n"))
+        utf16 += c == '\x9c' ? std::string("\x53\x01", 2) : std::string{c, '\0'};
+    one.write("a.csv", utf16);
+    CHECK(one.term().days_late == late);
 }
 
 TEST_CASE("a table's lines may end with CR, as some spreadsheets write them") {

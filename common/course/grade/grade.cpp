@@ -8,6 +8,8 @@
 #include "common/course/grade/reports/grade_book.hpp"
 #include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/reports/junit.hpp"
+#include "common/course/grade/reports/upload.hpp"
+#include "common/course/grade/results/changes.hpp"
 #include "common/course/grade/results/term.hpp"
 #include "common/course/grade/sandbox/layers.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
@@ -16,6 +18,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/parallel_for.hpp"
+#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 
 #include <fcntl.h>
@@ -27,7 +30,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 namespace rt::grade {
 
@@ -43,6 +45,11 @@ void check_seal() {
     if (!hold(all))
         throw ProgramError(
             "error: submissions are not run without these. docs/reference/instructors.md\n");
+}
+
+/// Prints a line that may contain names by students.
+void say(const std::string& line) {
+    std::fprintf(stderr, "%s\n", one_line(line).c_str());
 }
 
 /// The folder of the results. A new one is removed if it is still empty at the end, as after an
@@ -149,15 +156,23 @@ void check_places(const Order& order) {
 
 /// Those of this part, of the students that were named.
 std::vector<Submission> chosen(const std::vector<Submission>& all, const Order& order) {
-    std::vector<Submission> mine;
-    std::set<std::string> unknown = order.students;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        unknown.erase(all[i].student);
-        if (int(i) % order.parts == order.part - 1 &&
-            (order.students.empty() || order.students.count(all[i].student) == 1))
-            mine.push_back(all[i]);
+    std::set<std::string> submitted;
+    for (const Submission& each : all) submitted.insert(each.student);
+    // An error in the roster ends the run before it grades anybody.
+    const Term term = read_term(order.results, read_marks(order.results), submitted);
+    std::set<std::string> named;
+    for (const std::string& name : order.students) {
+        const std::optional<std::string> student = term.names.find(name, {});
+        if (!student || submitted.count(*student) == 0)
+            throw InputError({}, "no student \"" + name + "\"" +
+                                     (student ? ": " + *student + " has submitted nothing" : ""));
+        named.insert(*student);
     }
-    if (!unknown.empty()) throw InputError({}, "no student \"" + *unknown.begin() + "\"");
+    std::vector<Submission> mine;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (int(i) % order.parts == order.part - 1 &&
+            (named.empty() || named.count(all[i].student) == 1))
+            mine.push_back(all[i]);
     return mine;
 }
 
@@ -179,9 +194,20 @@ std::vector<std::string> all_left_over(const ClassFolder& found, const fs::path&
 /// Prints what is left over, and stores it for the class report.
 void report_left_over(const fs::path& results, const std::vector<std::string>& left_over) {
     std::string text;
-    for (const std::string& each : left_over) text += each + "\n";
-    std::fputs(text.c_str(), stderr);
+    for (const std::string& each : left_over) {
+        say(each);
+        text += one_line(each) + "\n";
+    }
     write_text(results / left_over_file, text);
+}
+
+/// Prints the marks that a run has changed.
+void report_changes(const fs::path& results, std::uintmax_t size_before) {
+    const std::vector<std::string> lines = changes_since(results, size_before);
+    if (!lines.empty())
+        say(counted(int(lines.size()), "mark") + " changed, in " +
+            (results / changes_file).string() + ":");
+    for (const std::string& each : lines) say("  " + each);
 }
 
 /// Compiles each reference alone: a compiler that cannot read its headers fails for all
@@ -211,8 +237,10 @@ Outcome grade(const Order& order, const fs::path& folder) {
                     .workshop = open_workshop(order.project, order.build, folder),
                     .stages = stages_of(order)};
     grading.workshop.stop = &stop;
-    const ClassFolder found = order.one ? one_submission(order.places)
-                                        : find_class(grading.workshop, order.places, order.results);
+    const ClassFolder found =
+        order.one ? one_submission(order.places)
+                  : find_class(grading.workshop, order.places, order.results, order.is_class);
+    for (const std::string& each : found.taken_as) say(each);
     const std::vector<Submission> submissions = chosen(found.submissions, order);
     grading.seed = seed_identifier(agreed_seed(order.results, order.seed_file));
     // Grading one student again keeps the report on the class.
@@ -231,8 +259,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
         const std::string why = judge.judge(submissions[i]);
         if (!why.empty()) {
             failed = true;
-            std::fprintf(stderr, "error: %s could not be graded: %s\n",
-                         submissions[i].student.c_str(), why.c_str());
+            say("error: " + submissions[i].student + " could not be graded: " + why);
         }
         progress.advance();
     });
@@ -251,25 +278,18 @@ Outcome grade(const Order& order) {
     const ResultsFolder results(order.results);
     const Lock lock(order.results, order.part);
     const Workplace workplace(order);
+    const std::uintmax_t size_before = size_of_changes(order.results);
+    Outcome outcome = Outcome::interrupted;
     try {
-        return grade(order, workplace.folder());
+        outcome = grade(order, workplace.folder());
     } catch (const Interrupted&) {
-        return Outcome::interrupted;
+        // as it says
     }
+    report_changes(order.results, size_before);
+    return outcome;
 }
 
 namespace {
-
-/// The date; from SOURCE_DATE_EPOCH (reproducible builds) if two runs must have equal bytes.
-std::string today() {
-    const char* given = std::getenv("SOURCE_DATE_EPOCH");
-    const std::time_t now = given == nullptr ? std::time(nullptr) : std::atoll(given);
-    std::tm day{};
-    char text[16];
-    if (localtime_r(&now, &day) == nullptr || std::strftime(text, sizeof text, "%F", &day) == 0)
-        return "";
-    return text;
-}
 
 /// The project's commit, if it is a git clone, and git is there.
 std::string version_of(const fs::path& project) {
@@ -293,13 +313,13 @@ void write_reports(const fs::path& results, const fs::path& project) {
     if (marks.empty()) throw InputError({results}, "contains no marks");
     Term term = read_term(results, marks);
     if (term.anonymous) term.key = read_seed(seed_file(results));
-    for (const std::string& each : term.notes) std::fprintf(stderr, "%s\n", each.c_str());
+    for (const std::string& each : term.notes) say(each);
     const std::vector<std::string> missing = missing_marks(results, marks);
-    for (const std::string& each : missing) std::fprintf(stderr, "%s\n", each.c_str());
+    for (const std::string& each : missing) say(each);
     if (!missing.empty())
         std::fputs("the reports are incomplete: `./course grade` adds what is missing\n", stderr);
     write_grade_book(results, marks, term);
-    write_upload(results, marks, term);
+    if (const std::string grades = write_upload(results, marks, term); !grades.empty()) say(grades);
     write_feedback(results, marks, term);
     write_class_report(results, project, marks, term, edition_of(results, project));
     write_junit(results, marks);

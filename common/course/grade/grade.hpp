@@ -21,8 +21,10 @@ struct Order {
     int part = 1;  ///< this process is one of `parts` that grade the class together, in one folder
                    ///< of results
     int parts = 1;
-    bool one = false;                ///< the places are one submission, whatever they contain
-    std::set<std::string> students;  ///< all students if empty
+    bool one = false;       ///< the places are one submission, whatever they contain
+    bool is_class = false;  ///< an archive is a class and not a submission
+    std::set<std::string>
+        students;  ///< by their names in the results or on the roster; all if empty
 };
 
 /// The outcome of a run.

@@ -82,7 +82,11 @@ std::optional<Command> parse(int count, char** words) {
     app.add_option("--student", command.students,
                    "anna,ben: grade only these students of the class")
         ->delimiter(',');
-    app.add_flag("--one", order.one, "the places are one student's submission, not a class");
+    CLI::Option* one =
+        app.add_flag("--one", order.one, "the places are one student's submission, not a class");
+    app.add_flag("--class", order.is_class,
+                 "an archive is a class, as platforms pack one, not one student's submission")
+        ->excludes(one);
     app.add_option("--gradescope", command.gradescope,
                    "write this results.json for one student's submission");
     app.add_option(

@@ -20,6 +20,7 @@ std::string section(const std::string& title, const std::string& inside) {
 }
 
 constexpr const char* missing_cell = "<td class=\"soft\" title=\"not submitted\">–</td>";
+constexpr const char* excused_cell = "<td class=\"soft\" title=\"excused\">e</td>";
 constexpr const char* refused_cell =
     "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>";
 
@@ -61,6 +62,7 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
 
 /// A lecturer's points take the place of the grader's.
 std::string stage_cell(const StudentMarks& submission, int stage, int most, const Term& term) {
+    if (submission.stages.count(stage) == 0) return excused_cell;
     if (const auto given = term.overrides.find({submission.student, stage});
         given != term.overrides.end())
         return points_cell(int(given->second.points), most);
@@ -75,16 +77,15 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
         head += "<th class=\"stage\"><span>" + stage_title(stage) +
                 (term.bonus.count(stage) == 1 ? ", bonus" : "") + "</span></th>";
     std::string rows = row(head + "<th>points</th>");
-    const double all = most_points(stages, term);
     for (const StudentMarks& submission : submissions(marks, term)) {
         std::string cells = student_cell(submission);
         for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
-        const int share = std::clamp(int(100 * submission.points / std::max(all, 1e-9)), 0, 100);
+        const int share =
+            std::clamp(int(100 * submission.points / std::max(submission.of, 1e-9)), 0, 100);
         rows += row(cells + share_cell("share", share, 100, number(submission.points)));
     }
-    return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, × "
-           "cannot "
-           "be judged.</p>\n" +
+    return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, e "
+           "excused, × cannot be judged.</p>\n" +
            table("matrix", rows + mean_row(marks, stages));
 }
 

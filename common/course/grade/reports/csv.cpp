@@ -1,11 +1,10 @@
 #include "common/course/grade/reports/csv.hpp"
 
-#include "common/course/grade/judging/source_names.hpp"
-#include "common/course/grade/reports/html.hpp"
+#include "common/course/grade/results/any_text.hpp"
+#include "common/course/grade/results/student_names.hpp"
 
-#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
-#include "common/system/lower_case.hpp"
+#include "common/system/readable.hpp"
 
 #include <algorithm>
 
@@ -45,20 +44,19 @@ std::string Csv::Row::at(int column) const {
 int Csv::column(const std::vector<std::string>& headings) const {
     for (const std::string& heading : headings)
         for (std::size_t i = 0; i < head.cells.size(); ++i)
-            if (lower_case(head.cells[i]) == lower_case(heading)) return int(i);
+            if (!heading.empty() && folded(head.cells[i]) == folded(heading)) return int(i);
     return -1;
 }
 
-std::string read_any_text(const std::filesystem::path& file) {
-    std::string text = read_text(file);
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
-    return text;
+int Csv::wanted(const std::vector<std::string>& headings) const {
+    if (const int found = column(headings); found != -1) return found;
+    throw InputError({file.string(), head.line},
+                     "has no column \"" + headings.front() + "\", but " + enumerated(head.cells));
 }
 
 Csv read_csv(const std::filesystem::path& file) {
-    const std::string text = read_any_text(file);
-    Csv csv{.file = file, .separator = separator_of(text)};
+    const auto [text, marked] = read_any_text(file);
+    Csv csv{.file = file, .separator = separator_of(text), .marked = marked};
     std::vector<Csv::Row> rows;
     Csv::Row row{.line = 1};
     std::string cell;
@@ -98,9 +96,18 @@ Csv read_csv(const std::filesystem::path& file) {
     return csv;
 }
 
+std::string enumerated(const std::vector<std::string>& headings) {
+    std::string all;
+    for (const std::string& each : headings) all += (all.empty() ? "\"" : ", \"") + each + "\"";
+    return all;
+}
+
+std::string no_formula(const std::string& text) {
+    return is_formula(text) ? "'" + text : text;
+}
+
 std::string cell(const std::string& text) {
-    std::string plain = readable(text);
-    if (is_formula(plain)) plain.insert(0, "'");
+    const std::string plain = no_formula(readable(text));
     return plain.find_first_of(",;\"\n\t") == std::string::npos ? plain : quoted(plain);
 }
 

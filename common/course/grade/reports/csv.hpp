@@ -17,20 +17,29 @@ struct Csv {
     };
     std::filesystem::path file;
     char separator = ',';
+    bool marked = false;  ///< it begins with a byte order mark, as spreadsheets need it
     Row head;
     std::vector<Row> rows;  ///< below the headings; without blank lines
 
-    /// The column with one of these headings, ignoring case; -1 if there is none.
+    /// The column with one of these headings, in capitals or not; -1 if there is none.
     [[nodiscard]] int column(const std::vector<std::string>& headings) const;
+
+    /// The same; throws InputError if there is none, with the headings that are there.
+    [[nodiscard]] int wanted(const std::vector<std::string>& headings) const;
 };
 
-/// The text of a lecturer's file: without a byte order mark, and with LF for CR in a text without
-/// LF. Throws InputError if it cannot be read.
-[[nodiscard]] std::string read_any_text(const std::filesystem::path& file);
+/// As RFC 4180 requires.
+inline constexpr const char* end_of_line = "\r\n";
+
+/// "\"Identifier\", \"Full name\"", for a message.
+[[nodiscard]] std::string enumerated(const std::vector<std::string>& headings);
 
 /// The separator is the comma, semicolon or tab that is most frequent in the first line. Throws
 /// InputError if the file cannot be read, or a quote is not closed.
 [[nodiscard]] Csv read_csv(const std::filesystem::path& file);
+
+/// The text with an apostrophe before it if a spreadsheet would evaluate it as a formula.
+[[nodiscard]] std::string no_formula(const std::string& text);
 
 /// A cell that no spreadsheet evaluates as a formula.
 [[nodiscard]] std::string cell(const std::string& text);

@@ -124,6 +124,7 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
                 std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
                 name_of(stage) + "\">" + stage_title(stage) + "<small>" +
                 std::to_string(mark->points()) + " of " + std::to_string(most) +
+                (submission.stages.count(stage) == 0 ? ", excused" : "") +
                 (mark->verdict == Verdict::missing ? ", not submitted" : "") +
                 "</small></a></li>\n";
     }
@@ -134,17 +135,18 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
 
 void write_feedback(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
-    const double most = most_points(stages, term);
+    remove_shared_feedback(results);
     for (const StudentMarks& submission : submissions(marks, term)) {
         if (submission.marks.empty()) continue;
-        const fs::path folder = student_folder(results, submission.student);
         std::string body = "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
-                           number(submission.points) + " of " + number(most) +
-                           (most == 1 ? " point" : " points") + "</p></header>\n" +
+                           number(submission.points) + " of " + number(submission.of) +
+                           (submission.of == 1 ? " point" : " points") + "</p></header>\n" +
                            preformatted(submission.remarks) + overview(submission, stages);
         for (const auto& [stage, mark] : submission.marks)
-            body += section(*mark, stages.at(stage), folder);
-        write_text(folder / "feedback.html", page(submission.called, body));
+            body += section(*mark, stages.at(stage), student_folder(results, mark->student));
+        const fs::path folder = student_folder(results, submission.student);
+        fs::create_directories(folder);  // of a student without an own submission
+        write_text(folder / feedback_file, page(submission.called, body));
     }
 }
 

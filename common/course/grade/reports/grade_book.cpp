@@ -9,12 +9,6 @@
 
 namespace rt::grade {
 
-namespace {
-
-constexpr const char* end_of_line = "\r\n";  // required by RFC 4180
-
-}  // namespace
-
 void write_grade_book(const std::filesystem::path& results, const std::vector<Mark>& marks,
                       const Term& term) {
     const std::map<int, int> stages = graded_stages(marks);
@@ -26,8 +20,10 @@ void write_grade_book(const std::filesystem::path& results, const std::vector<Ma
     book += std::string(",total,of") + (remarks ? ",remarks" : "") + end_of_line;
     for (const StudentMarks& submission : all) {
         book += cell(submission.student);
-        for (const auto& [stage, points] : submission.stages) book += "," + number(points);
-        book += "," + number(submission.points) + "," + number(most_points(stages, term));
+        for (const auto& [stage, most] : stages)
+            book += submission.stages.count(stage) == 1 ? "," + number(submission.stages.at(stage))
+                                                        : ",excused";
+        book += "," + number(submission.points) + "," + number(submission.of);
         if (remarks) book += "," + cell(submission.remarks);
         book += end_of_line;
     }

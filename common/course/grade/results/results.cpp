@@ -1,5 +1,7 @@
 #include "common/course/grade/results/results.hpp"
 
+#include "common/course/grade/results/changes.hpp"
+
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;  // the same mark is the same bytes
 
 constexpr int format = 1;
-constexpr const char* students = "students";
+constexpr const char* students_folder = "students";
 constexpr std::array verdicts{"missing", "refused", "judged"};
 
 /// One line of JSON; bytes that are not UTF-8, which untrusted code may print, become "�".
@@ -103,6 +105,13 @@ Mark read_lines(const std::string& text, const fs::path& file) {
     return mark;
 }
 
+bool has_feedback_alone(const fs::path& folder) {
+    std::error_code none;
+    fs::directory_iterator each(folder, none);
+    return each != fs::directory_iterator() && each->path().filename() == feedback_file &&
+           ++each == fs::directory_iterator();
+}
+
 }  // namespace
 
 int Mark::points() const {
@@ -146,7 +155,7 @@ fs::path student_folder(const fs::path& results, const std::string& student) {
     const bool is_folder = !student.empty() && student != "." && student != ".." &&
                            student.find_first_of(std::string("/\0", 2)) == std::string::npos;
     if (!is_folder) throw InputError({}, "no folder can have the name \"" + student + "\"");
-    return results / students / student;
+    return results / students_folder / student;
 }
 
 fs::path mark_file(const fs::path& results, const std::string& student, int stage) {
@@ -159,6 +168,8 @@ void write_mark(const fs::path& results, const Mark& mark) {
     const fs::path file = mark_file(results, mark.student, mark.stage);
     std::error_code none;  // without a folder, writing a file fails with an error
     fs::create_directories(file.parent_path(), none);
+    if (const std::optional<Mark> before = read_mark(results, mark.student, mark.stage))
+        record_change(results, *before, mark);
     write_text(file, text);
 }
 
@@ -176,11 +187,20 @@ std::optional<Mark> read_mark(const fs::path& results, const std::string& studen
     }
 }
 
+void remove_shared_feedback(const fs::path& results) {
+    std::error_code none;
+    std::vector<fs::path> shared;
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students_folder, none))
+        if (has_feedback_alone(entry.path())) shared.push_back(entry.path());
+    for (const fs::path& each : shared) fs::remove_all(each);
+}
+
 std::vector<std::string> students_in(const fs::path& results) {
     std::vector<std::string> names;
     std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(results / students, none))
-        if (entry.is_directory(none)) names.push_back(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(results / students_folder, none))
+        if (entry.is_directory(none) && !has_feedback_alone(entry.path()))
+            names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
 }

@@ -67,9 +67,15 @@ struct Mark {
 /// one line each.
 inline constexpr const char* left_over_file = "left_over.txt";
 
-/// The files of the results that each run writes anew.
-inline constexpr std::array report_files = {"grades.csv", "class.html", "junit.xml",
-                                            "upload.csv", "names.csv",  left_over_file};
+/// In the results: each change of a mark by a later run, one line each.
+inline constexpr const char* changes_file = "changes.csv";
+
+/// In a student's folder: the page for the student.
+inline constexpr const char* feedback_file = "feedback.html";
+
+/// The files of the results that grading writes.
+inline constexpr std::array report_files = {"grades.csv", "class.html",   "junit.xml", "upload.csv",
+                                            "names.csv",  left_over_file, changes_file};
 
 /// Throws InputError if the results would replace files of the lecturer's, or lie among the
 /// submissions as one of them.
@@ -85,15 +91,20 @@ void check_results_folder(const std::filesystem::path& results,
 [[nodiscard]] std::filesystem::path mark_file(const std::filesystem::path& results,
                                               const std::string& student, int stage);
 
-/// Writes the mark whole, or not at all. Throws InputError.
+/// Writes the mark whole, or not at all; before that, adds a line to the changes if it replaces
+/// another number of points. Throws InputError.
 void write_mark(const std::filesystem::path& results, const Mark& mark);
 
 /// Returns nothing if the file does not exist, or is not a complete mark.
 [[nodiscard]] std::optional<Mark> read_mark(const std::filesystem::path& results,
                                             const std::string& student, int stage);
 
-/// The students who have a folder of marks.
+/// The students who have a folder of marks: a folder with a feedback page alone belongs to a
+/// student with another one's submission.
 [[nodiscard]] std::vector<std::string> students_in(const std::filesystem::path& results);
+
+/// Removes these pages; the next reports write them again. Throws filesystem_error.
+void remove_shared_feedback(const std::filesystem::path& results);
 
 /// All marks in the folder, by student and stage.
 [[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);

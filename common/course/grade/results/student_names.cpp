@@ -9,13 +9,9 @@ namespace rt::grade {
 
 namespace {
 
-/// The only match. Throws InputError if there are several.
-std::string only(const std::set<std::string>& matches, const std::string& name,
-                 const FileLocation& place) {
-    if (matches.size() == 1) return *matches.begin();
-    std::string all;
-    for (const std::string& student : matches) all += (all.empty() ? "" : ", ") + student;
-    throw InputError(place, "\"" + name + "\" may be " + all + ": write one of these names");
+Students found(const std::map<std::string, Students>& all, const std::string& key) {
+    const auto at = all.find(key);
+    return at == all.end() ? Students{} : at->second;
 }
 
 }  // namespace
@@ -45,18 +41,26 @@ std::string number_at_end(const std::string& name) {
     return name.substr(last == std::string::npos ? 0 : last + 1);
 }
 
-StudentNames::StudentNames(const std::vector<Mark>& marks) {
-    std::set<std::string> all;
-    for (const Mark& mark : marks) all.insert(mark.student);
-    for (const std::string& student : all) {
-        add(student, student);
+std::optional<std::string> only(const Students& matches, const std::string& name,
+                                const FileLocation& place) {
+    if (matches.empty()) return std::nullopt;
+    if (matches.size() == 1) return *matches.begin();
+    std::string all;
+    for (const std::string& student : matches) all += (all.empty() ? "" : ", ") + student;
+    throw InputError(place, "\"" + name + "\" may be " + all + ": write one of these names");
+}
+
+StudentNames::StudentNames(const Students& students) {
+    for (const std::string& student : students) add(student, student);
+    for (const std::string& student : students) {
         const std::size_t line = student.rfind('_');
         const std::string number = number_at_end(student);
         const bool is_numbered = !number.empty() && line != std::string::npos &&
                                  line + 1 + number.size() == student.size();
         // The grader itself numbers the second of two students with one name.
-        if (is_numbered && all.count(student.substr(0, line)) == 0)
-            by_number_[number].insert(student);
+        if (!is_numbered || !named(student.substr(0, line)).empty()) continue;
+        by_number_[number].insert(student);
+        by_bare_name_[folded(student.substr(0, line))].insert(student);
     }
 }
 
@@ -64,26 +68,23 @@ void StudentNames::add(const std::string& name, const std::string& student) {
     if (!name.empty()) by_name_[folded(name)].insert(student);
 }
 
+Students StudentNames::named(const std::string& name) const {
+    return found(by_name_, folded(name));
+}
+
+Students StudentNames::numbered(const std::string& number) const {
+    return found(by_number_, number);
+}
+
+Students StudentNames::unnumbered(const std::string& name) const {
+    return found(by_bare_name_, folded(name));
+}
+
 std::optional<std::string> StudentNames::find(const std::string& name,
                                               const FileLocation& place) const {
-    if (const auto found = by_name_.find(folded(name)); found != by_name_.end())
-        return only(found->second, name, place);
-    const std::string number = trimmed(name);
-    return number_at_end(number) == number ? find_number(number, name, place) : std::nullopt;
-}
-
-std::optional<std::string> StudentNames::find_identifier(const std::string& identifier,
-                                                         const FileLocation& place) const {
-    if (const auto found = find(identifier, place)) return found;
-    return find_number(number_at_end(trimmed(identifier)), identifier, place);
-}
-
-std::optional<std::string> StudentNames::find_number(const std::string& number,
-                                                     const std::string& name,
-                                                     const FileLocation& place) const {
-    const auto found = by_number_.find(number);
-    if (found == by_number_.end()) return std::nullopt;
-    return only(found->second, name, place);
+    for (const Students& matches : {named(name), numbered(trimmed(name)), unnumbered(name)})
+        if (!matches.empty()) return only(matches, name, place);
+    return std::nullopt;
 }
 
 }  // namespace rt::grade

@@ -1,16 +1,16 @@
 // The names of students in a lecturer's files.
 #pragma once
 
-#include "common/course/grade/results/results.hpp"
 #include "common/system/input_error.hpp"
 
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 namespace rt::grade {
+
+using Students = std::set<std::string>;
 
 /// The text without blanks at its ends.
 [[nodiscard]] std::string trimmed(const std::string& text);
@@ -22,28 +22,36 @@ namespace rt::grade {
 /// The number that a name ends with: "Participant 123", "doezoe_123"; or nothing.
 [[nodiscard]] std::string number_at_end(const std::string& name);
 
+/// The only one; nothing of none. Throws InputError if there are several.
+[[nodiscard]] std::optional<std::string> only(const Students& matches, const std::string& name,
+                                              const FileLocation& place);
+
 /// Finds students of the results by their names in the lecturer's files.
 class StudentNames {
 public:
-    explicit StudentNames(const std::vector<Mark>& marks);
+    StudentNames() = default;
+    explicit StudentNames(const Students& students);
 
+    /// Another name of the student.
     void add(const std::string& name, const std::string& student);
 
-    /// By the name, or by the number alone. Throws InputError if several students match.
+    [[nodiscard]] Students named(const std::string& name) const;
+
+    /// By the number that a platform puts after a name: "123" of "Zoe_Doe_123".
+    [[nodiscard]] Students numbered(const std::string& number) const;
+
+    /// By the name before that number.
+    [[nodiscard]] Students unnumbered(const std::string& name) const;
+
+    /// By the name, the number, or the name without the number, whichever is the first to fit.
+    /// Throws InputError if several students match.
     [[nodiscard]] std::optional<std::string> find(const std::string& name,
                                                   const FileLocation& place) const;
 
-    /// The same for the identifiers of a platform, "Participant 123", whose number decides.
-    [[nodiscard]] std::optional<std::string> find_identifier(const std::string& identifier,
-                                                             const FileLocation& place) const;
-
 private:
-    [[nodiscard]] std::optional<std::string> find_number(const std::string& number,
-                                                         const std::string& name,
-                                                         const FileLocation& place) const;
-
-    std::map<std::string, std::set<std::string>> by_name_;
-    std::map<std::string, std::set<std::string>> by_number_;
+    std::map<std::string, Students> by_name_;
+    std::map<std::string, Students> by_number_;
+    std::map<std::string, Students> by_bare_name_;
 };
 
 }  // namespace rt::grade

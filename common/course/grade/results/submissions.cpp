@@ -14,12 +14,12 @@ void add_remark(StudentMarks& submission, const std::string& words) {
     submission.remarks += (submission.remarks.empty() ? "" : "\n") + words;
 }
 
-const Override* override_of(const StudentMarks& submission, int stage, const Term& term) {
+const PointsByHand* override_of(const StudentMarks& submission, int stage, const Term& term) {
     const auto found = term.overrides.find({submission.student, stage});
     return found == term.overrides.end() ? nullptr : &found->second;
 }
 
-std::string reason(const Override& given) {
+std::string reason(const PointsByHand& given) {
     return given.comment.empty() ? "" : ": " + given.comment;
 }
 
@@ -32,12 +32,19 @@ std::set<std::string> why_missing(const StudentMarks& submission) {
     return reasons;
 }
 
-/// Computes the points of the marks in this term.
-void count(StudentMarks& submission, const std::map<int, int>& graded, const Term& term) {
+/// Adds the points of the stages, without those from which the student is excused.
+void count_stages(StudentMarks& submission, const std::map<int, int>& graded, const Term& term) {
+    std::map<int, int> counted = graded;
     for (const auto& [stage, most] : graded) {
         const auto mark = submission.marks.find(stage);
         double points = mark == submission.marks.end() ? 0 : mark->second->points();
-        if (const Override* given = override_of(submission, stage, term)) {
+        const PointsByHand* given = override_of(submission, stage, term);
+        if (given != nullptr && given->excused) {
+            add_remark(submission, stage_title(stage) + ": excused" + reason(*given));
+            counted.erase(stage);
+            continue;
+        }
+        if (given != nullptr) {
             add_remark(submission, stage_title(stage) + ": " + number(given->points) +
                                        " instead of " + number(points) + reason(*given));
             points = given->points;
@@ -45,6 +52,12 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Ter
         submission.stages[stage] = points * term.weight(stage);
         submission.points += submission.stages[stage];
     }
+    submission.of = most_points(counted, term);
+}
+
+/// Computes the points of the marks in this term.
+void count(StudentMarks& submission, const std::map<int, int>& graded, const Term& term) {
+    count_stages(submission, graded, term);
     const auto late = term.days_late.find(submission.student);
     submission.days_late = late == term.days_late.end() ? 0 : late->second;
     if (const double lost = std::min(100.0, term.late_percent * submission.days_late); lost > 0) {
@@ -52,11 +65,31 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Ter
                                    " % of " + number(submission.points) + " points");
         submission.points *= 1 - lost / 100;
     }
-    if (const Override* given = override_of(submission, Term::total, term)) {
+    if (const auto more = term.additions.find(submission.student); more != term.additions.end())
+        for (const PointsByHand& given : more->second) {
+            add_remark(submission, "in addition: " + number(given.points) + reason(given));
+            submission.points += given.points;
+        }
+    submission.points = std::max(submission.points, 0.0);
+    if (const PointsByHand* given = override_of(submission, Term::total, term)) {
         add_remark(submission, "in all: " + number(given->points) + " instead of " +
                                    number(submission.points) + reason(*given));
         submission.points = given->points;
     }
+}
+
+/// Adds the students on the roster who have submitted nothing, or with a group.
+void add_roster(std::map<std::string, StudentMarks>& by_name, const Term& term) {
+    if (!term.roster) return;
+    for (const std::string& student : term.roster->students)
+        if (!student.empty()) by_name[student];
+    for (const auto& [student, shared] : term.shared) {
+        StudentMarks& submission = by_name[student];
+        submission.marks = by_name[shared.student].marks;
+        add_remark(submission, "the submission of " + term.called(shared.student) + ", group \"" +
+                                   shared.group + "\"");
+    }
+    for (const std::string& group : term.groups) by_name.erase(group);
 }
 
 }  // namespace
@@ -64,9 +97,7 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Ter
 std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const Term& term) {
     std::map<std::string, StudentMarks> by_name;
     for (const Mark& mark : marks) by_name[mark.student].marks[mark.stage] = &mark;
-    if (term.roster)
-        for (const std::string& student : term.roster->students)
-            if (!student.empty()) by_name[student];
+    add_roster(by_name, term);
     const std::map<int, int> graded = graded_stages(marks);
     std::vector<StudentMarks> all;
     for (auto& [name, submission] : by_name) {
@@ -90,7 +121,7 @@ std::map<int, int> graded_stages(const std::vector<Mark>& marks) {
 }
 
 double most_points(const std::map<int, int>& stages, const Term& term) {
-    double sum = 0;
+    double sum = term.additions_of;
     for (const auto& [stage, most] : stages)
         if (term.bonus.count(stage) == 0) sum += most * term.weight(stage);
     return sum;

@@ -16,8 +16,9 @@ struct StudentMarks {
     std::string student;
     std::string called;                ///< the name in reports that may be published
     std::map<int, const Mark*> marks;  ///< by stage; empty without a submission
-    std::map<int, double> stages;      ///< the points of each stage, weighted
+    std::map<int, double> stages;      ///< the points of each stage, weighted; without excused ones
     double points = 0;                 ///< the total
+    double of = 0;                     ///< its maximum, without excused stages
     double days_late = 0;
     std::string remarks;  ///< the lecturer's remarks: lines
 };
@@ -30,7 +31,7 @@ struct StudentMarks {
 /// The graded stages, with the maximal points of each.
 [[nodiscard]] std::map<int, int> graded_stages(const std::vector<Mark>& marks);
 
-/// The maximal weighted points of all stages, without the bonus stages.
+/// The maximal weighted points of all stages, without the bonus stages, and of additions.
 [[nodiscard]] double most_points(const std::map<int, int>& stages, const Term& term = {});
 
 /// "5 triangle"

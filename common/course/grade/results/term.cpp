@@ -1,21 +1,13 @@
 #include "common/course/grade/results/term.hpp"
 
-#include "common/course/grade/judging/source_names.hpp"
-#include "common/course/grade/results/student_names.hpp"
+#include "common/course/grade/results/settings.hpp"
 #include "common/course/grade/results/submissions.hpp"
 
-#include "common/stages/stages.hpp"
-#include "common/system/files.hpp"
-#include "common/system/input_error.hpp"
 #include "common/system/keyed_hash.hpp"
 #include "common/system/lower_case.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <set>
-#include <sstream>
 
 namespace rt::grade {
 
@@ -23,180 +15,129 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* end_of_line = "\r\n";
+constexpr double most_points_by_hand = 1e6;
 
-/// "7,5" too, as some spreadsheets write it.
-std::optional<double> number_of(std::string text) {
-    text = trimmed(text);
-    std::replace(text.begin(), text.end(), ',', '.');
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || rest != end || !std::isfinite(value)) return std::nullopt;
-    return value;
+Students students_of(const std::vector<Mark>& marks, const Students& others) {
+    Students all = others;
+    for (const Mark& mark : marks) all.insert(mark.student);
+    return all;
 }
 
-double read_number(const std::string& text, const FileLocation& place, double most) {
-    const std::optional<double> value = number_of(text);
-    if (!value || *value < 0 || *value > most)
-        throw InputError(place, "\"" + text + "\" is no number from 0 to " + number(most));
-    return *value;
-}
-
-int read_stage(const std::string& text, const FileLocation& place) {
-    const std::optional<int> stage = find_stage(trimmed(text));
-    if (!stage) throw InputError(place, "no stage \"" + text + "\"");
-    return *stage;
-}
-
-/// Reads the lines "word: value" of the settings, and then the files that they name.
+/// Reads the files that the settings name.
 class Reading {
 public:
-    Reading(const fs::path& file, const std::vector<Mark>& marks)
-        : file_(file), names_(marks), graded_(graded_stages(marks)) {
-        const std::vector<std::string> lines = lines_of(read_any_text(file));
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            line_ = int(i) + 1;
-            const std::string line = trimmed(lines[i]);
-            if (!line.empty() && line[0] != '#') read_line(line);
-        }
+    Reading(const fs::path& file, const std::vector<Mark>& marks, const Students& others)
+        : settings_(read_settings(file)),
+          marks_(marks),
+          submitted_(students_of(marks, others)),
+          graded_(graded_stages(marks)) {
+        term_.names = StudentNames(submitted_);
+        term_.weights = settings_.weights;
+        term_.bonus = settings_.bonus;
+        term_.late_percent = settings_.number("late percent", 100);
+        term_.additions_of = settings_.number("additions of", most_points_by_hand);
+        term_.out_of = settings_.number("out of", most_points_by_hand);
+        const auto anonymous = settings_.words.find("anonymous");
+        term_.anonymous = anonymous != settings_.words.end() && anonymous->second.value == "yes";
         read_roster();
         read_late();
         read_overrides();
+        read_additions();
+        if (term_.roster) report_strangers(*term_.roster);
     }
 
     [[nodiscard]] Term term() { return std::move(term_); }
 
 private:
-    [[nodiscard]] FileLocation place() const { return {file_.string(), line_}; }
-
-    void read_line(const std::string& line) {
-        const std::size_t colon = line.find(':');
-        const std::string word = lower_case(trimmed(line.substr(0, colon)));
-        const std::string value = colon == std::string::npos ? "" : trimmed(line.substr(colon + 1));
-        const std::set<std::string> texts = {"roster",  "late",  "overrides",
-                                             "student", "grade", "comment"};
-        if (value.empty()) throw InputError(place(), "\"" + line + "\" is not \"word: value\"");
-        const bool is_repeated = word == "weight" || word == "bonus";
-        if (!is_repeated && !words_.insert(word).second)
-            throw InputError(place(), "\"" + word + "\" is set already");
-        if (texts.count(word) == 1)
-            settings_[word] = {value, line_};
-        else if (word == "late percent")
-            term_.late_percent = read_number(value, place(), 100);
-        else if (word == "out of")
-            term_.out_of = read_number(value, place(), 1e6);
-        else if (word == "bonus")
-            term_.bonus[read_stage(value, place())] = true;
-        else if (word == "weight")
-            read_weight(value);
-        else if (word == "anonymous" && (value == "yes" || value == "no"))
-            term_.anonymous = value == "yes";
-        else
-            throw InputError(place(), "\"" + line +
-                                          "\" is no setting: roster, student, grade, comment, "
-                                          "weight, bonus, late, late percent, overrides, out of, "
-                                          "anonymous: yes");
-    }
-
-    void read_weight(const std::string& value) {
-        const std::size_t blank = value.find_last_of(" \t");
-        if (blank == std::string::npos)
-            throw InputError(place(), "a weight needs a stage: \"weight: 5 2\"");
-        constexpr double most = 1000;
-        const int stage = read_stage(value.substr(0, blank), place());
-        const double weight = read_number(value.substr(blank + 1), place(), most);
-        if (!term_.weights.emplace(stage, weight).second)
-            throw InputError(place(), "stage " + std::to_string(stage) + " has a weight already");
-    }
-
-    /// The table that a setting names, beside term.txt; nothing if there is no such setting.
-    std::optional<Csv> table(const std::string& word) {
-        const auto found = settings_.find(word);
-        if (found == settings_.end()) return std::nullopt;
-        line_ = found->second.second;
-        const fs::path file = file_.parent_path() / found->second.first;
-        for (const char* report : report_files)
-            if (file.lexically_normal() == (file_.parent_path() / report).lexically_normal())
-                throw InputError(place(), std::string(report) +
-                                              " is a report that grading writes: rename the file");
-        if (!fs::is_regular_file(file))
-            throw InputError(place(), "there is no file " + file.string());
-        return read_csv(file);
-    }
-
-    static int wanted(const Csv& csv, const std::vector<std::string>& headings) {
-        const int column = csv.column(headings);
-        if (column == -1)
-            throw InputError({csv.file.string(), csv.head.line},
-                             "has no column \"" + headings.front() + "\"");
-        return column;
-    }
-
-    std::string setting(const std::string& word, const std::string& otherwise) {
-        const auto found = settings_.find(word);
-        return found == settings_.end() ? otherwise : found->second.first;
-    }
-
     void read_roster() {
-        std::optional<Csv> csv = table("roster");
+        std::optional<Csv> csv = settings_.table("roster");
         if (!csv) return;
-        const bool moodle = csv->column({"Identifier"}) != -1;
-        const bool canvas = !moodle && csv->column({"SIS Login ID", "SIS User ID"}) != -1;
-        Roster roster{.csv = std::move(*csv)};
-        const std::string by = setting("student", "");
-        roster.student =
-            by.empty() ? wanted(roster.csv, moodle   ? std::vector<std::string>{"Identifier"}
-                                            : canvas ? std::vector<std::string>{"ID"}
-                                                     : std::vector<std::string>{"student", "name"})
-                       : wanted(roster.csv, {by});
-        roster.name = roster.csv.column({"Full name", canvas ? "Student" : "Name", "Name"});
-        roster.grade = setting("grade", moodle ? "Grade" : "Raysteps");
-        roster.comment = setting("comment", moodle ? "Feedback comments" : "");
-        if (settings_.count("comment") == 1) (void)wanted(roster.csv, {roster.comment});
-        const bool has_identifiers = moodle || canvas;
-        std::set<std::string> there;
-        for (const Csv::Row& row : roster.csv.rows) {
-            const std::string who = row.at(roster.student);
-            const std::string name = row.at(roster.name);
-            const FileLocation place{roster.csv.file.string(), row.line};
-            std::optional<std::string> student;
-            if (!folded(who).empty())
-                student =
-                    has_identifiers ? names_.find_identifier(who, place) : names_.find(who, place);
-            if (!student && !name.empty()) {
-                student = names_.find(name, place);
-                if (student && there.count(*student) == 1) student.reset();  // a namesake
-            }
-            if (!student && is_person(row, roster)) {
-                student = folded(name.empty() ? who : name);
-                const std::string id = number_at_end(trimmed(who));
-                if (!name.empty() && !id.empty()) *student += "_" + id;
-                if (there.count(*student) == 1) student = folded(who);
-            }
-            if (student && !there.insert(*student).second)
-                throw InputError(place,
-                                 "\"" + who + "\" is " + *student + ", who is listed already");
-            roster.students.push_back(student.value_or(""));
-            if (!student) continue;
-            names_.add(who, *student);
-            names_.add(name, *student);
+        Headings headings;
+        for (const auto& [word, setting] : settings_.words) headings[word] = setting.value;
+        Roster roster = roster_of(std::move(*csv), headings);
+        find_students(roster, term_.names, submitted_);
+        check_maximum(roster);
+        if (roster.group != -1) share(roster);
+        for (const std::string& each : roster.problems) term_.notes.push_back(each);
+        for (std::size_t i = 0; i < roster.students.size(); ++i) {
+            const Csv::Row& row = roster.csv.rows[i];
+            if (roster.students[i].empty()) continue;
+            term_.names.add(row.at(roster.student), roster.students[i]);
+            term_.names.add(roster.name_in(row), roster.students[i]);
         }
-        on_roster_ = std::move(there);
         term_.roster = std::move(roster);
     }
 
-    /// Canvas's second line has the points possible, and a last one is a test student's.
-    static bool is_person(const Csv::Row& row, const Roster& roster) {
-        const std::string first = lower_case(trimmed(row.at(0)));
-        return !trimmed(row.at(roster.student)).empty() && first != "points possible" &&
-               first != "student, test";
+    /// The sheet's own maximum is the platform's, which refuses more.
+    void check_maximum(Roster& roster) {
+        for (std::size_t i = 0; i < roster.students.size(); ++i) {
+            const Csv::Row& row = roster.csv.rows[i];
+            const std::optional<double> most = roster.maximum_of(row);
+            if (roster.students[i].empty()) continue;
+            if (!most && roster.maximum != -1)
+                add_note(
+                    roster.csv, row,
+                    "\"" + row.at(roster.maximum) + "\" is no maximum: its grade is not scaled");
+            if (most && term_.out_of > 0 && *most != term_.out_of)
+                throw InputError(
+                    settings_.place("out of"),
+                    "the roster has its own maximum, " + number(*most) + ": leave \"out of\" away");
+        }
+    }
+
+    /// Gives the members of each group who have submitted nothing the submission of one who has.
+    void share(const Roster& roster) {
+        std::map<std::string, Students> members;
+        std::map<std::string, std::string> titles;
+        for (std::size_t i = 0; i < roster.students.size(); ++i) {
+            const std::string group = trimmed(roster.csv.rows[i].at(roster.group));
+            if (group.empty() || roster.students[i].empty()) continue;
+            members[folded(group)].insert(roster.students[i]);
+            titles[folded(group)] = group;
+        }
+        for (const auto& [group, students] : members) share(titles[group], students);
+    }
+
+    void share(const std::string& group, const Students& members) {
+        Students sources = term_.names.named(group);  // a folder with the group's name
+        for (const std::string& each : sources)
+            if (members.count(each) == 0) term_.groups.insert(each);
+        Students without;
+        for (const std::string& each : members)
+            (submitted_.count(each) == 1 ? sources : without).insert(each);
+        if (sources.empty()) return;
+        const std::string source = *std::max_element(
+            sources.begin(), sources.end(),
+            [&](const auto& one, const auto& other) { return points_of(one) < points_of(other); });
+        for (const std::string& each : without) term_.shared[each] = {source, group};
+        if (sources.size() == 1) return;
+        std::string all;
+        for (const std::string& each : sources) all += (all.empty() ? "" : ", ") + each;
+        term_.notes.push_back(
+            "group \"" + group + "\" has several submissions, of " + all +
+            ": each counts for its own student" +
+            (without.empty() ? "" : ", and that of " + source + " for the others"));
+    }
+
+    [[nodiscard]] int points_of(const std::string& student) const {
+        int sum = 0;
+        for (const Mark& mark : marks_)
+            if (mark.student == student) sum += mark.points();
+        return sum;
+    }
+
+    void report_strangers(const Roster& roster) {
+        Students strangers = submitted_;
+        for (const std::string& student : roster.students) strangers.erase(student);
+        for (const std::string& group : term_.groups) strangers.erase(group);
+        for (const std::string& student : strangers)
+            term_.notes.push_back(student + ": submitted, but is not on the roster");
     }
 
     /// The student of a row; nothing, with a note, if no student matches.
     std::optional<std::string> student_of(const Csv& csv, const Csv::Row& row, int column) {
         std::optional<std::string> student =
-            names_.find(row.at(column), {csv.file.string(), row.line});
+            term_.names.find(row.at(column), {csv.file.string(), row.line});
         if (!student) add_note(csv, row, "there is no student \"" + row.at(column) + "\"");
         return student;
     }
@@ -207,14 +148,14 @@ private:
     }
 
     void read_late() {
-        const std::optional<Csv> csv = table("late");
+        const std::optional<Csv> csv = settings_.table("late");
         if (!csv) return;
-        const int who = wanted(*csv, {"student"});
-        const int days = wanted(*csv, {"days", "days late", "days_late"});
+        const int who = csv->wanted({"student"});
+        const int days = csv->wanted({"days", "days late", "days_late"});
         constexpr double most = 366;
         for (const Csv::Row& row : csv->rows) {
             const FileLocation place{csv->file.string(), row.line};
-            const double late = read_number(row.at(days), place, most);
+            const double late = read_number(row.at(days), place, 0, most);
             const auto student = student_of(*csv, row, who);
             if (student && !term_.days_late.emplace(*student, late).second)
                 throw InputError(place, *student + " is listed already");
@@ -222,18 +163,22 @@ private:
     }
 
     void read_overrides() {
-        const std::optional<Csv> csv = table("overrides");
+        const std::optional<Csv> csv = settings_.table("overrides");
         if (!csv) return;
-        const int who = wanted(*csv, {"student"});
-        const int stage = wanted(*csv, {"stage"});
-        const int points = wanted(*csv, {"points"});
+        const int who = csv->wanted({"student"});
+        const int stage = csv->wanted({"stage"});
+        const int points = csv->wanted({"points"});
         const int comment = csv->column({"comment"});
-        constexpr double most = 1e6;
         for (const Csv::Row& row : csv->rows) {
             const FileLocation place{csv->file.string(), row.line};
             const bool all = lower_case(trimmed(row.at(stage))) == "total";
             const int of = all ? Term::total : read_stage(row.at(stage), place);
-            const Override given{read_number(row.at(points), place, most), row.at(comment)};
+            PointsByHand given{.comment = row.at(comment)};
+            given.excused = lower_case(trimmed(row.at(points))) == "excused";
+            if (given.excused && all)
+                throw InputError(place, "a total cannot be excused: list its stages");
+            if (!given.excused)
+                given.points = read_number(row.at(points), place, 0, most_points_by_hand);
             const auto student = student_of(*csv, row, who);
             if (student && !term_.overrides.emplace(std::pair(*student, of), given).second)
                 throw InputError(place, *student + " is listed already with this stage");
@@ -247,7 +192,7 @@ private:
         if (!is_total && graded_.count(stage) == 0)
             return add_note(csv, row,
                             stage_title(stage) + " is not graded: its points do not count");
-        double most = is_total ? 0 : graded_[stage];
+        double most = is_total ? term_.additions_of : graded_[stage];
         if (is_total)
             for (const auto& [each, of_stage] : graded_) most += of_stage * term_.weight(each);
         if (points > most)
@@ -256,25 +201,25 @@ private:
                          (is_total ? "all stages" : stage_title(stage)) + "; they count");
     }
 
-public:
-    /// Reports students with a submission who are not on the roster.
-    void report_strangers(const std::vector<Mark>& marks) {
-        if (!term_.roster) return;
-        std::set<std::string> strangers;
-        for (const Mark& mark : marks)
-            if (on_roster_.count(mark.student) == 0) strangers.insert(mark.student);
-        for (const std::string& student : strangers)
-            term_.notes.push_back(student + ": submitted, but is not on the roster");
+    void read_additions() {
+        const std::optional<Csv> csv = settings_.table("additions");
+        if (!csv) return;
+        const int who = csv->wanted({"student"});
+        const int points = csv->wanted({"points"});
+        const int comment = csv->column({"comment"});
+        for (const Csv::Row& row : csv->rows) {
+            const PointsByHand given{read_number(row.at(points), {csv->file.string(), row.line},
+                                                 -most_points_by_hand, most_points_by_hand),
+                                     row.at(comment)};
+            if (const auto student = student_of(*csv, row, who))
+                term_.additions[*student].push_back(given);
+        }
     }
 
-private:
-    fs::path file_;
-    int line_ = 0;
-    std::map<std::string, std::pair<std::string, int>> settings_;
-    std::set<std::string> words_;  ///< of all settings that may be there once
-    StudentNames names_;
+    Settings settings_;
+    const std::vector<Mark>& marks_;
+    Students submitted_;         ///< the students with a submission
     std::map<int, int> graded_;  ///< the stages with marks, and their points
-    std::set<std::string> on_roster_;
     Term term_;
 };
 
@@ -285,6 +230,11 @@ double Term::weight(int stage) const {
     return found == weights.end() ? 1 : found->second;
 }
 
+bool Term::is_excused(const std::string& student, int stage) const {
+    const auto found = overrides.find({student, stage});
+    return found != overrides.end() && found->second.excused;
+}
+
 std::string Term::called(const std::string& student) const {
     if (!anonymous) return student;
     char text[16];
@@ -293,72 +243,12 @@ std::string Term::called(const std::string& student) const {
     return text;
 }
 
-Term read_term(const fs::path& results, const std::vector<Mark>& marks) {
+Term read_term(const fs::path& results, const std::vector<Mark>& marks, const Students& others) {
     const fs::path file = results / "term.txt";
-    if (!fs::exists(file)) return {};
-    Reading reading(file, marks);
-    reading.report_strangers(marks);
-    return reading.term();
-}
-
-void write_upload(const fs::path& results, const std::vector<Mark>& marks, const Term& term) {
-    std::error_code none;
-    if (term.anonymous) {
-        std::string names = std::string("called,student") + end_of_line;
-        for (const StudentMarks& each : submissions(marks, term))
-            names += each.called + "," + cell(each.student) + end_of_line;
-        write_text(results / "names.csv", names);
-    } else {
-        fs::remove(results / "names.csv", none);
-    }
-    if (!term.roster) {
-        fs::remove(results / "upload.csv", none);
-        return;
-    }
-    const Roster& roster = *term.roster;
-    std::map<std::string, StudentMarks> by_student;
-    for (StudentMarks& each : submissions(marks, term)) by_student[each.student] = std::move(each);
-    const Csv& csv = roster.csv;
-    int width = int(csv.head.cells.size());
-    // Only the columns of Canvas that identify the student: it would import the others as grades.
-    if (const int section = csv.column({"Section"});
-        section != -1 && csv.column({"SIS Login ID", "SIS User ID"}) != -1)
-        width = section + 1;
-    int grade = csv.column({roster.grade});
-    std::vector<int> columns;
-    for (int i = 0; i < width; ++i) columns.push_back(i);
-    if (grade == -1 || grade >= width) columns.push_back(grade);
-    const int comment = roster.comment.empty() ? -1 : csv.column({roster.comment});
-    const int most = csv.column({"Maximum Grade"});
-    const double of = most_points(graded_stages(marks), term);
-    std::string text;
-    const auto add = [&](const Csv::Row& row, const std::string& points,
-                         const std::string& remarks) {
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            std::string value = row.at(columns[i]);
-            if (columns[i] == grade) value = points;
-            if (columns[i] == comment && comment != -1 && !remarks.empty()) value = remarks;
-            text +=
-                (i == 0 ? "" : std::string(1, csv.separator)) + plain_cell(value, csv.separator);
-        }
-        text += end_of_line;
-    };
-    add(csv.head, roster.grade, roster.comment);
-    for (std::size_t i = 0; i < csv.rows.size(); ++i) {
-        const Csv::Row& row = csv.rows[i];
-        const double possible =
-            term.out_of > 0 ? term.out_of : number_of(row.at(most)).value_or(of);
-        const auto found = by_student.find(roster.students[i]);
-        if (found != by_student.end()) {
-            // Moodle accepts no grade above its maximum, for example with a bonus.
-            double points = of > 0 ? found->second.points * possible / of : 0;
-            if (most != -1) points = std::min(points, possible);
-            add(row, number(points), found->second.remarks);
-        } else
-            add(row, lower_case(trimmed(row.at(0))) == "points possible" ? number(possible) : "",
-                "");
-    }
-    write_text(results / "upload.csv", text);
+    if (fs::exists(file)) return Reading(file, marks, others).term();
+    Term term;
+    term.names = StudentNames(students_of(marks, others));
+    return term;
 }
 
 }  // namespace rt::grade
