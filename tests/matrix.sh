@@ -1,7 +1,7 @@
 #!/bin/sh
 # matrix.sh [stage] [build folder] [log]: runs every known mistake of a stage, or of all, and prints
 # the case of the stage's suite that catches it, for each precision: in float for the first of each
-# folder only, unless the build has -DRAYSTEPS_MISTAKES=both. All must be built. With the log of a
+# suite only, unless the build has -DRAYSTEPS_MISTAKES=both. All must be built. With the log of a
 # run of ctest, it runs nothing.
 set -u
 root=$(CDPATH='' cd -- "$(dirname "$0")/.." && pwd -P) || exit 2
@@ -9,7 +9,7 @@ build=${2-$root/build}
 case ${1-all} in
     all) stage=step ;;
     [1-9] | 1[0-3]) stage=$(printf 'step%02d_' "$1") ;;
-    *) stage=$(basename "$root"/tests/mistakes/*"$1") ;;
+    *) stage=$(basename "$root"/tests/mistakes/*"$1".txt .txt) ;;
 esac
 
 log=${3-}
@@ -20,13 +20,10 @@ log=${3-}
 }
 
 # "1/38 Test #7: mistake_step04_plane_one_side_float ....   Passed    0.01 sec"
-# Those of a stage's trace are in its folder main/; their suite is stepNN_…_trace.
-for file in "$root"/tests/mistakes/"$stage"*/*.cpp "$root"/tests/mistakes/"$stage"*/main/*.cpp; do
-    [ -e "$file" ] || continue
-    suite=${file#"$root"/tests/mistakes/}
-    suite=$(echo "${suite%/*}" | sed 's|/main$|_trace|')
-    mistake=$(basename "$file" .cpp)
-    echo "$suite	$mistake	$(sed -n 's|^// caught by: ||p' "$file" | head -n 1)"
+# Those of a stage's trace are in a text of their own; their suite is stepNN_…_trace.
+for file in "$root"/tests/mistakes/"$stage"*.txt; do
+    sed -n -e "s/^mistake \([a-z0-9_]*\) .*/$(basename "$file" .txt)\t\1/; t keep" \
+        -e 's/^caught by: //; t join' -e d -e :keep -e h -e d -e :join -e H -e x -e 's/\n/\t/p' "$file"
 done | awk -F '\t' -v log_file="$log" '
     function mark(name, otherwise) {
         if (!(name in passed)) return otherwise

@@ -1,6 +1,6 @@
 #!/bin/sh
 # tests/mistakes/<stage>/trace.txt: the cases that known mistakes of a stage's `trace` fail, each with
-# the digest of its failures, by which `./course check` and `grade` name a mistake.
+# the digest of its failures, by which `./course check` and `grade` name a mistake. A suite that does not end is stopped.
 #
 #     sh tests/trace_mistakes.sh write BUILD PROJECT STAGE…    after a change of a suite or a mistake
 #     sh tests/trace_mistakes.sh check BUILD PROJECT STAGE…    they are current
@@ -10,11 +10,10 @@ project=$(cd "$3" && pwd)
 shift 3
 . "$project/tests/lib.sh"
 
-# The lines of one mistake, from its source and the report of its suite.
+# The lines of one mistake's report.
 lines_of() {
-    echo "mistake $(basename "$1" .cpp): $(sed -n 's|^// sentence: ||p' "$1")"
     sed -n -e 's/^case //; t name' -e 's/^failures //; t failures' -e d -e ':name' -e h -e d \
-        -e ':failures' -e G -e 's/\n/ /p' "$2"
+        -e ':failures' -e G -e 's/\n/ /p' "$1"
 }
 
 # Without the mistakes that fail in all like one with another sentence.
@@ -41,12 +40,15 @@ for stage in "$@"; do
     {
         echo "# Known mistakes of trace: the cases that each fails, and the digest of the failures in each."
         echo "# Made by tests/trace_mistakes.sh, not by hand."
-        for file in "$project/tests/mistakes/$stage/main"/*.cpp; do
-            name=$(basename "$file" .cpp)
-            RAYSTEPS_REPORT=$folder/report "$build/mistakes/mistake_${stage}_trace_${name}_double" \
-                '~the picture*' > /dev/null
-            lines_of "$file" "$folder/report"
-        done
+        sed -n -e 's/^mistake \([a-z0-9_]*\) .*/\1/p' -e 's/^sentence: //p' \
+            "$project/tests/mistakes/${stage}_trace.txt" |
+            while read -r name && read -r sentence; do
+                : > "$folder/report"
+                RAYSTEPS_REPORT=$folder/report RAYSTEPS_ANSWER=$name \
+                    timeout 300 "$build/${stage}_trace_answers_test_double" '~the picture*' > /dev/null
+                echo "mistake $name: $sentence"
+                lines_of "$folder/report"
+            done
     } | told_apart > "$folder/$stage"
     text=$project/tests/mistakes/$stage/trace.txt
     case $action in

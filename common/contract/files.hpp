@@ -8,7 +8,4 @@ namespace rt::contract {
 /// Throws std::runtime_error, if it cannot be read.
 [[nodiscard]] std::string content_of(const std::string& file);
 
-/// The text of the comment "// sentence: …" in a known mistake's source.
-[[nodiscard]] std::string sentence_in(const std::string& file);
-
 }  // namespace rt::contract

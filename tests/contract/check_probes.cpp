@@ -1,4 +1,4 @@
-// check_probes PROBES FOLDER REFERENCE RIGHT… MISTAKE=WORKER… < CASES
+// check_probes PROBES PROJECT STAGE REFERENCE ANSWERS < CASES
 //
 // Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
 // with the same answers and failing cases, and the reference and the other right answers are not
@@ -8,6 +8,8 @@
 #include "common/contract/paste.hpp"
 #include "common/contract/probes.hpp"
 #include "common/contract/smallest.hpp"
+
+#include "tests/contract/answers.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -23,19 +25,18 @@ public:
         for (const Probe& probe : probes_.probes) calls_.push_back(probe.call);
     }
 
-    void right(const std::string& worker) {
-        Asked asked(worker);
+    void right(const std::string& name, Asked asked) {
         const std::vector<Answer> answers = asked(calls_);
         for (const Mistake& mistake : recognized(probes_, answers, {}))
-            complain(worker + " is right, but recognized as " + mistake.name);
+            complain(name + " is right, but recognized as " + mistake.name);
         Asked reference(reference_);
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
-            complain(worker + " is right, but differs:\n  " +
+            complain(name + " is right, but differs:\n  " +
                      paste_line(found->call, *found->expected.value) +
                      "\n  got: " + told(found->call, found->got));
     }
 
-    void mistaken(const std::string& name, const std::string& sentence, const std::string& worker) {
+    void mistaken(const std::string& name, const std::string& sentence, Asked asked) {
         const auto known = std::ranges::find(probes_.mistakes, name, &Mistake::name);
         if (known == probes_.mistakes.end()) return complain("there is nothing about " + name);
         if (known->sentence != sentence) complain("the sentence of " + name + " has changed");
@@ -44,7 +45,6 @@ public:
             std::cout << name << ": as near to the reference as right answers are\n";
             return;
         }
-        Asked asked(worker);
         bool as_itself = false;
         std::string names;
         for (const Mistake& mistake : recognized(probes_, asked(calls_), results_of(*known))) {
@@ -94,18 +94,14 @@ private:
 };
 
 int check(const std::vector<std::string>& words) {
-    Check check(read_probes(content_of(words.at(0))), words.at(2));
+    const std::string& reference = words.at(3);
+    const Answers answers{words.at(1), words.at(2), words.at(4)};
+    Check check(read_probes(content_of(words.at(0))), reference);
     check.cases(std::cin);
-    check.right(words.at(2));
-    for (std::size_t i = 3; i < words.size(); ++i) {
-        const std::size_t equals = words[i].find('=');
-        const std::string name = words[i].substr(0, equals);
-        if (equals == std::string::npos)
-            check.right(words[i]);
-        else
-            check.mistaken(name, sentence_in(words[1] + "/" + name + ".cpp"),
-                           words[i].substr(equals + 1));
-    }
+    check.right("the reference", Asked(reference));
+    for (const std::string& name : answers.alternatives()) check.right(name, answers.as(name));
+    for (const KnownMistake& known : answers.mistakes())
+        check.mistaken(known.name, known.sentence, answers.as(known.name));
     return check.end();
 }
 

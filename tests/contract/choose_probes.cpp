@@ -1,14 +1,20 @@
-// choose_probes STAGE REPORTS REFERENCE FOLDER ALTERNATIVE… MISTAKE=WORKER…
+// choose_probes REPORTS PROJECT STAGE REFERENCE ANSWERS SUITE
 //
 // Writes a stage's probes.txt to the standard output: a few of the calls that its suite made
-// (REPORTS/record), which separate every known mistake from the reference and from the others, and
-// the cases that fail (REPORTS/reference.report, REPORTS/<mistake>.report).
+// (REPORTS/record, with REPORTS/reference.report), which separate every known mistake from the
+// reference and from the others, and the cases that fail. REFERENCE and ANSWERS are workers; SUITE
+// is the suite, linked to the known mistakes.
 #include "common/contract/contracts.hpp"
 #include "common/contract/files.hpp"
 #include "common/contract/open_answers.hpp"
 #include "common/contract/probes.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/process.hpp"
+
+#include "tests/contract/answers.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -106,11 +112,11 @@ bool differ(const Call& call, bool is_open, const Answer& a, const Answer& b) {
 }
 
 /// Removes calls with several right answers, and names the functions with most of them.
-std::vector<std::string> take_out_open(Table& table, const std::vector<std::string>& alternatives) {
+std::vector<std::string> take_out_open(Table& table, const Answers& known) {
     std::set<std::size_t> out;
     std::set<const Callee*> open;
-    for (const std::string& alternative : alternatives) {
-        const std::vector<Answer> answers = Asked(alternative)(table.calls);
+    for (const std::string& alternative : known.alternatives()) {
+        const std::vector<Answer> answers = known.as(alternative)(table.calls);
         for (const Callee& callee : callees()) {
             std::vector<std::size_t> otherwise;
             double count = 0;
@@ -196,53 +202,49 @@ std::set<std::size_t> chosen(const Table& table, const Probes& probes_of_stage) 
 }
 
 struct Request {
-    int stage;
     std::string reports;
     std::string reference;
-    std::string folder;
-    std::vector<std::string> alternatives;
-    std::vector<std::pair<std::string, std::string>> mistakes;  ///< name and worker
+    Answers answers;
+    std::string suite;
 };
 
-Request read_request(int argc, char** argv) {
-    if (argc < 5) throw std::runtime_error("choose_probes STAGE REPORTS REFERENCE FOLDER …");
-    Request request{
-        .stage = std::atoi(argv[1]), .reports = argv[2], .reference = argv[3], .folder = argv[4]};
-    for (int i = 5; i < argc; ++i) {
-        const std::string word = argv[i];
-        const std::size_t equals = word.find('=');
-        if (equals == std::string::npos)
-            request.alternatives.push_back(word);
-        else
-            request.mistakes.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-    }
-    return request;
+/// The results of the suite, linked to this answer. A suite that does not end is stopped.
+CaseResults results_of(const Request& request, const std::string& name) {
+    constexpr std::chrono::minutes limit{5};
+    const std::string report = request.reports + "/" + name + ".report";
+    setenv("RAYSTEPS_REPORT", report.c_str(), 1);
+    setenv("RAYSTEPS_ANSWER", name.c_str(), 1);
+    const ProcessResult ending = run_captured({request.suite}, limit);
+    unsetenv("RAYSTEPS_REPORT");
+    if (ending.out_of_time) std::cerr << name << ": the suite was stopped\n";
+    return read_case_results(content_of(report));
 }
 
 Probes choose(const Request& request) {
+    const int stage = find_stage(request.answers.stage).value();
     const std::string record = content_of(request.reports + "/record");
-    Table table{.calls = recorded(record, request.stage)};
+    Table table{.calls = recorded(record, stage)};
     table.right = Asked(request.reference)(table.calls);
-    Probes probes{.stage = request.stage};
-    probes.cases =
-        cases_of(record, content_of(request.reports + "/reference.report"), request.stage);
-    probes.open = take_out_open(table, request.alternatives);
-    for (const auto& [name, worker] : request.mistakes) {
-        const CaseResults results =
-            read_case_results(content_of(request.reports + "/" + name + ".report"));
-        Mistake mistake{.name = name,
-                        .sentence = sentence_in(request.folder + "/" + name + ".cpp")};
-        for (const SuiteCase& each : probes.cases) mistake.fails.push_back(!results.at(each.name));
+    Probes probes{.stage = stage};
+    probes.cases = cases_of(record, content_of(request.reports + "/reference.report"), stage);
+    probes.open = take_out_open(table, request.answers);
+    for (const KnownMistake& known : request.answers.mistakes()) {
+        const CaseResults results = results_of(request, known.name);
+        Mistake mistake{.name = known.name, .sentence = known.sentence};
+        for (const SuiteCase& each : probes.cases) {
+            const auto result = results.find(each.name);  // none after a crash
+            mistake.fails.push_back(result == results.end() || !result->second);
+        }
         probes.mistakes.push_back(mistake);
-        table.mistaken.push_back(Asked(worker)(table.calls));
+        table.mistaken.push_back(request.answers.as(known.name)(table.calls));
     }
     for (const std::size_t call : chosen(table, probes))
         probes.probes.push_back({.call = table.calls[call], .right = table.right[call]});
     // Again, in this order: a mistake's answer may depend on earlier calls.
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
-    for (const auto& [name, worker] : request.mistakes) {
-        const std::vector<Answer> answers = Asked(worker)(calls);
+    for (const Mistake& mistake : probes.mistakes) {
+        const std::vector<Answer> answers = request.answers.as(mistake.name)(calls);
         for (std::size_t i = 0; i < answers.size(); ++i)
             probes.probes[i].mistaken.push_back(answers[i]);
     }
@@ -255,7 +257,12 @@ Probes choose(const Request& request) {
 
 int main(int argc, char** argv) {
     try {
-        std::cout << text_of(rt::contract::choose(rt::contract::read_request(argc, argv)));
+        const std::vector<std::string> words(argv + 1, argv + argc);
+        std::cout << text_of(
+            rt::contract::choose({.reports = words.at(0),
+                                  .reference = words.at(3),
+                                  .answers = {words.at(1), words.at(2), words.at(4)},
+                                  .suite = words.at(5)}));
     } catch (const std::exception& error) {
         std::cerr << "error: " << error.what() << '\n';
         return 2;

@@ -51,49 +51,30 @@ endfunction()
 
 # raysteps_recognition(<stage>)
 #
-# A worker of each known mistake and each other right answer; the test that the stage's probes.txt
+# A worker of all known mistakes and other right answers; the test that the stage's probes.txt
 # recognizes the former and not the latter, and knows the suite's cases; and the target
 # <stage>_probes, which writes it.
 function(raysteps_recognition stage)
-    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${stage}/*.cpp)
-    file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${stage}/*.cpp)
-    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage})
-    set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
-    set(words)
-    set(runs)
-    foreach(file IN LISTS alternatives)
-        get_filename_component(name ${file} NAME_WE)
-        raysteps_worker(${stage}_${name}_worker alternatives f64 ${stage}_${name} ${stage}_context)
-        list(APPEND words $<TARGET_FILE:${stage}_${name}_worker>)
-    endforeach()
-    foreach(file IN LISTS mistakes)
-        get_filename_component(name ${file} NAME_WE)
-        raysteps_worker(${stage}_${name}_worker mistakes f64 ${stage}_${name} ${stage}_context)
-        list(APPEND words ${name}=$<TARGET_FILE:${stage}_${name}_worker>)
-        list(APPEND runs COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_REPORT=${reports}/${name}.report
-            sh -c "\"$0\" --out /dev/null || true"
-            $<TARGET_FILE:mistake_${stage}_${name}_double>)
-    endforeach()
-    set(reference $<TARGET_FILE:${stage}_reference_worker>)
-
-    set(suite $<TARGET_FILE:${stage}_test_double>)
-    set(check $<TARGET_FILE:check_probes> ${folder}/probes.txt ${folder} ${reference} ${words})
+    raysteps_worker(${stage}_answers_worker "" f64 ${stage}_answers ${stage}_context)
+    set(probes ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/probes.txt)
+    set(words ${PROJECT_SOURCE_DIR} ${stage}
+        $<TARGET_FILE:${stage}_reference_worker> $<TARGET_FILE:${stage}_answers_worker>)
     set(names "--list-test-names-only")
     if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
         set(names "--list-tests --verbosity quiet")
     endif()
     add_test(NAME recognition_${stage}
-        COMMAND sh -c "suite=$1; shift; \"$suite\" ${names} | \"$@\"" sh ${suite} ${check})
+        COMMAND sh -c "suite=$1; shift; \"$suite\" ${names} | \"$@\"" sh
+            $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words})
     set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
 
-    string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${stage})
+    set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
     add_custom_target(${stage}_probes
         COMMAND ${CMAKE_COMMAND} -E make_directory ${reports}
         COMMAND ${CMAKE_COMMAND} -E env RAYSTEPS_RECORD=${reports}/record
-            RAYSTEPS_REPORT=${reports}/reference.report RAYSTEPS_WORKER=${reference}
+            RAYSTEPS_REPORT=${reports}/reference.report
+            RAYSTEPS_WORKER=$<TARGET_FILE:${stage}_reference_worker>
             $<TARGET_FILE:${stage}_asked_test_double>
-        ${runs}
-        COMMAND choose_probes ${number} ${reports} ${reference} ${folder} ${words}
-            > ${folder}/probes.txt
+        COMMAND choose_probes ${reports} ${words} $<TARGET_FILE:${stage}_answers_test_double> > ${probes}
         VERBATIM)
 endfunction()

@@ -13,6 +13,7 @@
 //
 // @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
 // them.
+#include "common/course/authoring/mistake_source.hpp"
 #include "common/course/build/suite_report.hpp"
 #include "common/course/grade/judging/load.hpp"
 #include "common/course/grade/judging/workshop.hpp"
@@ -25,6 +26,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -34,6 +36,7 @@
 #include <sstream>
 
 using namespace rt;
+using namespace std::string_literals;
 namespace fs = std::filesystem;
 
 namespace {
@@ -233,26 +236,28 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
     const fs::path seed = folder.path() / "seed";
     std::ofstream(seed) << "9d0f5a37c1e86b24\n";
     setenv("RAYSTEPS_SEED_FILE", seed.c_str(), 1);
-    const std::string tests = RAYSTEPS_ROOT "/tests/";
-    const auto graded = [&](const std::string& stage, const std::string& file) {
+    const auto graded = [&](const std::string& stage, const std::string& text) {
         return grader.grade(
-            {.name = file,
-             .text = "// stage: " + stage + "\n// file: main.cpp\n" + content(tests + file)});
+            {.name = stage, .text = "// stage: " + stage + "\n// file: main.cpp\n" + text});
     };
+    const auto source = [](const std::string& file) { return content(RAYSTEPS_ROOT "/" + file); };
     for (const auto& [stage, right, wrong] :
          {std::array{"step03_sphere", "smallest_of_all", "color_of_the_last"},
           std::array{"step12_mirror", "own_recursion", "ray_goes_on"}}) {
-        const std::string folder_of = std::string(stage) + "/main/";
-        const Grade all = graded(stage, "alternatives/" + folder_of + right + ".cpp");
+        const Grade all =
+            graded(stage, source("tests/alternatives/"s + stage + "/main/" + right + ".cpp"));
         INFO(all.message);
         REQUIRE(all.compiled);
         CHECK(all.message.find("\nfailed") == std::string::npos);
         CHECK(all.passed.size() > 6);
-        const Grade some = graded(stage, "mistakes/" + folder_of + wrong + ".cpp");
+        const auto mistakes = read_known_mistakes(RAYSTEPS_ROOT, stage + "_trace"s);
+        const auto mistake = std::ranges::find(mistakes, wrong, &KnownMistake::name);
+        REQUIRE(mistake != mistakes.end());
+        const Grade some = graded(stage, source_of(RAYSTEPS_ROOT, stage + "_trace"s, *mistake));
         REQUIRE(some.compiled);
         CHECK(some.passed.size() < all.passed.size());
     }
-    CHECK(graded("step03_sphere", "../steps/step03_sphere/starter/main.cpp").compiled);
+    CHECK(graded("step03_sphere", source("steps/step03_sphere/starter/main.cpp")).compiled);
     unsetenv("RAYSTEPS_SEED_FILE");
 }
 

@@ -34,20 +34,6 @@ pick() {
     echo "$1"
 }
 
-# A known mistake as a student would submit it, without includes of the project other than headers.
-flattened() {
-    awk -v project="$project" '
-        function flatten(file,    line, words) {
-            while ((getline line < file) > 0)
-                if (line ~ /^#include "(steps\/.*\/reference|tests)\//) {
-                    split(line, words, "\"")
-                    flatten(project "/" words[2])
-                } else
-                    print line
-        }
-        BEGIN { flatten(ARGV[1]) }' "$1"
-}
-
 # stage_points REPORT SUITE: the points of a suite's report. 0 if only the starter's cases pass.
 stage_points() {
     case $2 in *_trace) passes=main_passes.txt ;; *) passes=passes.txt ;; esac
@@ -59,11 +45,11 @@ stage_points() {
         END { print own ? sum : 0 }' "$1"
 }
 
-# points_of WORKER SUITE: computed once, however many students submit the same.
+# points_of WORKER SUITE [ANSWER]: computed once, however many students submit the same.
 points_of() {
-    report=$folder/reports/$(basename "$1")_$2
+    report=$folder/reports/$(basename "$1")_$2_${3-}
     [ -e "$report" ] ||
-        RAYSTEPS_SEED_FILE=$seed RAYSTEPS_REPORT=$report RAYSTEPS_WORKER=$1 \
+        RAYSTEPS_ANSWER=${3-} RAYSTEPS_SEED_FILE=$seed RAYSTEPS_REPORT=$report RAYSTEPS_WORKER=$1 \
             "$build/${2}_asked_test_double" > /dev/null 2>&1
     stage_points "$report" "$2"
 }
@@ -102,10 +88,9 @@ submit() {
                 ;;
             untouched) cp "$project/steps/$stage/starter/"*.cpp "$place" ;;
             mistaken)
-                mistake=$(pick "$3" "$project/tests/mistakes/$stage"/*.cpp)
-                flattened "$mistake" > "$file"
-                worker=$build/mistakes/${stage}_$(basename "$mistake" .cpp)_worker
-                points=$(points_of "$worker" "$stage")
+                mistake=$(pick "$3" $(sed -n 's/^mistake \([^ ]*\).*/\1/p' "$project/tests/mistakes/$stage.txt"))
+                "$build/known_mistakes" "$project" "$stage" "$mistake" > "$file"
+                points=$(points_of "$build/${stage}_answers_worker" "$stage" "$mistake")
                 ;;
             empty) ;;
             broken) echo "int broken(" > "$file" ;;

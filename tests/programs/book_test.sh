@@ -63,6 +63,7 @@ set_pages() {
 set_pages || fail "a project without tests"
 grep -q 'href="../../steps/step03_sphere/sphere.hpp"' small/build/book/glossary.html || fail "links to files that are there"
 grep -rql 'href="[./]*/tests/' small/build/book && fail "no link to files that are not there"
+[ ! -e small/build/book/mistakes ] || fail "no known mistakes, which a hand-out does not contain"
 printf '\n$\\nonsense{1}$\n' >> small/docs/scenes.md
 set_pages && fail "a wrong formula"
 grep -q 'docs/scenes.md: error: .*nonsense' out || fail "a wrong formula: the page is named"
@@ -73,6 +74,10 @@ links="https://example.org/raysteps/blob/main"
 ! grep -qv "^The figures do not run" err || fail "without a warning"
 grep -q "href=\"$links/steps/step03_sphere/sphere.hpp\"" new/glossary.html || fail "links to files"
 grep -q "href=\"https://example.org/raysteps/tree/main/tests/mistakes/\"" new/errata.html || fail "to folders"
+known=$(cat "$project"/tests/mistakes/*.txt | grep -c '^mistake ')
+[ "$(cat new/mistakes/step*.html | grep -c '<h3 ')" = "$known" ] || fail "every known mistake is shown"
+grep -q "$known wrong answers" new/mistakes/index.html || fail "and counted"
+grep -q 'href="mistakes/step03_sphere.html#subtracts_r_squared"' new/errata.html || fail "an erratum leads to its mistake"
 echo mine > new/mine.html
 cp -r new kept
 "$build/course" book --out new > out 2> err && fail "a book with a file of the user's is refused"

@@ -11,6 +11,12 @@ stage=steps/step03_sphere
 mine=$stage/student/sphere.cpp
 trace=$stage/student/main.cpp
 
+# mistaken SUITE NAME FILE: the file becomes a known mistake.
+mistaken() {
+    cmake --build build --target known_mistakes > log 2>&1 || fail "known_mistakes is built"
+    build/known_mistakes . "$1" "$2" > "$3"
+}
+
 # Answers without a build.
 course 2 check 3
 says "nothing is started yet: ./course start 3"
@@ -60,7 +66,7 @@ says "  ✗ 7 trace: "
 says_not "✗ the normal points away"
 course 0 hint 3
 says "step03_sphere, trace, hint 1 of 3"
-cp tests/mistakes/step03_sphere/main/last_hit.cpp $trace
+mistaken step03_sphere_trace last_hit $trace
 course 1 check 3
 says "✗ the closest of several spheres is seen"
 says "sp 0,0,-20 2 0,0,255"
@@ -194,7 +200,7 @@ course 2 run 4 -o picture.png
 says "error: defined twice: rt::twice("
 says "$mine"
 cp $other/reference/plane.cpp $other/student/plane.cpp
-cp tests/mistakes/step03_sphere/subtracts_r_squared.cpp $mine
+mistaken step03_sphere subtracts_r_squared $mine
 course 0 run 4 -o picture.png
 says "your step03_sphere is used: changed since it passed."
 course 0 run 4 --reference 3 -o picture.png
@@ -209,12 +215,12 @@ says "Why? ./course explain 4 --reference 4,1 'my scene.rt'"
 rm -r $other/student "my scene.rt" picture.png
 
 # A wrong answer: the case, the call, the line to paste, and the pixels.
-cp tests/mistakes/step03_sphere/near_root_only.cpp $mine
+mistaken step03_sphere near_root_only $mine
 course 1 check 3
 says "inside"
 says "paste:    CHECK(hits("
 says "asked:    tests/suites/step03_sphere_test.cpp:"
-cp tests/mistakes/step03_sphere/subtracts_r_squared.cpp $mine
+mistaken step03_sphere subtracts_r_squared $mine
 course 1 compare 3
 says "pixels differ"
 [ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
@@ -360,11 +366,11 @@ says "Did you mean triangle?"
 
 # The student's loop over the pixels draws stage 1, on one thread.
 mkdir steps/step01_ray_generation/student
-cp tests/mistakes/step01_ray_generation/main/upside_down.cpp steps/step01_ray_generation/student/main.cpp
+mistaken step01_ray_generation_trace upside_down steps/step01_ray_generation/student/main.cpp
 course 0 run 1 --size 3x2 -o mine.png
 course 0 run 1 --size 3x2 -o ours.png --threads 2
 ! cmp -s mine.png ours.png || fail "run 1 draws with the student's loop"
-cp tests/mistakes/step01_ray_generation/main/size_exchanged.cpp steps/step01_ray_generation/student/main.cpp
+mistaken step01_ray_generation_trace size_exchanged steps/step01_ray_generation/student/main.cpp
 course 2 run 1 --size 3x2 -o mine.png
 says "error: "
 rm -r steps/step01_ray_generation/student

@@ -198,64 +198,75 @@ function(raysteps_starter suite)
     endforeach()
 endfunction()
 
+# raysteps_known_mistake(<file> <suite> [<name>])
+#
+# The source of one mistake of mistakes/<suite>.txt, or of all of them and of the other right answers,
+# of which RAYSTEPS_ANSWER selects one.
+function(raysteps_known_mistake file suite)
+    string(REGEX REPLACE "_trace$" "" stage ${suite})
+    set(alternatives ${PROJECT_SOURCE_DIR}/tests/alternatives/${stage})
+    set(step ${PROJECT_SOURCE_DIR}/steps/${stage})
+    file(GLOB right CONFIGURE_DEPENDS
+        ${alternatives}/*.cpp ${alternatives}/main/*.cpp ${step}/main.cpp ${step}/reference/*.cpp)
+    get_filename_component(folder ${file} DIRECTORY)
+    file(MAKE_DIRECTORY ${folder})
+    add_custom_command(OUTPUT ${file}
+        COMMAND known_mistakes ${PROJECT_SOURCE_DIR} ${suite} ${ARGN} > ${file}
+        DEPENDS known_mistakes ${PROJECT_SOURCE_DIR}/tests/mistakes/${suite}.txt ${right}
+        VERBATIM)
+endfunction()
+
 # raysteps_answers(<suite> <folder>)
 #
-# The suite, linked to each known mistake and each other right answer in the folder. Float shows no
-# more about mistakes than double: only the folder's first is linked in float, too, or with
+# The tests mistake_<suite>_<name>_double, and alternative_<suite>_<name>_float and _double: the suite,
+# linked to all known mistakes and, from this folder, all other right answers. Float shows no more
+# about mistakes than double: only the suite's first is tested in float, too, or with
 # -DRAYSTEPS_MISTAKES=both all are.
 function(raysteps_answers suite folder)
-    file(GLOB mistakes CONFIGURE_DEPENDS mistakes/${folder}/*.cpp)
-    set(precisions f32 f64)
-    foreach(file IN LISTS mistakes)
-        raysteps_mistake(${suite} ${file})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/answers/${suite}.cpp)
+    raysteps_known_mistake(${source} ${suite})
+    raysteps_compile_twice(${suite}_answers ${source})
+    foreach(precision IN ITEMS f32 f64)
+        set(objects ${suite}_answers_${precision})
+        raysteps_compile_without_optimizing(${objects} ${precision})
+        target_compile_options(${objects} PRIVATE -w)  # they are wrong on purpose
+        set(program ${suite}_answers_test_${word_${precision}})
+        raysteps_link_suite(${program} ${suite}_test_${word_${precision}}_objects ${precision}
+            ${suite}_answers ${suite}_context)
+    endforeach()
+
+    set(catalogue ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${suite}.txt)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${catalogue})
+    file(STRINGS ${catalogue} lines REGEX "^(mistake|caught by:) " ENCODING UTF-8)
+    set(words float double)
+    foreach(line IN LISTS lines)
+        if(line MATCHES "^mistake ([a-z0-9_]+) ")
+            set(name ${CMAKE_MATCH_1})
+            continue()
+        endif()
+        string(REGEX REPLACE "^caught by: " "" case "${line}")
+        string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")  # for Catch2
+        foreach(word IN LISTS words)
+            raysteps_test_answer(mistake ${suite} ${name} ${word} "${case}")
+            # It fails by an assertion: a missing case, or a crash, does not count.
+            set_tests_properties(mistake_${suite}_${name}_${word} PROPERTIES
+                PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed")
+        endforeach()
         if(NOT RAYSTEPS_MISTAKES STREQUAL "both")
-            set(precisions f64)
+            set(words double)
         endif()
     endforeach()
-    set(precisions f32 f64)
     file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${folder}/*.cpp)
     foreach(file IN LISTS alternatives)  # all of the suite must pass
-        raysteps_answer(${suite} alternative ${file})
+        get_filename_component(name ${file} NAME_WE)
+        raysteps_test_answer(alternative ${suite} ${name} float)
+        raysteps_test_answer(alternative ${suite} ${name} double)
     endforeach()
 endfunction()
 
-# raysteps_answer(<suite> <kind> <file> [<argument of the suite>...])
-#
-# The tests <kind>_<suite>_<name of the file>_float and _double, of the precisions of the variable
-# `precisions`: the suite, linked to an answer that is not the reference.
-function(raysteps_answer suite kind file)
-    get_filename_component(name ${file} NAME_WE)
-    raysteps_compile_twice(${suite}_${name} ${file})
-    set_target_properties(${suite}_${name}_f32 ${suite}_${name}_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
-    foreach(precision IN LISTS precisions)
-        raysteps_compile_without_optimizing(${suite}_${name}_${precision} ${precision})
-        # It is wrong on purpose, or renames functions of the reference.
-        target_compile_options(${suite}_${name}_${precision} PRIVATE -w)
-        set(word ${word_${precision}})
-        set(program ${kind}_${suite}_${name}_${word})
-        raysteps_link_suite(${program} ${suite}_test_${word}_objects ${precision}
-            ${suite}_${name} ${suite}_context)
-        set_target_properties(${program} PROPERTIES
-            RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${kind}s)
-        add_test(NAME ${program} COMMAND ${program} ${ARGN})
-        set_tests_properties(${program} PROPERTIES LABELS ${kind}s)
-        if(kind STREQUAL "mistake")  # by failing an assertion: a missing case, or a crash, does not count
-            set_tests_properties(${program} PROPERTIES
-                PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed")
-        endif()
-    endforeach()
-endfunction()
-
-# raysteps_mistake(<suite> <file>)
-#
-# The suite, linked to a known mistake: the case that the file names must fail.
-function(raysteps_mistake suite file)
-    file(STRINGS ${file} case REGEX "^// caught by: " LIMIT_COUNT 1 ENCODING UTF-8)
-    string(REGEX REPLACE "^// caught by: " "" case "${case}")
-    if(case STREQUAL "")
-        message(FATAL_ERROR "${file} does not say \"// caught by: <test case>\"")
-    endif()
-    # escaped for Catch2, and no ";" for CMake
-    string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")
-    raysteps_answer(${suite} mistake ${file} "${case}")
+# raysteps_test_answer(<kind> <suite> <name> <precision's word> [<case>])
+function(raysteps_test_answer kind suite name word)
+    set(test ${kind}_${suite}_${name}_${word})
+    add_test(NAME ${test} COMMAND ${suite}_answers_test_${word} ${ARGN})
+    set_tests_properties(${test} PROPERTIES LABELS ${kind}s ENVIRONMENT RAYSTEPS_ANSWER=${name})
 endfunction()

@@ -1,5 +1,6 @@
 #include "common/course/authoring/audit.hpp"
 
+#include "common/course/authoring/known_mistakes.hpp"
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
@@ -117,19 +118,12 @@ void look_at_hints(int stage, Findings& findings) {
 
 void look_at_mistakes(int stage, Findings& findings) {
     const std::string name(stage_name(stage));
-    const fs::path folder = project_folder / "tests/mistakes" / name;
-    std::vector<fs::path> mistakes = files_in(folder, ".cpp");
-    for (const fs::path& file : files_in(folder / "main", ".cpp")) mistakes.push_back(file);
-    for (const fs::path& file : mistakes) {
-        const std::string text = read_text(file);
-        for (const char* line : {"// origin: ", "// caught by: ", "// sentence: "})
-            findings.require(text.find(line) != std::string::npos,
-                             file.lexically_relative(project_folder).string() + " lacks " + line);
-    }
+    const std::size_t count = read_known_mistakes(project_folder, name).size() +
+                              read_known_mistakes(project_folder, name + "_trace").size();
     const auto alternatives = files_in(project_folder / "tests/alternatives" / name, ".cpp");
-    findings.require(mistakes.size() >= fewest_mistakes, "too few known mistakes");
+    findings.require(count >= fewest_mistakes, "too few known mistakes");
     findings.require(alternatives.size() >= fewest_alternatives, "too few other right answers");
-    findings.note(std::to_string(mistakes.size()) + " mistakes");
+    findings.note(std::to_string(count) + " mistakes");
     findings.note(std::to_string(alternatives.size()) + " other right answers");
 }
 

@@ -1,4 +1,5 @@
-"""Adds to the pages of the site the contracts, the hints, the errata and the figures that run.
+"""Adds to the pages of the site the contracts, the hints, the errata and the figures that run, and
+pages of the known mistakes. A hand-out, which has no tests/mistakes, gets none of those.
 
 RAYSTEPS_SOURCE is where links to files beside docs/ lead: "../.." is the project's folder, as seen
 from the site's, "https://github.com/NAME/raysteps/blob/main" a host. If it is empty, there are no
@@ -11,9 +12,12 @@ import posixpath
 import re
 import shutil
 import subprocess
+import tempfile
+from html import escape
 from pathlib import Path
 
 from mkdocs.exceptions import PluginError
+from mkdocs.structure.files import File
 
 here = Path(__file__).parent
 project = here.parents[2]
@@ -43,6 +47,8 @@ def on_config(config):
     reference = sorted(f"reference/{page.name}" for page in docs.glob("reference/*.md"))
     config["nav"] = [{"Overview": "README.md"}, {"Stages": stages}, {"More": others},
                      {"Reference": reference}]
+    if catalogues():
+        config["nav"].append({"Known mistakes": ["mistakes/index.md", *(f"mistakes/{s}.md" for s in catalogues())]})
     return config
 
 
@@ -52,7 +58,85 @@ def on_files(files, config):
         in_docs = Path(file.abs_src_path).is_relative_to(config["docs_dir"])
         if in_docs and Path(file.src_path).suffix not in {".md", ".svg", ".png"}:
             files.remove(file)
+    if catalogues():
+        write_mistakes(Path(pages_of_mistakes.name) / "mistakes")
+        for name in ["index", *catalogues()]:
+            files.append(File(f"mistakes/{name}.md", pages_of_mistakes.name, config["site_dir"], False))
     return files
+
+
+# ---- known mistakes
+
+
+pages_of_mistakes = tempfile.TemporaryDirectory()
+
+record = re.compile(r"mistake (\w+) in (\S+)(?: around (.*))?\norigin: (.*)\ncaught by: (.*)\nsentence: (.*)\n((?:.*\n)*)")
+
+
+def catalogues():
+    return sorted(file.stem for file in (project / "tests/mistakes").glob("step*.txt") if "_trace" not in file.stem)
+
+
+def mistakes_of(suite):
+    file = project / f"tests/mistakes/{suite}.txt"
+    text = file.read_text(encoding="utf-8") if file.exists() else ""
+    return [record.fullmatch(part).groups() for part in re.split(r"(?m)^(?=mistake )", text)[1:]]
+
+
+def source_of_origin(origin):
+    """What the table of all stages counts."""
+    if re.match(r"seen|common|a student's", origin):
+        return "students"
+    return "documents" if re.match(r"(MRT|M1|PHY|CR|HAI)\b", origin) else "derived"
+
+
+def mistake_text(suite, mistake):
+    name, right, around, origin, case, sentence, change = mistake
+    stage = suite.removesuffix("_trace")
+    files = {"main.cpp": f"steps/{stage}/main.cpp", "reference": f"steps/{stage}/reference/{stage[7:]}.cpp"}
+    file = files.get(right, f"tests/alternatives/{stage}/{'main/' if suite != stage else ''}{right}.cpp")
+    calls = f", called around as <code>correct_{around}</code>" if around else ""
+    return f"""### {name}
+
+<p>{escape(sentence)}</p>
+
+```diff
+{change.strip(chr(10))}
+```
+
+<p class="origin">Origin: {escape(origin)}. Caught by: “{escape(case)}”.
+Changes <a href="source:{file}"><code>{right}</code></a>{calls}.</p>
+
+"""
+
+
+def write_mistakes(folder):
+    """A page for each stage, and one with their numbers."""
+    folder.mkdir(exist_ok=True)
+    rows = []
+    for stage in catalogues():
+        title = f"Stage {int(stage[4:6])}, {stage[7:].replace('_', ' ')}: known mistakes"
+        page = f"# {title}\n\n"
+        parts = [("In the functions", stage), ("In `main.cpp`", stage + "_trace")]
+        for heading, suite in parts:
+            if mistakes_of(suite):
+                page += f"## {heading}: {len(mistakes_of(suite))}\n\n"
+                page += "".join(mistake_text(suite, mistake) for mistake in mistakes_of(suite))
+        (folder / f"{stage}.md").write_text(page, encoding="utf-8")
+        counts = [len(mistakes_of(suite)) for _, suite in parts]
+        origins = [source_of_origin(mistake[3]) for _, suite in parts for mistake in mistakes_of(suite)]
+        rows.append((stage, *counts, *(origins.count(kind) for kind in ["documents", "students", "derived"])))
+    total = ["all", *(sum(row[i] for row in rows) for i in range(1, 6))]
+    table = "".join(f"| [{row[0]}]({row[0]}.md) | {' | '.join(map(str, row[1:]))} |\n" for row in rows)
+    (folder / "index.md").write_text(f"""# Known mistakes
+
+These {total[1] + total[2]} wrong answers are for lecturers: what students get wrong, and the sentence that tells them. Each stage's
+suite must catch every one of its mistakes, by the case that is named. A mistake is shown as a change of a right answer.
+[How the suites are tested](../reference/testing.md) explains them. The hand-out for students does not contain them.
+
+| Stage | In its functions | In its `main.cpp` | From a document | Seen in students' code | Invented or derived |
+|---|---|---|---|---|---|
+{table}| {' | '.join(map(str, total))} |""", encoding="utf-8")
 
 
 # ---- what is added to the text
@@ -67,6 +151,9 @@ def linked_to_sources(markdown, page, files):
         path = posixpath.normpath(posixpath.join(folder, match[1]))
         return match[0] if path.removeprefix("docs/") in known else f"](source:{path})"
 
+    if catalogues():
+        markdown = re.sub(r"\[`(\w+)`\]\((?:\.\./)+tests/mistakes/(step\w+?)(_trace)?\.txt\)",
+                          lambda m: f"[`{m[1]}`]({'../' * page.file.src_path.count('/')}mistakes/{m[2]}.md#{m[1]})", markdown)
     return re.sub(r"\]\((\.\./[^)#]*)\)", link, markdown)
 
 
@@ -102,7 +189,7 @@ def errata(stage):
 
 
 def on_page_markdown(markdown, page, config, files):
-    stage = re.fullmatch(r"step(\d\d)_\w+", page.file.name)
+    stage = re.fullmatch(r"step(\d\d)_\w+\.md", page.file.src_path)
     if stage:
         markdown = contract(markdown)
         markdown = markdown.replace("## What goes wrong", hints(page.file.name) + "\n## What goes wrong", 1)

@@ -1,5 +1,5 @@
 // right: CR §4.2's loop, t compared at the end, and CR §4.1's areas
-#include "tests/mistakes/step13_meshes/stage5.hpp"
+#include "tests/alternatives/step13_meshes/stage5.hpp"
 
 #define intersect(...) correct_intersect(__VA_ARGS__)
 #define interpolated_normal(...) correct_interpolated_normal(__VA_ARGS__)

@@ -1,5 +1,5 @@
 // right: M1 to the letter: three pairs of planes, each by stage 4's formula
-#include "tests/mistakes/step13_meshes/stage5.hpp"
+#include "tests/alternatives/step13_meshes/stage5.hpp"
 
 #define overlap(...) correct_overlap(__VA_ARGS__)
 #define intersect(...) correct_intersect(__VA_ARGS__)

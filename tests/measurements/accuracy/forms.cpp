@@ -51,7 +51,7 @@ namespace sphere_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step03_sphere/absolute_epsilon.cpp"
+#include "mistakes/step03_sphere/absolute_epsilon.cpp"
 }  // namespace sphere_epsilon
 
 namespace plane_as_printed {
@@ -79,7 +79,7 @@ namespace plane_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step04_plane/epsilon_on_parallel.cpp"
+#include "mistakes/step04_plane/epsilon_on_parallel.cpp"
 }  // namespace plane_epsilon
 
 namespace triangle_moller_trumbore {
@@ -107,14 +107,14 @@ namespace triangle_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step05_triangle/epsilon_on_determinant.cpp"
+#include "mistakes/step05_triangle/epsilon_on_determinant.cpp"
 }  // namespace triangle_epsilon
 
 namespace triangle_glm {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step05_triangle/glm_intersect_ray_triangle.cpp"
+#include "mistakes/step05_triangle/glm_intersect_ray_triangle.cpp"
 }  // namespace triangle_glm
 
 namespace square_own_basis {
@@ -142,7 +142,7 @@ namespace square_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step06_square/epsilon_on_parallel.cpp"
+#include "mistakes/step06_square/epsilon_on_parallel.cpp"
 }  // namespace square_epsilon
 
 namespace cylinder_as_printed {
@@ -170,7 +170,7 @@ namespace cylinder_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step07_cylinder/epsilon_on_a.cpp"
+#include "mistakes/step07_cylinder/epsilon_on_a.cpp"
 }  // namespace cylinder_epsilon
 
 namespace cone_textbook {
@@ -198,7 +198,7 @@ namespace cone_epsilon {
 namespace rt {
 using namespace ::rt;
 }
-#include "tests/mistakes/step08_cone/epsilon_on_a.cpp"
+#include "mistakes/step08_cone/epsilon_on_a.cpp"
 }  // namespace cone_epsilon
 
 namespace rt {

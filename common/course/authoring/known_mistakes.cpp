@@ -1,0 +1,121 @@
+#include "common/course/authoring/known_mistakes.hpp"
+
+#include "common/system/input_error.hpp"
+
+#include <fstream>
+#include <sstream>
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The file that a catalogue calls `reference`, `main.cpp` or by the name of an alternative.
+std::string file_of(const std::string& right_answer, const std::string& suite) {
+    const bool is_trace = suite.ends_with("_trace");
+    const std::string stage = suite.substr(0, suite.size() - (is_trace ? 6 : 0));
+    if (right_answer == "main.cpp") return "steps/" + stage + "/main.cpp";
+    if (right_answer == "reference")
+        return "steps/" + stage + "/reference/" + stage.substr(stage.find('_') + 1) + ".cpp";
+    return "tests/alternatives/" + stage + (is_trace ? "/main/" : "/") + right_answer + ".cpp";
+}
+
+/// Reads a catalogue line by line.
+class CatalogueReader {
+public:
+    CatalogueReader(const fs::path& project, std::string suite)
+        : project_(project), suite_(std::move(suite)) {}
+
+    std::vector<KnownMistake> read() {
+        std::ifstream lines(project_ / catalogue_of(suite_));
+        for (std::string line; std::getline(lines, line);) {
+            ++number_;
+            if (line.starts_with('#')) continue;
+            if (line.empty())
+                is_in_group_ = false;
+            else if (line.starts_with("mistake "))
+                begin(line);
+            else if (mistakes_.empty() || !(is_field(line) || is_change(line)))
+                fail(
+                    "expected \"mistake NAME in RIGHT_ANSWER\", its origin, caught by and "
+                    "sentence, and lines that begin with a space, - or +");
+        }
+        if (!mistakes_.empty()) end();
+        return std::move(mistakes_);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError({catalogue_of(suite_), number_}, what);
+    }
+
+    void begin(const std::string& line) {
+        if (!mistakes_.empty()) end();
+        std::istringstream words(line);
+        std::string word, in, right_answer;
+        KnownMistake mistake;
+        words >> word >> mistake.name >> in >> right_answer;
+        if (in != "in" || right_answer.empty()) fail("expected \"mistake NAME in RIGHT_ANSWER\"");
+        if (words >> word) {
+            if (word != "around") fail("expected \"around\", not \"" + word + "\"");
+            while (words >> word) mistake.around.push_back(word);
+        }
+        for (const KnownMistake& other : mistakes_)
+            if (other.name == mistake.name) fail(mistake.name + " is there twice");
+        mistake.right_answer = file_of(right_answer, suite_);
+        if (!fs::exists(project_ / mistake.right_answer))
+            fail(mistake.right_answer + " does not exist");
+        mistakes_.push_back(std::move(mistake));
+        is_in_group_ = false;
+    }
+
+    void end() const {
+        const KnownMistake& last = mistakes_.back();
+        if (last.origin.empty() || last.caught_by.empty() || last.sentence.empty())
+            fail(last.name + " ends here without its origin, caught by or sentence");
+        if (last.changes.empty()) fail(last.name + " ends here without a change");
+    }
+
+    bool is_field(const std::string& line) {
+        KnownMistake& mistake = mistakes_.back();
+        for (const auto& [word, field] :
+             {std::pair{"origin: ", &mistake.origin}, std::pair{"caught by: ", &mistake.caught_by},
+              std::pair{"sentence: ", &mistake.sentence}})
+            if (line.starts_with(word)) {
+                if (!field->empty()) fail("stands twice: " + line);
+                *field = line.substr(std::string(word).size());
+                return true;
+            }
+        return false;
+    }
+
+    bool is_change(const std::string& line) {
+        if (line[0] != ' ' && line[0] != '-' && line[0] != '+') return false;
+        auto& changes = mistakes_.back().changes;
+        if (!is_in_group_) changes.push_back({.old_lines = {}, .new_lines = {}, .line = number_});
+        is_in_group_ = true;
+        if (line[0] != '+') changes.back().old_lines.push_back(line.substr(1));
+        if (line[0] != '-') changes.back().new_lines.push_back(line.substr(1));
+        return true;
+    }
+
+    const fs::path& project_;
+    std::string suite_;
+    int number_ = 0;
+    bool is_in_group_ = false;
+    std::vector<KnownMistake> mistakes_;
+};
+
+}  // namespace
+
+std::string catalogue_of(const std::string& suite) {
+    return "tests/mistakes/" + suite + ".txt";
+}
+
+std::vector<KnownMistake> read_known_mistakes(const fs::path& project, const std::string& suite) {
+    if (!fs::exists(project / catalogue_of(suite))) return {};
+    return CatalogueReader(project, suite).read();
+}
+
+}  // namespace rt

@@ -1,0 +1,47 @@
+// The catalogues tests/mistakes/<suite>.txt: known mistakes, each a change of a right answer.
+//
+//     mistake far_root_first in textbook
+//     origin: seen in student repositories
+//     caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
+//     sentence: You take the larger root first. Of two positive ones the smaller is seen (PHY).
+//     -    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
+//     +    for (const Real t : {(-b + root) / (2 * a), (-b - root) / (2 * a)})
+//
+// The right answer is `reference`, `main.cpp`, or the name of a file of tests/alternatives. A blank
+// line ends a group of lines: those that begin with "-" or " " must be found once in the right
+// answer, and those with "+" or " " replace them. A group of new lines only stands at the end of
+// the namespace. "in reference around normal": the reference's `normal` is called `correct_normal`.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rt {
+
+struct KnownMistake {
+    /// Lines of the right answer, and those that replace them. `line` is its first in the
+    /// catalogue.
+    struct Change {
+        std::vector<std::string> old_lines;
+        std::vector<std::string> new_lines;
+        int line = 0;
+    };
+
+    std::string name;
+    std::string right_answer;         ///< its file, relative to the project's folder
+    std::vector<std::string> around;  ///< functions whose names get "correct_" before them
+    std::string origin;
+    std::string caught_by;  ///< a case of the suite
+    std::string sentence;
+    std::vector<Change> changes;
+};
+
+/// The catalogue of a suite, "step03_sphere" or "step03_sphere_trace".
+[[nodiscard]] std::string catalogue_of(const std::string& suite);
+
+/// The known mistakes of a suite; none without a catalogue. Throws InputError.
+[[nodiscard]] std::vector<KnownMistake> read_known_mistakes(const std::filesystem::path& project,
+                                                            const std::string& suite);
+
+}  // namespace rt
