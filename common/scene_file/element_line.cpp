@@ -30,6 +30,11 @@ bool is_option(std::string_view text) {
     return is_letter(text.front()) && text.find(':') != std::string_view::npos;
 }
 
+/// Returns whether the text has a character that no number has.
+bool is_word(std::string_view text) {
+    return text.find_first_not_of("+-.0123456789eE") != std::string_view::npos;
+}
+
 /// Returns whether the text has the form `#rrggbb` or `#rgb`.
 bool is_hexadecimal(std::string_view text) {
     return (text.size() == 7 || text.size() == 4) && text.front() == '#' &&
@@ -90,21 +95,31 @@ int ElementLine::choice(std::string_view key, std::initializer_list<std::string_
     refuse(*value, what(key) + " must be " + expected);
 }
 
-bool ElementLine::only_options_follow() const {
-    const auto is_other = [](Token token) { return !is_option(token.text); };
-    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
-    return !strict() && !at_end() && std::none_of(rest, line_.tokens.end(), is_other);
+bool ElementLine::no_number_follows() const {
+    const auto is_like_number = [](Token token) {
+        return std::string_view("+-.0123456789").find(token.text.front()) != std::string_view::npos;
+    };
+    return !strict() && !at_end() && std::ranges::none_of(rest(), is_like_number);
+}
+
+std::ptrdiff_t ElementLine::triples_follow() const {
+    return std::ranges::count_if(
+        rest(), [](Token token) { return commas(token.text) == 2 && !is_option(token.text); });
+}
+
+std::optional<Token> ElementLine::last_word_before_triple() const {
+    std::optional<Token> last;
+    for (const Token token : rest()) {
+        if (commas(token.text) > 0 || is_option(token.text)) break;
+        if (is_word(token.text) && std::ranges::any_of(token.text, is_letter)) last = token;
+    }
+    return last;
 }
 
 bool ElementLine::words_without_triple() const {
-    const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
     const auto has_comma = [](Token token) { return commas(token.text) > 0; };
-    const auto is_word = [](Token token) {
-        return token.text.find_first_not_of("+-.0123456789eE") != std::string_view::npos &&
-               !is_option(token.text);
-    };
-    return std::none_of(rest, line_.tokens.end(), has_comma) &&
-           std::any_of(rest, line_.tokens.end(), is_word);
+    const auto is_name = [](Token token) { return is_word(token.text) && !is_option(token.text); };
+    return std::ranges::none_of(rest(), has_comma) && std::ranges::any_of(rest(), is_name);
 }
 
 bool ElementLine::color_follows() {
@@ -192,10 +207,7 @@ void ElementLine::skip_to_color(std::string_view field) {
     const auto may_be_color = [](Token token) {
         return commas(token.text) > 0 || is_hexadecimal(token.text);
     };
-    const auto color_is_left = [&] {
-        const auto rest = line_.tokens.begin() + static_cast<std::ptrdiff_t>(next_);
-        return std::any_of(rest, line_.tokens.end(), may_be_color);
-    };
+    const auto color_is_left = [&] { return std::ranges::any_of(rest(), may_be_color); };
     if (!at_end() && !color_is_left()) take_color_from_comment();
     if (!color_is_left()) return;
     for (; !may_be_color(peek_field()); ++next_) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,9 +33,9 @@ public:
     /// for any other value. Call it only after all fields.
     [[nodiscard]] int choice(std::string_view key, std::initializer_list<std::string_view> values);
 
-    /// Returns whether only words `key:value` follow, so that lenient reading does not consume a
-    /// field.
-    [[nodiscard]] bool only_options_follow() const;
+    /// Returns whether words follow, and none of them starts with a digit, a sign or a point, so
+    /// that lenient reading does not consume a field.
+    [[nodiscard]] bool no_number_follows() const;
 
     /// Returns whether the next field is a triple or a color `#rrggbb`. Lenient reading accepts
     /// blanks around the commas of a triple.
@@ -71,6 +72,15 @@ protected:
     /// only after all fields.
     [[nodiscard]] std::optional<std::array<Token, 3>> option_triple(std::string_view key);
 
+    /// The number of words that follow with two commas, options left out.
+    [[nodiscard]] std::ptrdiff_t triples_follow() const;
+
+    /// The last word with a letter, other than a number, before the next word with a comma.
+    [[nodiscard]] std::optional<Token> last_word_before_triple() const;
+
+    /// Ignores the rest of the line.
+    void skip_rest() { next_ = line_.tokens.size(); }
+
     /// Returns whether the rest of the line has no comma, and has a word that is neither a number
     /// nor `key:value`.
     [[nodiscard]] bool words_without_triple() const;
@@ -91,6 +101,9 @@ protected:
     [[nodiscard]] Token end_of_line() const;
 
 private:
+    [[nodiscard]] std::span<const Token> rest() const {
+        return std::span(line_.tokens).subspan(next_);
+    }
     [[nodiscard]] std::size_t words_around_commas() const;
     [[nodiscard]] Token peek_field() const;
     void take_color_from_comment();

@@ -10,9 +10,10 @@ inline namespace RT_PRECISION {
 namespace {
 
 void read_resolution(Fields& fields, const ElementReading&, Scene& scene) {
-    if (fields.only_options_follow()) return;
-    const int width = fields.pixels("width");
-    scene.resolution = {.width = width, .height = fields.pixels("height")};
+    if (fields.no_number_follows()) return;
+    const std::optional<int> width = fields.pixels("width");
+    const std::optional<int> height = fields.pixels("height");
+    if (width && height) scene.resolution = {.width = *width, .height = *height};
 }
 
 void read_ambient(Fields& fields, const ElementReading&, Scene& scene) {
@@ -69,8 +70,9 @@ Material read_material(Fields& fields) {
 void read_sphere(Fields& fields, const ElementReading&, Scene& scene) {
     const Vec3 center = fields.point("position");
     const Real radius = fields.length("diameter") / 2;
-    scene.spheres.push_back(
-        {.shape = {.center = center, .radius = radius}, .material = read_material(fields)});
+    const Material material = read_material(fields);
+    if (fields.is_left_out()) return;
+    scene.spheres.push_back({.shape = {.center = center, .radius = radius}, .material = material});
 }
 
 void read_plane(Fields& fields, const ElementReading&, Scene& scene) {
@@ -141,8 +143,9 @@ void read_box(Fields& fields, const ElementReading& reading, Scene& scene) {
 }
 
 void read_mesh(Fields& fields, const ElementReading& reading, Scene& scene) {
-    MeshRequest mesh{.place = fields.place(), .file = fields.word("file")};
+    MeshRequest mesh{.place = fields.place(), .file = fields.file("file")};
     mesh.placement.translation = fields.point("position");
+    if (fields.is_other_layout("scale")) return;
     mesh.placement.scale = fields.length("scale");
     mesh.material = read_material(fields);
     mesh.placement.rotation = to_our_axes(

@@ -12,14 +12,14 @@ inline namespace RT_PRECISION {
 
 namespace {
 
-/// Returns whether 0 ≤ number ≤ bound for the number as written; −0 is 0.
-bool within(const Decimal& number, int bound) {
-    const bool below = std::signbit(number.value) && exceeds(number, 0);
-    return !below && !exceeds(number, bound);
+/// Returns whether the number as written is below 0; −0 is not.
+bool negative(const Decimal& number) {
+    return std::signbit(number.value) && exceeds(number, 0);
 }
 
-bool positive(const Decimal& number) {
-    return !std::signbit(number.value) && exceeds(number, 0);
+/// Returns whether 0 ≤ number ≤ bound for the number as written; −0 is 0.
+bool within(const Decimal& number, int bound) {
+    return !negative(number) && !exceeds(number, bound);
 }
 
 std::string component_of(const std::string& name) {
@@ -51,21 +51,35 @@ Vec3 Fields::lengths(std::string_view field) {
 }
 
 Real Fields::ratio(std::string_view field) {
-    return up_to(1, take_word(field), field);
+    return up_to(1, take_word(field), what(field));
 }
 
-std::string Fields::word(std::string_view field) {
-    return std::string(take_word(field).text);
+std::string Fields::file(std::string_view field) {
+    const Token first = take_word(field);
+    const std::optional<Token> last = last_word_before_triple();
+    if (last) refuse(joined(first, *last), what(field) + " must have a name without blanks");
+    return std::string(first.text);
+}
+
+bool Fields::is_other_layout(std::string_view number) {
+    if (strict() || triples_follow() < 2) return false;
+    const Token token = take_word(number);
+    doubt(token, "other layout " + what(number),
+          what(number) + " must be a decimal number, not " + quoted(token.text),
+          "the line is ignored");
+    skip_rest();
+    return true;
 }
 
 Real Fields::ratio_option(std::string_view key, Real otherwise) {
     const auto token = option(key);
-    return token ? up_to(1, *token, key) : otherwise;
+    return token ? up_to(1, *token, what(key)) : otherwise;
 }
 
 Real Fields::length_option(std::string_view key, Real otherwise) {
     const auto token = option(key);
-    return token ? length_of(*token, what(key)) : otherwise;
+    if (!token) return otherwise;
+    return positive_length(*token, what(key), "it is ignored").value_or(otherwise);
 }
 
 Vec3 Fields::direction_option(std::string_view key, Vec3 otherwise) {
@@ -80,22 +94,25 @@ Real Fields::angle(std::string_view field) {
     }
     // π rounded to float is greater than π, and the tangent of its half is negative.
     const Real largest = std::nextafter(pi, Real(0));
-    return std::min(up_to(180, take_word(field), field) * pi / 180, largest);
+    return std::min(up_to(180, take_word(field), what(field)) * pi / 180, largest);
 }
 
 Color Fields::color(std::string_view field) {
     skip_to_color(field);
     if (hexadecimal_follows()) return hexadecimal_color(field);
     if (word_for_color(field)) return Color(1);
-    const Triple read = triple(field);
+    const std::array<Token, 3> parts = take_triple(field);
     const std::string name = component_of(what(field));
-    for (std::size_t i = 0; i < read.parts.size(); ++i) {
-        if (!within(read.numbers[i], 255)) refuse(read.parts[i], name + " must be from 0 to 255");
-        if (read.numbers[i].whole) continue;
-        doubt(read.parts[i], "whole color",
-              name + " must be a whole number, not " + quoted(read.parts[i].text), "it is kept");
+    Color color(0);
+    for (int i = 0; i < 3; ++i) {
+        const Token part = parts[std::size_t(i)];
+        const Decimal number = decimal(part, name);
+        color[i] = up_to(255, number, part, name) / 255;
+        if (number.whole) continue;
+        doubt(part, "whole color", name + " must be a whole number, not " + quoted(part.text),
+              "it is kept");
     }
-    return read.value / Real(255);
+    return color;
 }
 
 /// Consumes a word `#rrggbb` or `#rgb`. Strict reading refuses it.
@@ -138,13 +155,24 @@ Color Fields::color_or_white() {
     return Color(1);
 }
 
-int Fields::pixels(std::string_view field) {
+std::optional<int> Fields::pixels(std::string_view field) {
+    const auto ignore_line = [this](Token token, const std::string& why) {
+        doubt(token, "no resolution", why, "the line is ignored");
+        return std::nullopt;
+    };
+    if (at_end()) return ignore_line(end_of_line(), missing(field));
     const Token token = take_word(field);
     const auto number = parse_decimal(token.text);
-    if (!number || !number->whole || !positive(*number)) {
-        refuse(token, what(field) + " must be a positive whole number");
-    }
-    if (!exceeds(*number, largest_side)) return static_cast<int>(number->value);
+    const std::string rule = what(field) + " must be a positive whole number";
+    if (!number || negative(*number)) refuse(token, rule);
+    const std::string not_this = rule + ", not " + quoted(token.text);
+    if (!exceeds(*number, 0)) return ignore_line(token, not_this);
+    const int nearest = exceeds(*number, largest_side)
+                            ? largest_side
+                            : std::max(1, static_cast<int>(std::lround(number->value)));
+    if (!number->whole)
+        doubt(token, "whole resolution", not_this, "it is " + std::to_string(nearest));
+    if (!exceeds(*number, largest_side)) return nearest;
     warn(token, "resolution",
          what(field) + " is clipped from " + quoted(token.text) + " to " +
              std::to_string(largest_side));
@@ -154,13 +182,17 @@ int Fields::pixels(std::string_view field) {
 Decimal Fields::decimal(Token token, const std::string& name) {
     const auto number = parse_decimal(token.text);
     if (!number) refuse(token, name + " must be a decimal number");
-    if (std::isinf(Real(number->value)))
-        refuse(token, name + " must be small enough to compute with");
     if (number->scientific) {
         doubt(token, "exponent", quoted(token.text) + " has an exponent: expected a plain decimal",
               "it is read");
     }
     return *number;
+}
+
+Real Fields::real(const Decimal& number, Token token, const std::string& name) const {
+    if (std::isinf(Real(number.value)))
+        refuse(token, name + " must be small enough to compute with");
+    return Real(number.value);
 }
 
 Fields::Triple Fields::triple(std::string_view field) {
@@ -169,10 +201,11 @@ Fields::Triple Fields::triple(std::string_view field) {
 
 Fields::Triple Fields::triple_of(const std::array<Token, 3>& parts, std::string_view field) {
     Triple read{.parts = parts, .numbers = {}, .value = Vec3(0)};
+    const std::string name = component_of(what(field));
     for (std::size_t i = 0; i < read.parts.size(); ++i) {
-        read.numbers[i] = decimal(read.parts[i], component_of(what(field)));
+        read.numbers[i] = decimal(read.parts[i], name);
+        read.value[int(i)] = real(read.numbers[i], read.parts[i], name);
     }
-    for (int i = 0; i < 3; ++i) read.value[i] = Real(read.numbers[std::size_t(i)].value);
     return read;
 }
 
@@ -189,12 +222,23 @@ Vec3 Fields::direction_of(const Triple& read, std::string_view field) {
 }
 
 Real Fields::length_of(Token token, const std::string& name) {
+    const auto length = positive_length(token, name, "the shape is left out");
+    if (!length) left_out_ = true;
+    return length.value_or(1);
+}
+
+/// A length whose half is positive. One that is zero, or lost by rounding, is nothing; strict
+/// reading refuses it.
+std::optional<Real> Fields::positive_length(Token token, const std::string& name,
+                                            const std::string& remedy) {
     const Decimal number = decimal(token, name);
-    if (!positive(number)) refuse(token, name + " must be positive");
-    const auto length = Real(number.value);
-    const bool vanishes = length / 2 == 0;
-    if (vanishes) refuse(token, name + " must be large enough to compute with");
-    return length;
+    if (negative(number)) refuse(token, name + " must be positive");
+    const Real length = real(number, token, name);
+    if (length / 2 > 0) return length;
+    const char* const rule =
+        exceeds(number, 0) ? " must be large enough to compute with" : " must be positive";
+    doubt(token, "no " + name, name + rule + ", not " + quoted(token.text), remedy);
+    return std::nullopt;
 }
 
 /// A unit direction, or nothing if it is zero. Strict reading requires components from −1 to 1, as
@@ -208,11 +252,18 @@ std::optional<Vec3> Fields::unit_direction(const Triple& read, std::string_view 
     return unit(read.value);
 }
 
-/// A number from 0 to the bound, inclusive.
-Real Fields::up_to(int bound, Token token, std::string_view field) {
-    const Decimal number = decimal(token, what(field));
+Real Fields::up_to(int bound, Token token, const std::string& name) {
+    return up_to(bound, decimal(token, name), token, name);
+}
+
+/// A number from 0 to the bound, inclusive. Strict reading refuses any other.
+Real Fields::up_to(int bound, const Decimal& number, Token token, const std::string& name) {
     if (within(number, bound)) return Real(number.value);
-    refuse(token, what(field) + " must be from 0 to " + std::to_string(bound));
+    const int nearest = negative(number) ? 0 : bound;
+    doubt(token, "range of " + name,
+          name + " must be from 0 to " + std::to_string(bound) + ", not " + quoted(token.text),
+          "it is " + std::to_string(nearest));
+    return Real(nearest);
 }
 
 }  // namespace RT_PRECISION

@@ -3,11 +3,14 @@
 #include "common/scene_file/elements.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/input_file.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace rt {
 inline namespace RT_PRECISION {
@@ -119,6 +122,16 @@ Vec3 axis_to_most_shapes(const Scene& scene, Vec3 from) {
     return axis;
 }
 
+/// Returns whether the line begins as one of a scene does: with a keyword, and a number or a
+/// triple.
+bool is_like_element(const std::vector<Token>& words) {
+    const std::string_view keyword = words.front().text;
+    if (words.size() < 2 || find_element(keyword) == nullptr) return false;
+    const std::string_view field = words[1].text;
+    const bool triple = field.find(',') != std::string_view::npos;
+    return keyword == "R" || keyword == "A" ? !triple : triple || keyword == "mesh";
+}
+
 /// A remark for the error of a file that seems to have another format.
 std::string foreign_remark(std::string_view text) {
     int lines = 0;
@@ -127,12 +140,22 @@ std::string foreign_remark(std::string_view text) {
     while (const auto line = all.next()) {
         if (line->tokens.empty()) continue;
         ++lines;
-        if (find_element(line->tokens.front().text) != nullptr) ++known;
+        if (is_like_element(line->tokens)) ++known;
     }
-    constexpr int few = 3;
-    if (lines < few || 2 * known >= lines) return "";
+    if (2 * known >= lines) return "";
     return std::to_string(lines - known) + " of " + std::to_string(lines) +
-           " lines begin with a word that no scene has: is this another format?";
+           " lines are none of a scene: is this another format?";
+}
+
+/// Throws InputError if the file's name is that of a mesh.
+void refuse_mesh(const std::string& file) {
+    const std::filesystem::path path(file);
+    constexpr std::array<std::string_view, 4> endings = {".off", ".obj", ".ply", ".stl"};
+    if (std::ranges::find(endings, lower_case(path.extension().string())) == endings.end()) return;
+    const std::string name = path.filename().string();
+    const bool has_blanks = name.find_first_of(blanks) != std::string::npos;
+    throw InputError({file}, "this is a mesh: name it in a scene, as in \"mesh " +
+                                 (has_blanks ? "FILE" : name) + " 0,0,0 1 200,200,200\"");
 }
 
 /// Reads the elements of one file, and records the first location of each keyword.
@@ -217,18 +240,31 @@ Scene read_elements(std::string_view text, const ElementReading& reading, SceneR
 
 Scene parse_scene(std::string_view text, const std::string& file, BasisAround* basis,
                   const SceneReading& reading) {
-    SceneReport report(file, reading);
+    std::vector<std::string> warnings;  // which a file of another format would fill a screen with
+    SceneReading kept = reading;
+    if (reading.warn)
+        kept.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
+    const auto print_warnings = [&] {
+        for (const std::string& warning : warnings) reading.warn(warning);
+    };
+    SceneReport report(file, kept);
     check_is_text(text, report);
     try {
-        return read_elements(text, {with_directives(text, reading, report), basis}, report);
+        Scene scene = read_elements(text, {with_directives(text, kept, report), basis}, report);
+        print_warnings();
+        return scene;
     } catch (const InputError& error) {
         const std::string remark = foreign_remark(text);
-        throw remark.empty() ? error : error.with(remark);
+        if (!remark.empty()) throw error.with(remark);
+        print_warnings();
+        throw;
     }
 }
 
 Scene load_scene(const std::string& file, BasisAround* basis, const SceneReading& reading) {
-    return parse_scene(read_input_file(file, largest_file), file, basis, reading);
+    const std::string text = read_input_file(file, largest_file);
+    refuse_mesh(file);
+    return parse_scene(text, file, basis, reading);
 }
 
 }  // namespace RT_PRECISION

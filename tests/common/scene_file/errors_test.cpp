@@ -53,11 +53,8 @@ std::string load_refusal(const std::string& file) {
 TEST_CASE("wrong in lenient and in strict reading") {
     const std::vector<Wrong> all = {
         {"sp 0,0,0 -2 1,2,3", R"(10: error: a sphere's diameter must be positive, not "-2")"},
-        {"sp 0,0,0 0.0 1,2,3", R"(10: error: a sphere's diameter must be positive, not "0.0")"},
-        {"sq 0,0,0 0,1,0 0 1,2,3", R"(16: error: a square's side must be positive, not "0")"},
         {"cy 0,0,0 0,1,0 1 -1 1,2,3",
          R"(18: error: a cylinder's height must be positive, not "-1")"},
-        {"co 0,0,0 0,1,0 -0 1 1,2,3", R"(16: error: a cone's diameter must be positive, not "-0")"},
         {"tr 0,0,0 1,1 1,0,0 1,2,3",
          R"(10: error: a triangle's second corner must be three numbers as in 1,2,3, not "1,1")"},
         {"sp 1,2,3,4 1 1,2,3",
@@ -72,14 +69,6 @@ TEST_CASE("wrong in lenient and in strict reading") {
          R"(12: error: a sphere's color must be three numbers as in 1,2,3, not "255")"},
         {"sp 0,0,zero 1 1,2,3",
          R"(8: error: each component of a sphere's position must be a decimal number, not "zero")"},
-        {"sp 0,0,0 1 0,256,0",
-         R"(14: error: each component of a sphere's color must be from 0 to 255, not "256")"},
-        {"sp 0,0,0 1 0,-1,0",
-         R"(14: error: each component of a sphere's color must be from 0 to 255, not "-1")"},
-        {"A 20 1,2,3", R"(3: error: the ambient light's ratio must be from 0 to 1, not "20")"},
-        {"L 0,0,0 -0.1 1,2,3", R"(9: error: a light's brightness must be from 0 to 1, not "-0.1")"},
-        {"c 0,0,0 0,0,1 181",
-         R"(15: error: a camera's field of view must be from 0 to 180, not "181")"},
         {"c 0,0,0",
          R"(8: error: a camera's direction is missing: expected "c position direction fov")"},
         {"sp 0,0,0 1 255 1",
@@ -94,17 +83,20 @@ TEST_CASE("wrong in lenient and in strict reading") {
          R"(30: error: a square's sides must be 2 or 1, not "3")"},
         {"sq 0,0,0 0,1,0 1 1,2,3 sides:", R"(30: error: a square's sides must be 2 or 1, not "")"},
         {"sky 1,2,3", R"(10: error: the sky's top color is missing: expected "sky color color")"},
-        {"sky 1,2,256 1,2,3",
-         R"(9: error: each component of the sky's bottom color must be from 0 to 255, not "256")"},
         {"sky 1,2,3 0.5",
          R"(11: error: the sky's top color must be three numbers as in 1,2,3, not "0.5")"},
-        {"R 0 480", R"(3: error: the resolution's width must be a positive whole number, not "0")"},
         {"R 640 -1",
          R"(7: error: the resolution's height must be a positive whole number, not "-1")"},
-        {"R 640. 480",
-         R"(3: error: the resolution's width must be a positive whole number, not "640.")"},
-        {"R 640 4e2",
-         R"(7: error: the resolution's height must be a positive whole number, not "4e2")"},
+        {"R 640x480 1",
+         R"(3: error: the resolution's width must be a positive whole number, not "640x480")"},
+        {"mesh my model.obj 0,0,0 1 1,2,3",
+         R"(6: error: a mesh's file must have a name without blanks, not "my model.obj")"},
+        {"mesh the 2 new  cats.off 0,0,0 1 1,2,3 dir:0,1,0",
+         R"(6: error: a mesh's file must have a name without blanks, not "the 2 new  cats.off")"},
+        {"mesh a.off 0 0 0 1 1,2,3",
+         R"(12: error: a mesh's position must be three numbers as in 1,2,3, not "0")"},
+        {"mesh a.off 0,0,0 1,2,3",
+         R"(18: error: a mesh's scale must be a decimal number, not "1,2,3")"},
     };
     for (const Wrong& wrong : all) {
         // Lenient reading accepts a second R only there; elsewhere it is the only one.
@@ -135,6 +127,7 @@ TEST_CASE("numbers out of range: too large is an error, and so is a length that 
           "compute with, not \"" +
               huge.substr(0, 40) + "...\"");
     const std::string tiny = "." + std::string(400, '0') + "1";
+    CHECK(lenient(camera + "sp 0,0,0 " + tiny + " 1,2,3").scene.spheres.empty());
     CHECK(strict_refusal(with_camera("sp 0,0,0 " + tiny + " 1,2,3")) ==
           "scene.rt:3:10: error: a sphere's diameter must be large enough to compute with, not \"" +
               tiny.substr(0, 40) + "...\"");
@@ -142,9 +135,11 @@ TEST_CASE("numbers out of range: too large is an error, and so is a length that 
           "scene.rt:3:8: error: each component of a sphere's position must be small enough to "
           "compute with, not \"1e99999999999999999999\"");
     using Words = std::vector<std::string>;
-    for (const std::string& zero : Words{"0", "-0.0", "0e99999999999999999999", "-" + tiny})
-        CHECK(lenient_refusal(with_camera("sp 0,0,0 " + zero + " 1,2,3"))
+    for (const std::string& zero : Words{"0", "-0.0", "-" + tiny})
+        CHECK(strict_refusal(with_camera("sp 0,0,0 " + zero + " 1,2,3"))
                   .starts_with("scene.rt:3:10: error: a sphere's diameter must be positive, not "));
+    CHECK(lenient_refusal(with_camera("sp 0,0,0 -" + tiny + " 1,2,3")) != "accepted");
+    CHECK(lenient(camera + "sp 0,0,0 0e99999999999999999999 1,2,3").scene.spheres.empty());
     CHECK(lenient_refusal(with_camera("sp 0,0,0e99999999999999999999 1 1,2,3")) == "accepted");
     CHECK(lenient_refusal(with_camera("sp 0,0,1e-99999999999999999999 1 1,2,3")) == "accepted");
 }
@@ -158,25 +153,26 @@ TEST_CASE("a base-anchored cylinder whose center is out of range") {
 
 TEST_CASE("ranges are judged by the digits, not by the nearest float or double") {
     const std::string above_one = "1." + std::string(100, '0') + "1";
-    for (const std::string& text : {above_one, "1" + above_one.substr(2) + "e-101"})
-        CHECK(lenient_refusal(with_camera("A " + text + " 1,2,3")) ==
-              "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
-                  text.substr(0, 40) + "...\"");
+    const std::string rule = "the ambient light's ratio must be from 0 to 1, not \"";
+    CHECK(strict_refusal(with_camera("A " + above_one + " 1,2,3")) ==
+          "scene.rt:3:3: error: " + rule + above_one.substr(0, 40) + "...\"");
+    const std::string scientific = "1" + above_one.substr(2) + "e-101";
+    CHECK(lenient(camera + "A " + scientific + " 1,2,3").warnings.at(1) ==
+          "scene.rt:2:3: warning: " + rule + scientific.substr(0, 40) + "...\"; it is 1");
     const std::string nines(100, '9');
     CHECK(strict_refusal(with_camera("A 0." + nines + " 1,2,3")) == "accepted");
     CHECK(lenient_refusal("C 0,0,0 1,0,0 179." + nines) == "accepted");
-    CHECK(lenient_refusal("C 0,0,0 1,0,0 18" + above_one.substr(2) + "e-100") != "accepted");
+    CHECK(lenient("C 0,0,0 1,0,0 18" + above_one.substr(2) + "e-100").warnings.size() == 2);
     CHECK(strict_refusal(with_camera("A 1." + std::string(100, '0') + " 1,2,3")) == "accepted");
     CHECK(strict_refusal(with_camera("A -0.0 1,2,3")) == "accepted");
     for (const std::string below_zero : {"-1e-300", "-1e-400"})  // the second rounds to −0
-        CHECK(lenient_refusal(with_camera("A " + below_zero + " 1,2,3")) ==
-              "scene.rt:3:3: error: the ambient light's ratio must be from 0 to 1, not \"" +
-                  below_zero + "\"");
+        CHECK(lenient(camera + "A " + below_zero + " 1,2,3").warnings.at(1) ==
+              "scene.rt:2:3: warning: " + rule + below_zero + "\"; it is 0");
     CHECK(strict_refusal("C 0,0,0 1.00000000001,0,0 60") ==
           "scene.rt:1:9: error: each component of a camera's direction must be from -1 to 1, not "
           "\"1.00000000001\"");
     CHECK(lenient_refusal("C 0,0,0 1.00000000001,0,0 60") == "accepted");
-    CHECK(lenient_refusal("C 0,0,0 1,0,0 180.00000000001") ==
+    CHECK(strict_refusal("C 0,0,0 1,0,0 180.00000000001") ==
           "scene.rt:1:15: error: a camera's field of view must be from 0 to 180, not "
           "\"180.00000000001\"");
 }
@@ -241,6 +237,27 @@ TEST_CASE("strict reading refuses everything that lenient reading warns of") {
          R"(17: error: "7,8,9" is one word too many for the sky: expected "sky color color")"},
         {"sky 1,2,3 4,5,6.5",
          R"(15: error: each component of the sky's top color must be a whole number, not "6.5")"},
+        {"sp 0,0,0 0.0 1,2,3", R"(10: error: a sphere's diameter must be positive, not "0.0")"},
+        {"sq 0,0,0 0,1,0 0 1,2,3", R"(16: error: a square's side must be positive, not "0")"},
+        {"co 0,0,0 0,1,0 -0 1 1,2,3", R"(16: error: a cone's diameter must be positive, not "-0")"},
+        {"sp 0,0,0 1 0,256,0",
+         R"(14: error: each component of a sphere's color must be from 0 to 255, not "256")"},
+        {"sp 0,0,0 1 0,-1,0",
+         R"(14: error: each component of a sphere's color must be from 0 to 255, not "-1")"},
+        {"A 20 1,2,3", R"(3: error: the ambient light's ratio must be from 0 to 1, not "20")"},
+        {"L 0,0,0 -0.1 1,2,3", R"(9: error: a light's brightness must be from 0 to 1, not "-0.1")"},
+        {"sky 1,2,256 1,2,3",
+         R"(9: error: each component of the sky's bottom color must be from 0 to 255, not "256")"},
+        {"c 0,0,0 0,0,1 181",
+         R"(15: error: a camera's field of view must be from 0 to 180, not "181")"},
+        {"box 0,0,0 0,1,0 1,0,1 1,2,3",
+         R"(19: error: each component of a box's size must be positive, not "0")"},
+        {"mesh a.off 0,0,0 0 1,2,3", R"(18: error: a mesh's scale must be positive, not "0")"},
+        {"mesh a.off 0,0,0 1,0,0 0,0,1 30 1",
+         R"(18: error: a mesh's scale must be a decimal number, not "1,0,0")"},
+        {"L 0,0,0 1 1,2,3 radius:0", R"(24: error: a light's radius must be positive, not "0")"},
+        {"sp 0,0,0 1 1,2,3 mirror:1.5",
+         R"(25: error: a sphere's mirror must be from 0 to 1, not "1.5")"},
         {"C 0,0,0 0,0,1 60", R"(1: error: a second "C": expected one)"},
         {" R 1 1", R"(2: error: a second "R": expected one)"},
         {"# rt: fov=wide",
@@ -261,25 +278,52 @@ TEST_CASE("strict reading requires the R of the older dialect, whose camera is c
 
 TEST_CASE("a file of another program is recognized") {
     const std::string obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    const std::string remark =
-        " (5 of 5 lines begin with a word that no scene has: is this another format?)";
+    const std::string remark = " (5 of 5 lines are none of a scene: is this another format?)";
     CHECK(lenient_refusal(obj) ==
           "scene.rt: error: no camera: expected a line \"C position direction fov\"" + remark);
     CHECK(strict_refusal(obj).ends_with("cy co box mesh" + remark));
-    // A foreign line may contain a word of this format.
+    // A foreign line may begin with a word of this format.
     CHECK(lenient_refusal("CAM 1\nlookat 0 0 0\nnewmtl a\nC white\n")
-              .ends_with("not \"white\" (3 of 4 lines begin with a word that no scene has: is this "
-                         "another format?)"));
+              .ends_with("not \"white\" (4 of 4 lines are none of a scene: is this another "
+                         "format?)"));
+    CHECK(lenient_refusal("sp 0 0 0 1 255 0 0\nc 0 0 5\n").ends_with("is this another format?)"));
+    CHECK(lenient_refusal("{\"camera\": [0, 0, 5]}").ends_with("is this another format?)"));
     CHECK(lenient_refusal("C 0,0,0 0,0,-1 60\nsp 0,0,0 x\na\n").ends_with("not \"x\""));
 }
 
+TEST_CASE("a file of another program is refused by one line, without its warnings") {
+    std::vector<std::string> warnings;
+    const SceneReading reading{
+        .warn = [&warnings](const std::string& warning) { warnings.push_back(warning); }};
+    CHECK_THROWS_AS(
+        parse_scene("v 0 0 0\nvn 1 0 0\nf 1 2 3\n", "a.obj", orthonormal_basis, reading),
+        InputError);
+    CHECK(warnings.empty());
+    CHECK_THROWS_AS(
+        parse_scene(camera + "cube 1\nsp 0,0,0 x\n", "a.rt", orthonormal_basis, reading),
+        InputError);
+    CHECK(warnings.size() == 1);
+}
+
+TEST_CASE("a mesh in place of a scene is named as such") {
+    const Folder folder;
+    const std::string mesh = folder.write("teapot.OBJ", "v 0 0 0\n");
+    CHECK(load_refusal(mesh) == mesh +
+                                    ": error: this is a mesh: name it in a scene, as in "
+                                    "\"mesh teapot.OBJ 0,0,0 1 200,200,200\"");
+    for (const std::string name : {"a.off", "a.ply", "a b.stl"})
+        CHECK(load_refusal(folder.write(name, std::string("ply\0", 4)))
+                  .find("this is a mesh: name it in a scene") != std::string::npos);
+    CHECK(load_refusal((folder.path / "none.obj").string()).ends_with("no such file"));
+}
+
 TEST_CASE("a message quotes neither control characters nor long words") {
-    CHECK(strict_refusal("\x1B[31m" + std::string(100, 'a')) ==
-          "scene.rt:1:1: error: \"\\x1B[31m" + std::string(35, 'a') +
+    CHECK(strict_refusal(camera + "\x1B[31m" + std::string(100, 'a')) ==
+          "scene.rt:2:1: error: \"\\x1B[31m" + std::string(35, 'a') +
               "...\" must be one of R A C c L l sky sp pl tr sq cy co box mesh");
     CHECK(
-        strict_refusal("sph\xC3\xA8re") ==
-        "scene.rt:1:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sky sp pl tr sq cy co "
+        strict_refusal(camera + "sph\xC3\xA8re") ==
+        "scene.rt:2:1: error: \"sph\\xC3\\xA8re\" must be one of R A C c L l sky sp pl tr sq cy co "
         "box mesh");
 }
 

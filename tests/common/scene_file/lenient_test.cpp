@@ -172,8 +172,85 @@ TEST_CASE("lenient reading ignores an R of which all words are key:value") {
     CHECK(read.scene.resolution.height == 480);
     CHECK(read.warnings.size() == 2);
     CHECK(lenient_refusal(camera + "R samples:16 4") != "accepted");
-    CHECK(lenient_refusal(camera + "R") != "accepted");
     CHECK(lenient_refusal(camera + "R 16:4") != "accepted");
+}
+
+TEST_CASE("lenient reading ignores an R that gives no size") {
+    for (const auto& [line, why] :
+         {std::pair<std::string, std::string>{
+              "R", "2: warning: the resolution's width is missing: expected \"R width height\""},
+          {"R 420", "6: warning: the resolution's height is missing: expected \"R width height\""},
+          {"R 0 480",
+           "3: warning: the resolution's width must be a positive whole number, not \"0\""},
+          {"R 640 00",
+           "7: warning: the resolution's height must be a positive whole number, not \"00\""}}) {
+        const Lenient read = lenient(camera + line);
+        CHECK(read.scene.resolution.width == 640);
+        CHECK(read.scene.resolution.height == 480);
+        CHECK(read.warnings ==
+              std::vector<std::string>{"scene.rt:2:" + why + "; the line is ignored"});
+    }
+    CHECK(lenient(camera + "R full screen").scene.resolution.width == 640);
+}
+
+TEST_CASE("lenient reading takes the nearest number for one out of range") {
+    const Lenient read = lenient(
+        "A 20 300,-1,0\n"
+        "C 0,0,0 0,0,-1 181\n"
+        "C 0,0,0 0,0,-1 -1e-9\n"
+        "L 0,0,0 600 1,2,3\n"
+        "L 0,0,0 -0.1 255,255,256\n"
+        "R 10.4 0.1\n"
+        "sp 0,0,0 1 0,0,0 mirror:1.5 spec:-1\n");
+    CHECK(read.scene.ambient->ratio == 1);
+    CHECK(read.scene.ambient->color == Color(1, 0, 0));
+    CHECK(read.scene.cameras.at(0).fov > Real(3.14));
+    CHECK(read.scene.cameras.at(1).fov == 0);
+    CHECK(read.scene.lights.at(0).brightness == 1);
+    CHECK(read.scene.lights.at(1).brightness == 0);
+    CHECK(read.scene.lights.at(1).color == Color(1));
+    CHECK(read.scene.resolution.width == 10);
+    CHECK(read.scene.resolution.height == 1);
+    CHECK(read.scene.spheres.at(0).material.mirror == 1);
+    CHECK(read.scene.spheres.at(0).material.specular == 0);
+    CHECK(read.warnings.at(0) ==
+          "scene.rt:1:3: warning: the ambient light's ratio must be from 0 to 1, not \"20\"; it is "
+          "1");
+    CHECK(lenient(camera + "A 1" + std::string(320, '0') + " 255,1" + std::string(320, '0') + ",0")
+              .scene.ambient->color == Color(1, 1, 0));
+}
+
+TEST_CASE("lenient reading leaves out what has no size, and only that") {
+    const Lenient read = lenient(camera +
+                                 "sp 0,0,0 0 1,2,3\n"
+                                 "sq 0,0,0 0,1,0 0.0 1,2,3\n"
+                                 "cy 0,0,0 0,1,0 0 1 1,2,3\n"
+                                 "cy 0,0,0 0,1,0 1 0 1,2,3\n"
+                                 "cy 0,0,0 0,1,0 1,2,3 1 -0\n"
+                                 "co 0,0,0 0,1,0 1 0 1,2,3\n"
+                                 "box 0,0,0 0,1,0 1,0,1 1,2,3\n"
+                                 "mesh a.off 0,0,0 0 1,2,3\n"
+                                 "sp 0,0,0 1 1,2,3 shin:0\n"
+                                 "L 0,0,0 1 1,2,3 radius:0\n");
+    CHECK(read.scene.spheres.size() == 1);
+    CHECK(read.scene.spheres.at(0).material.shininess == 32);
+    CHECK(read.scene.squares.size() + read.scene.cylinders.size() + read.scene.cones.size() == 0);
+    CHECK(read.scene.boxes.size() + read.scene.mesh_requests.size() == 0);
+    CHECK(read.scene.lights.at(0).radius == 0);
+    CHECK(read.warnings.size() == 9);  // of a cylinder's height once
+    CHECK(read.warnings.at(0) ==
+          "scene.rt:2:10: warning: a sphere's diameter must be positive, not \"0\"; the shape is "
+          "left out");
+}
+
+TEST_CASE("lenient reading ignores a mesh in another program's layout") {
+    const Lenient read = lenient(camera +
+                                 "mesh a.obj 30,-30,-50 0.5,-0.5,0 0,0,1 35 1\n"
+                                 "mesh b.obj 0,0,0 1 1,2,3 dir:0,1,0\n");
+    CHECK(read.scene.mesh_requests.size() == 1);
+    CHECK(read.warnings == std::vector<std::string>{
+                               "scene.rt:2:23: warning: a mesh's scale must be a decimal number, "
+                               "not \"0.5,-0.5,0\"; the line is ignored"});
 }
 
 TEST_CASE("lenient reading takes light without a color for white") {

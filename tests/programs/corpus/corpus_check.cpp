@@ -18,7 +18,7 @@ namespace {
 constexpr double strict_bar = 99;
 /// The required percentage of accepted files in lenient reading, for files that are not wrong on
 /// purpose.
-constexpr double lenient_bar = 90;
+constexpr double lenient_bar = 95;
 
 struct Count {
     int accepted = 0;
