@@ -1,9 +1,7 @@
 #include "common/image/animation.hpp"
 
-#include "common/system/input_error.hpp"
+#include "common/image/encode_png.hpp"
 #include "common/system/whole_file.hpp"
-
-#include <png.h>
 
 #include <zlib.h>
 
@@ -30,22 +28,6 @@ std::string chunk(std::string_view type, const std::string& data) {
            bytes(std::uint32_t(crc32(0, first, uInt(body.size()))));
 }
 
-/// The whole PNG file of a picture.
-std::string png_of(const Image& image) {
-    png_image header{};
-    header.version = PNG_IMAGE_VERSION;
-    header.width = png_uint_32(image.resolution.width);
-    header.height = png_uint_32(image.resolution.height);
-    header.format = PNG_FORMAT_RGB;
-    std::string file(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
-    png_alloc_size_t size = file.size();
-    if (png_image_write_to_memory(&header, file.data(), &size, 0, image.pixels.data(), 0,
-                                  nullptr) == 0)
-        throw InputError({}, header.message);
-    file.resize(size);
-    return file;
-}
-
 /// The joined content of the chunks IDAT of a PNG file.
 std::string image_data(std::string_view png) {
     std::string data;
@@ -63,7 +45,9 @@ std::string image_data(std::string_view png) {
 
 void Animation::add(const Image& frame) {
     resolution_ = frame.resolution;
-    frames_.push_back(image_data(png_of(frame)));
+    std::string png;
+    encode_png(frame, {}, Gamma::unstated, "", [&png](std::string_view part) { png += part; });
+    frames_.push_back(image_data(png));
 }
 
 void Animation::write(const std::string& file, int milliseconds, const std::vector<PngText>& texts,

@@ -1,5 +1,6 @@
 #include "common/image/png.hpp"
 
+#include "common/image/encode_png.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/whole_file.hpp"
 
@@ -10,7 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <new>
+#include <string_view>
 
 namespace rt {
 
@@ -56,65 +57,6 @@ void check_place(const std::string& file) {
                          "expected another name");
 }
 
-/// The error function of libpng must not return, and may throw: no C stack frame in between owns
-/// memory.
-[[noreturn]] void fail(png_structp png, png_const_charp message) {
-    const auto& file = *static_cast<const std::string*>(png_get_error_ptr(png));
-    fail_to_write(file, errno == 0 ? message : std::strerror(errno));
-}
-
-void ignore_warning(png_structp /*png*/, png_const_charp /*message*/) {}
-
-/// The two structures of libpng for writing one picture.
-class Writer {
-public:
-    explicit Writer(const std::string& file)
-        : name_(file),
-          png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &name_, fail, ignore_warning)),
-          info_(png_create_info_struct(png_)) {
-        if (info_ == nullptr) {
-            png_destroy_write_struct(&png_, nullptr);
-            throw std::bad_alloc();
-        }
-    }
-    ~Writer() { png_destroy_write_struct(&png_, &info_); }
-    Writer(const Writer&) = delete;
-    Writer& operator=(const Writer&) = delete;
-
-    void write(std::FILE* file, const Image& image, const std::vector<PngText>& texts,
-               Gamma gamma) {
-        errno = 0;
-        png_init_io(png_, file);
-        png_set_IHDR(png_, info_, png_uint_32(image.resolution.width),
-                     png_uint_32(image.resolution.height), 8, PNG_COLOR_TYPE_RGB,
-                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        if (gamma == Gamma::linear) png_set_gAMA_fixed(png_, info_, PNG_FP_1);
-        if (gamma == Gamma::srgb) png_set_sRGB_gAMA_and_cHRM(png_, info_, PNG_sRGB_INTENT_RELATIVE);
-        set_texts(texts);
-        png_write_info(png_, info_);
-        for (int row = 0; row < image.resolution.height; ++row)
-            png_write_row(png_, image[{row, 0}].data());
-        png_write_end(png_, nullptr);
-    }
-
-private:
-    void set_texts(const std::vector<PngText>& texts) {
-        for (const PngText& text : texts) {
-            png_text chunk{};
-            chunk.compression = PNG_ITXT_COMPRESSION_NONE;  // UTF-8
-            std::string key = text.key;  // libpng's members are not const; it copies the text
-            std::string value = text.value;
-            chunk.key = key.data();
-            chunk.text = value.data();
-            png_set_text(png_, info_, &chunk, 1);
-        }
-    }
-
-    std::string name_;
-    png_structp png_;
-    png_infop info_;
-};
-
 }  // namespace
 
 void check_writable(const std::string& file) {
@@ -126,7 +68,7 @@ void write_png(const std::string& file, const Image& image, const std::vector<Pn
                Gamma gamma) {
     check_place(file);
     WholeFile whole(file);
-    Writer(file).write(whole.stream(), image, texts, gamma);
+    encode_png(image, texts, gamma, file, [&whole](std::string_view part) { whole.write(part); });
     check_place(file);  // the target may have changed meanwhile
     whole.take_its_place();
 }

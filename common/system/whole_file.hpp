@@ -21,9 +21,6 @@ public:
     WholeFile(const WholeFile&) = delete;
     WholeFile& operator=(const WholeFile&) = delete;
 
-    /// The stream of the temporary file.
-    [[nodiscard]] std::FILE* stream() const { return stream_; }
-
     /// Throws InputError.
     void write(std::string_view text);
 
