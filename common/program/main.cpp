@@ -5,6 +5,7 @@
 #include "common/program/stage_number.hpp"
 #include "common/program/used_options.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/lower_case.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/wording.hpp"
@@ -74,6 +75,10 @@ void check_output(const rt::Options& options) {
         throw rt::InputError({options.output},
                              "is the scene itself, which the picture would overwrite");
     rt::check_writable(options.output);
+    if (rt::lower_case(std::filesystem::path(options.output).extension().string()) != ".png")
+        throw rt::InputError(
+            {options.output},
+            "is not the name of a picture, which is a PNG file: it must end in .png");
 }
 
 std::unique_ptr<rt::Renderer> open(const rt::Program& program, const rt::Options& options,

@@ -99,8 +99,9 @@ void check_precision(const Program& program, Precision precision) {
     const std::string name(stage_name(program.stage));
     if (program.exact)
         throw InputError({}, "--precision float and double are another program: " + name);
-    throw InputError({}, "--precision exact is another program: ninja -C build " + name +
-                             "_exact builds it, ./course run " + std::to_string(program.stage) +
+    throw InputError({}, "--precision exact is another program, build/" + name +
+                             "_exact: ninja -C build " + name + "_exact builds it, ./course run " +
+                             std::to_string(program.stage) +
                              " --precision exact builds and runs it");
 }
 
@@ -246,12 +247,15 @@ void add_turn(CLI::App& app, int stage, std::optional<int>& frames) {
     if (stage >= shapes_stage) turn->excludes("--rays");
 }
 
-/// The output of these options contains nothing else.
+/// The output of --pixel and --rays contains nothing else, and with them and --requirements no
+/// picture is made.
 void exclude_from_logs(CLI::App& app) {
     for (const char* log : {"--pixel", "--rays"})
         if (CLI::Option* const option = app.get_option_no_throw(log))
-            for (const char* other : {"--requirements", "--preview", "--tolerance", "--time"})
+            for (const char* other :
+                 {"--output", "--requirements", "--preview", "--tolerance", "--time"})
                 option->excludes(other);
+    app.get_option("--requirements")->excludes("--output");
 }
 
 /// The path of a file in the project's folder, relative to the working directory.

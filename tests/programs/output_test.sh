@@ -60,6 +60,10 @@ refused "a named pipe" fifo.png
 [ -p fifo.png ] || fail "a named pipe stays one"
 ln -s own.rt linked.rt
 refused "the scene itself" ./own.rt
+for name in a.jpg a.png.gif a fresh/a png; do
+    refused "a name without .png: $name" $name
+    grep -q 'must end in .png$' err && [ ! -e $name ] && [ ! -e fresh ] || fail "the name's ending: $name"
+done
 refused "the scene by another name" linked.rt
 cmp -s own.rt "$project/scenes/one_sphere.rt" || fail "the scene is as it was"
 
@@ -125,7 +129,7 @@ picture_of 000000100000000c turn.png && grep -q '^turn.png: 3 frames of 16 x 12 
     fail "--turn 3 tells its frames"
 [ "$(grep -ao fcTL turn.png | wc -l)" = 3 ] && grep -aq acTL turn.png || fail "--turn 3 has three frames"
 cp turn.png before
-for words in "--turn 1" "--turn 361" "--turn two" "--turn 3 --pixel 0,0" "--turn 3 --time 1"; do
+for words in "--turn 1" "--turn 361" "--turn two" "--turn 3 --preview" "--turn 3 --time 1"; do
     # shellcheck disable=SC2086
     "$build/step03_sphere" own.rt -o turn.png --size 16x12 $words > out 2> err
     [ $? = 2 ] && [ ! -s out ] && [ "$(wc -l < err)" = 1 ] && grep -q -- '--turn' err ||
@@ -189,7 +193,8 @@ if [ -x "$build/step13_meshes" ]; then
         printf '\000\000\200\077'; head -c 12 /dev/zero; printf '\000\000\200\077'; head -c 6 /dev/zero; } > png.stl
     sed 's#meshes/cube.off#png.stl#' mesh.rt > stl.rt
     cp png.stl png.before
-    "$build/step13_meshes" stl.rt -o png.stl > out 2> err
+    ln -s png.stl stl.png
+    "$build/step13_meshes" stl.rt -o stl.png > out 2> err
     [ $? = 2 ] && grep -q 'is a mesh of the scene' err || fail "a mesh that looks like a picture"
     cmp -s png.stl png.before || fail "that mesh is as it was"
 
