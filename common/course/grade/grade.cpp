@@ -10,6 +10,7 @@
 #include "common/course/grade/reports/junit.hpp"
 #include "common/course/grade/reports/upload.hpp"
 #include "common/course/grade/results/changes.hpp"
+#include "common/course/grade/results/classes.hpp"
 #include "common/course/grade/results/term.hpp"
 #include "common/course/grade/sandbox/layers.hpp"
 #include "common/course/grade/sandbox/seal.hpp"
@@ -26,6 +27,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -176,6 +178,33 @@ std::vector<Submission> chosen(const std::vector<Submission>& all, const Order& 
     return mine;
 }
 
+/// Throws InputError if the folder of a class would replace marks of a class in another folder: it
+/// may be one student's submission, who has named files as others'.
+void check_replaced(const ClassFolder& found, const Order& order) {
+    if (!order.students.empty()) return;
+    const std::vector<std::string> graded = students_in(order.results);
+    for (const auto& [place, students] : found.classes) {
+        std::string replaced;
+        if (!is_graded_class(order.results, place))
+            for (const std::string& student : students)
+                if (std::binary_search(graded.begin(), graded.end(), student))
+                    replaced += (replaced.empty() ? "" : ", ") + student;
+        if (!replaced.empty())
+            throw InputError({place}, "looks like a class, and would replace the marks of " +
+                                          replaced +
+                                          ", which are from another folder: --class if it is one, "
+                                          "--one if it is one submission");
+    }
+}
+
+/// Stores the places of the class, whose marks later runs on them may replace.
+void add_graded_classes(const ClassFolder& found, const Order& order) {
+    if (!order.students.empty()) return;
+    for (const fs::path& place : order.places)
+        if (found.classes.count(place) == 1 || order.is_class)
+            add_graded_class(order.results, place);
+}
+
 /// The files that belong to no submission, and the students of an earlier run who are not in the
 /// class any more: nothing removes their marks but the lecturer.
 std::vector<std::string> all_left_over(const ClassFolder& found, const fs::path& results) {
@@ -241,8 +270,10 @@ Outcome grade(const Order& order, const fs::path& folder) {
         order.one ? one_submission(order.places)
                   : find_class(grading.workshop, order.places, order.results, order.is_class);
     for (const std::string& each : found.taken_as) say(each);
+    check_replaced(found, order);
     const std::vector<Submission> submissions = chosen(found.submissions, order);
     grading.seed = seed_identifier(agreed_seed(order.results, order.seed_file));
+    add_graded_classes(found, order);
     // Grading one student again keeps the report on the class.
     const bool is_class = found.submissions.size() > 1 || !found.left_over.empty();
     if (is_class && order.part == 1 && order.students.empty())

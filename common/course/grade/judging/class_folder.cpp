@@ -66,7 +66,11 @@ public:
             all.submissions.push_back({.student = student, .pieces = std::move(pieces)});
             names[key] = student;
         }
-        for (const Place& place : places_) all.taken_as.push_back(taken_as(place, names));
+        for (const Place& place : places_) {
+            all.taken_as.push_back(taken_as(place, names));
+            if (!place.is_class || archives_are_classes_) continue;
+            for (const Key& key : place.students) all.classes[place.path].push_back(names.at(key));
+        }
         all.left_over = std::move(left_over_);
         return all;
     }

@@ -5,6 +5,7 @@
 #include "common/course/grade/judging/intake.hpp"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct ClassFolder {
                                           ///< "list.txt: …"
     std::vector<std::string> taken_as;    ///< whose submissions each place contains: "anna.zip is
                                           ///< taken as one submission, of anna"
+    std::map<std::filesystem::path, std::vector<std::string>>
+        classes;  ///< the students of the folders that look like a class
 };
 
 /// Each place is a submission, or a folder of submissions, which are folders and archives. An
