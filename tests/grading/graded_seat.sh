@@ -5,7 +5,7 @@
 # Everything in a stage's worker but the graded file, as one object OUT, in which that file finds
 # `main` and the functions of the parts called CALLABLE, such as todo.cpp.o, and nothing else: every
 # other function is local. So a definition in the file replaces no function of the project. The
-# functions of the objects ABSENT, of later stages, which nothing calls, are at address 0. LIST
+# functions of the objects ABSENT, which nothing calls, are at address 0: those of later stages. LIST
 # contains the functions of the contracts, each marked as the stage's own (those of the objects
 # OWN), callable, or another stage's.
 set -eu

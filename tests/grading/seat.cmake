@@ -15,14 +15,15 @@
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
     set(folder ${PROJECT_BINARY_DIR}/seats)
-    set(parts raysteps_worker_f64 raysteps_common_f64 raysteps_base raysteps_command_line)
     set(objects $<TARGET_PROPERTY:${stage}_picture_without_main_f64,INTERFACE_SOURCES>)
     set(main $<TARGET_OBJECTS:${stage}_main_f64>)
     # A worker gets its meshes with the queries, and reads no file.
     set(objects "$<FILTER:${objects},EXCLUDE,raysteps_meshes_f64|raysteps_without_meshes_f64>")
     list(APPEND objects $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
-    foreach(part IN LISTS parts)
-        list(APPEND objects $<TARGET_OBJECTS:${part}>)
+    # Nor has it a command line, or settings to choose.
+    set(not_in_workers "raysteps_(base|common_f64)\\.dir/.*(program|scene_file|tuning)")
+    foreach(part IN ITEMS raysteps_worker_f64 raysteps_common_f64 raysteps_base)
+        list(APPEND objects "$<FILTER:$<TARGET_OBJECTS:${part}>,EXCLUDE,${not_in_workers}>")
     endforeach()
     raysteps_one_object(${folder}/${stage}.o "${objects}")
     raysteps_one_object(${folder}/references/${stage}.o $<TARGET_OBJECTS:${stage}_reference_f64>)
@@ -74,7 +75,9 @@ endfunction()
 # its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
 # and of those folders of common/ whose headers it may include, each compiled as one, but not the
 # loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
-# listed, such as lighting.hpp.
+# listed, such as lighting.hpp. A file of functions is not linked to what computes the same for
+# another purpose, and what nothing calls in its worker: the stages' stories, which explain a hit,
+# and before stage 13 the hierarchy that draws meshes. tests/grading/seats_test.sh looks for them.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -87,6 +90,14 @@ function(raysteps_graded_seat file stage own objects)
     set(parts "${objects}")
     set(absent)
     set(others)
+    if(file STREQUAL stage)
+        set(unused "unity_stories|/story\\.cpp|/pixel_log_parts\\.cpp")
+        if(NOT stage STREQUAL "step13_meshes")
+            string(APPEND unused "|/mesh_bvh\\.cpp")
+        endif()
+        set(parts "$<FILTER:${objects},EXCLUDE,${unused}>")
+        set(absent "$<FILTER:${objects},INCLUDE,${unused}>")
+    endif()
     foreach(other IN LISTS stages)
         set(reference $<TARGET_OBJECTS:${other}_reference_f64>)
         if(other STREQUAL file)
@@ -115,13 +126,16 @@ function(raysteps_graded_seat file stage own objects)
         endforeach()
         list(APPEND callable "raysteps_common_f64.dir/__/steps/.*")  # the stories
     endif()
+    foreach(list IN ITEMS parts absent)  # a precompiled header is for CMake a single object
+        set(${list} "$<FILTER:${${list}},EXCLUDE,cmake_pch>")
+    endforeach()
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)
     add_custom_command(OUTPUT ${out}.o BYPRODUCTS ${out}.txt
         COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/seats/graded
         COMMAND sh ${script} ${out}.o ${out}.txt ${CMAKE_CXX_COMPILER} ${CMAKE_NM} ${CMAKE_OBJCOPY}
-            "$<FILTER:${parts},EXCLUDE,cmake_pch>" -- ${own} -- ${callable} -- ${absent} -- ${others}
-        DEPENDS ${script} "$<FILTER:${parts},EXCLUDE,cmake_pch>" ${own} ${absent}
+            "${parts}" -- ${own} -- ${callable} -- "${absent}" -- ${others}
+        DEPENDS ${script} "${parts}" ${own} "${absent}"
         COMMAND_EXPAND_LISTS VERBATIM)
 endfunction()
 
