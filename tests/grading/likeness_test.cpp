@@ -1,5 +1,6 @@
 // Files that are alike, and files that only answer the same question.
 #include "common/course/grade/results/likeness.hpp"
+#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/winnowing.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
@@ -65,15 +66,51 @@ std::string noise(int count, unsigned seed) {
 
 TEST_CASE("names, numbers, comments and layout are nothing to a file's tokens") {
     CHECK(normalized("#include <cmath>\nReal f(Real a) { return a * 2.5; }  // half") ==
-          "nn(nn)Rn*0;");
+          "nn(nn)n*0;");
     CHECK(normalized("const double g_1(double  β)\n{ /* a\nb */ return\tβ*1'000; }") ==
-          "nn(nn)Rn*0;");
+          "nn(nn)n*0;");
     CHECK(normalized("std::sqrt(x)") == normalized("sqrt(x)"));
     CHECK(normalized("if (a) { b(\"}//\\\"\"); } else c('\"');") == "I(n)n(t);En(t);");
+    CHECK(normalized("if (not a and b[i]) <% c(); %>") == "I(!n&&n[n])n;");
     CHECK(normalized("/* no end") == "");
     CHECK(normalized("\"no end") == "t");
     CHECK(normalized("\\") == "\\");
     CHECK(normalized("# a \\\n b\nc") == "n");
+}
+
+TEST_CASE("macros, spliced lines and lambdas around an answer leave its tokens") {
+    const std::string answer = "const Real x = a * b; return x + 1;";
+    const std::string tokens = "nn=n*n;n+0;";
+    CHECK(normalized(answer) == tokens);
+    CHECK(normalized("con\\\nst Real x = a * b; ret\\\r\nurn x + 1;") == tokens);
+    CHECK(normalized("const auto x = [&] { return a * b; }; return x() + 1;") == tokens);
+    CHECK(normalized("const Real x = [=, &a]() { return a * b; }(); return x + 1;") == tokens);
+    CHECK(normalized("  #  define CODE \\\n const Real x = a * b; \\\n return x + 1;\n") ==
+          "n" + tokens);
+    CHECK(normalized("%:define CODE " + answer) == "n" + tokens);
+    CHECK(normalized("a # b") == "n#n");  // a directive only at the start of a line
+}
+
+TEST_CASE("a file stays near when its code is in a macro, and when each value is a lambda's") {
+    const std::string file = text_of("tests/alternatives/step03_sphere/textbook.cpp");
+    std::string macro = "#include \"steps/step03_sphere/sphere.hpp\"\n#define ALL \\\n";
+    for (const std::string& line : lines_of(file))
+        if (!line.starts_with("#")) macro += line.substr(0, line.find("//")) + " \\\n";
+    std::string lambdas;
+    for (const std::string& line : lines_of(file)) {
+        const std::size_t start = line.find(" = ");
+        const bool is_value = start != std::string::npos && line.ends_with(';');
+        lambdas += !is_value ? line
+                             : line.substr(0, start) + " = [&] { return" + line.substr(start + 2) +
+                                   " }();";
+        lambdas += '\n';
+    }
+    for (const std::string& changed : {macro + "\nALL\n", lambdas}) {
+        Class results;
+        results.hand_in("anna", 3, file);
+        results.hand_in("ben", 3, changed);
+        REQUIRE(results.found().near.size() == 1);
+    }
 }
 
 TEST_CASE("any 23 tokens have a fingerprint of the file in which they stand") {
@@ -175,6 +212,50 @@ TEST_CASE("students who are similar in most stages are first") {
     CHECK(found.near[0].one == "carl");
     CHECK(found.near[0].percent == std::map<GradedFile, int>{{3, 100}, {4, 100}});
     CHECK(found.near[1].one == "anna");
+}
+
+TEST_CASE("pairs that have a student in common are one group, with the range of their files") {
+    const std::vector<NearGroup> found = groups({{"anna", "ben", {{3, 90}}},
+                                                 {"carl", "dora", {{3, 80}}},
+                                                 {"emil", "fred", {{4, 70}}},
+                                                 {"ben", "dora", {{3, 60}, {4, 100}}}});
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].students == std::set<std::string>{"anna", "ben", "carl", "dora"});
+    CHECK(found[0].percent ==
+          std::map<GradedFile, std::pair<int, int>>{{3, {60, 90}}, {4, {100, 100}}});
+    CHECK(found[1].students == std::set<std::string>{"emil", "fred"});
+    CHECK(groups({}).empty());
+}
+
+TEST_CASE("a copy of the project's main.cpp is one with other comments, names or line ends") {
+    for (const int stage : {1, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13}) {
+        INFO("stage " << stage);
+        const std::string folder = "steps/" + std::string(stage_name(stage));
+        const std::string ours = text_of(folder + "/main.cpp");
+        const std::string starter = text_of(folder + "/starter/main.cpp");
+        const auto is_copy = [&](const std::string& text) {
+            return is_copy_of_main(text, ours, starter);
+        };
+        CHECK(is_copy(ours));
+        CHECK(is_copy("// mine\n" + ours));
+        CHECK(is_copy(replaced(ours, "\n", "\r\n")));
+        CHECK(is_copy(replaced(replaced(ours, "closest", "nearest"), "    ", "\t")));
+        std::string without_comments;
+        for (const std::string& line : lines_of(ours))
+            without_comments += line.substr(0, line.find("//")) + '\n';
+        const bool is_a_line = stage >= 4 && stage <= 8;
+        CHECK(is_copy(without_comments) == (!is_a_line && stage != 13));
+        CHECK_FALSE(is_copy(starter));
+        for (const fs::path& file :
+             files_in(project / "tests/alternatives" / stage_name(stage) / "main", ".cpp"))
+            CHECK_FALSE(is_copy(read_text(file)));
+    }
+    // The starter of stage 5 with the one line that it lacks.
+    const std::string starter = text_of("steps/step05_triangle/starter/main.cpp");
+    const std::string last = "closest.test(scene.planes);";
+    CHECK_FALSE(
+        is_copy_of_main(replaced(starter, last, last + "\n    closest.test(scene.triangles);"),
+                        text_of("steps/step05_triangle/main.cpp"), starter));
 }
 
 TEST_CASE("students with the same file are reported once, and not for the starter") {

@@ -142,6 +142,12 @@ std::pair<std::size_t, int> strength(const NearFiles& near) {
     return {near.percent.size(), sum};
 }
 
+/// The student who stands for the group of this one.
+std::string leader(const std::map<std::string, std::string>& next, const std::string& student) {
+    const auto found = next.find(student);
+    return found == next.end() ? student : leader(next, found->second);
+}
+
 }  // namespace
 
 Similarity similarity(const fs::path& results, const fs::path& project,
@@ -159,6 +165,30 @@ Similarity similarity(const fs::path& results, const fs::path& project,
     std::stable_sort(all.near.begin(), all.near.end(), [](const auto& one, const auto& other) {
         return strength(one) > strength(other);
     });
+    return all;
+}
+
+std::vector<NearGroup> groups(const std::vector<NearFiles>& near) {
+    std::map<std::string, std::string> next;
+    for (const NearFiles& pair : near) {
+        const std::string one = leader(next, pair.one);
+        const std::string other = leader(next, pair.other);
+        if (one != other) next[other] = one;
+    }
+    std::vector<NearGroup> all;
+    std::map<std::string, std::size_t> places;
+    for (const NearFiles& pair : near) {
+        const auto [place, is_new] = places.emplace(leader(next, pair.one), all.size());
+        if (is_new) all.emplace_back();
+        NearGroup& group = all[place->second];
+        group.students.insert({pair.one, pair.other});
+        for (const auto& [file, percent] : pair.percent) {
+            auto& [least, most] =
+                group.percent.emplace(file, std::pair(percent, percent)).first->second;
+            least = std::min(least, percent);
+            most = std::max(most, percent);
+        }
+    }
     return all;
 }
 

@@ -5,7 +5,9 @@
 #include "common/stages/graded_file.hpp"
 
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rt::grade {
@@ -23,6 +25,15 @@ struct NearFiles {
     std::map<GradedFile, int> percent;  ///< the percentage of the shorter file that the longer one
                                         ///< contains
 };
+
+/// Students of whom each is near another one.
+struct NearGroup {
+    std::set<std::string> students;
+    std::map<GradedFile, std::pair<int, int>> percent;  ///< the least and the most of the pairs
+};
+
+/// The groups that the pairs connect, in the order of their first pairs.
+[[nodiscard]] std::vector<NearGroup> groups(const std::vector<NearFiles>& near);
 
 struct Similarity {
     std::vector<SameFile> same;   ///< by stage

@@ -42,36 +42,57 @@ std::size_t end_of_text(std::string_view source, std::size_t at) {
     return std::min(at + 1, source.size());
 }
 
-std::size_t line_end(std::string_view source, std::size_t at) {
-    while (at < source.size() && source[at] != '\n') at += source[at] == '\\' ? 2 : 1;
-    return std::min(at, source.size());
+/// Without the ends of lines after a backslash, which continue on the next one.
+std::string spliced(std::string_view source) {
+    std::string text;
+    for (std::size_t at = 0; at < source.size(); ++at) {
+        const std::string_view rest = source.substr(at);
+        if (rest.starts_with("\\\n"))
+            ++at;
+        else if (rest.starts_with("\\\r\n"))
+            at += 2;
+        else
+            text += source[at];
+    }
+    return text;
 }
 
-/// Empty for keywords that change nothing.
+/// The first place of a preprocessor line that counts: the text of a #define, or else the line's
+/// end.
+std::size_t after_directive(std::string_view source, std::size_t at) {
+    const std::size_t word = source.find_first_not_of("#%: \t", at);
+    if (word != std::string_view::npos && source.substr(word).starts_with("define"))
+        return word + std::string_view("define").size();
+    return std::min(source.find('\n', at), source.size());
+}
+
+/// The place after the captures of a lambda that begin here; here, if these brackets are an index.
+std::size_t after_captures(std::string_view source, std::size_t at, std::string_view tokens) {
+    const bool is_index =
+        !tokens.empty() && std::string_view("n)]t").find(tokens.back()) != std::string_view::npos;
+    return is_index ? at : after(source, "]", at);
+}
+
+/// Empty for keywords that change nothing, or may be left out.
 std::string_view token(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 17> words{{
-        {"if", "I"},
-        {"else", "E"},
-        {"for", "F"},
-        {"while", "W"},
-        {"do", "D"},
-        {"return", "R"},
-        {"switch", "S"},
-        {"case", "C"},
-        {"break", "B"},
-        {"continue", "N"},
-        {"const", ""},
-        {"constexpr", ""},
-        {"noexcept", ""},
-        {"inline", ""},
-        {"static", ""},
-        {"using", "U"},
-        {"namespace", ""},
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 20> words{{
+        {"if", "I"},    {"else", "E"},     {"for", "F"},     {"while", "W"}, {"do", "D"},
+        {"return", ""}, {"switch", "S"},   {"case", "C"},    {"break", "B"}, {"continue", "N"},
+        {"const", ""},  {"constexpr", ""}, {"noexcept", ""}, {"inline", ""}, {"static", ""},
+        {"using", "U"}, {"namespace", ""}, {"and", "&&"},    {"or", "||"},   {"not", "!"},
     }};
     if (std::isdigit(static_cast<unsigned char>(name.front())) != 0) return "0";
     for (const auto& [word, letter] : words)
         if (word == name) return letter;
     return "n";
+}
+
+void append_sign(char each, std::string& tokens) {
+    if (std::isgraph(static_cast<unsigned char>(each)) == 0 || each == '{' || each == '}') return;
+    if (each == ')' && tokens.ends_with('('))
+        tokens.pop_back();
+    else if (each != ';' || !tokens.ends_with(';'))
+        tokens += each;
 }
 
 std::vector<std::uint64_t> hashes(const std::string& tokens) {
@@ -89,17 +110,30 @@ std::vector<std::uint64_t> each_once(std::vector<std::uint64_t> all) {
 
 }  // namespace
 
-std::string normalized(std::string_view source) {
+std::string normalized(std::string_view unspliced) {
+    const std::string spliced_source = spliced(unspliced);
+    const std::string_view source = spliced_source;
     std::string tokens;
+    bool starts_line = true;
     for (std::size_t at = 0; at < source.size();) {
         const char each = source[at];
-        if (source.substr(at).starts_with("//") || each == '#') {
-            at = line_end(source, at);
-        } else if (source.substr(at).starts_with("/*")) {
+        const std::string_view rest = source.substr(at);
+        const bool may_be_directive = std::exchange(
+            starts_line, each == '\n' || (starts_line && (each == ' ' || each == '\t')));
+        if (rest.starts_with("//")) {
+            at = std::min(source.find('\n', at), source.size());
+        } else if (may_be_directive && (each == '#' || rest.starts_with("%:"))) {
+            at = after_directive(source, at);
+        } else if (rest.starts_with("/*")) {
             at = after(source, "*/", at + 2);
-        } else if (source.substr(at).starts_with("::")) {
+            starts_line = may_be_directive;
+        } else if (rest.starts_with("::")) {
             if (tokens.ends_with('n')) tokens.pop_back();
             at += 2;
+        } else if (rest.starts_with("<%") || rest.starts_with("%>")) {
+            at += 2;  // braces
+        } else if (each == '[' && after_captures(source, at, tokens) != at) {
+            at = after_captures(source, at, tokens);
         } else if (each == '"' || each == '\'') {
             tokens += 't';
             at = end_of_text(source, at);
@@ -108,8 +142,7 @@ std::string normalized(std::string_view source) {
             tokens += token(source.substr(at, end - at));
             at = end;
         } else {
-            if (std::isgraph(static_cast<unsigned char>(each)) != 0 && each != '{' && each != '}')
-                tokens += each;
+            append_sign(each, tokens);
             ++at;
         }
     }

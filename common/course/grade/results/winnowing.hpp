@@ -9,8 +9,9 @@
 namespace rt::grade {
 
 /// The file's tokens, one character each: a name is "n", a number "0", a text "t", each
-/// control-flow keyword a capital letter. Braces, const, namespaces and preprocessor lines are left
-/// out.
+/// control-flow keyword a capital letter. Left out are what may be there or not: braces, const,
+/// return, empty parentheses, the captures of a lambda, namespaces, and preprocessor lines but for
+/// the text of a #define.
 [[nodiscard]] std::string normalized(std::string_view source);
 
 /// Hashes of some of the passages of 16 tokens, sorted and without duplicates: two files that share
