@@ -1,6 +1,7 @@
 #include "common/contract/asking.hpp"
 #include "common/contract/frame.hpp"
 #include "common/stages/reasons.hpp"
+#include "common/system/countdown.hpp"
 #include "common/system/descriptors.hpp"
 
 #include <fcntl.h>
@@ -28,6 +29,7 @@ namespace rt::contract {
 namespace {
 
 constexpr std::chrono::milliseconds between_looks{20};
+constexpr double longest_look = std::chrono::duration<double>(Countdown::longest_look).count();
 constexpr double ending_seconds = 0.2;  // it has closed its end: the rest of its end takes less
 
 std::string seconds_text(double seconds) {
@@ -109,7 +111,7 @@ bool Stopwatch::is_due() const {
 void Stopwatch::look() {
     const double passed = std::chrono::duration<double>(Clock::now() - looked_).count();
     const double worked = computed() - computed_when_looked_;
-    if (is_asleep(process_)) slept_ += std::max(0.0, passed - worked);
+    if (is_asleep(process_)) slept_ += std::clamp(passed - worked, 0.0, longest_look);
     waits();
 }
 

@@ -42,8 +42,8 @@ public:
     [[nodiscard]] double computed();
     [[nodiscard]] double used() { return computed() + slept_; }
 
-    /// Counts the time since the last call as sleep, if the process is asleep now. Call it several
-    /// times a second.
+    /// Counts the time since the last call as sleep, if the process is asleep now: a tenth of a
+    /// second at most, as Countdown does. Call it several times a second.
     void look();
     [[nodiscard]] bool is_due() const;
 

@@ -1,5 +1,6 @@
 #include "common/system/process.hpp"
 
+#include "common/system/countdown.hpp"
 #include "common/system/descriptors.hpp"
 #include "common/system/end_with_parent.hpp"
 #include "common/system/input_error.hpp"
@@ -7,6 +8,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,12 +58,20 @@ int become(char** arguments, const Launch& launch, pid_t parent) {
     return errno;
 }
 
-/// The status from waitpid.
-int wait_for(pid_t process) {
+/// The status from waitpid. `used` becomes what the process has used, and those that it has waited
+/// for.
+int wait_for(pid_t process, rusage* used = nullptr) {
     int answer = 0;
-    while (waitpid(process, &answer, 0) == -1 && errno == EINTR) continue;
+    while (wait4(process, &answer, 0, used) == -1 && errno == EINTR) continue;
     note_end(process);
     return answer;
+}
+
+double processor_seconds(const rusage& used) {
+    const auto seconds = [](const timeval& time) {
+        return double(time.tv_sec) + double(time.tv_usec) * 1e-6;
+    };
+    return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
 pid_t start(const Command& command, const Launch& launch) {
@@ -172,31 +182,32 @@ ProcessResult run_captured(const Command& command, std::chrono::milliseconds lim
     const Group group = cancelled == nullptr ? Group::callers : Group::its_own;
     const HeardProgram program = start_heard(command, {.signal = SIGKILL, .group = group});
     const pid_t process = program.process;
-    const auto deadline = std::chrono::steady_clock::now() + limit;
+    Countdown countdown(limit);
     ProcessResult ending;
-    const auto given_up = [&] {
-        ending.out_of_time = std::chrono::steady_clock::now() >= deadline;
-        return ending.out_of_time || (cancelled != nullptr && *cancelled);
-    };
+    const auto is_late = [&countdown] { return countdown.look() <= Countdown::Time::zero(); };
+    const auto is_cancelled = [cancelled] { return cancelled != nullptr && *cancelled; };
     bool ended = false;
     listen(program.ear, milliseconds_between_looks, [&](std::string_view piece) {
         ending.output += piece.substr(0, most_output - ending.output.size());
         if (ended && piece.empty()) return false;  // the pipe is open in a process that it left
         ended = has_ended(process);
-        return !given_up();
+        return !is_late() && !is_cancelled();
     });
     // It may continue with closed streams.
     for (int asked_to_end = 0; !has_ended(process);) {
+        ending.out_of_time = ending.out_of_time || is_late();
         // It may have to end its own children first.
-        if (given_up())
+        if (ending.out_of_time || is_cancelled())
             kill(group == Group::callers ? process : -process,
                  ++asked_to_end < milliseconds_to_end ? SIGTERM : SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     if (group == Group::its_own) kill(-process, SIGKILL);  // what it has left
-    const int answer = wait_for(process);
+    rusage used{};
+    const int answer = wait_for(process, &used);
     ending.status = exit_status(answer);
     ending.crash = crash(answer);
+    ending.processor_seconds = processor_seconds(used);
     return ending;
 }
 

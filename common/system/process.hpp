@@ -40,15 +40,16 @@ struct ProcessResult {
     std::string crash;         ///< the name of the signal that ended it, "Segmentation fault"; or
                                ///< empty
     bool out_of_time = false;  ///< stopped after the time limit
-    std::string output;        ///< both streams, at most the first most_output bytes
+    double processor_seconds = 0;  ///< of the program, and of the children that it waited for
+    std::string output;            ///< both streams, at most the first most_output bytes
 };
 
-/// Runs a program with its output captured, and stops it after `limit`. Throws InputError if it
-/// cannot be started. With `cancelled`, the program and its children are stopped when `*cancelled`
-/// becomes true, and Ctrl-C is handled by the caller
-/// instead of the program. To stop it, SIGTERM is sent, and SIGKILL a fifth of a second later. The
-/// program is also stopped when the calling thread ends. On Linux, processes that it leaves running
-/// are ended, too.
+/// Runs a program with its output captured, and stops it after `limit` by the clock, without the
+/// time in which the caller was stopped itself (Countdown). Throws InputError if it cannot be
+/// started. With `cancelled`, the program and its children are stopped when `*cancelled` becomes
+/// true, and Ctrl-C is handled by the caller instead of the program. To stop it, SIGTERM is sent,
+/// and SIGKILL a fifth of a second later. The program is also stopped when the calling thread ends.
+/// On Linux, processes that it leaves running are ended, too.
 [[nodiscard]] ProcessResult run_captured(const Command& command, std::chrono::milliseconds limit,
                                          const std::atomic<bool>* cancelled = nullptr,
                                          std::size_t most_output = 64 * 1024);

@@ -12,6 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+
 using namespace rt;
 using namespace rt::contract;
 
@@ -212,6 +214,25 @@ TEST_CASE("a worker's answer, or the reason why there is none") {
     CHECK(Asked(wrong + "/waits_in_the_kernel")(call).failure == "gave no answer within 1 s");
     CHECK(Asked(wrong + "/throws")(beside).failure == "threw an exception: bad optional access");
     CHECK_THROWS_AS(Asked(wrong + "/not_there")(call), CannotStart);
+}
+
+TEST_CASE("sleep counts while it is looked at, and not while the one that looks is stopped") {
+    const pid_t sleeper = fork();
+    if (sleeper == 0)
+        for (;;) pause();
+    Stopwatch stopwatch(sleeper);
+    (void)stopwatch.waits();
+    for (int i = 0; i < 50; ++i) {
+        usleep(20000);
+        stopwatch.look();
+    }
+    const double looked_at = stopwatch.used();
+    CHECK(looked_at > 0.5);  // a second, and less on a busy machine
+    usleep(2000000);
+    stopwatch.look();
+    CHECK(stopwatch.used() - looked_at < 0.5);
+    kill(sleeper, SIGKILL);
+    waitpid(sleeper, nullptr, 0);
 }
 
 TEST_CASE("a worker is restarted after a crash, but not after a timeout") {

@@ -1,11 +1,13 @@
 // The grader runs a suite and its worker on one processor. If something else ends the suite, the
-// grader has failed, and gives no mark.
+// grader has failed, and gives no mark; so it has if the clock ends it.
 #include "common/course/grade/judging/ask_suite.hpp"
 #include "common/system/files.hpp"
 
 #include "tests/kit/catch.hpp"
 
 #include <sched.h>
+
+#include <cstdlib>
 
 using namespace rt;
 
@@ -30,15 +32,11 @@ private:
     TemporaryFolder folder_;
 };
 
-std::chrono::steady_clock::time_point in_a_minute() {
-    return std::chrono::steady_clock::now() + std::chrono::minutes(1);
-}
-
 /// Marks a submission by a suite that reaches its first case, and then gets the signal.
 std::vector<grade::CaseMark> marked_until(const std::string& signal) {
     const BuildOfOne build("step03_sphere_asked_test_double",
                            "echo 'case a' > \"$RAYSTEPS_REPORT\"\nkill -" + signal + " $$\n");
-    return grade::ask_suite(build.grading(), 3, build.folder() / "worker", in_a_minute());
+    return grade::ask_suite(build.grading(), 3, build.folder() / "worker");
 }
 
 /// The number of processors that this thread may run on.
@@ -59,6 +57,33 @@ TEST_CASE("a suite that the system ends is no verdict on a submission") {
 TEST_CASE("a suite and its worker run on one processor, what comes after them on any") {
     const BuildOfOne build("counts", "nproc\n");
     const int before = processors();
-    CHECK(grade::run_asking(build.grading(), 3, {"counts"}, {}, in_a_minute()).output == "1\n");
+    CHECK(grade::run_asking(build.grading(), 3, {"counts"}, {}).output == "1\n");
     CHECK(processors() == before);
+}
+
+TEST_CASE("a suite that the clock ends, though it has computed little, is no verdict") {
+    const BuildOfOne build("step03_sphere_asked_test_double",
+                           "echo 'case a' > \"$RAYSTEPS_REPORT\"\nkill -STOP $$\n");
+    grade::Grading grading = build.grading();
+    grading.longest_asking = std::chrono::seconds(1);
+    std::string why;
+    try {
+        (void)grade::ask_suite(grading, 3, build.folder() / "worker");
+    } catch (const ProgramError& error) {
+        why = error.what();
+    }
+    CHECK(why.find("was ended by the clock") != std::string::npos);
+}
+
+TEST_CASE("no variable of the lecturer's changes what a suite does") {
+    const BuildOfOne build("prints", "env\n");
+    setenv("RAYSTEPS_AS_WRITTEN", "1", 1);
+    setenv("MALLOC_PERTURB_", "1", 1);
+    const std::string seen =
+        grade::run_asking(build.grading(), 3, {"prints"}, {"RAYSTEPS_SECONDS=5"}).output;
+    unsetenv("RAYSTEPS_AS_WRITTEN");
+    unsetenv("MALLOC_PERTURB_");
+    CHECK(seen.find("RAYSTEPS_SECONDS=5") != std::string::npos);
+    CHECK(seen.find("RAYSTEPS_AS_WRITTEN") == std::string::npos);
+    CHECK(seen.find("MALLOC_PERTURB_") == std::string::npos);
 }

@@ -126,9 +126,27 @@ bool leaves_a_daemon() {
     return true;
 }
 
+bool reads_its_clocks() {
+    timespec now{};
+    for (const clockid_t each : {CLOCK_REALTIME, CLOCK_MONOTONIC, CLOCK_PROCESS_CPUTIME_ID,
+                                 CLOCK_THREAD_CPUTIME_ID, CLOCK_BOOTTIME})
+        if (syscall(SYS_clock_gettime, each, &now) != 0 ||
+            syscall(SYS_clock_getres, each, &now) != 0)
+            return false;
+    return true;
+}
+
+bool reads_the_clock_of_its_parent() {
+    timespec now{};
+    const clockid_t clock = clockid_t(~unsigned(getppid()) << 3 | 2);  // of its processor time
+    return syscall(SYS_clock_gettime, clock, &now) == 0;
+}
+
 [[noreturn]] void spin() {
     for (volatile int i = 0;;) i = i + 1;
 }
+
+char first_byte = 0;
 
 const std::map<std::string, std::function<bool()>> attempts{
     {"nothing", [] { return true; }},
@@ -165,6 +183,11 @@ const std::map<std::string, std::function<bool()>> attempts{
          clock_gettime(CLOCK_REALTIME, &now);
          return clock_settime(CLOCK_REALTIME, &now) == 0;
      }},
+    {"see", [] { return access(path.c_str(), F_OK) == 0; }},
+    {"own clocks", reads_its_clocks},
+    {"clock of another", reads_the_clock_of_its_parent},
+    {"input", [] { return read(STDIN_FILENO, &first_byte, 1) == 1; }},
+    {"nap", [] { return usleep(500000) == 0; }},
     {"print",
      [] { return write(STDOUT_FILENO, "printed", 7) == 7 && write(STDERR_FILENO, "too", 3) == 3; }},
     {"namespaces", [] { return unshare(CLONE_NEWUSER) == 0; }},

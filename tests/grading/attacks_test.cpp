@@ -303,6 +303,47 @@ TEST_CASE("headers in another folder are accessible to a compiler, if all users 
     CHECK(closed.words.find("Permission denied") != std::string::npos);
 }
 
+TEST_CASE(
+    "of a compiler in ~/.local, a submission reads its own folders, and not those beside it") {
+    const TemporaryFolder folder;
+    const TemporaryFolder home;
+    for (const TemporaryFolder* each : {&folder, &home})
+        fs::permissions(each->path(), fs::perms(0755));
+    const grade::BuildDirectory workshop =
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path());
+    const fs::path secret = home.path() / "share/keyring";
+    const fs::path wrapper = home.path() / "bin/g++";
+    for (const fs::path& each : {secret, wrapper}) fs::create_directory(each.parent_path());
+    write_text(secret, "TOPSECRET\n");
+    const fs::path kit = folder.path() / "seats/step03_sphere.txt";
+    std::string options;
+    for (const std::string& line : lines_of(read_text(kit))) {
+        const bool names_it = line.starts_with("compiler ");
+        if (names_it) write_text(wrapper, "#!/bin/sh\nexec " + line.substr(9) + " \"$@\"\n");
+        options += (names_it ? "compiler " + wrapper.string() : line) + "\n";
+    }
+    write_text(kit, options);
+    fs::permissions(wrapper, fs::perms(0755));
+    const std::string right = content(stage_file("step03_sphere", "reference"));
+    const auto compiled = [&](const std::string& text) {
+        return grade::compile_submission(workshop, 3, text, folder.path() / "submission.o");
+    };
+    const grade::Build made = compiled(right);
+    INFO(made.words);
+    CHECK(made.succeeded);
+    const grade::Build read = compiled("#include \"" + secret.string() + "\"\n" + right);
+    CHECK_FALSE(read.succeeded);
+    CHECK(read.words.find("TOPSECRET") == std::string::npos);
+}
+
+TEST_CASE("a file in UTF-16 is recognized by its first bytes") {
+    const TemporaryFolder folder;
+    const grade::Build made = grade::compile_submission(
+        grade::open_workshop(RAYSTEPS_ROOT, RAYSTEPS_BUILD, folder.path()), 3,
+        std::string("\xff\xfe#\0i\0", 6), folder.path() / "submission.o");
+    CHECK(made.words.find("UTF-16") != std::string::npos);
+}
+
 namespace {
 
 /// All whose names begin with one of these letters.

@@ -27,6 +27,8 @@ public:
                                    folder_ / "workshop/unpack");
     }
 
+    [[nodiscard]] const BuildDirectory& workshop() const { return workshop_; }
+
     [[nodiscard]] std::filesystem::path place(const std::string& name) const {
         return folder_ / "class" / name;
     }

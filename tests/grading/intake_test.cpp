@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 
 using namespace rt;
 using namespace rt::grade;
@@ -408,4 +409,30 @@ TEST_CASE("archives in archives end, and one that goes on for ever is the last")
     const SubmittedFiles bomb = ground.take("bomb.tar.gz");
     CHECK(bomb.files.empty());
     CHECK(bomb.words_on_all.find("bomb.tar.gz is damaged, or too large") != std::string::npos);
+}
+
+TEST_CASE("an archive that is larger than the disk is read without a copy") {
+    const Ground ground(RAYSTEPS_SEALED);
+    ground.write("work/sphere.cpp", "sphere");
+    ground.pack("work.tar", "work", {"sphere.cpp"});
+    std::error_code limited;
+    fs::resize_file(ground.place("work.tar"), fs::space(ground.place("")).available + (1ULL << 33),
+                    limited);
+    if (limited) return;  // the disk has no files with holes, or a limit of their sizes
+    CHECK(ground.take("work.tar").files == Files{{3, "sphere"}});
+}
+
+TEST_CASE("a tool that the clock ends is the machine's fault, by its processor time its own") {
+    const Ground ground(RAYSTEPS_SEALED);
+    const fs::path folder = ground.workshop().folder / "scratch";
+    fs::create_directory(folder);
+    const auto run = [&](const std::string& script, const ToolLimits& limits) {
+        return run_sealed(ground.workshop(), folder, {}, {"/bin/sh", "-c", script}, limits).status;
+    };
+    CHECK_THROWS_AS(run("sleep 1000", {.wall_seconds = 1}), ProgramError);
+    const int too_long = run("while :; do :; done", {.processor_seconds = 1, .wall_seconds = 60});
+    CHECK((too_long == 128 + SIGXCPU || too_long == 128 + SIGKILL));
+    // Two of its processes use what one may, and the clock ends a third.
+    CHECK(run("for i in 1 2; do (ulimit -t 1; while :; do :; done); done; sleep 1000",
+              {.processor_seconds = 2, .wall_seconds = 10}) == 128 + SIGXCPU);
 }

@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <tuple>
 
 using namespace rt;
@@ -52,4 +54,36 @@ TEST_CASE("a process that ends, for any reason, ends all of its children") {
             CHECK(soon([&] { return processes_of(attacker) == 0; }));
         }
     }
+}
+
+TEST_CASE("time in which a tool is stopped with the one that watches it is not its own") {
+    const Ground ground;
+    const Command command =
+        sealed(ground, everybody(ground).front(),
+               {"work=building", "wall=1", "write=" + (ground.folder / "scratch").string(),
+                "read=" + (ground.folder / "attacker").string()},
+               {"nap"});
+    std::vector<char*> words;
+    for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    const pid_t watcher = fork();
+    if (watcher == 0) {
+        execv(words[0], words.data());
+        _exit(99);
+    }
+    const auto tool = [watcher] {
+        const std::string me = std::to_string(watcher);
+        std::ifstream children("/proc/" + me + "/task/" + me + "/children");
+        pid_t child = 0;
+        children >> child;
+        return child;
+    };
+    while (tool() == 0 && kill(watcher, 0) == 0) usleep(1000);
+    const std::array<pid_t, 2> both{watcher, tool()};
+    for (const pid_t each : both) kill(each, SIGSTOP);
+    usleep(2000000);
+    for (const pid_t each : both) kill(each, SIGCONT);
+    int status = -1;
+    waitpid(watcher, &status, 0);
+    CHECK(status == done);
 }

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 
 using namespace rt;
 
@@ -63,6 +64,8 @@ TEST_CASE("a worker reaches no file, process or network, whoever grades") {
         CHECK(status(ground, who, {}, {"trace"}) == ended);
         CHECK(status(ground, who, {}, {"signal"}) == ended);
         CHECK(status(ground, who, {}, {"set the clock"}) == ended);
+        CHECK(status(ground, who, {}, {"own clocks"}) == done);
+        CHECK(status(ground, who, {}, {"clock of another"}) == ended);
         CHECK(status(ground, who, {}, {"namespaces"}) == ended);
         CHECK(status(ground, who, {}, {"root"}) == ended);
         CHECK(status(ground, who, {}, {"descriptors"}) == refused);
@@ -102,6 +105,8 @@ TEST_CASE("a compiler reads and writes only in the given folders, and leaves no 
         CHECK(status(ground, who, limits, {"read", "/dev/zero"}) == refused);
         CHECK(status(ground, who, limits, {"read", "/etc/passwd"}) == refused);
         CHECK(status(ground, who, limits, {"read", "/proc/self/maps"}) == refused);
+        CHECK(status(ground, who, limits, {"own clocks"}) == done);
+        CHECK(status(ground, who, limits, {"clock of another"}) == refused);
         CHECK(status(ground, who, limits, {"socket"}) == refused);
         CHECK(status(ground, who, limits, {"trace"}) == refused);
         CHECK(status(ground, who, limits, {"signal", me}) == refused);
@@ -122,6 +127,33 @@ TEST_CASE("a compiler reads and writes only in the given folders, and leaves no 
         CHECK(processes_of(ground.folder / "attacker") == 0);
         fs::remove(scratch + "/made");
     }
+}
+
+TEST_CASE("a tool gets a file as its input that its user may not open") {
+    const Ground ground;
+    const fs::path file = ground.folder / "submission";
+    std::ofstream(file) << "archive";
+    fs::permissions(file, fs::perms(0600));
+    Words limits{"work=building", "wall=60", "write=" + (ground.folder / "scratch").string(),
+                 "read=" + (ground.folder / "attacker").string()};
+    const Who me = everybody(ground).front();
+    CHECK(status(ground, me, limits, {"input"}) == refused);
+    limits.push_back("input=" + file.string());
+    CHECK(status(ground, me, limits, {"input"}) == done);
+}
+
+TEST_CASE("a compiler does not learn which files exist in the folders of people and services") {
+    const Ground ground;
+    if (!grade::layers().back().holds || ground.folder.string().starts_with("/var/")) return;
+    const Words limits{"work=building", "wall=60", "write=" + (ground.folder / "scratch").string(),
+                       "read=" + (ground.folder / "attacker").string()};
+    REQUIRE(fs::exists("/var/lib"));
+    const Who me = everybody(ground).front();
+    CHECK(status(ground, me, limits, {"see", "/var/lib"}) == refused);
+    CHECK(status(ground, me, limits, {"see", ground.folder / "attacker"}) == done);
+    Words with_it = limits;
+    with_it.emplace_back("read=/var/lib");
+    CHECK(status(ground, me, with_it, {"see", "/var/lib"}) == done);
 }
 
 TEST_CASE("of those that root starts, no two at once are the same user") {

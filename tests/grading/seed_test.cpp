@@ -7,6 +7,11 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <seccomp.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <set>
 #include <thread>
 
@@ -57,6 +62,23 @@ TEST_CASE("runs that start at the same time agree on one seed") {
         for (std::thread& run : runs) run.join();
         CHECK(std::set<std::uint64_t>(seeds.begin(), seeds.end()).size() == 1);
     }
+}
+
+TEST_CASE("a seed is agreed on where a disk has no hard links") {
+    const TemporaryFolder results;
+    const pid_t run = fork();
+    if (run == 0) {  // where link fails, as on exFAT
+        const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+        for (const int call : {SCMP_SYS(link), SCMP_SYS(linkat)})
+            seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), call, 0, nullptr);
+        if (seccomp_load(filter) != 0) _exit(2);
+        const std::uint64_t seed = grade::agreed_seed(results.path(), {});
+        _exit(grade::agreed_seed(results.path(), {}) == seed ? 0 : 1);
+    }
+    int status = -1;
+    waitpid(run, &status, 0);
+    CHECK(status == 0);
+    CHECK(std::distance(fs::directory_iterator(results.path()), fs::directory_iterator()) == 1);
 }
 
 TEST_CASE("a seed is given by a file, which no other may follow") {

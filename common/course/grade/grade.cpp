@@ -113,6 +113,7 @@ fs::path workshop_folder(const Order& order) {
     const std::string start =
         "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
     const fs::path place = temporary_place();
+    check_executable(place);
     std::error_code none;
     for (const auto& each : fs::directory_iterator(place, none))
         if (each.path().filename().string().rfind(start, 0) == 0) fs::remove_all(each.path(), none);
@@ -303,6 +304,7 @@ Outcome grade(const Order& order, const fs::path& folder) {
 Outcome grade(const Order& order) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         std::signal(signal, [](int) { stop = true; });
+    std::signal(SIGCHLD, SIG_DFL);  // a caller that ignores it would hide how processes end
     check_seal();
     check_places(order);
     static_cast<void>(read_term(order.results, {}));  // an error there ends the run at its start

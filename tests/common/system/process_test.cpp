@@ -4,6 +4,8 @@
 #include "tests/kit/catch.hpp"
 
 #include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -41,6 +43,39 @@ TEST_CASE("a process that a program leaves running is ended with it") {
             if (is_running(left)) kill(left, SIGKILL);
         }
     }
+}
+
+TEST_CASE("time in which the caller is stopped is not the program's") {
+    // The limit is a second. The program sleeps for half of one, and is stopped with its caller, or
+    // goes on alone; both are stopped for two.
+    for (const bool with_the_program : {false, true}) {
+        INFO("with the program: " << with_the_program);
+        const pid_t caller = fork();
+        if (caller == 0) {
+            setpgid(0, 0);
+            const rt::ProcessResult ending =
+                rt::run_captured({"sleep", "0.5"}, std::chrono::seconds(1));
+            _exit(ending.out_of_time ? 1 : ending.status);
+        }
+        usleep(200000);
+        const pid_t stopped = with_the_program ? -caller : caller;
+        kill(stopped, SIGSTOP);
+        usleep(2000000);
+        kill(stopped, SIGCONT);
+        int status = -1;
+        waitpid(caller, &status, 0);
+        CHECK(status == 0);
+    }
+}
+
+TEST_CASE(
+    "a program's processor time is that of its children, too, and not the time of its sleep") {
+    const auto used = [](const std::string& script) {
+        return rt::run_captured({"sh", "-c", script}, std::chrono::seconds(60)).processor_seconds;
+    };
+    CHECK(used("sleep 0.5") < 0.3);
+    const std::string spin = "i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done";
+    CHECK(used("(" + spin + ")\ntrue") > 10 * used("(exit 0)\ntrue"));
 }
 
 TEST_CASE("what else is running goes on when a program ends") {

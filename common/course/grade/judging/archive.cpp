@@ -46,6 +46,11 @@ std::optional<std::string> plain_bytes(const fs::path& file, std::size_t largest
     return text;
 }
 
+bool is_readable(const fs::path& file) {
+    std::error_code none;
+    return fs::is_regular_file(fs::symlink_status(file, none)) && access(file.c_str(), R_OK) == 0;
+}
+
 /// The list is untrusted: the archive may have taken control of the tool.
 Unpacked read_list(const std::string& text, const fs::path& folder) {
     Unpacked unpacked;
@@ -73,20 +78,10 @@ Unpacked read_list(const std::string& text, const fs::path& folder) {
 
 std::optional<Unpacked> unpack(const BuildDirectory& workshop, const fs::path& archive,
                                const fs::path& folder, int megabytes) {
-    const TemporaryFolder scratch(workshop.folder);
-    const fs::path copy = scratch.path() / "archive";
     const fs::path tool = workshop.folder / "unpack";
-    std::error_code failed;
-    if (!fs::is_regular_file(fs::symlink_status(archive, failed))) return std::nullopt;
-    fs::copy_file(archive, copy, failed);
-    if (failed) {
-        check_space(scratch.path());
-        return std::nullopt;
-    }
-    fs::permissions(copy, fs::perms(0644));
-    fs::permissions(scratch.path(), fs::perms(0755));
-    const ProcessResult ending =
-        run_sealed(workshop, folder, {copy, tool}, {tool, copy, folder, std::to_string(megabytes)});
+    if (!is_readable(archive)) return std::nullopt;
+    const ProcessResult ending = run_sealed(workshop, folder, {tool},
+                                            {tool, folder, std::to_string(megabytes)}, {}, archive);
     const std::optional<std::string> list = plain_bytes(folder / "list", largest_list);
     Unpacked unpacked = read_list(list.value_or(""), folder);
     if (ending.status != 0) unpacked.whole = false;

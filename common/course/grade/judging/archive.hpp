@@ -25,7 +25,8 @@ struct Unpacked {
 };
 
 /// Unpacks an archive in the sandbox, into a folder of the workshop: only the archives, and the
-/// sources with nearly the name of a stage's file. `most_megabytes` bounds their total size.
+/// sources with nearly the name of a stage's file. `megabytes` bounds their total size. The
+/// archive, which may be far larger, is not copied.
 /// Returns nothing if the archive cannot be read at all. Throws ProgramError or filesystem_error if
 /// the grader itself fails.
 [[nodiscard]] std::optional<Unpacked> unpack(const BuildDirectory& workshop,

@@ -7,6 +7,8 @@
 
 #include <sched.h>
 
+#include <cstdlib>
+
 namespace rt::grade {
 
 namespace {
@@ -18,8 +20,8 @@ namespace fs = std::filesystem;
 constexpr int answer_seconds = 5;
 constexpr int case_seconds = 8;
 constexpr int suite_seconds = 20;
-
-using Clock = std::chrono::steady_clock;
+// A suite that has computed for this long, with its workers, was kept from its end by them.
+constexpr int most_processor_seconds = 10 * suite_seconds;
 
 /// The cases that the starter passes.
 std::set<std::string> given_cases(const Grading& grading, GradedFile graded) {
@@ -57,24 +59,28 @@ private:
 }  // namespace
 
 ProcessResult run_asking(const Grading& grading, int stage, const Command& program,
-                         const Command& variables, Clock::time_point until) {
-    Command command{"env", "RAYSTEPS_SEALED=" + grading.workshop.sealed.string(),
-                    "RAYSTEPS_LIMITS=" + worker_limits(stage)};
+                         const Command& variables) {
+    Command command{"env", "-i"};
+    for (const char* each : {"PATH", "LD_LIBRARY_PATH"})  // decide whether it runs, not its result
+        if (const char* value = std::getenv(each))
+            command.push_back(each + ("=" + std::string(value)));
+    command.push_back("RAYSTEPS_SEALED=" + grading.workshop.sealed.string());
+    command.push_back("RAYSTEPS_LIMITS=" + worker_limits(stage));
     command.insert(command.end(), variables.begin(), variables.end());
     command.push_back(grading.build / program.front());
     command.insert(command.end(), program.begin() + 1, program.end());
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-    if (left.count() <= 0) return {.out_of_time = true};
     const OneProcessor suite_and_worker;
-    ProcessResult ending = run_captured(command, left, grading.workshop.stop);
+    ProcessResult ending = run_captured(command, grading.longest_asking, grading.workshop.stop);
     go_on(grading.workshop);
+    if (ending.out_of_time && ending.processor_seconds < most_processor_seconds)
+        throw ProgramError(program.front() + ended_by_the_clock(ending));
     if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
         throw Interrupted();
     return ending;
 }
 
 std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const fs::path& worker,
-                                Clock::time_point until, const Command& more_variables) {
+                                const Command& more_variables) {
     const fs::path report = worker.parent_path() / (name_of(graded) + ".report");
     Command variables{"RAYSTEPS_WORKER=" + worker.string(),
                       "RAYSTEPS_REPORT=" + report.string(),
@@ -83,9 +89,9 @@ std::vector<CaseMark> ask_suite(const Grading& grading, GradedFile graded, const
                       "RAYSTEPS_CASE_SECONDS=" + std::to_string(case_seconds),
                       "RAYSTEPS_SUITE_SECONDS=" + std::to_string(suite_seconds)};
     variables.insert(variables.end(), more_variables.begin(), more_variables.end());
-    const ProcessResult ending = run_asking(
-        grading, graded.stage, {name_of(graded) + "_asked_test_double", "--out", "/dev/null"},
-        variables, until);
+    const ProcessResult ending =
+        run_asking(grading, graded.stage,
+                   {name_of(graded) + "_asked_test_double", "--out", "/dev/null"}, variables);
     std::vector<CaseMark> cases;
     // No submission can end the suite; a system without memory can.
     if (!ending.out_of_time && !ending.crash.empty())

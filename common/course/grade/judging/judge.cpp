@@ -1,7 +1,6 @@
 #include "common/course/grade/judging/judge.hpp"
 
 #include "common/course/exercise/trace_mistakes.hpp"
-#include "common/course/grade/judging/load.hpp"
 #include "common/course/grade/judging/sha256.hpp"
 #include "common/course/grade/judging/submission_job.hpp"
 #include "common/stages/reasons.hpp"
@@ -17,18 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A wall-clock limit as a fallback: compile, suite, diagnosis and picture of a stage, on an idle
-// machine.
-constexpr std::chrono::seconds longest_asking{60};
-// A stage may take this many times as long as its reference took on this machine, under the same
-// load.
-constexpr int times_of_reference = 30;
-constexpr std::chrono::seconds longest_of_all{900};
-// The message for a case that its suite did not reach at all.
-constexpr const char* not_reached = "was not reached: the cases before it took too long\n";
-
-using Clock = std::chrono::steady_clock;
-
 bool was_waited_for(const CaseMark& each) {
     return !each.passed && (each.words.find("gave no answer within") != std::string::npos ||
                             each.words.find("took longer than") != std::string::npos);
@@ -37,12 +24,12 @@ bool was_waited_for(const CaseMark& each) {
 /// The passing cases are known. A case that also fails with the suite's own inputs is reported as
 /// by `./course check`, with inputs that a student can repeat. Returns the cases with these inputs.
 std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& grading,
-                             GradedFile graded, const fs::path& worker, Clock::time_point until) {
+                             GradedFile graded, const fs::path& worker) {
     const auto fails = [](const CaseMark& each) { return !each.passed; };
     if (std::none_of(cases.begin(), cases.end(), fails)) return cases;
     if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return cases;  // it would be again
     std::vector<CaseMark> as_written =
-        ask_suite(grading, graded, worker, until, {"RAYSTEPS_AS_WRITTEN=1"});
+        ask_suite(grading, graded, worker, {"RAYSTEPS_AS_WRITTEN=1"});
     for (const CaseMark& told : as_written)
         for (CaseMark& each : cases)
             if (!each.passed && !told.passed && each.name == told.name) {
@@ -79,14 +66,14 @@ bool all_pass(const std::vector<CaseMark>& cases) {
                        [](const CaseMark& each) { return each.passed; });
 }
 
-/// The same marks as if all cases had been reached.
+/// The same marks as if the suite had reached all cases.
 std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<CaseMark>& all) {
     for (std::size_t i = cases.size(); i < all.size(); ++i)
         cases.push_back({.name = all[i].name,
                          .points = all[i].points,
                          .given = all[i].given,
                          .of_trace = all[i].of_trace,
-                         .words = not_reached});
+                         .words = std::string(not_reached) + "\n"});
     return cases;
 }
 
@@ -94,16 +81,9 @@ std::vector<CaseMark> completed(std::vector<CaseMark> cases, const std::vector<C
 /// gets no more queries.
 bool is_out_of_time(const Mark& mark) {
     return std::any_of(mark.cases.begin(), mark.cases.end(), [](const CaseMark& each) {
-        return each.words == not_reached || each.words.find(too_long_a_suite) != std::string::npos;
+        return each.words.find(not_reached) != std::string::npos ||
+               each.words.find(too_long_a_suite) != std::string::npos;
     });
-}
-
-/// The time limit of a stage that starts now.
-Clock::time_point end_of_asking(const ReferenceResult& reference_result) {
-    const std::chrono::duration<double> seconds = std::max<std::chrono::duration<double>>(
-        busy() * longest_asking, times_of_reference * reference_result.took);
-    return Clock::now() + std::chrono::ceil<std::chrono::milliseconds>(
-                              std::min<std::chrono::duration<double>>(seconds, longest_of_all));
 }
 
 /// True if every function is written: the result of a stub may look like a known mistake.
@@ -160,15 +140,12 @@ ReferenceResult judge_reference(const Grading& grading, int stage, const fs::pat
     ReferenceResult reference_result{.worker = folder / (name_of(stage) + "_reference")};
     const Build made = link_worker(grading.workshop, stage, {}, reference_result.worker);
     if (!made.succeeded) throw ProgramError(made.words);
-    const auto start = Clock::now();
     std::string suites;
     for (const GradedFile graded : files_of(stage)) {
-        for (CaseMark& each :
-             ask_suite(grading, graded, reference_result.worker, start + longest_of_all))
+        for (CaseMark& each : ask_suite(grading, graded, reference_result.worker))
             reference_result.cases.push_back(std::move(each));
         suites += read_text(grading.build / (name_of(graded) + "_asked_test_double"));
     }
-    reference_result.took = std::chrono::ceil<std::chrono::milliseconds>(Clock::now() - start);
     for (const CaseMark& each : reference_result.cases)
         if (!each.passed)
             throw ProgramError("error: the reference of " + name_of(stage) +
@@ -181,12 +158,11 @@ namespace {
 
 /// The part of the picture that the student's own stages draw.
 std::optional<PictureMark> picture_of(const Grading& grading, int stage, const fs::path& worker,
-                                      const fs::path& file, Clock::time_point until) {
+                                      const fs::path& file) {
     // In the workshop first: a worker without an answer and a full disk are different failures.
     const fs::path drawn = worker.parent_path() / file.filename();
-    const ProcessResult ending =
-        run_asking(grading, stage, {"ask_picture", worker.string(), name_of(stage), drawn.string()},
-                   {}, until);
+    const ProcessResult ending = run_asking(
+        grading, stage, {"ask_picture", worker.string(), name_of(stage), drawn.string()}, {});
     PictureMark mark{.file = file.filename()};
     if (std::sscanf(ending.output.c_str(), "%d %d", &mark.pixels, &mark.different) != 2) {
         check_space(drawn.parent_path());
@@ -199,7 +175,7 @@ std::optional<PictureMark> picture_of(const Grading& grading, int stage, const f
 
 }  // namespace
 
-Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
+Mark Judge::mark(SubmissionJob& job, int stage) {
     const ReferenceResult& reference_result = yardsticks_.at(stage);
     Mark mark{.student = job.student(), .stage = stage, .most = points_of(reference_result.cases)};
     std::string known = name_of(stage);
@@ -227,7 +203,7 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
     mark.verdict = Verdict::refused;
     for (const GradedFile each : files_of(stage)) {
         if (job.has(each))
-            mark_file(job, each, until, mark);
+            mark_file(job, each, mark);
         else
             mark.words += file_name(each) + " was not submitted: its " +
                           std::to_string(points_of(cases_of(reference_result.cases, each))) +
@@ -238,7 +214,7 @@ Mark Judge::mark(SubmissionJob& job, int stage, Clock::time_point until) {
     return mark;
 }
 
-void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point until, Mark& mark) {
+void Judge::mark_file(SubmissionJob& job, GradedFile graded, Mark& mark) {
     const int stage = graded.stage;
     const ReferenceResult& reference_result = yardsticks_.at(stage);
     Build made = job.compiled(graded);
@@ -249,8 +225,8 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point u
         return;
     }
     mark.verdict = Verdict::judged;
-    std::vector<CaseMark> cases = ask_suite(grading_, graded, job.worker(), until);
-    const std::vector<CaseMark> as_written = retell(cases, grading_, graded, job.worker(), until);
+    std::vector<CaseMark> cases = ask_suite(grading_, graded, job.worker());
+    const std::vector<CaseMark> as_written = retell(cases, grading_, graded, job.worker());
     cases = completed(cases, cases_of(reference_result.cases, graded));
     mark.cases.insert(mark.cases.end(), cases.begin(), cases.end());
     if (all_pass(cases)) return;
@@ -275,7 +251,7 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point u
             run_asking(grading_, stage,
                        {"diagnose", probes, job.worker().string(), reference_result.worker.string(),
                         report.string(), slice.string()},
-                       {}, until);
+                       {});
         fs::remove(report);
         if (!ending.out_of_time && ending.status == 1) read_diagnosis(ending.output, mark);
         if (ending.status > 1) check_space(slice.parent_path());
@@ -287,7 +263,7 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Clock::time_point u
     }
 }
 
-std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::time_point until) {
+std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage) {
     const std::string known = name_of(stage) + job.chain(stage);
     {
         const std::lock_guard lock(mutex_);
@@ -299,9 +275,9 @@ std::optional<PictureMark> Judge::picture(SubmissionJob& job, int stage, Clock::
             return mark;
         }
     }
-    if (!job.link_chain(stage, until).succeeded) return {};
+    if (!job.link_chain(stage).succeeded) return {};
     const std::optional<PictureMark> mark =
-        picture_of(grading_, stage, job.worker(), job.beside(stage, ".png"), until);
+        picture_of(grading_, stage, job.worker(), job.beside(stage, ".png"));
     const std::lock_guard lock(mutex_);
     if (mark) drawn_[known] = {job.student(), *mark};
     return mark;
@@ -313,43 +289,54 @@ void Judge::judge(SubmissionJob& job, int stage) {
     const std::string key = job.key(stage, reference_result.key);
     const std::optional<Mark> before = read_mark(grading_.results, job.student(), stage);
     if (before && before->key == key) return;
-    const Clock::time_point until = end_of_asking(reference_result);
     for (const char* ending : {".svg", ".png"}) fs::remove(job.beside(stage, ending));
-    Mark came = mark(job, stage, until);
+    Mark came = mark(job, stage);
     came.student = job.student();
     came.key = key;
     if (came.verdict == Verdict::judged && !is_out_of_time(came))
-        came.picture = picture(job, stage, until);
+        came.picture = picture(job, stage);
     write_mark(grading_.results, came);
 }
 
+void Judge::postpone(const std::string& student, int stage) {
+    Mark mark{.student = student,
+              .stage = stage,
+              .verdict = Verdict::postponed,
+              .words =
+                  "Your file could not be graded, through no fault of yours. It will be "
+                  "judged again.\n",
+              .most = points_of(yardsticks_.at(stage).cases)};
+    try {
+        write_mark(grading_.results, mark);
+    } catch (const std::exception&) {
+        // the report already gives the reason why this student is missing in the grade book
+    }
+}
+
 std::string Judge::judge(const Submission& submission) {
+    std::string why;
     auto next = yardsticks_.begin();
+    const auto failed = [&](const std::exception& error) {
+        if (why.empty()) why = error.what();
+        postpone(submission.student, next->first);
+    };
     try {
         SubmissionJob job(grading_, submission);
-        for (; next != yardsticks_.end(); ++next) judge(job, next->first);
-        return "";
+        for (; next != yardsticks_.end(); ++next) {
+            try {
+                judge(job, next->first);
+            } catch (const Interrupted&) {
+                throw;
+            } catch (const std::exception& error) {
+                failed(error);
+            }
+        }
     } catch (const Interrupted&) {
         throw;
     } catch (const std::exception& error) {
-        const std::string why = error.what();
-        for (; next != yardsticks_.end(); ++next) {
-            Mark mark{.student = submission.student,
-                      .stage = next->first,
-                      .verdict = Verdict::refused,
-                      .words =
-                          "Your file could not be graded, through no fault of yours. It will be "
-                          "judged again.\n"};
-            for (const CaseMark& each : next->second.cases) mark.most += each.points;
-            try {
-                write_mark(grading_.results, mark);
-            } catch (const std::exception&) {
-                // the report already gives the reason why this student is missing in the grade book
-                break;
-            }
-        }
-        return why;
+        for (; next != yardsticks_.end(); ++next) failed(error);
     }
+    return why;
 }
 
 }  // namespace rt::grade

@@ -16,7 +16,6 @@ struct ReferenceResult {
     std::string key;               ///< hash of everything that decides a mark, apart from the
                                    ///< student's files
     std::vector<CaseMark> cases;   ///< of the functions, then of `trace`; all of them pass
-    std::chrono::milliseconds took{0};
 };
 
 /// Compiles the reference of a stage as a submission. Throws ProgramError if it does not compile:
@@ -36,19 +35,17 @@ public:
     Judge(const Grading& grading, std::map<int, ReferenceResult> reference_results)
         : grading_(grading), yardsticks_(std::move(reference_results)) {}
 
-    /// Writes a mark for each stage, unless an up-to-date mark exists. If the grader itself fails,
-    /// returns the reason and writes it into the remaining marks, which the next run grades again.
-    /// Throws Interrupted when the workshop is stopped.
+    /// Writes a mark for each stage, unless an up-to-date mark exists. If the grader itself fails
+    /// at some of them, postpones these: the next run judges them again. Returns the first reason,
+    /// or an empty text. Throws Interrupted when the workshop is stopped.
     [[nodiscard]] std::string judge(const Submission& submission);
 
 private:
-    using Time = std::chrono::steady_clock::time_point;
-
     void judge(SubmissionJob& job, int stage);
-    // No worker gets a query after `until`.
-    [[nodiscard]] Mark mark(SubmissionJob& job, int stage, Time until);
-    void mark_file(SubmissionJob& job, GradedFile graded, Time until, Mark& mark);
-    [[nodiscard]] std::optional<PictureMark> picture(SubmissionJob& job, int stage, Time until);
+    void postpone(const std::string& student, int stage);
+    [[nodiscard]] Mark mark(SubmissionJob& job, int stage);
+    void mark_file(SubmissionJob& job, GradedFile graded, Mark& mark);
+    [[nodiscard]] std::optional<PictureMark> picture(SubmissionJob& job, int stage);
 
     const Grading& grading_;
     const std::map<int, ReferenceResult> yardsticks_;

@@ -35,18 +35,29 @@ std::uint64_t random_bits() {
     return std::uint64_t(device()) << 32 | device();
 }
 
+/// Gives the written file its name, unless another one has it: by a hard link, or by a renaming
+/// where the disk has none (exFAT, some network disks). False, with errno, if neither works.
+bool give_name(const fs::path& part, const fs::path& file) {
+    return link(part.c_str(), file.c_str()) == 0 || errno == EEXIST ||
+           renameat2(AT_FDCWD, part.c_str(), AT_FDCWD, file.c_str(), RENAME_NOREPLACE) == 0 ||
+           errno == EEXIST;
+}
+
 /// Writes the seed whole, or leaves the one that is there.
 void store(std::uint64_t seed, const fs::path& file) {
     const std::string text = text_of(seed) + "\n";
     const fs::path part = file.parent_path() / (".seed." + text_of(random_bits()));
     const int descriptor = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (descriptor == -1) throw InputError({file}, "cannot be written");
-    const bool written = write(descriptor, text.data(), text.size()) == ssize_t(text.size()) &&
-                         fsync(descriptor) == 0;
+    const auto fail = [&file](int error) {
+        throw InputError({file}, std::string("cannot be written: ") + std::strerror(error));
+    };
+    if (descriptor == -1) fail(errno);
+    const bool stored = write(descriptor, text.data(), text.size()) == ssize_t(text.size()) &&
+                        fsync(descriptor) == 0 && give_name(part, file);
+    const int error = errno;
     close(descriptor);
-    const bool stored = written && (link(part.c_str(), file.c_str()) == 0 || errno == EEXIST);
     unlink(part.c_str());
-    if (!stored) throw InputError({file}, "cannot be written");
+    if (!stored) fail(error);
 }
 
 }  // namespace

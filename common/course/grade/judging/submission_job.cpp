@@ -1,6 +1,7 @@
 #include "common/course/grade/judging/submission_job.hpp"
 
 #include "common/course/grade/judging/sha256.hpp"
+#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/stages/stages.hpp"
 
 namespace rt::grade {
@@ -35,13 +36,18 @@ SubmissionJob::SubmissionJob(const Grading& grading, const Submission& submissio
 
 void SubmissionJob::leave_out_ours() {
     for (auto each = handed_in_.files.begin(); each != handed_in_.files.end();) {
-        const auto& [file, text] = *each;
-        const bool is_ours =
-            file.is_trace &&
-            text == read_text(grading_.project / "steps" / stage_name(file.stage) / "main.cpp");
-        if (is_ours) handed_in_.words[file] += "main.cpp is the project's own file.\n";
-        each = is_ours ? handed_in_.files.erase(each) : std::next(each);
+        const std::string why = each->first.is_trace ? why_ours(each->first, each->second) : "";
+        if (!why.empty()) handed_in_.words[each->first] += why + "\n";
+        each = why.empty() ? std::next(each) : handed_in_.files.erase(each);
     }
+}
+
+std::string SubmissionJob::why_ours(GradedFile file, const std::string& text) const {
+    const fs::path stage = grading_.project / "steps" / stage_name(file.stage);
+    const std::string projects = read_text(stage / "main.cpp");
+    if (text == projects) return "main.cpp is the project's own file.";
+    const std::string starter = read_text(stage / "starter/main.cpp");
+    return is_copy_of_main(text, projects, starter) ? copied_main : "";
 }
 
 std::string SubmissionJob::source(GradedFile file) const {
@@ -74,12 +80,10 @@ Build SubmissionJob::link(GradedFile file) {
     return link(file.stage, {{file, object(file)}});
 }
 
-Build SubmissionJob::link_chain(int stage, std::chrono::steady_clock::time_point until) {
+Build SubmissionJob::link_chain(int stage) {
     std::map<GradedFile, fs::path> objects;
-    for (const GradedFile each : chain_of(stage)) {
-        if (std::chrono::steady_clock::now() > until) return {};
+    for (const GradedFile each : chain_of(stage))
         if (has(each) && compiled(each).succeeded) objects[each] = object(each);
-    }
     return link(stage, objects);
 }
 

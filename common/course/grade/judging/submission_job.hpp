@@ -38,7 +38,7 @@ public:
     Build link(GradedFile file);
 
     /// The worker of the student's own stages up to this one, and of its `trace`.
-    Build link_chain(int stage, std::chrono::steady_clock::time_point until);
+    Build link_chain(int stage);
 
     [[nodiscard]] std::filesystem::path worker() const { return scratch_.path() / "worker"; }
 
@@ -48,6 +48,8 @@ public:
 private:
     /// A copy of the project's main.cpp is not the student's.
     void leave_out_ours();
+    /// A sentence; empty for a student's own file.
+    [[nodiscard]] std::string why_ours(GradedFile file, const std::string& text) const;
 
     [[nodiscard]] std::filesystem::path object(GradedFile file) const;
 

@@ -10,11 +10,15 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
 #include <fstream>
+#include <mutex>
+#include <sstream>
 
 namespace rt::grade {
 
@@ -114,19 +118,54 @@ std::string told(const ProcessResult& ending, const BuildDirectory& workshop, Gr
     return words.empty() ? otherwise + " failed." : words;
 }
 
-/// The folders of the tool's own parts, if they are not system folders, and of its include options:
-/// a compiler in /opt, headers in /home.
-std::vector<fs::path> folders_of(const Command& command) {
+/// The folders in which a compiler looks for its parts, headers and libraries, as it prints them.
+std::vector<fs::path> searched_by(const std::string& compiler) {
+    const auto printed = [&compiler](const Command& options) {
+        Command command{"env", "-i", "PATH=/usr/local/bin:/usr/bin:/bin", compiler};
+        command.insert(command.end(), options.begin(), options.end());
+        return lines_of(run_captured(command, std::chrono::seconds(20)).output);
+    };
     std::vector<fs::path> folders;
+    const auto add = [&folders](const std::string& name) {
+        std::error_code none;
+        const fs::path folder = fs::canonical(name, none);
+        if (fs::is_directory(folder, none) && folder != "/") folders.push_back(folder);
+    };
+    // "libraries: =/opt/gcc/lib:…", and of the headers' folders each on a line of its own
+    for (const std::string& line : printed({"-print-search-dirs"})) {
+        std::istringstream names(line.substr(std::min(line.find('/'), line.size())));
+        for (std::string name; std::getline(names, name, ':');) add(name);
+    }
+    for (const std::string& line : printed({"-E", "-v", "-x", "c++", "/dev/null"}))
+        if (line.starts_with(" /")) add(line.substr(1));
+    return folders;
+}
+
+/// A compiler that is not the system's, and its folders: no others that are beside it in ~/.local.
+std::vector<fs::path> compiler_files(const std::string& compiler) {
+    static std::mutex mutex;
+    static std::map<std::string, std::vector<fs::path>> known;
+    const std::lock_guard lock(mutex);
+    const auto [found, is_new] = known.try_emplace(compiler);
     std::error_code none;
-    const fs::path prefix = fs::canonical(command.at(0), none).parent_path().parent_path();
-    if (!prefix.empty() && prefix != "/" && prefix != "/usr")
-        for (const char* folder : {"bin", "lib", "lib64", "libexec", "include", "share"})
-            folders.push_back(prefix / folder);
+    const fs::path file = fs::canonical(compiler, none);
+    if (!is_new || file.empty() || file.parent_path() == "/usr/bin") return found->second;
+    found->second = searched_by(compiler);
+    found->second.push_back(file);
+    return found->second;
+}
+
+/// Runs the compiler in the sandbox, which may also read its own files, and the folders of its
+/// include options: headers in /home.
+ProcessResult run_compiler(const BuildDirectory& workshop, const fs::path& writable,
+                           std::vector<fs::path> readable, const Command& command,
+                           const ToolLimits& limits = {}) {
+    const std::vector<fs::path> own = compiler_files(command.at(0));
+    readable.insert(readable.end(), own.begin(), own.end());
     const std::string include = "-isystem";
     for (const std::string& word : command)
-        if (word.rfind(include, 0) == 0) folders.emplace_back(word.substr(include.size()));
-    return folders;
+        if (word.rfind(include, 0) == 0) readable.emplace_back(word.substr(include.size()));
+    return run_sealed(workshop, writable, readable, command, limits);
 }
 
 /// Makes the contents readable for all users who may enter the folder, with any permissions in the
@@ -195,6 +234,14 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
 
 }  // namespace
 
+void check_executable(const fs::path& folder) {
+    struct statvfs about {};
+    if (statvfs(folder.c_str(), &about) == 0 && (about.f_flag & ST_NOEXEC) != 0)
+        throw InputError({folder},
+                         "no program runs in this folder, which is mounted noexec: "
+                         "name another one for temporary files, TMPDIR=/var/tmp");
+}
+
 void check_space(const fs::path& folder, std::uintmax_t least) {
     std::error_code unknown;
     const fs::space_info space = fs::space(folder, unknown);
@@ -232,9 +279,17 @@ void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
 
+std::string ended_by_the_clock(const ProcessResult& ending) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f s", ending.processor_seconds);
+    return std::string(" was ended by the clock, after ") + seconds +
+           " of processor time: this machine stood still, or is too busy. The same command judges "
+           "it again\n";
+}
+
 ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writable,
                          const std::vector<fs::path>& readable, const Command& command,
-                         const ToolLimits& limits) {
+                         const ToolLimits& limits, const fs::path& input) {
     const int wall = int(limits.wall_seconds * busy());
     Command sealed{workshop.sealed,
                    "work=building",
@@ -245,7 +300,7 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
                    "threads=1000",
                    "write=" + writable.string()};
     for (const fs::path& each : readable) sealed.push_back("read=" + each.string());
-    for (const fs::path& each : folders_of(command)) sealed.push_back("read=" + each.string());
+    if (!input.empty()) sealed.push_back("input=" + input.string());
     sealed.push_back("--");
     sealed.insert(sealed.end(), command.begin(), command.end());
     // The launcher enforces the time limit; this one is a fallback.
@@ -255,12 +310,20 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     // no submission's mark.
     if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
+    const bool by_a_limit = ending.out_of_time || ending.status == 128 + SIGXCPU;
+    if (by_a_limit && ending.processor_seconds < limits.processor_seconds / 2.0)
+        throw ProgramError(fs::path(command.at(0)).filename().string() +
+                           ended_by_the_clock(ending));
     if (ending.status != 0) check_space(writable);
     return ending;
 }
 
 Build compile_submission(const BuildDirectory& workshop, GradedFile graded, const std::string& text,
                          const fs::path& object) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+        return {.words =
+                    "Your file is encoded in UTF-16, which a compiler does not read: save it in "
+                    "UTF-8. (In Windows' PowerShell, > writes UTF-16.)"};
     const TemporaryFolder scratch(workshop.folder);
     // The file has the student's name for it, relative to the compiler's folder, and an age of its
     // own, so that messages, __FILE__ and __TIMESTAMP__ are the same in every run.
@@ -274,9 +337,10 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
         Command command = compiler(workshop, graded);
         command.insert(command.end(), options.begin(), options.end());
         command.insert(command.end(), {"-c", source, "-o", made});
-        return run_sealed(workshop, scratch.path(),
-                          {headers_of(workshop, graded), precompiled(header_of(workshop, graded))},
-                          command, limits);
+        return run_compiler(
+            workshop, scratch.path(),
+            {headers_of(workshop, graded), precompiled(header_of(workshop, graded))}, command,
+            limits);
     };
     // The precompiled header works only as the first include, so it is included first in a file
     // that includes it somewhere. A file that does not compile this way is compiled unchanged.
@@ -343,7 +407,7 @@ Build link_worker(const BuildDirectory& workshop, int stage,
     link.insert(link.end(), parts.begin(), parts.end());
     link.insert(link.end(), {"-o", made});
     append(link, options, "library");
-    const ProcessResult linked = run_sealed(workshop, scratch.path(), parts, link);
+    const ProcessResult linked = run_compiler(workshop, scratch.path(), parts, link);
     if (linked.status != 0) return {.words = told(linked, workshop, stage, scratch, "The link")};
     take(made, worker, fs::perms(0755));
     return {.succeeded = true};

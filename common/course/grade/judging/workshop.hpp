@@ -31,6 +31,9 @@ struct Interrupted : std::runtime_error {
 /// Throws Interrupted if the workshop is stopped.
 void go_on(const BuildDirectory& workshop);
 
+/// Throws InputError if the folder is on a disk from which no program may be run.
+void check_executable(const std::filesystem::path& folder);
+
 /// Space on a disk for the files of a few tools at a time, in bytes.
 constexpr std::uintmax_t space_of_tools = 64 << 20;
 
@@ -49,6 +52,10 @@ struct Build {
     bool succeeded = false;
     std::string words;  ///< the reason for a failure, for the author of the file
 };
+
+/// " was ended by the clock …": the reason why a program that computed for less than its limit is
+/// no submission's fault.
+[[nodiscard]] std::string ended_by_the_clock(const ProcessResult& ending);
 
 // Both functions throw ProgramError, InputError or filesystem_error if the grader itself fails, and
 // Interrupted.
@@ -74,12 +81,15 @@ struct ToolLimits {
     int wall_seconds = 20;
 };
 
-/// Runs a tool in the sandbox. It may read these files, its own installation, and the folders of
-/// its -isystem options; it may write only to its working folder. Throws InputError if it fails on
-/// a full disk.
+/// Runs a tool in the sandbox. It may read these files and the system's tools and headers, and
+/// write only to its working folder. Its standard input is the file `input`, if there is one, which
+/// no other user need be able to read. Throws InputError if it fails on a full disk, and
+/// ProgramError if the clock ends it though it has computed for less than half of its processor
+/// time: then the machine is at fault, and not the submission.
 [[nodiscard]] ProcessResult run_sealed(const BuildDirectory& workshop,
                                        const std::filesystem::path& writable,
                                        const std::vector<std::filesystem::path>& readable,
-                                       const Command& command, const ToolLimits& limits = {});
+                                       const Command& command, const ToolLimits& limits = {},
+                                       const std::filesystem::path& input = {});
 
 }  // namespace rt::grade

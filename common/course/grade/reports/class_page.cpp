@@ -2,6 +2,7 @@
 
 #include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/reports/html_table.hpp"
+#include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/likeness.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/stages/reasons.hpp"
@@ -24,6 +25,8 @@ constexpr const char* excused_cell = "<td class=\"soft\" title=\"excused\">e</td
 constexpr const char* refused_cell =
     "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>";
 
+constexpr const char* postponed_cell = "<td class=\"soft\" title=\"not graded yet\">?</td>";
+
 std::string points_cell(int points, int most) {
     return share_cell("share", points, most, std::to_string(100 * points / std::max(most, 1)));
 }
@@ -31,6 +34,7 @@ std::string points_cell(int points, int most) {
 std::string mark_cell(const Mark& mark, int most) {
     if (mark.verdict == Verdict::missing) return missing_cell;
     if (mark.verdict == Verdict::refused) return refused_cell;
+    if (mark.verdict == Verdict::postponed) return postponed_cell;
     return points_cell(mark.points(), most);
 }
 
@@ -51,7 +55,8 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
         int points = 0;
         int most_of_all = 0;
         for (const Mark& mark : marks)
-            if (mark.stage == stage && mark.verdict != Verdict::missing) {
+            if (mark.stage == stage && mark.verdict != Verdict::missing &&
+                mark.verdict != Verdict::postponed) {
                 points += mark.points();
                 most_of_all += most;
             }
@@ -85,7 +90,7 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
         rows += row(cells + share_cell("share", share, 100, number(submission.points)));
     }
     return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, e "
-           "excused, × cannot be judged.</p>\n" +
+           "excused, × cannot be judged, ? not judged yet.</p>\n" +
            table("matrix", rows + mean_row(marks, stages));
 }
 
@@ -119,12 +124,14 @@ std::string first_line(const std::string& words) {
     return words.substr(0, words.find('\n'));
 }
 
-/// The sentences on a worker that ended before it answered, with the number of cases of each.
+/// The sentences on a worker that ended before it answered, or on cases that the suite did not
+/// reach, with the number of cases of each.
 std::map<std::string, int> endings(const Mark& mark) {
     std::map<std::string, int> counts;
     for (const CaseMark& each : mark.cases)
-        if (const std::size_t start = each.words.find(no_answer_start); start != std::string::npos)
-            ++counts[first_line(each.words.substr(start))];
+        for (const char* sentence : {no_answer_start, not_reached})
+            if (const std::size_t start = each.words.find(sentence); start != std::string::npos)
+                ++counts[first_line(each.words.substr(start))];
     return counts;
 }
 
@@ -133,6 +140,7 @@ std::string stopped(const std::vector<Mark>& marks, const Term& term) {
     std::vector<std::string> tried;
     std::vector<std::string> ended;
     std::vector<std::string> refused;
+    std::vector<std::string> postponed;
     for (const Mark& mark : marks) {
         const std::string who =
             text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
@@ -145,8 +153,14 @@ std::string stopped(const std::vector<Mark>& marks, const Term& term) {
         }
         if (mark.verdict == Verdict::refused)
             refused.push_back(row(who + text_cell(first_line(mark.words))));
+        if (mark.verdict == Verdict::postponed) postponed.push_back(row(who));
     }
     std::string html;
+    if (!postponed.empty())
+        html +=
+            "<h3>Not judged yet, through no fault of theirs: the same <code>grade</code> command "
+            "judges them</h3>\n" +
+            first_rows("", postponed);
     if (!tried.empty())
         html +=
             "<h3>Forbidden operations: files, processes, networks</h3>\n" + first_rows("", tried);
@@ -223,10 +237,13 @@ std::string names(const std::vector<std::string>& students, const Term& term) {
     return all;
 }
 
-std::string near_stages(const NearFiles& near) {
+std::string near_stages(const NearGroup& group) {
     std::string all;
-    for (const auto& [file, percent] : near.percent)
-        all += (all.empty() ? "" : ", ") + file_title(file) + " " + std::to_string(percent) + " %";
+    for (const auto& [file, percent] : group.percent) {
+        const auto [least, most] = percent;
+        all += (all.empty() ? "" : ", ") + file_title(file) + " " +
+               (least == most ? "" : std::to_string(least) + "–") + std::to_string(most) + " %";
+    }
     return all;
 }
 
@@ -240,17 +257,30 @@ std::string same(const std::vector<SameFile>& found, const Term& term) {
 std::string near(const std::vector<NearFiles>& found, const Term& term) {
     if (found.empty()) return "";
     std::vector<std::string> rows;
-    for (const NearFiles& each : found)
-        rows.push_back(
-            row(text_cell(names({each.one, each.other}, term)) + text_cell(near_stages(each))));
+    for (const NearGroup& each : groups(found))
+        rows.push_back(row(text_cell(names({each.students.begin(), each.students.end()}, term)) +
+                           text_cell(near_stages(each))));
     return "<h3>Similar files</h3>\n<p class=\"soft\">The percentage of the shorter file that is "
-           "in "
-           "the longer, from " +
+           "in the longer, from " +
            std::to_string(near_percent) +
-           " % on, apart from names and comments. Passages of the starter do not count; passages "
-           "of many "
-           "students count little.</p>\n" +
+           " % on, apart from names and comments. In a group, each student's file is similar to "
+           "another's. Passages of the starter do not count; passages of many students count "
+           "little.</p>\n" +
            first_rows("", rows);
+}
+
+/// Copies of the project's main.cpp that were changed a little.
+std::string copies(const std::vector<Mark>& marks, const Term& term) {
+    std::string rows;
+    for (const Mark& mark : marks)
+        if (mark.words.find(copied_main) != std::string::npos)
+            rows += row(text_cell(term.called(mark.student)) +
+                        text_cell(file_title({mark.stage, true})));
+    return rows.empty()
+               ? ""
+               : "<h3>Copies of the project's main.cpp</h3>\n<p class=\"soft\">They differ "
+                 "from it by comments, names or layout, and are not graded.</p>\n" +
+                     table("list", rows);
 }
 
 std::string alike(const Similarity& found, const Term& term) {
@@ -281,7 +311,8 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
         left_over(results, term) + section("Known mistakes", mistakes(marks)) +
         section("Hardest cases", cases(marks)) +
         section("Code that was stopped or refused", stopped(marks, term)) +
-        section("Similar files", alike(similarity(results, project, marks), term));
+        section("Similar files",
+                copies(marks, term) + alike(similarity(results, project, marks), term));
     write_text(results / "class.html", page("Class report", body));
 }
 

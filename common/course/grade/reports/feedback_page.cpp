@@ -109,6 +109,8 @@ std::string section(const Mark& mark, int most, const fs::path& folder) {
     if (mark.verdict == Verdict::missing)
         return html + "<p>No file was submitted.</p>\n" + preformatted(mark.words, "wrong") +
                "</section>\n";
+    if (mark.verdict == Verdict::postponed)
+        return html + "<p>" + escaped(mark.words) + "</p>\n</section>\n";
     if (mark.verdict == Verdict::refused)
         return html + "<p>Your file cannot be graded:</p>\n" + preformatted(mark.words, "wrong") +
                "</section>\n";
@@ -125,7 +127,9 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
                 name_of(stage) + "\">" + stage_title(stage) + "<small>" +
                 std::to_string(mark->points()) + " of " + std::to_string(most) +
                 (submission.stages.count(stage) == 0 ? ", excused" : "") +
-                (mark->verdict == Verdict::missing ? ", not submitted" : "") +
+                (mark->verdict == Verdict::missing     ? ", not submitted"
+                 : mark->verdict == Verdict::postponed ? ", not graded yet"
+                                                       : "") +
                 "</small></a></li>\n";
     }
     return html + "</ul>\n";

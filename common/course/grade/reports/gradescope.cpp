@@ -32,6 +32,10 @@ void append_tests(Json& tests, const Mark& mark) {
     if (mark.verdict == Verdict::refused)
         tests.push_back(
             test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
+    if (mark.verdict == Verdict::postponed)
+        tests.push_back(test(title, false, mark.most,
+                             "Your file could not be graded, through no fault of yours. Submit it "
+                             "again, and inform your instructor if this repeats."));
     for (const CaseMark& each : mark.cases) {
         tests.push_back(test(file_title({mark.stage, each.of_trace}) + ": " + each.name,
                              each.passed, each.points, told(each)));

@@ -34,7 +34,7 @@ std::string suite(const Mark& mark) {
         if (!each.passed) ++failures;
     }
     const bool missing = mark.verdict == Verdict::missing;
-    const bool refused = mark.verdict == Verdict::refused;
+    const bool refused = mark.verdict == Verdict::refused || mark.verdict == Verdict::postponed;
     if (missing)
         cases +=
             test_case(name, "is submitted", "<skipped" + attribute("message", mark.words) + "/>");

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;  // the same mark is the same bytes
 
 constexpr int format = 1;
 constexpr const char* students_folder = "students";
-constexpr std::array verdicts{"missing", "refused", "judged"};
+constexpr std::array verdicts{"missing", "refused", "judged", "postponed"};
 
 /// One line of JSON; bytes that are not UTF-8, which untrusted code may print, become "�".
 std::string line(const Json& json) {
@@ -219,7 +219,7 @@ std::vector<std::string> missing_marks(const fs::path& results, const std::vecto
     std::set<std::pair<std::string, int>> there;
     for (const Mark& mark : marks) {
         stages.insert(mark.stage);
-        there.emplace(mark.student, mark.stage);
+        if (mark.verdict != Verdict::postponed) there.emplace(mark.student, mark.stage);
     }
     std::vector<std::string> missing;
     for (const std::string& student : students_in(results))

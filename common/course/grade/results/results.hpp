@@ -11,9 +11,10 @@ namespace rt::grade {
 
 /// The last step of grading that a stage reached.
 enum class Verdict {
-    missing,  ///< no file was submitted
-    refused,  ///< none compiles, or their compile was refused: `words` contains the reason
-    judged,   ///< at least one of the stage's two files
+    missing,    ///< no file was submitted
+    refused,    ///< none compiles, or their compile was refused: `words` contains the reason
+    judged,     ///< at least one of the stage's two files
+    postponed,  ///< none, because the grader itself failed: the next run judges them
 };
 
 /// A case of one of the stage's suites.
@@ -109,9 +110,9 @@ void remove_shared_feedback(const std::filesystem::path& results);
 /// All marks in the folder, by student and stage.
 [[nodiscard]] std::vector<Mark> read_marks(const std::filesystem::path& results);
 
-/// One sentence for each missing mark, "anna has no mark for step05_triangle": of each student of
-/// the folder, and each stage for which others have a mark. Grading was interrupted, or goes on, or
-/// a file is damaged.
+/// One sentence for each missing or postponed mark, "anna has no mark for step05_triangle": of each
+/// student of the folder, and each stage for which others have a mark. Grading was interrupted, or
+/// goes on, or has failed, or a file is damaged.
 [[nodiscard]] std::vector<std::string> missing_marks(const std::filesystem::path& results,
                                                      const std::vector<Mark>& marks);
 

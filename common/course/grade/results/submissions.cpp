@@ -105,6 +105,9 @@ std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const Term
         submission.called = term.called(name);
         if (submission.marks.empty()) add_remark(submission, "submitted nothing");
         for (const std::string& reason : why_missing(submission)) add_remark(submission, reason);
+        for (const auto& [stage, mark] : submission.marks)
+            if (mark->verdict == Verdict::postponed)
+                add_remark(submission, stage_title(stage) + ": not graded yet");
         count(submission, graded, term);
         all.push_back(std::move(submission));
     }

@@ -1,5 +1,5 @@
 // sealed [work=building] [cpu=10] [wall=30] [memory=1024] [file=0] [threads=64] [read=FOLDER]…
-//        [write=FOLDER]… -- PROGRAM ARGUMENTS…
+//        [write=FOLDER]… [input=FILE] -- PROGRAM ARGUMENTS…
 //
 // Becomes the program, sealed.
 #include "common/course/grade/sandbox/seal.hpp"
@@ -46,6 +46,8 @@ void read_word(const std::string& word, Sandbox& seal) {
         seal.readable.push_back(value);
     else if (name == "write")
         seal.writable.push_back(value);
+    else if (name == "input")
+        seal.input = value;
     else
         throw SealError("no such limit: " + word);
 }

@@ -2,11 +2,13 @@
 
 #include "common/course/grade/sandbox/landlock.hpp"
 #include "common/course/grade/sandbox/seccomp_filter.hpp"
+#include "common/system/countdown.hpp"
 
 #include <fcntl.h>
 #include <grp.h>
 #include <poll.h>
 #include <sched.h>
+#include <sys/mount.h>
 #include <sys/personality.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -17,7 +19,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <ctime>
@@ -43,6 +44,12 @@ void close_descriptors(bool worker) {
     require(dup2(null, STDIN_FILENO) == STDIN_FILENO, "standard input");
     for (const int output : {STDOUT_FILENO, STDERR_FILENO})
         if (worker) require(dup2(null, output) == output, "standard output");
+}
+
+/// Opens the standard input before the change of user, who may not be able to read it.
+void open_input(const std::string& file) {
+    const int input = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    require(input != -1 && dup2(input, STDIN_FILENO) == STDIN_FILENO, file.c_str());
 }
 
 /// Opens the worker's program before the change of user, who may not be able to enter its folders.
@@ -73,6 +80,22 @@ void add_rules(const Sandbox& seal, Landlock& rules) {
     }
     for (const std::string& folder : seal.readable) rules.let_read(folder);
     for (const std::string& folder : seal.writable) rules.let_write(folder);
+}
+
+/// Makes folders of people and services look empty, in a mount namespace of this process: Landlock
+/// alone forbids their files, but tells those that exist from those that do not.
+void hide_folders(const Sandbox& seal, const std::string& program) {
+    std::vector<std::string> needed = seal.readable;
+    needed.insert(needed.end(), seal.writable.begin(), seal.writable.end());
+    needed.push_back(program);
+    for (const std::string folder : {"/home", "/media", "/mnt", "/opt", "/root", "/srv", "/var"}) {
+        const bool is_needed = std::any_of(
+            needed.begin(), needed.end(),
+            [&folder](const std::string& each) { return each.starts_with(folder + "/"); });
+        if (!is_needed)
+            (void)mount("none", folder.c_str(), "tmpfs", MS_RDONLY | MS_NOSUID | MS_NODEV,
+                        "size=4k");  // if it is there
+    }
 }
 
 /// True if another process may be started now.
@@ -112,16 +135,14 @@ sigset_t watched_signals() {
     return signals;
 }
 
-/// The received signal; 0 after the deadline.
-int wait_for_one_of(const sigset_t& signals, std::chrono::steady_clock::time_point deadline) {
-    for (;;) {
-        using namespace std::chrono;
-        const auto left = duration_cast<nanoseconds>(deadline - steady_clock::now()).count();
-        if (left <= 0) return 0;
-        const timespec time{.tv_sec = left / 1000000000, .tv_nsec = left % 1000000000};
-        const int signal = sigtimedwait(&signals, nullptr, &time);
+/// The received signal; 0 at the end of the countdown.
+int wait_for_one_of(const sigset_t& signals, Countdown& countdown) {
+    while (countdown.look() > Countdown::Time::zero()) {
+        const timespec between{.tv_sec = 0, .tv_nsec = Countdown::longest_look.count() / 2};
+        const int signal = sigtimedwait(&signals, nullptr, &between);
         if (signal > 0) return signal;
     }
+    return 0;
 }
 
 /// Forks: the process continues as the child. The parent waits for it until the time limit, and
@@ -139,13 +160,13 @@ void go_on_watched(int seconds) {
         require(prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0) == 0, "end with the parent");
         return;
     }
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+    Countdown countdown{std::chrono::seconds(seconds)};
     int signal = SIGCHLD;
     int status = 0;
     pid_t ended = 0;
     // Orphans of other parents become children of this process.
     while (ended != child && signal == SIGCHLD) {
-        signal = wait_for_one_of(signals, deadline);
+        signal = wait_for_one_of(signals, countdown);
         while (ended != child && (ended = waitpid(-1, &status, WNOHANG)) > 0) continue;
     }
     kill(-child, SIGKILL);
@@ -218,6 +239,7 @@ void become(const Sandbox& seal, const std::vector<std::string>& command) {
     const pid_t parent = getppid();
     close_descriptors(worker);
     if (worker) open_program(command.at(0));
+    if (!seal.input.empty()) open_input(seal.input);
     setsid();
     forget_signals();
     umask(worker ? 077 : 022);  // the output of one tool is read by another with a different user
@@ -227,7 +249,8 @@ void become(const Sandbox& seal, const std::vector<std::string>& command) {
     add_rules(seal, rules);
     const bool root = geteuid() == 0;
     require(take_user_of_its_own(seal) || !root, "separate user");
-    (void)take_namespaces(seal.work);  // if namespaces are available
+    // If namespaces are available.
+    if (take_namespaces(seal.work) && !worker) hide_folders(seal, command.at(0));
     // Makes the contents of uninitialized memory the same in every run.
     if (worker) personality(ADDR_NO_RANDOMIZE);
     // After the change of user, which resets it.

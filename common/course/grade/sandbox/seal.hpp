@@ -24,6 +24,7 @@ struct Sandbox {
     int threads = 64;  ///< or processes, beside those that the user already runs
     std::vector<std::string> readable;
     std::vector<std::string> writable;
+    std::string input;  ///< a file that becomes the standard input; empty for none
 };
 
 struct SealError : std::runtime_error {

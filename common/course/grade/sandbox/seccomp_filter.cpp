@@ -79,6 +79,14 @@ private:
     bool holds_ = false;
 };
 
+/// The clocks of the system, and of the process itself. Other numbers are the processor time of
+/// another process, by which two could talk.
+void let_clocks(Filter& filter) {
+    constexpr std::uint64_t last = 11;  // CLOCK_TAI
+    for (const char* call : {"clock_gettime", "clock_getres", "clock_nanosleep"})
+        filter.let_if(call, {{.arg = 0, .op = SCMP_CMP_LE, .datum_a = last, .datum_b = 0}});
+}
+
 void let_threads(Filter& filter) {
     // The flags of a thread, as pthread_create sets them, and no others: a parent waiting for its
     // child (CLONE_VFORK) would be blocked without using processor time or sleeping.
@@ -98,8 +106,8 @@ bool filter_worker() {
     // A loop that left a busy processor to others would neither compute nor sleep.
     filter.answer(pretended, {"sched_yield"});
     filter.let({"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "sigaltstack"});
-    filter.let({"clock_gettime", "clock_getres", "gettimeofday", "nanosleep", "clock_nanosleep",
-                "restart_syscall", "getrandom"});
+    filter.let({"gettimeofday", "nanosleep", "restart_syscall", "getrandom"});
+    let_clocks(filter);
     filter.let({"exit", "exit_group"});
     filter.let_if("tgkill", {argument_is(0, std::uint64_t(getpid()))});  // abort
     let_threads(filter);
@@ -153,11 +161,13 @@ bool filter_compiler() {
     // Memory, threads, the time.
     filter.let({"brk", "mmap", "munmap", "mremap", "mprotect", "madvise"});
     filter.let({"futex", "set_tid_address", "set_robust_list", "get_robust_list", "rseq",
-                "sched_yield", "sched_getaffinity", "membarrier"});
-    filter.let({"clock_gettime", "clock_getres", "gettimeofday", "time", "times", "nanosleep",
-                "clock_nanosleep", "restart_syscall", "getrandom", "getrusage", "getrlimit",
-                "setrlimit", "sysinfo", "uname", "arch_prctl"});
-    filter.let_if("prlimit64", {argument_is(0, 0)});  // its own
+                "sched_yield", "membarrier"});
+    filter.let({"gettimeofday", "time", "times", "nanosleep", "restart_syscall", "getrandom",
+                "getrusage", "getrlimit", "setrlimit", "sysinfo", "uname", "arch_prctl"});
+    let_clocks(filter);
+    // Its own, and no other process's.
+    for (const char* call : {"prlimit64", "sched_getaffinity", "getpgid", "getsid"})
+        filter.let_if(call, {argument_is(0, 0)});
     filter.let_if("prctl", {argument_is(0, PR_SET_NAME)});
     filter.let({"rt_sigaction", "rt_sigprocmask", "rt_sigreturn", "rt_sigsuspend",
                 "rt_sigtimedwait", "rt_sigpending", "sigaltstack", "alarm", "setitimer"});
@@ -167,8 +177,8 @@ bool filter_compiler() {
                                            CLONE_NEWNET | CLONE_NEWIPC | CLONE_NEWUTS |
                                            CLONE_NEWCGROUP | CLONE_PTRACE | CLONE_UNTRACED;
     filter.let_if("clone", {bits_are(0, of_their_own, 0)});
-    filter.let({"getpid", "gettid", "getppid", "getpgrp", "getpgid", "getsid", "getuid", "geteuid",
-                "getgid", "getegid", "getresuid", "getresgid", "getgroups"});
+    filter.let({"getpid", "gettid", "getppid", "getpgrp", "getuid", "geteuid", "getgid", "getegid",
+                "getresuid", "getresgid", "getgroups"});
     return filter.put_on();
 }
 

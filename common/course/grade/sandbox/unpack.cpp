@@ -1,4 +1,4 @@
-// unpack ARCHIVE FOLDER MEGABYTES
+// unpack FOLDER MEGABYTES < ARCHIVE
 //
 // Unpacks the possible files of a student from an untrusted archive: archives, and sources with
 // nearly the name of a stage's file. It runs in the sandbox. The files in the folder are named "1",
@@ -101,7 +101,7 @@ private:
 
 /// Only the formats that are read in memory: some others in libarchive start programs, or open
 /// files.
-archive* opened(const char* file) {
+archive* opened_input() {
     archive* from = archive_read_new();
     for (const auto support :
          {archive_read_support_filter_gzip, archive_read_support_filter_bzip2,
@@ -112,17 +112,17 @@ archive* opened(const char* file) {
           archive_read_support_format_rar5})
         support(from);
     constexpr std::size_t block = 65536;
-    return archive_read_open_filename(from, file, block) == ARCHIVE_OK ? from : nullptr;
+    return archive_read_open_filename(from, nullptr, block) == ARCHIVE_OK ? from : nullptr;
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-    if (count != 4) return 2;
+    if (count != 3) return 2;
     std::setlocale(LC_ALL, "C.UTF-8");  // names of other encodings are kept as bytes
-    const std::size_t megabytes = std::strtoul(words[3], nullptr, 10);
-    Unpacking unpacking(words[2], megabytes);
-    archive* from = opened(words[1]);
+    const std::size_t megabytes = std::strtoul(words[2], nullptr, 10);
+    Unpacking unpacking(words[1], megabytes);
+    archive* from = opened_input();
     if (from == nullptr) return 1;
     archive_entry* entry = nullptr;
     int status = 0;
