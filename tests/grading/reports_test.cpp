@@ -6,6 +6,10 @@
 #include "common/course/grade/reports/gradescope.hpp"
 #include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/reports/junit.hpp"
+#include "common/course/grade/results/copy_of_main.hpp"
+#include "common/course/grade/results/submissions.hpp"
+#include "common/stages/reasons.hpp"
+#include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/readable.hpp"
 
@@ -326,6 +330,39 @@ TEST_CASE("the class report lists stages, left-over files, and forbidden operati
               "<tr><td class=\"text\">zoe</td><td class=\"text\">5 triangle</td><td "
               "class=\"text\">in 2 cases</td><td class=\"text\">Your code crashed: Aborted.</td>"
               "</tr>"));
+}
+
+TEST_CASE("a stage that the grader could not judge is named in every report, and is no mark") {
+    ClassOfTwo results;
+    results.marks[0].verdict = Verdict::postponed;
+    results.marks[0].words = "It will be judged again.\n";
+    results.marks[0].cases.clear();
+    const Mark& postponed = results.marks[0];
+    write_mark(results.folder, postponed);
+    const std::string name = name_of(postponed.stage);
+    CHECK(missing_marks(results.folder, results.marks) ==
+          std::vector<std::string>{postponed.student + " has no mark for " + name});
+    write_grade_book(results.folder, results.marks, {});
+    CHECK(has(read_text(results.folder / "grades.csv"),
+              stage_title(postponed.stage) + ": not graded yet"));
+    write_feedback(results.folder, results.marks, {});
+    const std::string page =
+        read_text(student_folder(results.folder, postponed.student) / "feedback.html");
+    CHECK(has(page, "not graded yet"));
+    CHECK(has(page, "<p>It will be judged again.\n</p>"));
+    write_class_report(results.folder, RAYSTEPS_ROOT, results.marks, {});
+    CHECK(has(read_text(results.folder / "class.html"), "Not judged yet"));
+}
+
+TEST_CASE("the class report lists cases that were not reached, and changed copies of main.cpp") {
+    ClassOfTwo results;
+    results.marks[0].cases.push_back({.name = "late", .words = std::string(not_reached) + "\n"});
+    results.marks[0].words = std::string(copied_main) + "\n";
+    write_class_report(results.folder, RAYSTEPS_ROOT, results.marks, {});
+    const std::string page = read_text(results.folder / "class.html");
+    CHECK(has(page, not_reached));
+    CHECK(has(page, "Copies of the project's main.cpp"));
+    CHECK(well_formed(page));
 }
 
 TEST_CASE("a class without marks makes empty reports") {

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 
@@ -82,17 +83,26 @@ void add_rules(const Sandbox& seal, Landlock& rules) {
     for (const std::string& folder : seal.writable) rules.let_write(folder);
 }
 
+/// The path without links; itself, if there is no such file.
+std::string real(const std::string& path) {
+    char* const found = realpath(path.c_str(), nullptr);
+    std::string name = found == nullptr ? path : found;
+    std::free(found);
+    return name;
+}
+
 /// Makes folders of people and services look empty, in a mount namespace of this process: Landlock
 /// alone forbids their files, but tells those that exist from those that do not.
 void hide_folders(const Sandbox& seal, const std::string& program) {
-    std::vector<std::string> needed = seal.readable;
-    needed.insert(needed.end(), seal.writable.begin(), seal.writable.end());
-    needed.push_back(program);
-    for (const std::string folder : {"/home", "/media", "/mnt", "/opt", "/root", "/srv", "/var"}) {
-        const bool is_needed = std::any_of(
-            needed.begin(), needed.end(),
-            [&folder](const std::string& each) { return each.starts_with(folder + "/"); });
-        if (!is_needed)
+    std::vector<std::string> needed{real(program)};
+    for (const auto& list : {seal.readable, seal.writable})
+        for (const std::string& each : list) needed.push_back(real(each));
+    for (const char* each : {"/home", "/media", "/mnt", "/opt", "/root", "/srv", "/var"}) {
+        const std::string folder = real(each);
+        const auto is_inside = [start = folder + "/"](const std::string& file) {
+            return (file + "/").starts_with(start);
+        };
+        if (std::none_of(needed.begin(), needed.end(), is_inside))
             (void)mount("none", folder.c_str(), "tmpfs", MS_RDONLY | MS_NOSUID | MS_NODEV,
                         "size=4k");  // if it is there
     }
