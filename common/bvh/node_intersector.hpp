@@ -109,9 +109,10 @@ public:
     }
 
 private:
-    /// The displacement of a ray, relative to D + 1: by the rounded test of a shape, 8 u for the
-    /// watertight triangle and at most 4 u for the others, and by the change of its start, 5 u.
-    static constexpr Real rounding = 16 * unit_roundoff;
+    /// The displacement of a ray, relative to D + 1: by the rounded test of a shape, 17 u, which is
+    /// the 34 u L of docs/reference/error_bounds.md for differences of D + 1 in place of 2 L; and
+    /// by the change of its start, 5 u.
+    static constexpr Real rounding = 32 * unit_roundoff;
     static constexpr float float_roundoff = 0x1p-24F;
     /// The start of a ray is at most 6 from the center and is rounded twice, by 4 u each time;
     /// boxes have an error of 2 u.

@@ -30,9 +30,9 @@ struct BoundingSphere4 {
 ///
 /// With f from the center to the origin, the line is farther from the center than the radius r if
 /// ⟨f, f⟩⟨d, d⟩ > ⟨f, d⟩² + r²⟨d, d⟩. All rounding errors here are together less than 32 u of the
-/// first product. A shape's own test may be wrong by 16 u |f| more than its sphere is padded for,
-/// which is another 32 u of that product, as |f| > r. If a number leaves the range in which these
-/// bounds are valid, no sphere is rejected.
+/// first product. A shape's own test may be wrong by 34 u |f|, as differences of coordinates are at
+/// most |f| + r (docs/reference/error_bounds.md), which is another 68 u of that product, as |f| >
+/// r. If a number leaves the range in which these bounds are valid, no sphere is rejected.
 class BoundingSphereTest {
 public:
     explicit BoundingSphereTest(const Ray& ray) {
@@ -42,7 +42,7 @@ public:
         Real square = glm::dot(d, d);
         if (!is_safe_square(square)) square = 0;  // then no comparison is true
         square_ = broadcast(square);
-        padded_square_ = broadcast(square * (1 - 96 * unit_roundoff));
+        padded_square_ = broadcast(square * (1 - 128 * unit_roundoff));
     }
 
     /// Returns one bit for each sphere, set if the line of the ray misses it.

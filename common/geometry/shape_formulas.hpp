@@ -24,9 +24,10 @@ struct Meridian {
 
 namespace rt::geometry {
 
-/// The padding of bounds, 16 u of the largest coordinate: a stage's own test finds hits within 8 u
-/// of the shape, and the corners are computed within 4 u. For a ray that starts farther away, the
-/// caller must widen the bounds.
+/// The padding of bounds, 16 u of the largest coordinate: the corners are computed within 4 u of
+/// it. A stage's own test finds hits near the shape, within 34 u of the largest coordinate of the
+/// ray's origin relative to it, as far as that is derived (docs/reference/error_bounds.md): the
+/// caller must widen the bounds by that.
 [[nodiscard]] inline Real padding(Real largest) {
     return 16 * unit_roundoff * largest;
 }

@@ -10,7 +10,7 @@ namespace {
 
 /// A bound on the error of every shape's rounded test, in units of u times the largest coordinate:
 /// twice the value that the boxes of a hierarchy allow for (node_intersector.hpp).
-constexpr Real test_roundings = 32;
+constexpr Real test_roundings = 64;
 
 /// A bound on the rounding error of a distance from a plane. Shadow rays start 16 off the surface,
 /// minus the 8 by which their origin may be off it (projection.hpp), so that for a flat shape at

@@ -15,7 +15,8 @@ namespace rt {
 
 /// The smallest t strictly inside the interval at which the ray hits the sphere, from outside or
 /// from inside. Returns nothing if there is none, or if a coordinate is NaN. A tangent ray hits the
-/// sphere. Lengths and t may be of any size with a square in Real's range: there is no epsilon.
+/// sphere. There is no epsilon: lengths and directions may be of any size in the range of
+/// docs/reference/stability.md.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Sphere& sphere,
                                             Interval interval);
 

@@ -15,7 +15,8 @@ namespace rt {
 
 /// The t strictly inside the interval at which the ray hits the plane, from either side. Returns
 /// nothing if there is none, if the ray runs in the plane or parallel to it, or if a coordinate is
-/// NaN. The direction, its angle to the plane and t may be of any size: there is no epsilon.
+/// NaN. There is no epsilon: the direction and its angle to the plane may be of any size in the
+/// range of docs/reference/stability.md.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval);
 
 /// The plane's normal scaled to unit length, the same at every point.

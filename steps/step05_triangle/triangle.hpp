@@ -16,8 +16,8 @@ namespace rt {
 /// The t strictly inside the interval at which the ray hits the triangle, from either side. Returns
 /// nothing if there is none, if the triangle has no area as seen along the ray, or if a coordinate
 /// is NaN. Edges and vertices belong to the triangle: two triangles with a shared edge leave no
-/// crack. The triangle, the direction, its angle to the plane and t may be of any size: there is no
-/// epsilon.
+/// crack. There is no epsilon: the triangle, the direction and its angle to the plane may be of any
+/// size in the range of docs/reference/stability.md.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Triangle& triangle,
                                             Interval interval);
 

@@ -17,7 +17,8 @@ namespace rt {
 /// The t strictly inside the interval at which the ray hits the square. Returns nothing if there is
 /// none, or if a coordinate is NaN. Edges belong to the square. A one-sided square is hit only
 /// where ⟨direction, normal⟩ < 0 (HAI). The basis may be any rotation, also one about a vertical Z.
-/// The square, the direction, its angle to the plane and t may be of any size: there is no epsilon.
+/// There is no epsilon: the square, the direction and its angle to the plane may be of any size in
+/// the range of docs/reference/stability.md.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Square& square,
                                             Interval interval);
 

@@ -16,8 +16,9 @@ namespace rt {
 /// The smallest t strictly inside the interval at which the ray hits the lateral surface of the
 /// cylinder, from outside or from inside. Returns nothing if there is none, if the ray is parallel
 /// to the axis, or if a coordinate is NaN. There are no caps, and both rims belong to the surface.
-/// Lengths and t may be of any size with a square in Real's range, the ray at any angle to the axis
-/// and the axis at any angle to the vertical: there is no epsilon, and no a that cancels.
+/// There is no epsilon, and no a that cancels: lengths and directions may be of any size in the
+/// range of docs/reference/stability.md, the ray at any angle to the axis and the axis at any angle
+/// to the vertical.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder,
                                             Interval interval);
 

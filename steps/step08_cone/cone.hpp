@@ -16,8 +16,9 @@ namespace rt {
 /// The smallest t strictly inside the interval at which the ray hits the lateral surface of the
 /// cone, from outside or from inside. Returns nothing if there is none, if the ray runs along the
 /// surface, or if a coordinate is NaN. The cone has one nappe and no base; the apex and the rim
-/// belong to it. The cone, the direction, its angle to the surface and t may be of any size, and
-/// the axis may be at any angle to the vertical: there is no epsilon.
+/// belong to it. There is no epsilon: the cone, the direction and its angle to the surface may be
+/// of any size in the range of docs/reference/stability.md, and the axis at any angle to the
+/// vertical.
 [[nodiscard]] std::optional<Real> intersect(const Ray& ray, const Cone& cone, Interval interval);
 
 /// The unit normal at a point of the lateral surface. It points away from the axis and, because of

@@ -1,6 +1,7 @@
 #include "tests/oracle/distances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace rt::oracle {
@@ -57,6 +58,24 @@ Number distance_to_edges(const Ray& ray, std::initializer_list<NumberVector> cor
     return nearest;
 }
 
+/// How far the point is beyond the faces along each axis of the box; negative inside.
+std::array<Number, 3> beyond_faces(const ExactVector& point, const OrientedBox& box) {
+    const auto beyond = [&](const ExactVector& axis, const Exact& half) {
+        const Number place = dot(point - box.center, axis).number();
+        return Number((abs(place) - half.number()) / length(axis));
+    };
+    return {beyond(box.x, box.half_size.x), beyond(box.y, box.half_size.y),
+            beyond(box.z, box.half_size.z)};
+}
+
+/// From a point to the box and its inside.
+Number outside(const std::array<Number, 3>& beyond) {
+    Number squares = 0;
+    for (const Number& way : beyond)
+        if (way > 0) squares += way * way;
+    return sqrt(squares);
+}
+
 }  // namespace
 
 Number off_surface(const ExactVector& point, const Sphere& sphere) {
@@ -86,6 +105,12 @@ Number off_surface(const ExactVector& point, const Cone& cone) {
     const auto [radius, height] = section(point - cone.apex, cone.axis);
     const Number slant = sqrt((squared(cone.radius) + squared(cone.height)).number());
     return abs(radius * cone.height.number() - abs(height) * cone.radius.number()) / slant;
+}
+
+Number off_surface(const ExactVector& point, const OrientedBox& box) {
+    const auto beyond = beyond_faces(point, box);
+    const Number most = *std::ranges::max_element(beyond);
+    return most < 0 ? Number(-most) : outside(beyond);
 }
 
 Number gap(const Ray& ray, const ExactVector& /*near*/, const Sphere& sphere) {
@@ -129,6 +154,10 @@ Number gap(const Ray& /*ray*/, const ExactVector& near, const Cone& cone) {
     const Number across = radius - share * r;
     const Number along = height - share * h;
     return sqrt(across * across + along * along);
+}
+
+Number gap(const Ray& /*ray*/, const ExactVector& near, const OrientedBox& box) {
+    return outside(beyond_faces(near, box));
 }
 
 }  // namespace rt::oracle

@@ -3,6 +3,7 @@
 
 #include "common/geometry/cone.hpp"
 #include "common/geometry/cylinder.hpp"
+#include "common/geometry/oriented_box.hpp"
 #include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
 #include "common/geometry/sphere.hpp"
@@ -72,6 +73,14 @@ namespace rt {
             .axis = exact(cone.axis),
             .radius = cone.radius,
             .height = cone.height};
+}
+
+[[nodiscard]] inline oracle::OrientedBox exact(const OrientedBox& box) {
+    return {.center = exact(box.center),
+            .x = exact(box.basis.x),
+            .y = exact(box.basis.y),
+            .z = exact(box.basis.z),
+            .half_size = exact(box.half_size)};
 }
 
 }  // namespace rt

@@ -102,6 +102,24 @@ std::vector<Root> roots(const Ray& ray, const Cone& cone) {
                  squared(cone.radius) * squared(along(o, ray.direction, cone.axis)));
 }
 
+std::vector<Root> roots(const Ray& ray, const OrientedBox& box) {
+    const ExactVector o = ray.origin - box.center;
+    std::vector<Root> crossings;
+    const auto add_faces = [&](const ExactVector& axis, const Exact& half) {
+        const Polynomial place = along(o, ray.direction, axis);
+        if (place.c1.sign() == 0) return;
+        for (const Exact& face : {half, -half}) {
+            const Root t(face - place.c0, place.c1);
+            if (belongs(ray, box, t)) crossings.push_back(t);
+        }
+    };
+    add_faces(box.x, box.half_size.x);
+    add_faces(box.y, box.half_size.y);
+    add_faces(box.z, box.half_size.z);
+    std::ranges::sort(crossings, {}, &Root::value);
+    return crossings;
+}
+
 bool belongs(const Ray& /*ray*/, const Sphere& /*sphere*/, const Root& /*t*/) {
     return true;
 }
@@ -139,6 +157,15 @@ bool belongs(const Ray& ray, const Cone& cone, const Root& t) {
     const Polynomial z = along(ray.origin - cone.apex, ray.direction, cone.axis);
     const Exact limit = squared(cone.height) * dot(cone.axis, cone.axis);
     return sign_at(t, z) >= 0 && sign_at(t, squared(z) - limit) <= 0;
+}
+
+bool belongs(const Ray& ray, const OrientedBox& box, const Root& t) {
+    const auto inside = [&](const ExactVector& axis, const Exact& half) {
+        const Polynomial place = along(ray.origin - box.center, ray.direction, axis);
+        return sign_at(t, place - half) <= 0 && sign_at(t, Exact(-1) * place - half) <= 0;
+    };
+    return inside(box.x, box.half_size.x) && inside(box.y, box.half_size.y) &&
+           inside(box.z, box.half_size.z);
 }
 
 NumberVector normal(const Sphere& sphere, const ExactVector& point) {

@@ -64,14 +64,24 @@ struct Cone {
     Exact height;
 };
 
+/// The points whose coordinates along the axes, from the center, are at most those of half_size.
+struct OrientedBox {
+    ExactVector center;
+    ExactVector x;
+    ExactVector y;
+    ExactVector z;
+    ExactVector half_size;
+};
+
 /// The crossings of the ray's line with the whole plane or quadric that contains the shape, in
-/// ascending order.
+/// ascending order; of a box, those with its faces.
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Sphere& sphere);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Plane& plane);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Triangle& triangle);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Square& square);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Cylinder& cylinder);
 [[nodiscard]] std::vector<Root> roots(const Ray& ray, const Cone& cone);
+[[nodiscard]] std::vector<Root> roots(const Ray& ray, const OrientedBox& box);
 
 /// True if such a crossing is on the shape.
 [[nodiscard]] bool belongs(const Ray& ray, const Sphere& sphere, const Root& t);
@@ -80,6 +90,7 @@ struct Cone {
 [[nodiscard]] bool belongs(const Ray& ray, const Square& square, const Root& t);
 [[nodiscard]] bool belongs(const Ray& ray, const Cylinder& cylinder, const Root& t);
 [[nodiscard]] bool belongs(const Ray& ray, const Cone& cone, const Root& t);
+[[nodiscard]] bool belongs(const Ray& ray, const OrientedBox& box, const Root& t);
 
 [[nodiscard]] bool contains(const Interval& interval, const Root& t);
 

@@ -3,10 +3,13 @@
 #include "common/math/vector.hpp"
 #include "tests/oracle/distances.hpp"
 #include "tests/oracle/inputs.hpp"
+#include "tests/stability/wide_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace rt {
 
@@ -41,12 +44,8 @@ Real reach(const Cone& cone) {
     return largest_component(cone.apex) + std::max(cone.radius, cone.height);
 }
 
-/// u L.
-template <class Shape>
-double unit_of(const Case<Shape>& asked, std::optional<Real> got) {
-    Real largest = std::max(largest_component(asked.ray.origin), reach(asked.shape));
-    if (got) largest = std::max(largest, largest_component(at(asked.ray, *got)));
-    return double(unit_roundoff) * double(largest);
+Real reach(const OrientedBox& box) {
+    return largest_component(box.center) + largest_component(box.half_size);
 }
 
 ExactVector point_at(const oracle::Ray& ray, Real t) {
@@ -96,36 +95,107 @@ double ulps_between(Real got, const Number& expected) {
     return abs((Number(got) - expected) / (Number(nearest) - Number(next))).convert_to<double>();
 }
 
-/// True if the answer is right for a ray that is moved by this much, across itself or along, or
-/// both at 45°.
-template <class Shape>
-bool right_if_moved(const Case<Shape>& asked, std::optional<Real> got, double distance) {
-    constexpr int ways = 16;
+/// The unit directions in which a ray is moved: along itself, across, and at 45°. At an end of the
+/// interval and beside an edge, neither a move across nor one along is enough.
+std::vector<glm::dvec3> ways_to_move(const Ray& ray) {
+    constexpr int turns = 16;
     const glm::dvec3 d =
-        glm::normalize(glm::dvec3(asked.ray.direction / largest_component(asked.ray.direction)));
+        glm::normalize(glm::dvec3(ray.direction / largest_component(ray.direction)));
     const glm::dvec3 other = std::abs(d.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 x = glm::normalize(glm::cross(d, other));
     const glm::dvec3 y = glm::cross(d, x);
-    const auto shape = exact(asked.shape);
-    const auto interval = exact(asked.interval);
-    const auto right = [&](glm::dvec3 move) {
-        oracle::Ray ray = exact(asked.ray);
-        move *= distance;
-        ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
-        return same(got, answer(ray, shape, interval), rounding(asked, distance));
-    };
-    // At an end of the interval and beside an edge, neither a move across nor one along is enough.
-    if (right(d) || right(-d)) return true;
-    for (int i = 0; i < ways; ++i) {
-        const double angle = 2 * std::numbers::pi * i / ways;
+    std::vector<glm::dvec3> ways = {d, -d};
+    for (int i = 0; i < turns; ++i) {
+        const double angle = 2 * std::numbers::pi * i / turns;
         const glm::dvec3 aside = std::cos(angle) * x + std::sin(angle) * y;
-        if (right(aside) || right(glm::normalize(aside + d)) || right(glm::normalize(aside - d)))
-            return true;
+        ways.insert(ways.end(), {aside, glm::normalize(aside + d), glm::normalize(aside - d)});
     }
-    return false;
+    return ways;
 }
 
+/// The exact answers for a ray that is moved, against the one that was given.
+template <class Shape>
+class Moves {
+public:
+    Moves(const Case<Shape>& asked, std::optional<Real> got, double unit)
+        : asked_(asked),
+          got_(got),
+          unit_(unit),
+          ways_(ways_to_move(asked.ray)),
+          shape_(exact(asked.shape)),
+          before_(ways_.size(), outcome(glm::dvec3(0))) {}
+
+    /// Returns whether the answer is right for a ray moved by this distance, in u L, in any way; or
+    /// by less than this, and more than the distance of the call before, if the exact answers at
+    /// these two differ: between two answers there may be a narrow window with a third.
+    bool right_within(double distance) {
+        bool right = false;
+        for (std::size_t i = 0; i < ways_.size(); ++i) {
+            const Outcome after = outcome(distance * ways_[i]);
+            if (after.right ||
+                (after.root != before_[i].root && right_between(ways_[i], before_[i], distance)))
+                right = true;
+            before_[i] = after;
+            if (right) break;
+        }
+        reached_ = distance;
+        return right;
+    }
+
+private:
+    struct Outcome {
+        bool right;
+        std::optional<std::size_t> root;  ///< the index of the first hit
+    };
+
+    Outcome outcome(glm::dvec3 move) const {
+        oracle::Ray ray = exact(asked_.ray);
+        move *= unit_;
+        ray.origin = ray.origin + ExactVector{move.x, move.y, move.z};
+        const Answer moved = answer(ray, shape_, exact(asked_.interval));
+        return {.right = same(got_, moved, rounding(asked_, glm::length(move))),
+                .root = moved.first};
+    }
+
+    /// Bisects to where the answer changes.
+    bool right_between(glm::dvec3 way, Outcome before, double far) const {
+        double near = reached_;
+        for (int i = 0; i < 60; ++i) {
+            const double middle = near + (far - near) / 2;
+            const Outcome there = outcome(middle * way);
+            if (there.right) return true;
+            (there.root == before.root ? near : far) = middle;
+        }
+        return false;
+    }
+
+    const Case<Shape>& asked_;
+    std::optional<Real> got_;
+    double unit_;  ///< u L
+    std::vector<glm::dvec3> ways_;
+    decltype(exact(std::declval<Shape>())) shape_;
+    double reached_ = 0;
+    std::vector<Outcome> before_;  ///< at that distance, in each way
+};
+
 }  // namespace
+
+template <class Shape>
+double unit_of(const Case<Shape>& asked, std::optional<Real> got) {
+    Real largest = std::max(largest_component(asked.ray.origin), reach(asked.shape));
+    if (got) largest = std::max(largest, largest_component(at(asked.ray, *got)));
+    return double(unit_roundoff) * double(largest);
+}
+
+template <class Shape>
+double off(const Case<Shape>& asked, Real got, double known) {
+    const double unit = unit_of(asked, got);
+    if (wide::has_more_digits && known > 0 &&
+        wide::off_surface(asked.ray, got, asked.shape) < 0.98 * known * unit)
+        return 0;
+    const Number distance = off_surface(point_at(exact(asked.ray), got), exact(asked.shape));
+    return Number(distance / unit).template convert_to<double>();
+}
 
 template <class Shape>
 Judgment judged(const Case<Shape>& asked, std::optional<Real> got) {
@@ -135,8 +205,7 @@ Judgment judged(const Case<Shape>& asked, std::optional<Real> got) {
     const Answer expected = answer(ray, shape, exact(asked.interval));
     Judgment judgment{.wrong = !same(got, expected, rounding(asked, unit))};
     if (!got) return judgment;
-    judgment.off =
-        Number(off_surface(point_at(ray, *got), shape) / unit).template convert_to<double>();
+    judgment.off = off(asked, *got, 0);
     if (!judgment.wrong) judgment.ulps = ulps_between(*got, expected.roots[*expected.first]);
     return judgment;
 }
@@ -161,12 +230,14 @@ double band(const Case<Shape>& asked, std::optional<Real> got, double known) {
     }
     if (direct <= known) return known;
     constexpr double most = 1e6;  // more than that is no longer a matter of rounding
-    if (known >= most || right_if_moved(asked, got, known * unit)) return known;
+    if (known >= most) return known;
+    Moves<Shape> moves(asked, got, unit);
+    if (known > 0 && moves.right_within(known)) return known;
     // Between two rims, a large move may be wrong again although a small one is right.
     constexpr double step = 1.125;
     double distance = 1.0 / 64;
-    while (distance < std::min(direct, most) && !right_if_moved(asked, got, distance * unit))
-        distance *= step;
+    Moves<Shape> steps(asked, got, unit);
+    while (distance < std::min(direct, most) && !steps.right_within(distance)) distance *= step;
     return std::max(known, std::min(distance, direct));
 }
 
@@ -177,29 +248,47 @@ std::optional<Real> exact_answer(const Case<Shape>& asked) {
     return root->value().template convert_to<Real>();
 }
 
+template double unit_of(const Case<Sphere>&, std::optional<Real>);
+template double off(const Case<Sphere>&, Real, double);
 template Judgment judged(const Case<Sphere>&, std::optional<Real>);
 template bool starts_on(const Case<Sphere>&);
 template double band(const Case<Sphere>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Sphere>&);
+template double unit_of(const Case<Plane>&, std::optional<Real>);
+template double off(const Case<Plane>&, Real, double);
 template Judgment judged(const Case<Plane>&, std::optional<Real>);
 template bool starts_on(const Case<Plane>&);
 template double band(const Case<Plane>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Plane>&);
+template double unit_of(const Case<Triangle>&, std::optional<Real>);
+template double off(const Case<Triangle>&, Real, double);
 template Judgment judged(const Case<Triangle>&, std::optional<Real>);
 template bool starts_on(const Case<Triangle>&);
 template double band(const Case<Triangle>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Triangle>&);
+template double unit_of(const Case<Square>&, std::optional<Real>);
+template double off(const Case<Square>&, Real, double);
 template Judgment judged(const Case<Square>&, std::optional<Real>);
 template bool starts_on(const Case<Square>&);
 template double band(const Case<Square>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Square>&);
+template double unit_of(const Case<Cylinder>&, std::optional<Real>);
+template double off(const Case<Cylinder>&, Real, double);
 template Judgment judged(const Case<Cylinder>&, std::optional<Real>);
 template bool starts_on(const Case<Cylinder>&);
 template double band(const Case<Cylinder>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cylinder>&);
+template double unit_of(const Case<Cone>&, std::optional<Real>);
+template double off(const Case<Cone>&, Real, double);
 template Judgment judged(const Case<Cone>&, std::optional<Real>);
 template bool starts_on(const Case<Cone>&);
 template double band(const Case<Cone>&, std::optional<Real>, double);
 template std::optional<Real> exact_answer(const Case<Cone>&);
+template double unit_of(const Case<OrientedBox>&, std::optional<Real>);
+template double off(const Case<OrientedBox>&, Real, double);
+template Judgment judged(const Case<OrientedBox>&, std::optional<Real>);
+template bool starts_on(const Case<OrientedBox>&);
+template double band(const Case<OrientedBox>&, std::optional<Real>, double);
+template std::optional<Real> exact_answer(const Case<OrientedBox>&);
 
 }  // namespace rt

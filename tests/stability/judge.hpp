@@ -16,7 +16,16 @@ struct Judgment {
     std::optional<double> ulps;  ///< of a right hit: the distance of t from the exact one
 };
 
-// Each template is instantiated for the six shapes of the exercises.
+// Each template is instantiated for the seven shapes of the exercises.
+
+/// u L.
+template <class Shape>
+[[nodiscard]] double unit_of(const Case<Shape>& asked, std::optional<Real> got);
+
+/// The distance of the hit from the surface, in u L. One that is certainly less than `known` is not
+/// examined further, and gives 0.
+template <class Shape>
+[[nodiscard]] double off(const Case<Shape>& asked, Real got, double known);
 
 template <class Shape>
 [[nodiscard]] Judgment judged(const Case<Shape>& asked, std::optional<Real> got);

@@ -220,6 +220,47 @@ Line parallel(Random& random, const Cone& cone) {
     return {.point = spot(random, cone).point, .direction = unit(direction)};
 }
 
+void draw(Random& random, OrientedBox& box) {
+    box = {.center = random.point(2),
+           .basis = random.basis(),
+           .half_size = {size(random), size(random), size(random)}};
+}
+
+/// The point with these coordinates in units of the half sizes.
+Vec3 place(const OrientedBox& box, Vec3 share) {
+    const auto& [x, y, z] = box.basis;
+    const Vec3 p = share * box.half_size;
+    return box.center + p.x * x + p.y * y + p.z * z;
+}
+
+Spot spot(Random& random, const OrientedBox& box) {
+    const std::array axes = {box.basis.x, box.basis.y, box.basis.z};
+    Vec3 share = random.point(1);
+    const int i = random.below(3);
+    share[i] = random.coin() ? 1 : -1;
+    return {.point = place(box, share), .normal = share[i] * axes[std::size_t(i)]};
+}
+
+Vec3 corner(Random& random, const OrientedBox& box) {
+    const auto side = [&] { return Real(random.coin() ? 1 : -1); };
+    const Real x = side();
+    const Real y = side();
+    return place(box, {x, y, side()});
+}
+
+Vec3 border(Random& random, const OrientedBox& box) {
+    const Vec3 end = corner(random, box);
+    const std::array axes = {box.basis.x, box.basis.y, box.basis.z};
+    const auto i = std::size_t(random.below(3));
+    const Real half = box.half_size[glm::length_t(i)];
+    const Real along = dot(end - box.center, axes[i]) > 0 ? half : -half;
+    return end - random.between(0, 2) * along * axes[i];
+}
+
+Line grazing(Random& random, const OrientedBox& box) {
+    return along(random, spot(random, box));
+}
+
 // Parts that a shape does not have are covered by another sweep.
 
 template <class Shape>
@@ -296,6 +337,13 @@ void mix(Random& random, Cylinder& cylinder) {
 
 void mix(Random& random, Cone& cone) {
     cone = {.axis = any_axis(random), .radius = 1, .height = any_size(random)};
+}
+
+void mix(Random& random, OrientedBox& box) {
+    const Real y = any_size(random);
+    box = {.center = {},
+           .basis = random.coin() ? random.axes() : random.basis(),
+           .half_size = {1, y, any_size(random)}};
 }
 
 /// Whole numbers that are not all 0.
@@ -393,6 +441,10 @@ Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder) {
 
 Real draw(Random& random, Sweep sweep, Case<Cone>& cone) {
     return draw_case(random, sweep, cone);
+}
+
+Real draw(Random& random, Sweep sweep, Case<OrientedBox>& box) {
+    return draw_case(random, sweep, box);
 }
 
 }  // namespace rt

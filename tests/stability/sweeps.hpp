@@ -4,6 +4,7 @@
 
 #include "common/geometry/cone.hpp"
 #include "common/geometry/cylinder.hpp"
+#include "common/geometry/oriented_box.hpp"
 #include "common/geometry/plane.hpp"
 #include "common/geometry/ray.hpp"
 #include "common/geometry/sphere.hpp"
@@ -49,6 +50,7 @@ Real draw(Random& random, Sweep sweep, Case<Triangle>& triangle);
 Real draw(Random& random, Sweep sweep, Case<Square>& square);
 Real draw(Random& random, Sweep sweep, Case<Cylinder>& cylinder);
 Real draw(Random& random, Sweep sweep, Case<Cone>& cone);
+Real draw(Random& random, Sweep sweep, Case<OrientedBox>& box);
 
 /// An interval that ends or begins a few ulps from there, where a decision is hardest.
 [[nodiscard]] Interval around(Random& random, Real t);

@@ -17,8 +17,8 @@ bool along_an_axis(Vec3 v) {
 
 std::optional<Real> intersect(const Ray& ray, const Plane& plane, Interval interval) {
     // t = ⟨o − o_r, n⟩ / ⟨d, n⟩ (MRT §4). For a grazing ray both products cancel, so both are
-    // compensated: the error of t is at most 4 ulp at any angle, and no epsilon is needed to detect
-    // a parallel ray.
+    // compensated: the error of t is at most 4 ulp at any angle (docs/reference/error_bounds.md),
+    // and no epsilon is needed to detect a parallel ray.
     const auto& [point, n] = plane;
     const bool plain = along_an_axis(n);
     const Real distance =

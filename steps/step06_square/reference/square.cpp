@@ -19,17 +19,17 @@ std::optional<Real> intersect(const Ray& ray, const Square& square, Interval int
     const auto& [x, y, z] = square.basis;
     const Vec3 o = ray.origin - square.center;
     const Vec3& d = ray.direction;
-    const Real slope = dot(d, z);
+    const Real slope = dot_along(d, z);
     if (square.one_sided && !(slope < 0)) return std::nullopt;
     const Real inverse_slope = 1 / slope;
     // Relative to a point p of the ray's line that is close to the square's plane: the remaining
-    // errors depend on the square's size and not on the distance of the origin. If the slope is
-    // little more than a rounding error, p is far away and no closer to the plane than the origin:
-    // then p is the origin.
+    // errors depend on the square's size and not on the distance of the origin. If the height of
+    // the origin is little more than a rounding error, p may be far away and hardly closer to the
+    // plane than the origin: then p is the origin.
     const Real height_of_o = dot(o, z);
     Real t_near = -height_of_o * inverse_slope;
     Real height = dot(fused_at(o, t_near, d), z);
-    if (!(std::abs(height) <= std::abs(height_of_o) / 2)) {
+    if (!(std::abs(height) <= std::abs(height_of_o) / 8)) {
         t_near = 0;
         height = height_of_o;
     }

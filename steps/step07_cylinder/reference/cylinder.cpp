@@ -31,10 +31,15 @@ std::optional<Real> intersect(const Ray& ray, const Cylinder& cylinder, Interval
         return dot(from_axis, from_axis) == cylinder.radius * cylinder.radius;
     };
 
-    // This close to both roots, a difference is as accurate as a quotient.
-    const Real half_chord = std::sqrt(half_chord_squared / a);
+    // For a ray in the plane of a rim, the sign of the rise determines which root is within.
+    const Real z_of_p = dot(p, cylinder.axis);
+    const Real rise = dot_along(ray.direction, cylinder.axis);
+
+    // This close to both roots, a difference is as accurate as a quotient. (r / |d|)² might leave
+    // the range of numbers: two square roots do not.
+    const Real half_chord = std::sqrt(half_chord_squared) / std::sqrt(a);
     for (const Real from_p : {t_closest - half_chord, t_closest + half_chord}) {
-        const Real z = dot(p, cylinder.axis) + from_p * dot(ray.direction, cylinder.axis);
+        const Real z = z_of_p + from_p * rise;
         Real t = t_near + from_p;
         if (std::abs(t) < half_chord && starts_on_side()) t = 0;
         if (std::abs(z) <= cylinder.height / 2 && interval.contains(t)) return t;

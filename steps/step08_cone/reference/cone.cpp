@@ -55,15 +55,29 @@ std::optional<Real> intersect(const Ray& ray, const Cone& given, Interval interv
     // roots depends on the sign of a. Through the apex c / q is 0 / 0, and both are q / a.
     const Real first = std::min(q / a, c / q);
     const Real last = std::max(q / a, c / q);
+
+    // On the cone, z ≤ h means: at most as far from the apex as the rim. For a flat cone, z alone
+    // determines that distance poorly.
+    const auto is_below_rim = [&](Real root) {
+        const Vec3 point = p + root * d;
+        return cone.height >= cone.radius ? dot(point, cone.axis) <= cone.height
+                                          : dot(point, point) <= rr + hh;
+    };
+    bool first_below = is_below_rim(first);
+    bool last_below = is_below_rim(last);
+    // If a > 0, both roots are on the same nappe. The sign of the rise determines which of them is
+    // lower, and that one is below the rim if the other one is; in the plane of the rim both are.
+    if (a > 0 && first_below != last_below) {
+        const Real rise = dot_along(d, cone.axis);
+        if (rise >= 0) first_below = true;
+        if (rise <= 0) last_below = true;
+    }
     for (const Real root : {first, last}) {
         // A ray that is steeper than the side hits each nappe once, this one last if it runs up the
         // axis. For other rays z decides, but here both roots may round to points behind the apex.
-        const Vec3 point = p + root * d;
         const bool on_nappe =
-            a < 0 ? root == (d_along > 0 ? last : first) : dot(point, cone.axis) >= 0;
-        // On the cone, z ≤ h means: at most as far from the apex as the rim. For a flat cone, z
-        // alone determines that distance poorly.
-        const bool below_rim = dot(point, point) <= rr + hh;
+            a < 0 ? root == (d_along > 0 ? last : first) : dot(p + root * d, cone.axis) >= 0;
+        const bool below_rim = root == first ? first_below : last_below;
         Real t = (t_closest + root) * (slow / shrink);
         // From a point of the cone itself one root is 0, and not the rounding error beside it.
         if (std::abs(t_closest + root) <= (last - first) / 2 && off_cone(cone, from_apex) == 0)

@@ -7,8 +7,9 @@ namespace rt {
 namespace {
 
 /// The distance from the end of the ray to the light, in units of u times the largest coordinate. A
-/// flat shape that contains the light is hit up to 8 units off, measured across it: this distance
-/// prevents the shadow of a ceiling on its own lamp if the ray arrives at 4° or more.
+/// flat shape that contains the light is hit up to 34 units off, measured across it
+/// (docs/reference/error_bounds.md): this distance prevents the shadow of a ceiling on its own lamp
+/// if the ray arrives at 16° or more.
 constexpr Real ends_before = 128;
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "tests/kit/for_all.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -133,6 +134,16 @@ TEST_CASE("difference_of_products() keeps the digits where two large products ne
             return verdict(opposite, "exchanged: " + text(cd_ab) + ", " + text(ab_cd));
         },
         5000));
+}
+
+TEST_CASE("compensated_sum() is accurate however many digits cancel") {
+    const Real s = u * u;
+    const Real least = s * s * s;
+    using Terms = std::array<Real, 7>;
+    CHECK(compensated_sum(Terms{1, s, s * s, least, -1, -s, -s * s}) == least);
+    CHECK(compensated_sum(Terms{least, s * s, s, 1, -s, -1, -s * s}) == least);
+    CHECK(compensated_sum(Terms{least, -1, s * s, -s, s, 1, -s * s}) == least);
+    CHECK(compensated_sum(Terms{1, -1, s, -s, 0, 0, 0}) == 0);
 }
 
 TEST_CASE("compensated_dot() is as good as with twice the digits") {
