@@ -113,6 +113,9 @@ TEST_CASE("a stage from which a student is excused counts neither for nor agains
     CHECK(two.upload() == "student,Max,Raysteps\r\nann_1,20,11.43\r\nben_2,20,20\r\n");
     two.write("by_hand.csv", "student,stage,points\nann_1,5,excused\nann_1,3,excused\n");
     CHECK(has(two.upload(), "ann_1,20,old\r\n"));
+    two.write("term.txt",
+              "overrides: by_hand.csv\nroster: class.csv\nmaximum: Max\nadditions of: 6\n");
+    CHECK(has(two.upload(), "ann_1,20,old\r\n"));
     two.write("by_hand.csv", "student,stage,points\nann_1,total,excused\n");
     CHECK(has(two.error(), "by_hand.csv:2: error: a total cannot be excused"));
 }

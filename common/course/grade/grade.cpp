@@ -191,10 +191,11 @@ void check_replaced(const ClassFolder& found, const Order& order) {
                 if (std::binary_search(graded.begin(), graded.end(), student))
                     replaced += (replaced.empty() ? "" : ", ") + student;
         if (!replaced.empty())
-            throw InputError({place}, "looks like a class, and would replace the marks of " +
-                                          replaced +
-                                          ", which are from another folder: --class if it is one, "
-                                          "--one if it is one submission");
+            throw InputError({place},
+                             "looks like a class, and would replace the marks of " + replaced +
+                                 ", which are from another folder: --student NAME for a new "
+                                 "submission, --class if it is the class, --one if it is one "
+                                 "submission");
     }
 }
 

@@ -73,18 +73,18 @@ private:
         if (roster_.is_maximum_row(row) && roster_.grade == -1)
             return line(row, decimal(possible(row).value_or(of_)), "");
         const auto found = by_student_.find(student);
-        // Without any stage that counts there is no grade.
-        if (found == by_student_.end() || found->second.of <= 0)
-            return line(row, row.at(roster_.grade), "");
-        ++graded_;
+        if (found == by_student_.end()) return line(row, row.at(roster_.grade), "");
         const StudentMarks& marks = found->second;
+        const std::string remarks = no_formula(readable(marks.remarks));
+        if (marks.of <= 0) return line(row, row.at(roster_.grade), remarks);  // nothing counts
+        ++graded_;
         const std::optional<double> most = possible(row);
         // All are of the same maximum, though not all stages count for everybody.
         double points = marks.points / marks.of * most.value_or(of_);
         // Moodle accepts no grade above its maximum, for example with a bonus.
         if (most && roster_.maximum != -1) points = std::min(points, *most);
         if (most) scaled_to_ = decimal(*most);
-        return line(row, decimal(points), no_formula(readable(marks.remarks)));
+        return line(row, decimal(points), remarks);
     }
 
     [[nodiscard]] std::string line(const Csv::Row& row, const std::string& grade,

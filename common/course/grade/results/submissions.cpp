@@ -52,7 +52,8 @@ void count_stages(StudentMarks& submission, const std::map<int, int>& graded, co
         submission.stages[stage] = points * term.weight(stage);
         submission.points += submission.stages[stage];
     }
-    submission.of = most_points(counted, term);
+    const bool has_additions = term.additions.count(submission.student) == 1;
+    if (!counted.empty() || has_additions) submission.of = most_points(counted, term);
 }
 
 /// Computes the points of the marks in this term.

@@ -18,7 +18,7 @@ struct StudentMarks {
     std::map<int, const Mark*> marks;  ///< by stage; empty without a submission
     std::map<int, double> stages;      ///< the points of each stage, weighted; without excused ones
     double points = 0;                 ///< the total
-    double of = 0;                     ///< its maximum, without excused stages
+    double of = 0;                     ///< its maximum, without excused stages; 0 if nothing counts
     double days_late = 0;
     std::string remarks;  ///< the lecturer's remarks: lines
 };
