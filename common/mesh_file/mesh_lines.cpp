@@ -54,6 +54,14 @@ void plain_text(std::string& content) {
     if (content.find('\n') == std::string::npos) std::ranges::replace(content, '\r', '\n');
 }
 
+void blank_comments(std::string& content, std::size_t from) {
+    for (auto at = content.find('#', from); at != std::string::npos; at = content.find('#', at)) {
+        const auto end = std::min(content.find('\n', at), content.size());
+        std::fill(content.begin() + static_cast<std::ptrdiff_t>(at),
+                  content.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    }
+}
+
 std::optional<std::string_view> MeshLines::next_of_any_kind() {
     if (position_ >= text_.size()) return std::nullopt;
     const std::size_t end = std::min(text_.find('\n', position_), text_.size());

@@ -21,6 +21,9 @@ void blank_byte_order_mark(std::string& content);
 /// ends in LF.
 void plain_text(std::string& content);
 
+/// Replaces comments with blanks, from that byte on: from '#' to the end of the line.
+void blank_comments(std::string& content, std::size_t from = 0);
+
 /// The lines of a text, in order. A copy goes on from the same line.
 class MeshLines {
 public:

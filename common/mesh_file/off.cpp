@@ -1,5 +1,6 @@
 #include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
+#include "common/mesh_file/off_header.hpp"
 #include "common/system/escaping.hpp"
 
 #include <algorithm>
@@ -10,77 +11,6 @@
 namespace rt {
 
 namespace {
-
-/// The first lines of a file: the letters before OFF, and the counts.
-struct OffHeader {
-    bool has_normals = false;
-    bool colors_first = false;  ///< N before C, as MeshLab writes, and then colors before normals
-    bool has_texture = false;
-    std::uint64_t vertices = 0;
-    std::uint64_t faces = 0;
-};
-
-/// Replaces comments with blanks: from '#' to the end of the line.
-void blank_comments(std::string& content) {
-    for (auto at = content.find('#'); at != std::string::npos; at = content.find('#', at)) {
-        const auto end = std::min(content.find('\n', at), content.size());
-        std::fill(content.begin() + static_cast<std::ptrdiff_t>(at),
-                  content.begin() + static_cast<std::ptrdiff_t>(end), ' ');
-    }
-}
-
-/// Removes the keyword from the line: OFF after N, C and ST in any order, each at most once. A
-/// number may follow at once.
-void take_keyword(std::string_view& line, OffHeader& header, const MeshLines& lines) {
-    const std::string_view whole = take_word(line);
-    const std::size_t letters = whole.find("OFF");
-    bool has_color = false;
-    std::size_t at = 0;
-    while (at < std::min(letters, whole.size())) {
-        const std::string_view rest = whole.substr(at);
-        const bool is_texture = rest.starts_with("ST");
-        bool& flag = is_texture       ? header.has_texture
-                     : rest[0] == 'N' ? header.has_normals
-                                      : has_color;
-        if (flag || (!is_texture && rest[0] != 'N' && rest[0] != 'C')) break;
-        header.colors_first = header.colors_first || (rest[0] == 'C' && header.has_normals);
-        flag = true;
-        at += is_texture ? 2 : 1;
-    }
-    if (whole.find_first_of("4n") < letters && letters < whole.size())
-        lines.refuse(rt::quoted(whole) + " is not read: expected vertices of three dimensions");
-    std::string_view count = whole.substr(std::min(at + 3, whole.size()));
-    if (at != letters || (!count.empty() && !take_whole_number(count)))
-        lines.refuse("expected OFF, not " + rt::quoted(whole));
-    line = {whole.data() + at + 3, std::size_t(line.data() + line.size() - whole.data()) - at - 3};
-    std::string_view after = line;
-    if (take_word(after) == "BINARY") lines.refuse("binary OFF is not read: save it as text");
-}
-
-std::uint64_t take_count(std::string_view& line, const char* what, const MeshLines& lines) {
-    const std::string_view word = take_word(line);
-    const auto count = whole_number(word);
-    if (count && *count >= 0) return static_cast<std::uint64_t>(*count);
-    lines.refuse(std::string("expected the number of ") + what + ", not " + quoted(word));
-}
-
-OffHeader take_header(MeshLines& lines) {
-    OffHeader header;
-    std::string_view line = lines.next().value_or("");
-    std::string_view copy = line;
-    // A file may begin with its counts.
-    if (!take_whole_number(copy)) take_keyword(line, header, lines);
-    // The numbers of vertices, faces and edges (ignored) may be on the line of the keyword.
-    if (count_words(line) == 0) line = lines.next().value_or("");
-    header.vertices = take_count(line, "vertices", lines);
-    header.faces = take_count(line, "faces", lines);
-    static_cast<void>(take_word(line));
-    const std::string_view next = take_word(line);
-    if (next.empty()) return header;
-    lines.refuse(
-        "expected the numbers of vertices, faces and edges, and then one vertex a line, not " +
-        quoted(next));
-}
 
 /// Returns the next line of a list. Throws InputError at the end of the file.
 std::string_view next_item(MeshLines& lines, const char* what, std::uint64_t index,
@@ -207,7 +137,7 @@ void read_off(std::string& content, const std::string& file, MeshBuilder& builde
     blank_comments(content);
     plain_text(content);
     MeshLines lines(content, file);
-    const OffHeader header = take_header(lines);
+    const OffHeader header = take_off_header(lines);
     // The file may promise more than it has: a vertex has at least six bytes, "0 0 0" and its end.
     const std::uint64_t most = lines.left() / 6 + 1;
     builder.reserve(std::min(header.vertices, most), std::min(header.faces, most));

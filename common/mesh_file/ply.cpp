@@ -1,13 +1,10 @@
 #include "common/mesh_file/mesh_formats.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
-#include "common/mesh_file/ply_header.hpp"
+#include "common/mesh_file/ply_checks.hpp"
 #include "common/mesh_file/ply_items.hpp"
-#include "common/system/escaping.hpp"
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -15,96 +12,10 @@ namespace rt {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> coordinates = {"x", "y", "z", "nx", "ny", "nz"};
-
-bool is_corners(const PlyProperty& p) {
-    return p.name == "vertex_indices" || p.name == "vertex_index";
-}
-
-std::ptrdiff_t count_of(const PlyElement& element, std::string_view property) {
-    return std::ranges::count(element.properties, property, &PlyProperty::name);
-}
-
 bool has_normals(const PlyElement& vertex) {
-    return count_of(vertex, "nx") + count_of(vertex, "ny") + count_of(vertex, "nz") == 3;
-}
-
-void check_vertex(const PlyElement& vertex, const std::string& file) {
-    for (const std::string_view name : coordinates) {
-        const std::ptrdiff_t count = count_of(vertex, name);
-        if (count == 1 || (count == 0 && name[0] == 'n')) continue;
-        throw InputError({file, vertex.line}, "a vertex has " + std::to_string(count) +
-                                                  " properties " + std::string(name) +
-                                                  ": expected one");
-    }
-    for (const PlyProperty& p : vertex.properties) {
-        if (!p.length || std::ranges::find(coordinates, p.name) == coordinates.end()) continue;
-        throw InputError({file, p.line}, "a vertex's " + p.name + " is a list: expected a number");
-    }
-}
-
-/// Checks an element of faces or of strips.
-void check_corners(const PlyElement& face, const std::string& file) {
-    const std::ptrdiff_t count = std::ranges::count_if(face.properties, is_corners);
-    if (count != 1) {
-        throw InputError({file, face.line}, "a " + face.name + " has " + std::to_string(count) +
-                                                " lists vertex_indices: expected one");
-    }
-    const PlyProperty& corners = *std::ranges::find_if(face.properties, is_corners);
-    if (corners.length && !corners.type.is_float) return;
-    throw InputError({file, corners.line},
-                     rt::quoted(corners.name) + " must be a list of whole numbers");
-}
-
-bool has_faces(const PlyElement& element) {
-    return element.name == "face" || element.name == "tristrips";
-}
-
-void check_header(const PlyHeader& header, const std::string& file) {
-    if (header.format != "ascii" && header.format != "binary_little_endian" &&
-        header.format != "binary_big_endian") {
-        throw InputError({file},
-                         "expected the format ascii, binary_little_endian or binary_big_endian, "
-                         "not " +
-                             rt::quoted(header.format));
-    }
-    const auto& elements = header.elements;
-    const auto vertices = std::ranges::count(elements, "vertex", &PlyElement::name);
-    if (vertices != 1) {
-        throw InputError({file},
-                         "has " + std::to_string(vertices) + " elements vertex: expected one");
-    }
-    if (std::ranges::none_of(elements, has_faces))
-        throw InputError({file}, "has no element face, and so no surface: points cannot be drawn");
-    for (const PlyElement& element : elements) {
-        for (const PlyProperty& p : element.properties) {
-            if (!p.length || !p.length->is_float) continue;
-            throw InputError({file, p.line}, "the length of the list " + rt::quoted(p.name) +
-                                                 " must be a whole number: save it without");
-        }
-        if (element.name == "vertex") check_vertex(element, file);
-        if (has_faces(element)) check_corners(element, file);
-    }
-}
-
-/// Throws InputError for a count that is too large for the bytes after the header, before memory is
-/// allocated for it.
-void check_size(const PlyHeader& header, std::uint64_t bytes, const std::string& file) {
-    for (const PlyElement& element : header.elements) {
-        std::uint64_t least = 0;
-        for (const PlyProperty& p : element.properties)
-            least += p.length ? p.length->size : p.type.size;
-        if (least == 0) continue;
-        if (element.count > bytes / least) {
-            const std::string what = element.name == "vertex" ? "vertices"
-                                     : element.name == "face"
-                                         ? "faces"
-                                         : "items of " + rt::quoted(element.name);
-            throw InputError({file, element.line}, "the file ends too early for " +
-                                                       std::to_string(element.count) + " " + what);
-        }
-        bytes -= element.count * least;
-    }
+    return std::ranges::count_if(vertex.properties, [](const PlyProperty& p) {
+               return p.name == "nx" || p.name == "ny" || p.name == "nz";
+           }) == 3;
 }
 
 /// Reads the elements of a file, in which faces may precede the vertices.
@@ -138,8 +49,8 @@ private:
         const bool with_normals = has_normals(vertex);
         std::vector<std::size_t> columns;  // the coordinate of each property, or more than the last
         for (const PlyProperty& p : vertex.properties) {
-            const auto found = std::ranges::find(coordinates, p.name) - coordinates.begin();
-            columns.push_back(found >= 3 && !with_normals ? coordinates.size()
+            const auto found = std::ranges::find(ply_coordinates, p.name) - ply_coordinates.begin();
+            columns.push_back(found >= 3 && !with_normals ? ply_coordinates.size()
                                                           : std::size_t(found));
         }
         for (std::uint64_t i = 0; i < vertex.count; ++i) {
@@ -149,7 +60,7 @@ private:
                 const PlyProperty& p = vertex.properties[k];
                 if (columns[k] < 3) {
                     numbers[columns[k]] = items.number(vertex, p.type);
-                } else if (columns[k] < coordinates.size()) {
+                } else if (columns[k] < ply_coordinates.size()) {
                     numbers[columns[k]] = items.number_or_nan(vertex, p.type);
                 } else {
                     skip_property(items, vertex, p);
@@ -239,13 +150,14 @@ void read_ply(std::string& content, const std::string& file, MeshBuilder& builde
     if (has_cr_lines) plain_text(content);
     MeshLines lines(content, file);
     const PlyHeader header = take_ply_header(lines);
-    check_header(header, file);
+    check_ply_header(header, file);
     if (header.format == "ascii") {
         plain_text(content);
+        blank_comments(content, lines.position());
         PlyReader<PlyText>(header, builder).read(PlyText(lines));
         return;
     }
-    check_size(header, lines.left(), file);
+    check_ply_size(header, lines.left(), file);
     const auto order =
         header.format == "binary_big_endian" ? std::endian::big : std::endian::little;
     const auto body = std::string_view(content).substr(lines.position());

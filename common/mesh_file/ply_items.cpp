@@ -33,7 +33,8 @@ Number number_in(std::string_view bytes, bool swap) {
 }  // namespace
 
 void PlyText::begin(const PlyElement& element, std::uint64_t index) {
-    const auto line = lines_.next();
+    auto line = lines_.next();
+    while (line && line->starts_with("comment")) line = lines_.next();
     if (!line) {
         lines_.refuse("the file ends after " + std::to_string(index) + " of " +
                       std::to_string(element.count) + " " + items_of(element));

@@ -63,8 +63,9 @@ void read_binary(std::string_view content, std::size_t triangles, const std::str
     }
 }
 
+/// A comment of other programs; one that begins with '#' is blank.
 bool is_comment(std::string_view line) {
-    return line.starts_with('#') || line.starts_with("//") || line.starts_with(';');
+    return line.starts_with("//") || line.starts_with(';');
 }
 
 /// The keyword of a line in lower case, without the blank of "end solid".
@@ -76,6 +77,7 @@ std::string take_keyword(std::string_view& line) {
 
 void read_text(std::string& content, const std::string& file, MeshBuilder& builder) {
     plain_text(content);
+    blank_comments(content);
     MeshLines lines(content, file);
     Facets facets(builder);
     std::array<glm::dvec3, 3> corners;

@@ -105,11 +105,14 @@ TEST_CASE("a band with one half turn has no sides: it is counted, and nothing fa
 TEST_CASE("a scene's meshes: what --requirements prints, and the warning of a turned triangle") {
     const MeshFolder folder;
     const std::string vertices = "4 4 0\n10 0 0\n11 0 0\n10 1 0\n10 0 2\n";
-    folder.write("right.off", "OFF\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-    folder.write("turned.off", "OFF\n" + vertices + "3 0 2 1\n3 0 1 3\n3 2 1 3\n3 2 0 3\n");
-    folder.write("open.stl",
-                 "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 3 0 0\nvertex 0 3 0\nendloop\n"
-                 "endfacet\nendsolid\n");
+    static_cast<void>(
+        folder.write("right.off", "OFF\n" + vertices + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"));
+    static_cast<void>(
+        folder.write("turned.off", "OFF\n" + vertices + "3 0 2 1\n3 0 1 3\n3 2 1 3\n3 2 0 3\n"));
+    static_cast<void>(
+        folder.write("open.stl",
+                     "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 3 0 0\nvertex 0 3 0\nendloop\n"
+                     "endfacet\nendsolid\n"));
     const auto with = [&](std::vector<std::string> files, bool smooth) {
         Scene scene;
         for (const std::string& file : files)

@@ -63,6 +63,10 @@ TEST_CASE("STL: before the first word, and after the last") {
         CHECK(warnings_of_triangle("a.stl", before + whole).empty());
     CHECK(warnings_of_triangle("a.stl", "solid\n" + facet + "end solid\n").empty());
     CHECK(warnings_of_triangle("a.stl", "solid\n# within\n" + facet + "ENDSOLID").empty());
+    CHECK(warnings_of_triangle("a.stl",
+                               "solid # 1\nouter loop # 2\nvertex 0 0 0 # 3\n#\n"
+                               "vertex 1 0 0\nvertex 0 1 0\nendsolid\n# 4\n")
+              .empty());
     CHECK(warnings_of_triangle("a.stl", "solid\n" + facet) ==
           Warnings{"has no \"endsolid\" at its end: its last facets may be missing"});
 }
@@ -168,6 +172,9 @@ TEST_CASE("PLY: elements and properties of every kind around those that are read
           ply(xyz, "element tristrips 1\nproperty list int int vertex_indices\n",
               three_points + "9 0 0 1 -1 0 1 2 2 -1\n")})
         CHECK(warnings_of_triangle("a.ply", text).empty());
+    CHECK(warnings_of_triangle("a.ply",
+                               ply(xyz, face, "0 0 0 # a\ncomment b\n1 0 0\n0 1 0\n3 0 1 2 # b\n"))
+              .empty());
     // Faces first.
     CHECK(warnings_of_triangle("a.ply", "ply\nformat ascii 1.0\n" + face + "element vertex 3\n" +
                                             xyz + "end_header\n3 0 1 2\n" + three_points)

@@ -1,0 +1,90 @@
+#include "common/mesh_file/ply_checks.hpp"
+
+#include "common/system/escaping.hpp"
+
+#include <algorithm>
+
+namespace rt {
+
+namespace {
+
+std::ptrdiff_t count_of(const PlyElement& element, std::string_view property) {
+    return std::ranges::count(element.properties, property, &PlyProperty::name);
+}
+
+void check_vertex(const PlyElement& vertex, const std::string& file) {
+    for (const std::string_view name : ply_coordinates) {
+        const std::ptrdiff_t count = count_of(vertex, name);
+        if (count == 1 || (count == 0 && name[0] == 'n')) continue;
+        throw InputError({file, vertex.line}, "a vertex has " + std::to_string(count) +
+                                                  " properties " + std::string(name) +
+                                                  ": expected one");
+    }
+    for (const PlyProperty& p : vertex.properties) {
+        if (!p.length || std::ranges::find(ply_coordinates, p.name) == ply_coordinates.end())
+            continue;
+        throw InputError({file, p.line}, "a vertex's " + p.name + " is a list: expected a number");
+    }
+}
+
+/// Checks an element of faces or of strips.
+void check_corners(const PlyElement& face, const std::string& file) {
+    const std::ptrdiff_t count = std::ranges::count_if(face.properties, is_corners);
+    if (count != 1) {
+        throw InputError({file, face.line}, "a " + face.name + " has " + std::to_string(count) +
+                                                " lists vertex_indices: expected one");
+    }
+    const PlyProperty& corners = *std::ranges::find_if(face.properties, is_corners);
+    if (corners.length && !corners.type.is_float) return;
+    throw InputError({file, corners.line},
+                     rt::quoted(corners.name) + " must be a list of whole numbers");
+}
+
+}  // namespace
+
+void check_ply_header(const PlyHeader& header, const std::string& file) {
+    if (header.format != "ascii" && header.format != "binary_little_endian" &&
+        header.format != "binary_big_endian") {
+        throw InputError({file},
+                         "expected the format ascii, binary_little_endian or binary_big_endian, "
+                         "not " +
+                             rt::quoted(header.format));
+    }
+    const auto& elements = header.elements;
+    const auto vertices = std::ranges::count(elements, "vertex", &PlyElement::name);
+    if (vertices != 1) {
+        throw InputError({file},
+                         "has " + std::to_string(vertices) + " elements vertex: expected one");
+    }
+    if (std::ranges::none_of(elements, has_faces))
+        throw InputError({file}, "has no element face, and so no surface: points cannot be drawn");
+    for (const PlyElement& element : elements) {
+        for (const PlyProperty& p : element.properties) {
+            if (!p.length || !p.length->is_float) continue;
+            throw InputError({file, p.line}, "the length of the list " + rt::quoted(p.name) +
+                                                 " must be a whole number: save it without");
+        }
+        if (element.name == "vertex") check_vertex(element, file);
+        if (has_faces(element)) check_corners(element, file);
+    }
+}
+
+void check_ply_size(const PlyHeader& header, std::uint64_t bytes, const std::string& file) {
+    for (const PlyElement& element : header.elements) {
+        std::uint64_t least = 0;
+        for (const PlyProperty& p : element.properties)
+            least += p.length ? p.length->size : p.type.size;
+        if (least == 0) continue;
+        if (element.count > bytes / least) {
+            const std::string what = element.name == "vertex" ? "vertices"
+                                     : element.name == "face"
+                                         ? "faces"
+                                         : "items of " + rt::quoted(element.name);
+            throw InputError({file, element.line}, "the file ends too early for " +
+                                                       std::to_string(element.count) + " " + what);
+        }
+        bytes -= element.count * least;
+    }
+}
+
+}  // namespace rt
