@@ -204,7 +204,7 @@ seq 16 | parallel --quote @PROJECT@/build/grade "$class" --out "$out" --jobs 1 -
 constexpr const char* copy_project = R"sh(
 cd "$1" || exit
 if git -c safe.directory="$1" ls-files --error-unmatch course > /dev/null 2>&1; then
-    git -c safe.directory="$1" ls-files -z | tar --null -T - -cf -
+    git -c safe.directory="$1" ls-files -z -- . ':!steps/*/student*' | tar --null -T - -cf -
 else
     tar -cf - --exclude=./build --exclude=./renders --exclude=./results --exclude=./.git \
         --exclude='./steps/*/student*' .

@@ -51,6 +51,16 @@ TEST_CASE("a hand-out has no solution") {
     CHECK(kept_back(R"(docs/.*\.[ch]pp)") >= 20);
 }
 
+TEST_CASE("a hand-out has no student's work, whoever committed it") {
+    for (const char* file : {"sphere.cpp", "main.cpp", "helpers.hpp", "tests/mine.cpp", "notes.md",
+                             "progress.txt"})
+        for (const char* folder : {"student/", "student_1/"}) {
+            const std::string path = std::string("steps/step03_sphere/") + folder + file;
+            INFO(path);
+            CHECK_FALSE(is_for_students(path));
+        }
+}
+
 TEST_CASE("a hand-out has nothing that grades") {
     CHECK(kept_back("common/course/grade/.*") >= 40);
     CHECK(kept_back("tests/grading/.*") >= 50);
