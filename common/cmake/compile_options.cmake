@@ -140,38 +140,36 @@ function(raysteps_compile_without_optimizing target precision)
     target_precompile_headers(${target} REUSE_FROM raysteps_unoptimized_${precision})
 endfunction()
 
-# raysteps_precompile(<name> <header>)
+# raysteps_precompile(<name> <header>...)
 #
-# Defines <name>_f32 and _f64, for g++: the header, precompiled in a folder <header>.gch of a tree that
-# can be searched before the project's.
-function(raysteps_precompile name header)
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/${header}.gch/all.cpp)
-    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
+# Defines <name>_f32 and _f64, for g++: the headers, precompiled in a folder <name>.hpp.gch beside a
+# file <name>.hpp that includes them.
+function(raysteps_precompile name)
+    list(TRANSFORM ARGN REPLACE "(.+)" "#include \"${PROJECT_SOURCE_DIR}/\\1\"\n")
+    string(CONCAT includes ${ARGN})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.hpp.gch/all.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "${includes}")
     raysteps_compile_twice(${name} ${source})
     foreach(target IN ITEMS ${name}_f32 ${name}_f64)
         target_compile_options(${target} PRIVATE "SHELL:-x c++-header")
-        set_target_properties(${target} PROPERTIES
-            EXCLUDE_FROM_ALL ON RAYSTEPS_HEADER ${header})
-        # For an #include after others, where g++ accepts no precompiled header.
-        file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${header}
-            CONTENT "#include \"${PROJECT_SOURCE_DIR}/${header}\"\n")
+        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON
+            RAYSTEPS_HEADER ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp)
+        file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp
+            CONTENT "${includes}")
     endforeach()
 endfunction()
 
-# raysteps_start_from(<header> <name> <source>...)
+# raysteps_start_from(<headers> <name> <source>...)
 #
-# Compiles <name>_f32 and <name>_f64, of these sources, in a third of the time with g++: their own
-# #include of the header that <header>_f32 and _f64 have precompiled, if it is the first, finds that.
-# It hides no missing #include.
-function(raysteps_start_from header name)
+# Compiles <name>_f32 and <name>_f64, of these sources, in a third of the time with g++: they start
+# from what <headers>_f32 and _f64 have precompiled.
+function(raysteps_start_from headers name)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         foreach(precision IN ITEMS f32 f64)
-            get_target_property(file ${header}_${precision} RAYSTEPS_HEADER)
-            get_target_property(folder ${header}_${precision} BINARY_DIR)
-            string(APPEND folder /CMakeFiles/${header}_${precision}.dir)
+            get_target_property(header ${headers}_${precision} RAYSTEPS_HEADER)
             set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
-                ${folder}/${file}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
-            target_include_directories(${name}_${precision} BEFORE PRIVATE ${folder})
+                ${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+            target_compile_options(${name}_${precision} PRIVATE "SHELL:-include \"${header}\"")
         endforeach()
     endif()
 endfunction()

@@ -9,8 +9,6 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
-# stepNN_name_contract_f64    the stage's header, precompiled for these; for student/main.cpp it is
-#                             raysteps_main_contract_f64: common/render/stage.hpp
 # stepNN_name_f64             the selected one of these two, by option
 # stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
 # stepNN_name                 the executable; _reference_program and _checked are the same program built
@@ -43,17 +41,18 @@ function(raysteps_stage)
         raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
-    string(REGEX REPLACE "^step[0-9]+_(.*)" "steps/${name}/\\1.hpp" contract ${name})
-    raysteps_precompile(${name}_contract ${contract})
+    raysteps_headers_of(${name} headers)
     set(chosen reference)
     set(chosen_main main)
     if(student)
         raysteps_compile_twice(${name}_student ${student})
-        raysteps_start_from(${name}_contract ${name}_student ${student})
+        raysteps_start_from(${headers} ${name}_student ${student})
     endif()
     if(student_main)
         raysteps_compile_twice(${name}_student_main ${student_main})
-        raysteps_start_from(raysteps_main_contract ${name}_student_main ${student_main})
+        if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+            raysteps_start_from_common(${name}_student_main)
+        endif()
     endif()
     if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
         if(student)
@@ -123,6 +122,18 @@ function(raysteps_stage)
     raysteps_link_program(${name}_reference_program ${name} ${name}_picture ${references})
     raysteps_link_program(${name}_checked ${name} ${name}_chosen_picture ${name} ${others})
     set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
+endfunction()
+
+# raysteps_headers_of(<stage> <variable>)
+#
+# The precompiled headers from which a student's file of the stage starts.
+function(raysteps_headers_of stage variable)
+    string(REGEX REPLACE "^step[0-9]+_(.*)" "\\1.hpp" contract ${stage})
+    file(STRINGS ${PROJECT_SOURCE_DIR}/steps/${stage}/${contract} optional REGEX "^#include <optional>")
+    set(${variable} raysteps_rays PARENT_SCOPE)
+    if(optional)  # as every shape's header includes
+        set(${variable} raysteps_shapes PARENT_SCOPE)
+    endif()
 endfunction()
 
 # raysteps_link_program(<program> <stage> <picture> <stage or _reference>...)
