@@ -29,7 +29,7 @@ course() {
     shift
     ./course "$@" > "$folder/all" 2>&1
     came=$?
-    grep -v '^building: \|^\[[0-9]*/[0-9]*\] ./course: ' "$folder/all" > "$folder/out"
+    grep -v '^building: \|^building …\|^configuring …\|^\[[0-9]*/[0-9]*\] ./course: ' "$folder/all" > "$folder/out"
     [ $came = "$expected" ] || fail "course $*: the status is $expected, not $came"
 }
 

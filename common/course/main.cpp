@@ -10,8 +10,8 @@
 #include "common/course/exercise/compare.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/run.hpp"
-#include "common/course/exercise/suggestion.hpp"
 #include "common/course/exercise/workbook.hpp"
+#include "common/course/exercise/wrap.hpp"
 #include "common/course/handout/handout.hpp"
 #include "common/course/handout/manifest.hpp"
 #include "common/course/handout/update.hpp"
@@ -19,6 +19,7 @@
 #include "common/course/own/lay_out.hpp"
 #include "common/course/view/view.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/two_numbers.hpp"
 
@@ -90,6 +91,9 @@ bool is_missing(const std::string& command) {
     return std::find(of_clones.begin(), of_clones.end(), command) != of_clones.end();
 }
 
+/// Of lecturers and authors: the others are for students.
+const std::string authors = "For lecturers, and for authors of stages";
+
 /// "ROW,COLUMN"
 bool is_pixel(const std::string& word) {
     return rt::two_numbers(word, ',').has_value();
@@ -154,11 +158,21 @@ int test(rt::Command words) {
     return rt::run_tests(stage, words);
 }
 
+/// Prints what the command itself does with its arguments.
+void show_help(const CLI::App& command) {
+    std::printf("%s\n\n", rt::wrapped(command.get_description()).c_str());
+    for (const CLI::Option* option : command.get_options())
+        std::printf("  %-18s %s\n", (option->get_name() + " " + option->get_type_name()).c_str(),
+                    option->get_description().c_str());
+}
+
 /// The commands. CLI11 parses their arguments, prints their help, and starts them.
 class Commands {
 public:
     Commands() {
         app_.require_subcommand(0, 1);
+        app_.get_formatter()->label("REQUIRED", "(required)");
+        app_.get_formatter()->label("Needs", "with");
         add_student_commands();
         add_author_commands();
     }
@@ -178,7 +192,9 @@ private:
                            const Body& body);
     /// A command that hands words over to the stage's program, which answers --help.
     void add_of_program(const std::string& usage, const std::string& description, const Body& body);
+    void print_summary() const;
     void print_list() const;
+    [[noreturn]] void refuse(const CLI::ParseError& error, const std::string& first) const;
     [[nodiscard]] std::vector<std::string> command_names() const;
     [[nodiscard]] int stage() const { return parse_stage(words_.stage); }
 
@@ -189,11 +205,8 @@ private:
 
 CLI::App* Commands::add(const std::string& usage, const std::string& description,
                         const Body& body) {
-    std::string line = "./course " + usage + " ";
-    const auto is_character = [](char byte) { return (byte & 0xC0) != 0x80; };  // in UTF-8
-    const auto width = std::size_t(std::count_if(line.begin(), line.end(), is_character));
-    line.append((width < 27 ? 27 : 40) - width, ' ');
-    CLI::App* command = app_.add_subcommand(usage.substr(0, usage.find(' ')), line + description);
+    CLI::App* command = app_.add_subcommand(usage.substr(0, usage.find(' ')),
+                                            "./course " + usage + ": " + description);
     command->callback([this, command, body] { status_ = body(command->remaining()); });
     return command;
 }
@@ -201,19 +214,24 @@ CLI::App* Commands::add(const std::string& usage, const std::string& description
 CLI::App* Commands::add_of_stage(const std::string& usage, const std::string& description,
                                  const Body& body) {
     CLI::App* command = add(usage, description, body);
-    command->add_option("N", words_.stage, stage_option);
+    command->add_option("N", words_.stage, stage_option)->type_name("");
     return command;
 }
 
 void Commands::add_of_program(const std::string& usage, const std::string& description,
                               const Body& body) {
     const auto answer = [this, body](const rt::Command& rest) {
-        return wants_help(rest) ? rt::run_stage(stage(), rest, "") : body(rest);
+        if (!wants_help(rest)) return body(rest);
+        show_help(*app_.get_subcommands()[0]);
+        std::puts("The other options are those of the stage's program:\n");
+        std::fflush(stdout);
+        return rt::run_stage(stage(), {"--help"}, "");
     };
     CLI::App* command = add_of_stage(usage, description, answer)->allow_extras();
     command->set_help_flag();
-    command->add_flag("--mine", words_.mine);
-    command->add_option("--reference", words_.reference);
+    command->add_flag("--mine", words_.mine, "use all your stages");
+    command->add_option("--reference", words_.reference, "use all your stages but these: 3,5")
+        ->type_name("N,N");
 }
 
 void Commands::add_student_commands() {
@@ -231,8 +249,9 @@ void Commands::add_student_commands() {
                      rt::show_hint(stage(), words_.level);
                      return 0;
                  })
-        ->add_option("LEVEL", words_.level)
-        ->check(CLI::Range(1, rt::hint_levels));
+        ->add_option("LEVEL", words_.level, "1, 2 or 3; the next if not given")
+        ->check(CLI::Range(1, rt::hint_levels).description(""))
+        ->type_name("");
     add_of_program(
         "run N [scene.rt] [options]", "render its scene, or yours; --help lists options",
         [this](Rest rest) { return rt::run_stage(stage(), rest, parse_stages(words_.reference)); });
@@ -253,59 +272,103 @@ void Commands::add_student_commands() {
         add("own DIR", "begin a ray tracer of your own with your stages; --check compares it",
             [this](Rest) { return own(words_); });
     own_command->add_option("DIR", words_.place, "a new folder, or with --check an older one")
-        ->required();
+        ->required()
+        ->type_name("");
     own_command->add_flag("--check", words_.check,
                           "compare the pictures of DIR/build/tracer with the reference's");
-    own_command->add_option("--seconds", words_.seconds, "the time limit of --check for a scene")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 3600));
+    own_command
+        ->add_option("--seconds", words_.seconds,
+                     "the time limit of --check for a scene, 1 to 3600; 60 if not given")
+        ->check(CLI::Range(1, 3600).description(""))
+        ->type_name("S");
     CLI::App* book_command =
         add("book", "read the pages in a browser, with search, hints and contracts", [this](Rest) {
             return rt::book(
                 {.project = rt::project_folder, .out = words_.out, .source = words_.source});
         });
-    book_command->add_option("--out", words_.out, "write the site to this folder instead");
+    book_command->add_option("--out", words_.out, "write the site to this folder instead")
+        ->type_name("DIR");
     book_command
         ->add_option("--source", words_.source,
                      "where its links to files lead: https://github.com/NAME/raysteps/blob/main")
-        ->needs("--out");
+        ->needs("--out")
+        ->type_name("URL");
     // The arguments, also options, are ctest's.
-    add("test [N] [options of ctest]", "run the stage's suite, or all tests", test)
-        ->prefix_command();
+    add("test [N] [options of ctest]", "run the stage's suite, or all tests",
+        [this](Rest rest) {
+            if (!wants_help(rest)) return test(rest);
+            show_help(*app_.get_subcommands()[0]);
+            std::puts("Such as -R NAME, --rerun-failed; ctest --help lists them.");
+            return 0;
+        })
+        ->prefix_command()
+        ->set_help_flag();
 }
 
 void Commands::add_author_commands() {
     using Rest = const rt::Command&;
     add("update NEW", "install a newer hand-out, folder or archive; your files stay",
         [this](Rest) { return rt::update(words_.place); })
-        ->add_option("place", words_.place)
-        ->required();
-    add("audit", "for authors of stages: test that each one is complete",
-        [](Rest) { return rt::audit(); });
+        ->add_option("NEW", words_.place, "the hand-out")
+        ->required()
+        ->type_name("");
+    add("audit", "test that each stage is complete", [](Rest) {
+        return rt::audit();
+    })->group(authors);
     add("measure [STUDY…]",
         "measure speed against accuracy on this machine: docs/reference/accuracy.md", rt::measure)
-        ->allow_extras();
+        ->allow_extras()
+        ->group(authors);
     // The grader answers --help.
-    add("grade SUBMISSIONS… --out DIR", "for instructors: grade in a sandbox; --help lists options",
-        rt::run_grader)
+    add("grade SUBMISSIONS… --out DIR", "grade in a sandbox; --help lists options", rt::run_grader)
         ->prefix_command()
+        ->group(authors)
         ->set_help_flag();
     CLI::App* handout_command =
-        add("handout DIR", "for instructors: a copy without the solutions; or DIR.tar.gz",
+        add("handout DIR", "write a copy without the solutions, for students; or DIR.tar.gz",
             [this](Rest) { return rt::hand_out(words_.place, words_.also); });
-    handout_command->add_option("place", words_.place)->required();
-    handout_command->add_option("--also", words_.also,
-                                "another processor that it is for, too: aarch64 or x86_64");
+    handout_command->group(authors);
+    handout_command->add_option("DIR", words_.place, "a new folder or archive")
+        ->required()
+        ->type_name("");
+    handout_command
+        ->add_option("--also", words_.also,
+                     "another processor that it is for, too: aarch64 or x86_64")
+        ->type_name("PROCESSOR");
+}
+
+void Commands::print_summary() const {
+    rt::show_progress();
+    std::string line = "\nCommands:";
+    for (const CLI::App* command : app_.get_subcommands({}))
+        if (!is_missing(command->get_name()) && command->get_group() != authors)
+            line += " " + command->get_name();
+    std::printf("%s\n./course --help describes them.\n", rt::wrapped(line).c_str());
+    if (rt::is_handout(rt::project_folder))
+        std::printf("\n%s\n", rt::wrapped(rt::read_manifest(rt::project_folder).title).c_str());
+    std::puts("");
+    rt::show_next();
 }
 
 void Commands::print_list() const {
-    std::puts("");
-    for (const CLI::App* command : app_.get_subcommands({}))
-        if (!is_missing(command->get_name())) std::puts(command->get_description().c_str());
-    if (rt::is_handout(rt::project_folder))
-        std::printf("\n%s\n", rt::read_manifest(rt::project_folder).title.c_str());
-    std::printf("\nN is %s.\n", stage_option);
-    std::puts("run, compare, explain: --mine uses all your stages, --reference 3,5 all but these.");
+    constexpr std::size_t column = 27;  // of the descriptions
+    std::string group;
+    for (const CLI::App* command : app_.get_subcommands({})) {
+        if (is_missing(command->get_name())) continue;
+        if (command->get_group() == authors && group != authors)
+            std::printf("\n%s:\n\n", authors.c_str());
+        group = command->get_group();
+        std::string line = command->get_description();
+        const std::size_t end = line.find(": ");
+        line.replace(end, 2, std::string(end + 2 < column ? column - end : 2, ' '));
+        std::puts(
+            rt::wrapped(line, rt::output_on_terminal() ? rt::terminal_columns() : 1000, column)
+                .c_str());
+    }
+    std::printf("\n%s\n", rt::wrapped(std::string("N is ") + stage_option + ".").c_str());
+    std::puts(rt::wrapped("run, compare, explain: --mine uses all your stages, --reference 3,5 "
+                          "all but these. ./course --version prints the version.")
+                  .c_str());
 }
 
 std::vector<std::string> Commands::command_names() const {
@@ -315,28 +378,48 @@ std::vector<std::string> Commands::command_names() const {
     return names;
 }
 
+void Commands::refuse(const CLI::ParseError& error, const std::string& first) const {
+    const auto chosen = app_.get_subcommands();
+    if (chosen.empty())
+        throw rt::InputError({}, "no command \"" + first + "\": ./course lists the commands." +
+                                     rt::suggestion(first, command_names()));
+    const std::string name = chosen[0]->get_name();
+    const std::vector<std::string> unexpected = app_.remaining(true);
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || unexpected.empty())
+        throw rt::InputError({}, name + ": " + error.what());
+    std::string words;
+    std::vector<std::string> options;
+    for (const std::string& word : unexpected) words += " " + word;
+    for (const CLI::Option* option : chosen[0]->get_options())
+        options.push_back(option->get_name());
+    throw rt::InputError({}, name + ": not expected:" + words + "; ./course " + name +
+                                 " --help lists the options." +
+                                 rt::suggestion(unexpected[0], options));
+}
+
 int Commands::run(int argc, char** argv) {
     app_.parse_complete_callback([this] {
         if (!app_.got_subcommand("update")) rt::warn_of_half_update();
     });
+    std::vector<const char*> words(argv, argv + argc);
+    if (argc > 1 && words[1] == std::string_view("help")) {  // as "check --help"
+        words.erase(words.begin() + 1);
+        const std::vector<std::string> names = command_names();
+        if (argc == 2 || std::find(names.begin(), names.end(), words[1]) != names.end())
+            words.push_back("--help");
+    }
     try {
-        app_.parse(argc, argv);
+        app_.parse(int(words.size()), words.data());
     } catch (const CLI::CallForHelp&) {
-        if (!app_.get_subcommands().empty()) {
+        if (app_.get_subcommands().empty())
+            print_list();
+        else
             std::cout << app_.help();
-            return 0;
-        }
+        return 0;
     } catch (const CLI::ParseError& error) {
-        const auto chosen = app_.get_subcommands();
-        throw rt::InputError({}, chosen.empty() ? "no command \"" + std::string(argv[1]) +
-                                                      "\": ./course lists the commands." +
-                                                      rt::suggestion(argv[1], command_names())
-                                                : chosen[0]->get_name() + ": " + error.what());
+        refuse(error, words[1]);
     }
-    if (app_.get_subcommands().empty()) {
-        rt::show_progress();
-        print_list();
-    }
+    if (app_.get_subcommands().empty()) print_summary();
     return status_;
 }
 

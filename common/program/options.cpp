@@ -6,7 +6,9 @@
 #include "common/system/escaping.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/parse_floating.hpp"
+#include "common/system/suggestion.hpp"
 #include "common/system/two_numbers.hpp"
+#include "common/system/version.hpp"
 #include "common/tuning/choose_pixels.hpp"
 
 #include <CLI/CLI.hpp>
@@ -301,6 +303,16 @@ void complete(const Program& program, const CLI::App& app, Options& options) {
     if (options.output.empty()) options.output = default_output(program, options.scene);
 }
 
+/// Throws InputError for words that CLI11 does not know, in the order in which they were typed.
+[[noreturn]] void refuse_words(const CLI::App& app) {
+    std::string words;
+    for (const std::string& word : app.remaining()) words += " " + word;
+    std::vector<std::string> options;
+    for (const CLI::Option* option : app.get_options()) options.push_back(option->get_name());
+    throw InputError({}, "not expected:" + words + " (--help lists the options)" +
+                             suggestion(app.remaining()[0], options));
+}
+
 }  // namespace
 
 std::optional<Options> parse_options(const Program& program, int argc, const char* const* argv) {
@@ -309,6 +321,9 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     bool is_horizontal = false;
     CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
     app.option_defaults()->take_last();
+    app.get_formatter()->label("Excludes", "not with");
+    app.set_version_flag("--version", name + ", Raysteps " + version(program.root),
+                         "print the version and exit");
     add_files(app, name, options);
     add_precision(app, program, options.precision);
     add_pixel_options(app, options.settings);
@@ -330,6 +345,11 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help();
         return std::nullopt;
+    } catch (const CLI::CallForVersion& asked) {
+        std::cout << asked.what() << '\n';
+        return std::nullopt;
+    } catch (const CLI::ExtrasError&) {
+        refuse_words(app);
     } catch (const CLI::ParseError& error) {
         throw InputError({}, std::string(error.what()) + " (--help lists the options)");
     }

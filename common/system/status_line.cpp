@@ -6,7 +6,8 @@
 
 namespace rt {
 
-StatusLine::StatusLine(const std::string& text) : in_place_(errors_on_terminal()) {
+StatusLine::StatusLine(const std::string& text)
+    : in_place_(errors_on_terminal() && terminal_is_capable()) {
     show(text);
 }
 

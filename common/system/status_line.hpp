@@ -7,8 +7,9 @@
 namespace rt {
 
 /// A line on the standard error stream. On a terminal it is rewritten in place, and erased at the
-/// end. Elsewhere, as in a pipe or the log of a server, the line at the time is printed after 5
-/// seconds and then every 15 seconds. The script `course` does the same before this is compiled.
+/// end. Elsewhere, as in a pipe, on a "dumb" terminal, or in the log of a server, the line at the
+/// time is printed after 5 seconds and then every 15 seconds. The script `course` does the same
+/// before this is compiled.
 class StatusLine {
 public:
     explicit StatusLine(const std::string& text);

@@ -2,7 +2,11 @@
 
 #include "common/system/input_error.hpp"
 
-#include <unistd.h>  // isatty, which standard C++ does not have
+// What standard C++ does not have: whether a stream is a terminal, and its width.
+#if __has_include(<sys/ioctl.h>)
+#include <sys/ioctl.h>
+#endif
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -11,6 +15,7 @@
 #include <cstring>
 #include <iostream>
 #include <string>
+#include <string_view>
 
 namespace rt {
 
@@ -27,10 +32,34 @@ bool errors_on_terminal() {
     return isatty(STDERR_FILENO) == 1;
 }
 
+bool output_on_terminal() {
+    return isatty(STDOUT_FILENO) == 1;
+}
+
+bool terminal_is_capable() {
+    const char* kind = std::getenv("TERM");
+    return kind == nullptr || std::string_view(kind) != "dumb";
+}
+
 int terminal_columns() {
+#ifdef TIOCGWINSZ
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+        winsize size{};
+        if (ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+    }
+#endif
     const char* columns = std::getenv("COLUMNS");
     const int said = columns == nullptr ? 0 : std::atoi(columns);
     return said > 0 ? said : 80;
+}
+
+std::string time_left(double seconds, int done, int total) {
+    constexpr double least_seconds = 5;
+    constexpr int least_part = 20;
+    if (seconds < least_seconds || done * least_part < total) return "";
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ", %.0f s left", seconds * (total - done) / done);
+    return text.data();
 }
 
 Progress::Progress(bool shown, int total) : total_(total) {
@@ -45,10 +74,9 @@ void Progress::advance() {
     if (now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double left = seconds * (total_ - done_) / done_;
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%4d %%, %.0f s left", 100 * done_ / total_, left);
-    status_->show(text.data());
+    std::array<char, 32> share{};
+    std::snprintf(share.data(), share.size(), "%4d %%", 100 * done_ / total_);
+    status_->show(share.data() + time_left(seconds, done_, total_));
 }
 
 }  // namespace rt

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 #include <optional>
+#include <string>
 
 namespace rt {
 
@@ -16,8 +17,19 @@ void finish_output();
 /// Returns whether the standard error stream is a terminal.
 [[nodiscard]] bool errors_on_terminal();
 
-/// The width of the terminal in characters: $COLUMNS, or 80 if it is not set.
+/// Returns whether the standard output is a terminal.
+[[nodiscard]] bool output_on_terminal();
+
+/// Returns whether the terminal can do more than print lines: $TERM is not "dumb".
+[[nodiscard]] bool terminal_is_capable();
+
+/// The width in characters of the terminal of the standard output or else of the standard error
+/// stream; without a terminal $COLUMNS, or 80 if it is not set.
 [[nodiscard]] int terminal_columns();
+
+/// ", 3 s left" after this many seconds for `done` of `total` equal parts; empty while this is a
+/// guess: in the first 5 seconds, and before a twentieth is done.
+[[nodiscard]] std::string time_left(double seconds, int done, int total);
 
 /// A status line "  45 %, 3 s left". Any thread may report progress.
 class Progress {

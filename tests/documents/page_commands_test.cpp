@@ -60,7 +60,7 @@ std::string complaint(std::vector<std::string> words) {
     static const std::set<std::string> draw = {"run", "compare", "explain"};
     static const std::set<std::string> no_stage = {"book",    "grade", "handout",
                                                    "measure", "own",   "update"};
-    if (words.empty()) return "";
+    if (words.empty() || words[0] == "--help" || words[0] == "--version") return "";
     const std::string command = words[0];
     words.erase(words.begin());
     if (known.count(command) == 0) return "there is no such command";

@@ -7,6 +7,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/terminal.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -48,7 +49,7 @@ public:
         if (std::sscanf(line.c_str(), "[%d %d %lf] %n", &done, &total, &seconds, &end) == 3) {
             const std::string edge =
                 line.substr(std::size_t(end), line.find_last_not_of('\n') + 1 - std::size_t(end));
-            show_progress(done, total, seconds, file_of(edge));
+            show_progress(done, total, seconds, edge);
             const bool compiles = edge.rfind(compiling, 0) == 0 && is_student_object(edge);
             object_ = compiles ? edge.substr(compiling.size()) : "";
             if (!object_.empty()) warnings_[object_] = "";
@@ -79,18 +80,24 @@ public:
     }
 
 private:
-    void show_progress(int done, int total, double seconds, const std::string& file) {
+    /// The edges of CMake, before those of the build, are no part of it, nor is their time.
+    void show_progress(int done, int total, double seconds, const std::string& edge) {
         if (done == 0 || total == 0) return;
-        std::array<char, 64> share{};
-        std::snprintf(share.data(), share.size(),
-                      "building: %3d %%, %.0f s left: ", 100 * done / total,
-                      seconds * (total - done) / done);
-        status_.show(share.data() + file);
+        if (edge.starts_with("Re-running CMake") || edge.starts_with("Re-checking globbed")) {
+            before_ = seconds;
+            status_.show("configuring …");
+            return;
+        }
+        std::array<char, 32> share{};
+        std::snprintf(share.data(), share.size(), "building: %3d %%", 100 * done / total);
+        status_.show(share.data() + time_left(seconds - before_, done, total) + ": " +
+                     file_of(edge));
     }
 
     const std::function<void(const std::string&)>& done_;
     StatusLine status_{"building …"};
-    std::string object_;                           ///< the student's object that was compiled last
+    double before_ = 0;   ///< seconds until the first edge of the build began
+    std::string object_;  ///< the student's object that was compiled last
     std::map<std::string, std::string> warnings_;  ///< of each student's object
     bool in_failure_ = false;
     bool skip_ = false;

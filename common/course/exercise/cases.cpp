@@ -1,5 +1,6 @@
 #include "common/course/exercise/cases.hpp"
 
+#include "common/course/exercise/wrap.hpp"
 #include "common/system/paint.hpp"
 
 #include <algorithm>
@@ -32,10 +33,9 @@ std::vector<Part> parts_of(const std::vector<Outcome>& all) {
 }
 
 void show(const Outcome& outcome, const std::string& indent, bool is_given) {
-    const std::string& name = outcome.in_double.name;
-    std::printf("%s\n", !outcome.passed() ? styled(indent + "✗ " + name, Style::bad).c_str()
-                        : is_given        ? styled(indent + "· " + name, Style::dim).c_str()
-                                          : styled(indent + "✓ " + name, Style::dim).c_str());
+    const char* mark = !outcome.passed() ? "✗ " : is_given ? "· " : "✓ ";
+    const std::string line = wrapped(indent + mark + outcome.in_double.name);
+    std::printf("%s\n", styled(line, outcome.passed() ? Style::dim : Style::bad).c_str());
 }
 
 }  // namespace

@@ -140,14 +140,15 @@ void show_output(const SuiteResult& suite) {
         if (list->empty()) continue;
         if (list == &prints) std::puts("Your code prints:");
         if (list->size() > most) list->back() = "…";
-        for (const std::string& line : *list) std::printf("  %s\n", line.c_str());
+        for (const std::string& line : *list)
+            std::printf("%s\n", (list == &prints ? "  " + line : wrapped("  " + line)).c_str());
         std::puts("");
     }
 }
 
 /// Explains a case of the suite that failed.
 void explain_failure(const CaseResult& failed, const SuiteResult& suite, const char* remark) {
-    std::printf("\n%s%s\n", styled(failed.name, Style::bold).c_str(), remark);
+    std::printf("\n%s%s\n", styled(wrapped(failed.name), Style::bold).c_str(), remark);
     if (!suite.ended.empty() && failed.name == suite.cases.back().name) {
         // A failure that came before is of another question.
         std::printf("    your code %s.\n    The cases after this one were not run.\n",
@@ -204,7 +205,7 @@ void show_float(const Judgment& judgment) {
         if (each.passed || !judgment.outcomes[i].in_double.passed) continue;
         if (!first) first = &each;
         if (each.part == first->part)
-            std::printf("%s%s\n", styled("  ✗ " + each.name, Style::bad).c_str(), remark);
+            std::printf("%s%s\n", styled(wrapped("  ✗ " + each.name), Style::bad).c_str(), remark);
     }
     if (first && (judgment.in_double.right() || !suite.ended.empty()))
         explain_failure(*first, suite, remark);

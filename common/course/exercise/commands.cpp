@@ -3,9 +3,11 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/workbook.hpp"
+#include "common/course/exercise/wrap.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/terminal.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +33,13 @@ constexpr std::array<const char*, stage_names.size()> brings = {
     "meshes of a million triangles",
 };
 
+/// The ASCII text, cut to that many columns, if the standard output is a terminal.
+std::string cut(const std::string& text, int columns) {
+    const auto most = std::size_t(std::max(columns, 2));
+    if (!output_on_terminal() || text.size() <= most) return text;
+    return text.substr(0, most - 1) + "…";
+}
+
 }  // namespace
 
 void show_progress() {
@@ -39,18 +48,25 @@ void show_progress() {
         const Workbook workbook(stage);
         const char* mark = stage == current ? "▸" : " ";
         if (workbook.state() == State::done) mark = "✓";
-        std::string line = std::string(mark) + (stage < 10 ? "  " : " ") + std::to_string(stage) +
-                           "  " + name_of(stage);
+        std::string line =
+            (stage < 10 ? "  " : " ") + std::to_string(stage) + "  " + name_of(stage);
         line.resize(line.size() + 24 - stage_name(stage).size(), ' ');
         line += workbook.state() == State::untouched ? brings[std::size_t(stage - 1)]
                                                      : workbook.summary();
+        line = mark + cut(line, terminal_columns() - 1);
         std::puts(workbook.state() == State::done ? styled(line, Style::good).c_str()
                   : stage == current              ? styled(line, Style::bold).c_str()
                                                   : line.c_str());
     }
+}
+
+void show_next() {
+    const int current = current_stage();
     const bool started = Workbook(current).state() == State::started;
-    std::printf("\nNext: ./course %s %d, and read docs/%s.md\n", started ? "check" : "start",
-                current, stage_name(current).data());
+    const std::string line = std::string("Next: ./course ") + (started ? "check " : "start ") +
+                             std::to_string(current) + ", and read docs/" + name_of(current) +
+                             ".md";
+    std::puts(wrapped(line).c_str());
 }
 
 void start(int stage) {

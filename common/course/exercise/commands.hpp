@@ -5,8 +5,11 @@
 
 namespace rt {
 
-/// `./course`: prints one line for each stage, and what to do next.
+/// `./course`: prints one line for each stage.
 void show_progress();
+
+/// Prints the command to type next.
+void show_next();
 
 /// `./course start`: copies the starter, and prints the paths of what to write and read. Throws
 /// InputError if the stage is started already.

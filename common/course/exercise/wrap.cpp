@@ -1,7 +1,6 @@
 #include "common/course/exercise/wrap.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
+#include "common/system/terminal.hpp"
 
 #include <algorithm>
 
@@ -19,7 +18,10 @@ bool begins_character(char byte) {  // in UTF-8
 }  // namespace
 
 std::string wrapped(const std::string& line, int columns) {
-    const std::size_t indent = std::min(line.find_first_not_of(' '), line.size()) + deeper;
+    return wrapped(line, columns, std::min(line.find_first_not_of(' '), line.size()) + deeper);
+}
+
+std::string wrapped(const std::string& line, int columns, std::size_t indent) {
     std::string text;
     std::string part;        // since the last break or possible break
     std::size_t column = 0;  // of its start
@@ -40,16 +42,14 @@ std::string wrapped(const std::string& line, int columns) {
         part += line[i];
         width += begins_character(line[i]) ? 1 : 0;
         if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) in_quotes = !in_quotes;
-        if (!in_quotes && line[i] == ' ' && i > 0 && line[i - 1] == ',') place();
+        if (!in_quotes && line[i] == ' ') place();
     }
     place();
     return text;
 }
 
 std::string wrapped(const std::string& line) {
-    winsize size{};
-    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return line;
-    return wrapped(line, std::max(int(size.ws_col), narrowest));
+    return output_on_terminal() ? wrapped(line, std::max(terminal_columns(), narrowest)) : line;
 }
 
 }  // namespace rt

@@ -1,13 +1,17 @@
 // Long lines on narrow terminals.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace rt {
 
-/// The line, broken after commas outside of quoted texts, so that it stays C++ and can be pasted.
-/// Continued lines are indented by four more. A part without such a comma stays longer.
+/// The line, broken at spaces outside of quoted texts, so that a line of C++ can be pasted still.
+/// Continued lines are indented by four more. A part without such a space stays longer.
 [[nodiscard]] std::string wrapped(const std::string& line, int columns);
+
+/// The same, with continued lines indented by that many characters.
+[[nodiscard]] std::string wrapped(const std::string& line, int columns, std::size_t indent);
 
 /// The same for the width of the terminal; the line itself if the standard output is none.
 [[nodiscard]] std::string wrapped(const std::string& line);

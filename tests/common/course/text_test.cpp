@@ -1,7 +1,8 @@
 // Texts that `./course` prints: suggestions, long lines, errors of the linker.
 #include "common/course/build/compiler_errors.hpp"
-#include "common/course/exercise/suggestion.hpp"
 #include "common/course/exercise/wrap.hpp"
+#include "common/system/suggestion.hpp"
+#include "common/system/terminal.hpp"
 
 #include "tests/kit/catch.hpp"
 
@@ -26,11 +27,20 @@ TEST_CASE("a typo gets a suggestion, and another word none") {
         CHECK(suggestion(other, known).empty());
 }
 
-TEST_CASE("a long line is broken after commas, and stays C++") {
+TEST_CASE("the time left is not guessed from the first edges") {
+    CHECK(time_left(4.9, 50, 100).empty());
+    CHECK(time_left(60, 4, 100).empty());
+    CHECK(time_left(5, 5, 100) == ", 95 s left");
+    CHECK(time_left(30, 75, 100) == ", 10 s left");
+}
+
+TEST_CASE("a long line is broken at spaces, not in texts, and stays C++") {
     CHECK(wrapped("short, and whole", 40) == "short, and whole");
     CHECK(wrapped("  CHECK(hits(first, second, third));", 20) ==
           "  CHECK(hits(first,\n      second,\n      third));");
     CHECK(wrapped("f(\"a, b, c, d\", e)", 12) == "f(\"a, b, c, d\",\n    e)");
+    CHECK(wrapped("  three is not written yet", 20) == "  three is not\n      written yet");
+    CHECK(wrapped("check N  tests it all", 16, 9) == "check N  tests\n         it all");
     CHECK(wrapped("without_a_comma_it_is_longer", 10) == "without_a_comma_it_is_longer");
     CHECK(wrapped("ééé, ééé, ééé", 13) == "ééé, ééé, ééé");
 }

@@ -1,4 +1,4 @@
-#include "common/course/exercise/suggestion.hpp"
+#include "common/system/suggestion.hpp"
 
 #include <algorithm>
 #include <cctype>

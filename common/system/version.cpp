@@ -1,0 +1,48 @@
+#include "common/system/version.hpp"
+
+#include <cstddef>
+#include <fstream>
+
+namespace rt {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t short_commit = 7;
+
+/// The first line; empty if there is none.
+std::string first_line(const fs::path& file) {
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    return line;
+}
+
+/// The commit of a reference, from the list in which git packs older ones.
+std::string packed_commit(const fs::path& file, const std::string& reference) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+        if (line.ends_with(" " + reference)) return line;
+    return "";
+}
+
+/// The commit that is checked out, as git's files state it; empty if there are none.
+std::string commit_of(const fs::path& project) {
+    const fs::path git = project / ".git";
+    const std::string head = first_line(git / "HEAD");
+    const std::string link = "ref: ";
+    if (!head.starts_with(link)) return head;
+    const std::string reference = head.substr(link.size());
+    const std::string commit = first_line(git / reference);
+    return commit.empty() ? packed_commit(git / "packed-refs", reference) : commit;
+}
+
+}  // namespace
+
+std::string version(const fs::path& project) {
+    const std::string commit = commit_of(project).substr(0, short_commit);
+    return commit.empty() ? RAYSTEPS_VERSION : RAYSTEPS_VERSION " (" + commit + ")";
+}
+
+}  // namespace rt
