@@ -95,7 +95,10 @@ inline constexpr auto record<Camera> = record_of("Camera", field("position", &Ca
 template <>
 inline constexpr auto record<RenderSettings> = record_of(
     "RenderSettings", field("shading", &RenderSettings::shading),
-    field("term", &RenderSettings::term), field("shadow_samples", &RenderSettings::shadow_samples),
+    field("term", &RenderSettings::term), field("gamma", &RenderSettings::gamma),
+    field("pixel_samples", &RenderSettings::pixel_samples),
+    field("pixel_error", &RenderSettings::pixel_error),
+    field("shadow_samples", &RenderSettings::shadow_samples),
     field("shadow_error", &RenderSettings::shadow_error),
     field("shadow_agree", &RenderSettings::shadow_agree), field("depth", &RenderSettings::depth));
 

@@ -10,8 +10,10 @@
 #include "common/geometry/transform.hpp"
 
 #include <concepts>
+#include <cstddef>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace rt {
 
@@ -40,8 +42,27 @@ constexpr Field<Owner, Part> field(const char* name, Part Owner::*member) {
     return {name, member};
 }
 
-template <class... Fields>
-constexpr Record<Fields...> record_of(const char* name, Fields... fields) {
+/// A stand-in for the value of any field, in unevaluated expressions only.
+struct AnyField {
+    template <class T>
+    operator T() const;
+};
+
+/// Whether Owner, an aggregate, can be initialised by a value for each of that many fields.
+template <class Owner, std::size_t... Is>
+constexpr bool has_fields(std::index_sequence<Is...> /*count*/) {
+    return requires {
+        Owner{(void(Is), AnyField())...};
+    };
+}
+
+/// The name and all fields of Owner. A field of the struct that is missing here is an error,
+/// because it would be lost between a suite and its worker.
+template <class Owner, class... Parts>
+constexpr Record<Field<Owner, Parts>...> record_of(const char* name,
+                                                   Field<Owner, Parts>... fields) {
+    static_assert(!has_fields<Owner>(std::make_index_sequence<sizeof...(fields) + 1>()),
+                  "the struct has a field that its record lacks");
     return {name, {fields...}};
 }
 
