@@ -81,8 +81,10 @@ struct MetItem {
 /// The closest primitive of a scene.
 class ClosestPrimitive {
 public:
-    [[nodiscard]] Real t() const { return leader_.t(); }
+    /// The t of the closest hit, before the end of the interval of the query.
+    [[nodiscard]] Real t(const Interval& /*interval*/) const { return leader_.t(); }
 
+    /// Considers a hit inside the interval, and returns whether it is the closest one.
     template <class Shape>
     [[nodiscard]] bool accepts(const Ray& ray, const Primitive<Shape>& primitive, Real t,
                                Interval& interval) {

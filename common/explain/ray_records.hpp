@@ -20,6 +20,7 @@ using Numbers = std::array<double, 3>;
 /// One ray, and what it hits.
 struct RayRecord {
     RayKind kind = RayKind::eye;
+    std::int64_t number = 0;  ///< of the ray among all that are traced, from 1
     int bounces = 0;  ///< reflections off mirrors before this ray, or before the point it leaves
     Numbers origin{};
     Numbers direction{};
@@ -41,8 +42,10 @@ struct RayRecords {
 }
 
 /// Starts the record of a ray.
-inline void begin(RayRecords& records, RayKind kind, int bounces, const Ray& ray, Real end) {
+inline void begin(RayRecords& records, RayKind kind, std::int64_t number, int bounces,
+                  const Ray& ray, Real end) {
     records.rays.push_back({.kind = kind,
+                            .number = number,
                             .bounces = bounces,
                             .origin = numbers(ray.origin),
                             .direction = numbers(ray.direction),

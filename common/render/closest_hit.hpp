@@ -2,18 +2,14 @@
 // query (CR §3.2).
 #pragma once
 
-#include "common/explain/pixel_log.hpp"
-#include "common/explain/ray_records.hpp"
 #include "common/geometry/projection.hpp"
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/context.hpp"
+#include "common/render/leader.hpp"
 #include "common/render/surface.hpp"
+#include "common/render/watch.hpp"
 #include "common/scene/scene.hpp"
-
-#ifdef RT_EXACT
-#include "common/exact/leader.hpp"
-#endif
 
 #include <cstdint>
 #include <optional>
@@ -54,15 +50,6 @@ inline ShadingPoint shading_point(const Hit& hit, const Ray& ray) {
             .material = *hit.material};
 }
 
-/// The t of a result of `intersect`, which is a t or a MeshHit.
-inline std::optional<Real> t_of(std::optional<Real> answer) {
-    return answer;
-}
-inline std::optional<Real> t_of(const std::optional<MeshHit>& answer) {
-    if (!answer) return std::nullopt;
-    return answer->t;
-}
-
 /// The normal of the shape at a point of it. A sphere, a cylinder or a cone whose radius is within
 /// the error of the point has no normal there, as the point may be in its middle: that towards the
 /// eye stands for it.
@@ -74,13 +61,6 @@ Vec3 normal_at(const Shape& shape, const PointWithError& place, Vec3 direction) 
     return normal(shape, place.point);
 }
 
-/// The number of tests that a query of a shape takes: one, but of a mesh many.
-template <class Shape>
-std::int64_t test_count(const Ray& /*ray*/, const Shape& /*shape*/, Interval /*interval*/,
-                        QueryKind /*query*/) {
-    return 1;
-}
-
 /// The closest-hit query of a ray: finds the smallest t in lists of shapes. Every hit shortens the
 /// interval, so that `intersect` accepts later shapes only if they are closer. The point and the
 /// normal are computed once, for the closest hit. Each kind of shape uses `intersect` and `normal`
@@ -90,7 +70,7 @@ public:
     ClosestHit(const Ray& ray, Context& context) : ray_(ray), slabs_(ray), watch_(context.watch) {
         ++context.rays;
         if (watch_ != nullptr) [[unlikely]]
-            begin_record(context.bounces);
+            watch_ray(context, ray);
     }
 
     template <class Shape>
@@ -103,85 +83,35 @@ public:
         if (winner_ == nullptr) return std::nullopt;
         const std::optional<Hit> hit = describe_(*this);
         if (watch_ != nullptr) [[unlikely]]
-            watch_hit(*hit);
+            watch_hit(*watch_, ray_, winner_, hit->t, hit->point, hit->normal);
         return hit;
     }
 
 private:
-    [[gnu::noinline]] void begin_record(int bounces) const {
-        if (RayRecords* const records = watch_->records)
-            begin(*records, bounces == 0 ? RayKind::eye : RayKind::mirrored, bounces, ray_,
-                  infinity);
-    }
-
     template <class Shape>
     void test_list(const PrimitiveList<Shape>& primitives);
 
+    /// Tests the list as if it were not watched, after its watcher has looked at it.
     template <class Shape>
-    [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
-        if (watch_->log != nullptr)
-            log_list(primitives, *watch_->log);
-        else
-            record_list(primitives, *watch_->records);
-    }
-
-    /// Logs the misses too, which a hierarchy would skip.
-    template <class Shape>
-    void log_list(const PrimitiveList<Shape>& primitives, PixelLog& log) {
-        for (const Primitive<Shape>& primitive : primitives) {
-            const auto answer = intersect(ray_, primitive.shape, interval_);
-            explain_candidate(log, ray_, primitive.shape, interval_, t_of(answer));
-            keep(primitive, answer);
-        }
-    }
-
-    /// As test_list, and records the tests and the closest shape.
-    template <class Shape>
-    void record_list(const PrimitiveList<Shape>& primitives, RayRecords& records) {
-        RayRecord& record = closest_record(records, ray_);
-        primitives.traverse(slabs_, interval_, [&](const Primitive<Shape>& primitive) {
-            record.tests += test_count(ray_, primitive.shape, interval_, QueryKind::closest_hit);
-            keep(primitive, intersect(ray_, primitive.shape, interval_));
-            if (winner_ == &primitive) record.shape = &primitive;
-        });
-    }
-
-    [[gnu::noinline]] void watch_hit(const Hit& hit) const {
-        if (watch_->log != nullptr) return explain_hit(*watch_->log, hit.point, hit.normal);
-        RayRecord& record = closest_record(*watch_->records, ray_);
-        record.t = double(hit.t);
-        record.point = numbers(hit.point);
-        record.normal = numbers(hit.normal);
+    [[gnu::noinline]] void test_watched(const PrimitiveList<Shape>& primitives) {
+        const Watch* const watch = std::exchange(watch_, nullptr);
+        watch_closest(*watch, ray_, interval_, leader_, primitives);
+        test_list(primitives);
+        watch_ = watch;
     }
 
     template <class Shape, class Answer>
     void keep(const Primitive<Shape>& primitive, const Answer& answer) {
-        if (!answer) return;
-#ifdef RT_EXACT
-        if (!leader_.accepts(ray_, primitive, *answer, interval_)) return;
-#else
-        interval_.max = *t_of(answer);
-#endif
+        if (!answer || !leader_.accepts(ray_, primitive, *answer, interval_)) return;
         if constexpr (std::is_same_v<Shape, MeshInstance>) in_mesh_ = *answer;
         winner_ = &primitive;
         describe_ = &describe<Shape>;
     }
 
-#ifdef RT_EXACT
-    [[nodiscard]] Real t() const {
-        return leader_.t();
-    }
-    ClosestPrimitive leader_;
-#else
-    [[nodiscard]] Real t() const {
-        return interval_.max;
-    }
-#endif
-
     template <class Shape>
     [[gnu::flatten]] static std::optional<Hit> describe(const ClosestHit& nearest) {
         const auto& [shape, material] = *static_cast<const Primitive<Shape>*>(nearest.winner_);
-        const Real t = nearest.t();
+        const Real t = nearest.leader_.t(nearest.interval_);
         // Constructed in place, so that nothing is copied.
         if constexpr (std::is_same_v<Shape, MeshInstance>) {
             const MeshHit& hit = *nearest.in_mesh_;
@@ -199,6 +129,7 @@ private:
     RayBoxTestCache slabs_;
     const Watch* watch_;
     Interval interval_;
+    [[no_unique_address]] ClosestPrimitive leader_;
     std::optional<MeshHit> in_mesh_;  ///< set if the closest hit is on a mesh
     const void* winner_ = nullptr;
     std::optional<Hit> (*describe_)(const ClosestHit&) = nullptr;
@@ -219,86 +150,44 @@ public:
         : ray_(ray),
           slabs_(ray),
           interval_(interval),
-          context_(context),
-          state_(context.watch == nullptr ? open : watched) {
+          watched_(context.watch == nullptr ? nullptr : &context) {
         ++context.rays;
     }
 
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives) {
-        if (!primitives.empty() && !found()) test_list(primitives);
+        if (!primitives.empty() && !found_) test_list(primitives);
     }
 
     /// Tests only the primitives of a short list whose bit in `chosen` is set.
     template <class Shape>
     void test(const PrimitiveList<Shape>& primitives, std::uint64_t chosen) {
         if (!primitives.is_short_list()) return test(primitives);
-        if (state_ == watched) [[unlikely]]
-            return watch_some(primitives, chosen);
-        while (chosen != 0 && state_ == open) {
-            const Primitive<Shape>& primitive = primitives[pop_lowest_bit(chosen)];
-            state_ = occludes(ray_, primitive.shape, interval_) ? hit : open;
-        }
+        if (watched_ != nullptr) [[unlikely]]
+            return test_watched(primitives, chosen);
+        while (chosen != 0 && !found_)
+            if (occludes(ray_, primitives[pop_lowest_bit(chosen)].shape, interval_)) found_ = true;
     }
 
-    [[nodiscard]] bool found() const { return state_ >= hit; }
+    [[nodiscard]] bool found() const { return found_; }
 
 private:
-    // The states of a query. A single comparison shows that it goes on, or that it is not watched.
-    static constexpr std::uint8_t open = 0;
-    static constexpr std::uint8_t watched = 1;
-    static constexpr std::uint8_t hit = 2;
-    static constexpr std::uint8_t watched_hit = 3;
-
     template <class Shape>
     void test_list(const PrimitiveList<Shape>& primitives);
 
-    template <class Shape>
-    [[gnu::noinline]] void watch_list(const PrimitiveList<Shape>& primitives) {
-        begin_record();
-        if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
-                return watched_test(primitive);
-            }))
-            state_ = watched_hit;
-    }
-
-    template <class Shape>
-    [[gnu::noinline]] void watch_some(const PrimitiveList<Shape>& primitives,
-                                      std::uint64_t chosen) {
-        begin_record();
-        while (chosen != 0 && state_ == watched)
-            if (watched_test(primitives[pop_lowest_bit(chosen)])) state_ = watched_hit;
-    }
-
-    /// Starts the record of the ray with its first test.
-    void begin_record() {
-        RayRecords* const records = context_.watch->records;
-        if (records != nullptr && !is_recorded_)
-            begin(*records, RayKind::shadow, context_.bounces, ray_, interval_.max);
-        is_recorded_ = true;
-    }
-
-    template <class Shape>
-    [[nodiscard]] bool watched_test(const Primitive<Shape>& primitive) {
-        const auto& [log, records] = *context_.watch;
-        const Shape& shape = primitive.shape;
-        const bool in_the_way = occludes(ray_, shape, interval_);
-        if (log != nullptr && in_the_way) log->remark("in the way: " + code(shape));
-        if (records == nullptr) return in_the_way;
-        RayRecord& record = records->rays.back();
-        record.tests += test_count(ray_, shape, interval_, QueryKind::any_hit);
-        if (!in_the_way) return false;
-        record.shape = &primitive;
-        if (const auto t = t_of(intersect(ray_, shape, interval_))) record.t = double(*t);
-        return true;
+    template <class Shape, class... Chosen>
+    [[gnu::noinline]] void test_watched(const PrimitiveList<Shape>& primitives, Chosen... chosen) {
+        const Context* const context = std::exchange(watched_, nullptr);
+        watch_any(*context, ray_, interval_, primitives, chosen...);
+        test(primitives, chosen...);
+        watched_ = context;
     }
 
     const Ray& ray_;
     RayBoxTestCache slabs_;
     Interval interval_;
-    const Context& context_;
-    std::uint8_t state_;
-    bool is_recorded_ = false;
+    const Context* watched_;  ///< if a watcher looks at the query
+    bool found_ = false;
 };
 
 // Not inlined in `test`, so that an empty list costs one branch. In the unity build of a kind of
@@ -307,7 +196,7 @@ private:
 template <class Shape>
 [[gnu::noinline, gnu::flatten]] void ClosestHit::test_list(const PrimitiveList<Shape>& primitives) {
     if (watch_ != nullptr) [[unlikely]]
-        return watch_list(primitives);
+        return test_watched(primitives);
     primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
         keep(primitive, intersect(ray_, primitive.shape, interval_));
     });
@@ -315,12 +204,12 @@ template <class Shape>
 
 template <class Shape>
 [[gnu::noinline, gnu::flatten]] void AnyHit::test_list(const PrimitiveList<Shape>& primitives) {
-    if (state_ == watched) [[unlikely]]
-        return watch_list(primitives);
+    if (watched_ != nullptr) [[unlikely]]
+        return test_watched(primitives);
     if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
             return occludes(ray_, primitive.shape, interval_);
         }))
-        state_ = hit;
+        found_ = true;
 }
 
 // Both are compiled once for each kind of shape, in the file queries.cpp of its stage, and not in

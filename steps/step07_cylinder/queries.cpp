@@ -1,6 +1,7 @@
 // The queries of rays among cylinders, compiled once for the programs of all stages.
 #include "common/render/closest_hit.hpp"
 #include "common/render/shaft.hpp"
+#include "common/render/watch_lists.hpp"
 
 #include "steps/step07_cylinder/cylinder.hpp"
 

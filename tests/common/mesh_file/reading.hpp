@@ -30,7 +30,7 @@ struct MeshFolder {
     MeshFolder(const MeshFolder&) = delete;
     MeshFolder& operator=(const MeshFolder&) = delete;
 
-    [[nodiscard]] std::string write(const std::string& name, std::string_view content) const {
+    std::string write(const std::string& name, std::string_view content) const {
         std::ofstream(path / name, std::ios::binary) << content;
         return (path / name).string();
     }
