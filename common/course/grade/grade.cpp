@@ -112,7 +112,7 @@ fs::path workshop_folder(const Order& order) {
     const std::size_t whose = fs::hash_value(fs::absolute(order.results).lexically_normal());
     const std::string start =
         "raysteps-grading-" + std::to_string(whose) + "-" + std::to_string(order.part) + ".";
-    const fs::path place = temporary_place();
+    const fs::path place = fs::absolute(temporary_place());  // tools start in folders of their own
     check_executable(place);
     std::error_code none;
     for (const auto& each : fs::directory_iterator(place, none))

@@ -318,6 +318,7 @@ std::string Judge::judge(const Submission& submission) {
     auto next = yardsticks_.begin();
     const auto failed = [&](const std::exception& error) {
         if (why.empty()) why = error.what();
+        if (why.ends_with('\n')) why.pop_back();  // of a program's words
         postpone(submission.student, next->first);
     };
     try {
