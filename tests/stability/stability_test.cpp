@@ -271,7 +271,7 @@ TEST_CASE("a ray in the plane of a rim never hits the far side of it in place of
     const Ray along_rim{.origin = {-5, 11, 0}, .direction = {0, -3, 1}};
     if (const auto t = intersect(along_rim, cone, {})) CHECK(*t == Approx(3));
     Random random(1);
-    for (int i = 0; i < 4'000; ++i) {
+    for (int i = 0; i < 1'000; ++i) {
         const int height = 1 + random.below(8);
         const Real radius = Real(1 + random.below(8));
         const Ray ray = in_plane_of_rim(random, height);
@@ -292,7 +292,7 @@ TEST_CASE("a ray in the plane of a rim, for an axis in any direction") {
     Random random(2);
     Row cones;
     Row cylinders;
-    for (int i = 0; i < 4'000; ++i) {
+    for (int i = 0; i < 200; ++i) {
         const Vec3 axis = random.direction();
         const Real height = std::ldexp(Real(1), -random.below(12));
         const auto rim = [&] { return unit(cross(axis, random.direction())); };
