@@ -10,6 +10,7 @@
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace rt {
 
@@ -51,8 +52,18 @@ private:
         const double mirror = traits_.strongest_mirror;
         if (mirror == 0) return say("depth", "none: there is no mirror");
         settings_.depth = sufficient_depth(mirror, runner_.limit());
-        say("depth", std::to_string(settings_.depth) + ": a mirror reflects up to " +
-                         number(100 * mirror) + " % of the light");
+        const std::string why =
+            ": a mirror reflects up to " + number(100 * mirror) + " % of the light";
+        constexpr int few = 4;  // hardly cost more than what is seen
+        if (!aim_.time && settings_.depth > few) {
+            const auto [seen, pixels] =
+                seen_depth(runner_, trials_, with_one_shadow_ray(settings_, aim_));
+            const std::string deepest = std::to_string(std::exchange(settings_.depth, seen));
+            return say("depth", std::to_string(seen) + why + ", but " + deepest +
+                                    " reflections change none of " + std::to_string(pixels) +
+                                    " pixels");
+        }
+        say("depth", std::to_string(settings_.depth) + why);
         if (!aim_.time) return;
         const int fits = depth_within_time(runner_, trials_, with_one_shadow_ray(settings_, aim_));
         if (fits < settings_.depth) say("", "but " + std::to_string(fits) + " to keep the time");

@@ -1,5 +1,7 @@
 #include "common/tuning/choose_depth.hpp"
 
+#include "common/tuning/pixel_errors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,20 @@ int sufficient_depth(double strongest_mirror, double tolerance) {
     if (strongest_mirror >= 1) return most_depth;
     const double reflections = std::log(visible) / std::log(strongest_mirror);
     return int(std::clamp(std::ceil(reflections) - 1, 0., double(most_depth)));
+}
+
+SeenDepth seen_depth(TrialRunner& runner, const Trials& trials, const RenderSettings& deepest) {
+    constexpr std::size_t enough = 512;  // less than 0.6 % of the pixels need more, probably
+    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+    RenderSettings settings = with_few_rays(deepest).settings;
+    const TrialSample right = runner.render_pixels(trials, settings, pixels, 0);
+    for (settings.depth = 1; settings.depth < deepest.depth;
+         settings.depth += 1 + settings.depth / 4) {
+        const std::vector<double> off =
+            distances(runner.render_pixels(trials, settings, pixels, 0), right);
+        if (*std::ranges::max_element(off) <= runner.limit() / 8) break;
+    }
+    return {std::min(settings.depth, deepest.depth), pixels.size()};
 }
 
 int depth_within_time(TrialRunner& runner, const Trials& trials, const RenderSettings& given) {

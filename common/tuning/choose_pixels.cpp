@@ -45,19 +45,36 @@ public:
             best = best_with(right_error).value_or(best);
             if (best.settings.pixel_error > 0 || best.settings.pixel_samples == 1) break;
         }
-        return study_.trial(best.settings);
+        return study_.trial(cheaper(best).settings);
     }
 
 private:
+    [[nodiscard]] bool keeps(const Candidate& candidate) const {
+        return candidate.outcome.at_most() <= share_ &&
+               study_.tiles_keep(candidate.settings, 2 * allowed_);
+    }
+
+    /// Settings that stop at an error or at a number of rays, if they are cheaper: the last pixels
+    /// to reach the error need most rays.
+    [[nodiscard]] Candidate cheaper(Candidate best) const {
+        if (best.settings.pixel_samples == 1 || best.outcome.at_most() > share_) return best;
+        for (int most = 8; most < right_pixel_samples; most *= 2)
+            for (double error = allowed_ / 4; error < 16 * allowed_; error *= std::numbers::sqrt2) {
+                Candidate capped{.settings = with_pixel_error(settings_, error)};
+                capped.settings.pixel_samples = most;
+                capped.outcome = study_.outcome(capped.settings);
+                if (capped.outcome.rays < best.outcome.rays && keeps(capped)) best = capped;
+            }
+        return best;
+    }
+
     /// Traces trial pixels until more of them would take more rays than they could save.
     [[nodiscard]] std::optional<Candidate> best_with(double right_error) {
         study_.begin(right_error);
         while (true) {
             const std::vector<Candidate> all = candidates(right_error);
-            const auto best = std::ranges::find_if(all, [&](const Candidate& candidate) {
-                return candidate.outcome.at_most() <= share_ &&
-                       study_.tiles_keep(candidate.settings, 2 * allowed_);
-            });
+            const auto best = std::ranges::find_if(
+                all, [&](const Candidate& candidate) { return keeps(candidate); });
             const bool found = best != all.end();
             auto growth = best_growth(std::span(all.begin(), best),
                                       found ? std::optional(best->outcome.rays) : std::nullopt);
@@ -114,8 +131,11 @@ private:
             if (all.back().outcome.beyond > far_beyond) break;  // a larger error has more
         }
         if (right_error < allowed_)
-            for (int count = 4; count <= right_pixel_samples; count *= 2)
-                add(study_.with_pixel_samples(count));
+            for (int count = 8; count <= right_pixel_samples; count *= 2) {
+                add(study_.with_pixel_samples(count / 2));
+                add(study_.with_pixel_samples(count / 4 * 3));
+                if (count == right_pixel_samples) add(study_.with_pixel_samples(count));
+            }
         std::ranges::stable_sort(all, {},
                                  [](const Candidate& candidate) { return candidate.outcome.rays; });
         return all;

@@ -17,8 +17,15 @@ namespace rt {
 
 namespace {
 
-/// The number of steps of a history from n rays to 2n.
-constexpr std::size_t octave = 4;
+/// The error of the mean of a number of rays. The other mean, to which it is compared, has an error
+/// too: with N rays, the mean square of an error is N^-1.5 on an edge, and N^-1 where it is noise.
+double error_of_mean(const PixelHistory& history, std::size_t step, int count) {
+    const PixelStep& some = history.steps[std::min(step, history.steps.size() - 1)];
+    const int others = history.steps.back().count;
+    return distance(some.mean, history.other_mean) /
+           std::sqrt(1 + std::pow(double(some.count) / others, 1.5)) *
+           std::sqrt(double(some.count) / std::max(count, some.count));
+}
 
 /// The rays to a light of each ray through a trial pixel (pixel_samples.hpp, adaptive_settings).
 constexpr int of_each_ray(int shadow_samples) {
@@ -123,7 +130,6 @@ std::size_t PixelStudy::stratum_of(Pixel pixel) const {
 
 void PixelStudy::begin(double right_error) {
     reference_.pixel_error = right_error;
-    nearer_ = farther_ = 0;
     tiles_.clear();
     for (Stratum& stratum : strata_) {
         stratum.traced.clear();
@@ -221,43 +227,20 @@ std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> pl
     seconds_ += histories.seconds;
     std::vector<TrialPixel> pixels;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const std::vector<PixelStep>& steps = histories.pixels[i].steps;
-        if (steps.size() > 2 * octave) {
-            const auto apart = [&](std::size_t before) {
-                return distance(steps[steps.size() - 1 - before].mean, steps.back().mean);
-            };
-            nearer_ += std::pow(apart(octave), 2);
-            farther_ += std::pow(apart(2 * octave), 2);
-        }
         pixels.push_back({.place = places[i],
                           .contrast = contrast_around(*centers_.image, places[i], 1),
                           .center = display_color((*centers_.image)[places[i]]),
                           .history = std::move(histories.pixels[i])});
     }
-    // The differences of n and 2n of 4n rays have squares of n^-f - (4n)^-f, and so on.
-    if (nearer_ > 0) fall_ = std::log2(std::clamp(farther_ / nearer_ - 1, 1.8, 4.0));
     return pixels;
 }
 
-double PixelStudy::off(const PixelHistory& history, std::size_t step, int count) const {
-    // The mean of all rays contains the same rays, so that its difference from a mean of some of
-    // them is smaller than the error of that. That of more than half follows from half.
-    const std::size_t last = history.steps.size() - 1;
-    const std::size_t compared = std::min(step, last - std::min(last, octave));
-    const PixelStep& some = history.steps[compared];
-    const PixelStep& all = history.steps[last];
-    const double others = 1 - std::pow(double(some.count) / all.count, fall_);
-    const double later = std::pow(double(some.count) / count, fall_ / 2);
-    return others > 0 ? distance(some.mean, all.mean) / std::sqrt(others) * later : 0;
-}
-
-PixelStudy::Result PixelStudy::result(const TrialPixel& pixel,
-                                      const RenderSettings& settings) const {
+PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSettings& settings) {
     const std::vector<PixelStep>& steps = pixel.history.steps;
     const double stands_for = pixel.history.stands_for;
     const bool adaptive = settings.pixel_error > 0;
     if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
-        return {.error = steps.empty() ? 0 : distance(pixel.center, steps.back().mean),
+        return {.error = steps.empty() ? 0 : distance(pixel.center, pixel.history.other_mean),
                 .pixels = stands_for};
     int count = adaptive
                     ? std::min(first_pixel_samples(settings.pixel_error), settings.pixel_samples)
@@ -270,7 +253,7 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel,
         count = next_pixel_samples(count, settings.pixel_samples);
         step = PixelHistory::step_of(count);
     }
-    return {.error = off(pixel.history, step, count),
+    return {.error = error_of_mean(pixel.history, step, count),
             .rays = step < steps.size() ? steps[step].rays : ray_rays * count,
             .pixels = stands_for};
 }

@@ -140,9 +140,7 @@ private:
     [[nodiscard]] double rays_in(double seconds) const;
     [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least,
                                                  int scouts);
-    /// The error of the mean after a number of rays, as far as that of all does not share it.
-    [[nodiscard]] double off(const PixelHistory& history, std::size_t step, int count) const;
-    [[nodiscard]] Result result(const TrialPixel& pixel, const RenderSettings& settings) const;
+    [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
     /// Expects small details where the scene has some.
     void expect_details(const SceneTraits& traits);
     [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);
@@ -157,11 +155,8 @@ private:
     FineShapes fine_;
     bool elsewhere_ = false;             ///< their shadows or reflections may be anywhere
     std::array<Stratum, kinds> strata_;  ///< on edges, beside edges, the others, and fine shapes
-    double fall_ = 1.5;       ///< with N rays, the mean square of an error is about N^-fall
-    double nearer_ = 0;       ///< sum of the squares of differences of half of the rays from all
-    double farther_ = 0;      ///< the same of a quarter
-    int draws_ = 0;           ///< of the spread pixels
-    std::size_t sorted_ = 0;  ///< pixels
+    int draws_ = 0;                      ///< of the spread pixels
+    std::size_t sorted_ = 0;             ///< pixels
     std::map<int, std::vector<TrialPixel>> tiles_;  ///< those whose mean error was in doubt
     double spent_ = 0;
     double seconds_ = 0;

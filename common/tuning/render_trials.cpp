@@ -71,6 +71,10 @@ public:
             if (count >= request_.at_least && error <= settings_.pixel_error) break;
         }
         history.ray_rays = history.steps.back().rays / history.steps.back().count;
+        begin(pixel, adaptive_settings(settings_), request_.round + 2);
+        PixelSamples others(scene_, finer_rays_, pixel, context_);
+        others.trace_to(history.steps.back().count);
+        history.other_mean = shade(others.mean(), gamma);
         history.stands_for = (groups.all + 1.0) / (groups.found + 1.0);
         return history;
     }

@@ -84,6 +84,8 @@ struct PixelHistory {
     }
 
     std::vector<PixelStep> steps;
+    DisplayColor
+        other_mean{};       ///< of as many rays as after the last step, with other random numbers
     double ray_rays = 1;    ///< rays of all kinds for each through the pixel
     double stands_for = 1;  ///< the number of pixels like this one among those that scouts pass
 };

@@ -83,7 +83,16 @@ TEST_CASE("mirrors are followed until no more than a part of the tolerance is mi
         }
     ModelScene model = plain();
     model.traits.strongest_mirror = 0.5;
-    CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == 10);  // 255 / 2^11 < 1 / 8
+    model.reflections = 100;
+    // 255 / 2^11 < 1 / 8, and of light of 100 levels 100 / 2^10 < 1 / 8.
+    CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == 10);
+    for (const int reflections : {1, 3, 6}) {
+        model.reflections = reflections;
+        CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == reflections);
+    }
+    model.traits.strongest_mirror = 0.9;
+    model.reflections = 6;  // of the 72 that a mirror of this strength could show
+    CHECK(chosen(model, {.tolerance = 1}).expected.settings.depth == 6);
     CHECK(chosen(model, {.settings = {.depth = 5}, .tolerance = 1, .given = {.depth = true}})
               .expected.settings.depth == 5);
 }

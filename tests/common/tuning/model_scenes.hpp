@@ -113,7 +113,8 @@ public:
                 pixel.column < (model_.penumbra + model_.shadow) * model_.size.width;
             const double edge = settings.pixel_samples;
             const double shade = shade_of(pixel, settings, request.round, in_penumbra) +
-                                 edge_error(pixel, edge, request.round);
+                                 edge_error(pixel, edge, request.round) +
+                                 reflected_light(settings.depth);
             sample.shades.push_back({shade, shade, shade});
             sample.light_rays.push_back(int(std::lround(light_rays(settings, shaded))));
             sample.rays += edge + light_rays(settings, shaded);
@@ -187,6 +188,9 @@ private:
             history.steps.push_back(*step);
             if (step->count >= at_least && step->error <= settings.pixel_error) break;
         }
+        const double others =
+            on_edge ? one_center_error * std::pow(history.steps.back().count, -0.75) : 0;
+        history.other_mean.fill(right + others * deviation(pixel, -1));
         return history;
     }
     /// The number of rays of the step before, or 0.
@@ -229,6 +233,15 @@ private:
         const bool believed = 0 < settings.shadow_agree && settings.shadow_agree < 64;
         if (in_thin_shadow && believed && share(random) < 0.5) shade += 30;
         return shade;
+    }
+
+    /// Of each reflection the mirror's part of the one before.
+    [[nodiscard]] double reflected_light(int depth) const {
+        double sum = 0;
+        double part = 100;
+        for (int i = 0; i < std::min(double(depth), model_.reflections); ++i)
+            sum += part *= model_.traits.strongest_mirror;
+        return sum;
     }
 
     [[nodiscard]] double wrong_clock() const {
