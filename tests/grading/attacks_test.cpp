@@ -1,18 +1,18 @@
 // Hostile submissions in a graded run: none gets more cases than it honestly earns, and none does
-// any harm. An attack's comment contains its limit and its description:
+// any harm. The texts in attacks/ contain them by theme, each with its limit:
 //
-//   // attack: exits with status 0 before the first query
-//   // ceiling: as a stub             or the number of cases with right answers
-//   // stage: step05_triangle         default: step03_sphere
-//   // file: main.cpp                 default: the file of the stage's functions
-//   // compiles: no                  or: perhaps
-//   // message: defines main          the student's message contains it
-//   // message without: root:         the message does not contain it
-//   // stubs: normal torch            these files of ../stubs are appended to it
-//   // processor: 25                  its grading takes at most these seconds of processor time
+//   attack quick_exits: exits by quick_exit, past all destructors
+//   ceiling: as a stub             or the number of cases with right answers
+//   stage: step05_triangle         default: step03_sphere
+//   file: main.cpp                 default: the file of the stage's functions
+//   compiles: no                   or: perhaps
+//   message: defines main          the student's message contains it
+//   message without: root:         the message does not contain it
+//   processor: 25                  its grading takes at most these seconds of processor time
 //
-// @ROOT@ in its text is the project's folder, @RESULTS@ a file of results: an attacker may know
-// them.
+// After a blank line, its source follows. In it, @ROOT@ is the project's folder and @RESULTS@ a
+// file of results, which an attacker may know, and @normal@ the source of that name in
+// attacks/parts.txt.
 #include "common/course/authoring/mistake_source.hpp"
 #include "common/course/build/suite_report.hpp"
 #include "common/course/grade/judging/load.hpp"
@@ -64,30 +64,54 @@ double processor_time() {
 
 struct Attack {
     std::string name;
+    std::map<std::string, std::string> head;
     std::string text;
 
-    /// The text after "// <word>: " at the start of a line.
+    /// The text after "<word>: " in the head.
     [[nodiscard]] std::string said(const std::string& word, const std::string& otherwise) const {
-        const std::string start = "\n// " + word + ": ";
-        const std::string lines = "\n" + text;
-        const std::size_t at = lines.find(start);
-        if (at == std::string::npos) return otherwise;
-        const std::size_t from = at + start.size();
-        return lines.substr(from, lines.find('\n', from) - from);
+        const auto found = head.find(word);
+        return found == head.end() ? otherwise : found->second;
     }
     [[nodiscard]] std::string stage() const { return said("stage", "step03_sphere"); }
     [[nodiscard]] GradedFile file() const {
         return {*find_stage(stage()), said("file", "") == "main.cpp"};
     }
-    /// The submitted files: the attack, and the stubs that it names.
-    [[nodiscard]] std::string submission() const {
-        std::string whole = text;
-        std::istringstream names(said("stubs", ""));
-        for (std::string stub; names >> stub;)
-            whole += "\n" + content(fs::path(RAYSTEPS_ATTACKS) / "../stubs" / (stub + ".cpp"));
-        return whole;
-    }
 };
+
+/// The sections of a text, "attack NAME: …" or "part NAME", in its order.
+std::vector<Attack> sections_of(const fs::path& file, const std::string& kind) {
+    std::vector<Attack> sections;
+    bool is_head = false;
+    for (const std::string& line : lines_of(content(file))) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with(kind + " ")) {
+            const std::size_t start = kind.size() + 1;
+            sections.push_back({.name = line.substr(start, colon - start), .head = {}, .text = ""});
+            is_head = true;
+        } else if (line.empty() && is_head) {
+            is_head = false;
+        } else if (is_head) {
+            sections.back().head[line.substr(0, colon)] = line.substr(colon + 2);
+        } else if (!sections.empty()) {
+            sections.back().text += line + "\n";
+        }
+    }
+    return sections;
+}
+
+/// All attacks, by name.
+std::vector<Attack> all_attacks() {
+    std::vector<Attack> attacks;
+    const std::vector<Attack> parts = sections_of(RAYSTEPS_ATTACKS "/parts.txt", "part");
+    for (const fs::path& file : files_in(RAYSTEPS_ATTACKS, ".txt"))
+        for (Attack& attack : sections_of(file, "attack")) {
+            for (const Attack& part : parts)
+                attack.text = replaced(attack.text, "@" + part.name + "@", part.text);
+            attacks.push_back(std::move(attack));
+        }
+    std::ranges::sort(attacks, {}, &Attack::name);
+    return attacks;
+}
 
 /// The result of a submission.
 struct Grade {
@@ -125,8 +149,8 @@ public:
         const auto start = std::chrono::steady_clock::now();
         const GradedFile file = attack.file();
         const double used = processor_time();
-        const std::string text = replaced(replaced(attack.submission(), "@ROOT@", RAYSTEPS_ROOT),
-                                          "@RESULTS@", results());
+        const std::string text =
+            replaced(replaced(attack.text, "@ROOT@", RAYSTEPS_ROOT), "@RESULTS@", results());
         fs::remove(worker());
         fs::remove(report());
         Grade grade;
@@ -203,8 +227,8 @@ std::size_t ceiling(Grader& grader, const Attack& attack) {
     if (of_stub.count(stage) == 0)
         of_stub[stage] = grader
                              .grade({.name = "stub",
-                                     .text = "// stage: " + stage + "\n" +
-                                             content(stage_file(stage, "starter"))})
+                                     .head = {{"stage", stage}},
+                                     .text = content(stage_file(stage, "starter"))})
                              .passed.size();
     return of_stub[stage];
 }
@@ -216,15 +240,16 @@ TEST_CASE("a right answer has all cases, sealed, and a stub has those of nothing
     for (const std::string stage : {"step03_sphere", "step05_triangle", "step13_meshes"}) {
         if (!is_built(stage)) continue;
         INFO(stage);
-        const std::string start = "// stage: " + stage + "\n";
-        const Grade right = grader.grade(
-            {.name = "right", .text = start + content(stage_file(stage, "reference"))});
+        const Grade right = grader.grade({.name = "right",
+                                          .head = {{"stage", stage}},
+                                          .text = content(stage_file(stage, "reference"))});
         INFO(right.message);
         REQUIRE(right.compiled);
         CHECK(right.message.find("\nfailed") == std::string::npos);
         CHECK(right.passed.size() > 15);
-        const Grade stub =
-            grader.grade({.name = "stub", .text = start + content(stage_file(stage, "starter"))});
+        const Grade stub = grader.grade({.name = "stub",
+                                         .head = {{"stage", stage}},
+                                         .text = content(stage_file(stage, "starter"))});
         REQUIRE(stub.compiled);
         CHECK(stub.passed.size() < right.passed.size() / 2);
     }
@@ -264,9 +289,7 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
 TEST_CASE("a file that does not include its contract is refused, as it is by a check") {
     Grader grader;
     std::string text = content(stage_file("step03_sphere", "reference"));
-    const auto graded = [&] {
-        return grader.grade({.name = "file", .text = "// stage: step03_sphere\n" + text});
-    };
+    const auto graded = [&] { return grader.grade({.name = "file", .head = {}, .text = text}); };
     // In any order: <cmath> first, as some students write.
     text = "#include <cmath>\n" + text;
     CHECK(graded().compiled);
@@ -352,15 +375,13 @@ void attack_with(char first, char last) {
     const pid_t me = getpid();
     const char* only = std::getenv("RAYSTEPS_ATTACK");  // to look at one
     int count = 0;
-    for (const fs::path& file : files_in(RAYSTEPS_ATTACKS, ".cpp")) {
-        const Attack attack{.name = file.stem(), .text = content(file)};
+    for (const Attack& attack : all_attacks()) {
         if (attack.name[0] < first || attack.name[0] > last) continue;
         if (only != nullptr && attack.name != only) continue;
         if (!is_built(attack.stage())) continue;  // stage 13 is not, without OpenMesh
         ++count;
-        INFO(attack.name + ": " + attack.said("attack", "?"));
-        CHECK(attack.text.find("// attack: ") != std::string::npos);
-        CHECK(attack.text.find("// ceiling: ") != std::string::npos);
+        INFO(attack.name);
+        CHECK(attack.head.contains("ceiling"));
         const std::size_t most = ceiling(grader, attack);
         const Grade grade = grader.grade(attack);
         INFO(grade.message);

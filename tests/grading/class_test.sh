@@ -54,17 +54,29 @@ points_of() {
     stage_points "$report" "$2"
 }
 
-# Attacks that may get no more points than the starter.
-hostile=
-for attack in "$project"/tests/grading/attacks/*.cpp; do
-    ! grep -q '^// ceiling: as a stub' "$attack" || grep -q '^// stage: ' "$attack" ||
-        hostile="$hostile $attack"
-done
+# Attacks that may get no more points than the starter, and are of stage 3.
+hostile=$(awk '
+    /^attack / { name = substr($2, 1, length($2) - 1); bad = 0 }
+    /^stage: / { name = "" }
+    /^ceiling: as a stub/ { bad = 1 }
+    /^$/ { if (name != "" && bad) print name; name = "" }' "$project"/tests/grading/attacks/*.txt | sort)
 
-# whole_attack FILE: the attack, and the stubs that it names.
+# section KIND NAME: the source of an attack, or of a part that attacks name.
+section() {
+    awk -v kind="$1" -v name="$2" '
+        $1 == "attack" || $1 == "part" { is_in = $1 == kind && ($2 == name || $2 == name ":"); is_text = 0; next }
+        is_in && is_text { print }
+        /^$/ { is_text = 1 }' "$project"/tests/grading/attacks/*.txt
+}
+
+# whole_attack NAME: the attack, and the parts that it names.
 whole_attack() {
-    cat "$1"
-    for stub in $(sed -n 's|^// stubs: ||p' "$1"); do cat "$project/tests/grading/stubs/$stub.cpp"; done
+    section attack "$1" | while IFS= read -r line; do
+        case $line in
+            @[a-z]*@) for part in $(echo "$line" | tr -d @); do section part "$part"; done ;;
+            *) printf '%s\n' "$line" ;;
+        esac
+    done
 }
 
 # submit NAME KIND NUMBER: its folder, and its line of the grade book.

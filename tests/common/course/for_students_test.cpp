@@ -63,7 +63,7 @@ TEST_CASE("a hand-out has no student's work, whoever committed it") {
 
 TEST_CASE("a hand-out has nothing that grades") {
     CHECK(kept_back("common/course/grade/.*") >= 40);
-    CHECK(kept_back("tests/grading/.*") >= 50);
+    CHECK(kept_back("tests/grading/.*") >= 30);
 }
 
 TEST_CASE("whatever a file of a hand-out includes is in it") {
