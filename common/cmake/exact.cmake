@@ -37,11 +37,11 @@ if(NOT EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)  # a hand-out has no kern
     target_compile_definitions(raysteps_exact_program_f64 PRIVATE RAYSTEPS_ROOT="${PROJECT_SOURCE_DIR}")
 endif()
 
-# raysteps_exact_program(<stage> <number> <stage of the program>...)
+# raysteps_exact_program(<stage> <number> <meshes> <stage of the program>...)
 #
 # Defines the program stepNN_name_exact and the library stepNN_name_exact_picture_f64: the picture
 # part, with the exact closest-hit query in main.cpp and in all files queries.cpp.
-function(raysteps_exact_program name number)
+function(raysteps_exact_program name number meshes)
     raysteps_exact(${name}_exact_main ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
     set(picture ${name}_exact_picture_f64)
     add_library(${picture} INTERFACE)
@@ -57,8 +57,8 @@ function(raysteps_exact_program name number)
         endif()
     endforeach()
     set(common raysteps_common)
-    if(number LESS 13)
-        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:raysteps_without_meshes_f64>)
+    if(NOT meshes STREQUAL "raysteps_meshes")
+        target_sources(${picture} INTERFACE $<TARGET_OBJECTS:${meshes}_f64>)
     else()
         set(common raysteps_exact_common)
         raysteps_exact(raysteps_exact_meshes ${PROJECT_SOURCE_DIR}/common/program/load_meshes.cpp)

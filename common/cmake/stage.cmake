@@ -1,11 +1,18 @@
 include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
 include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 
-# raysteps_stage([LOOPS_OVER <stage>])
+# raysteps_stage([LOOPS_OVER <stage>] [MESHES] [SHARES_ANEW] [OWN_LOOP] [WHOLE_KERNEL]
+#                [SANITIZED_IN_BOTH])
 #
 # Defines the targets of the stage in the current folder: its reference, the student's file if there
-# is one, and the executable with the stage's name, built from every stage up to this one. LOOPS_OVER
-# names a kind of shape of which this stage's shape consists.
+# is one, and the executable with the stage's name, built from every stage up to this one.
+#
+# LOOPS_OVER         a kind of shape of which this stage's shape consists
+# MESHES             this stage and later ones need OpenMesh
+# SHARES_ANEW        its files replace those that earlier stages share with later ones
+# OWN_LOOP           its main.cpp has a loop over the shapes, and calls no query
+# WHOLE_KERNEL       its certified kernel includes the rest of the reference
+# SANITIZED_IN_BOTH  sanitizers can find more in float: a Real chooses an element, or a number of lanes
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
@@ -23,8 +30,14 @@ include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
 # stepNN_name_unity_f64       the picture and the references, compiled as unity builds: one for each
 #                             kind of shape, and one for the rest
 function(raysteps_stage)
-    cmake_parse_arguments(PARSE_ARGV 0 stage "" "LOOPS_OVER" "")
+    set(flags MESHES SHARES_ANEW OWN_LOOP WHOLE_KERNEL SANITIZED_IN_BOTH)
+    cmake_parse_arguments(PARSE_ARGV 0 stage "${flags}" "LOOPS_OVER" "")
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    foreach(flag IN LISTS flags)  # RAYSTEPS_MESHES are the stages with MESHES
+        if(stage_${flag})
+            set_property(GLOBAL APPEND PROPERTY RAYSTEPS_${flag} ${name})
+        endif()
+    endforeach()
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
 
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
@@ -66,7 +79,7 @@ function(raysteps_stage)
     if(exact)
         raysteps_exact(${name}_certified ${exact})
         raysteps_exact(${name}_exact_queries queries.cpp)
-        if(number LESS 13)  # stage 13's includes the reference
+        if(NOT stage_WHOLE_KERNEL)
             raysteps_exact_rest(${name} ${reference})
         endif()
     else()
@@ -81,14 +94,15 @@ function(raysteps_stage)
     if(handed_on)
         raysteps_compile_twice(${name}_shared ${handed_on})
         raysteps_start_from_common(${name}_shared)
-        if(number EQUAL 2)  # has another pixel_rays.cpp than stage 1, the only one before
+        if(stage_SHARES_ANEW)
             set_property(GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
         endif()
         set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED_LIBRARIES ${name}_shared)
     endif()
 
     set(meshes raysteps_without_meshes)
-    if(number GREATER_EQUAL 13)
+    get_property(with_meshes GLOBAL PROPERTY RAYSTEPS_MESHES)
+    if(with_meshes)
         if(NOT TARGET raysteps_mesh_file)
             message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev provides OpenMesh")
             return()
@@ -104,10 +118,11 @@ function(raysteps_stage)
     # The program built from the selected files and, for `./course compare`, from the references
     # only, and from this stage's selected file with the references of the others.
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
-    list(APPEND stages step02_camera_basis)  # the scene reader calls it, before stage 2 too
+    get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
+    list(APPEND stages ${always})
     list(REMOVE_DUPLICATES stages)
     if(TARGET raysteps_exact_common_f64)
-        raysteps_exact_program(${name} ${number} ${stages})
+        raysteps_exact_program(${name} ${number} ${meshes} ${stages})
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
     if(reference AND NOT RAYSTEPS_SANITIZE)

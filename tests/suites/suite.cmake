@@ -111,8 +111,9 @@ function(raysteps_stage_suite stage)
     list(REMOVE_ITEM others ${stage})
     list(TRANSFORM others APPEND _reference)
     raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
-    set(before ${others})  # and stage 2, which every picture calls
-    list(FILTER before INCLUDE REGEX "^step02_")
+    get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
+    list(TRANSFORM always APPEND _reference OUTPUT_VARIABLE before)
+    list(REMOVE_ITEM before ${stage}_reference)
     foreach(other IN LISTS others)
         if(other STRLESS stage AND NOT other IN_LIST before)
             list(APPEND before ${other})
@@ -126,9 +127,8 @@ function(raysteps_stage_suite stage)
     list(TRANSFORM suite REPLACE "(.+)" "suites/\\1_test.cpp")
     file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
     set_source_files_properties(${own_tests} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    # The sanitizers can find more in float only where a Real chooses an element or the number of
-    # lanes: in samples, and in meshes.
-    if(NOT stage MATCHES "step1[13]_")
+    get_property(in_both GLOBAL PROPERTY RAYSTEPS_SANITIZED_IN_BOTH)
+    if(NOT stage IN_LIST in_both)
         set(sanitized SANITIZED_IN_DOUBLE)
     endif()
     raysteps_suite(${stage} ${sanitized} LABEL ${stage} SOURCES ${suite} ${own_tests}
@@ -176,7 +176,7 @@ function(raysteps_trace_suite stage)
     endif()
     if(RAYSTEPS_MISTAKES)
         raysteps_answers(${stage}_trace ${stage}/main)
-        if(NOT stage STREQUAL "step01_ray_generation")  # some of its mistakes write past the image
+        if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/trace.txt)
             add_test(NAME recognition_${stage}_trace COMMAND sh
                 ${PROJECT_SOURCE_DIR}/tests/trace_mistakes.sh check ${PROJECT_BINARY_DIR}
                 ${PROJECT_SOURCE_DIR} ${stage})
@@ -252,7 +252,7 @@ function(raysteps_answers suite folder)
         foreach(word IN LISTS words)
             raysteps_test_answer(mistake ${suite} ${name} ${word} "${case}")
             # It fails by an assertion: a missing case, or a crash, does not count.
-            set_tests_properties(mistake_${suite}_${name}_${word} PROPERTIES
+            set_tests_properties(mistake_${suite}_${name}_${word} PROPERTIES TIMEOUT 300
                 PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed")
         endforeach()
         if(NOT RAYSTEPS_MISTAKES STREQUAL "both")

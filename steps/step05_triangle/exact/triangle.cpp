@@ -61,9 +61,9 @@ std::optional<Real> intersect(const Ray& ray, const Triangle& triangle, Interval
     const Vec3 s = o - corner;
     const Vec3 q = cross(d, ac);
     const Vec3 r = cross(s, ab);
-    const Real rotated = dot(ab, q);
-    const Real side = std::copysign(Real(1), rotated);
-    const Real whole = std::abs(rotated);
+    const Real determinant = dot(ab, q);
+    const Real side = std::copysign(Real(1), determinant);
+    const Real whole = std::abs(determinant);
     const Real beta = side * dot(s, q);
     const Real gamma = side * dot(d, r);
     const Real least = glm::min(whole - beta - gamma, glm::min(beta, gamma));

@@ -50,10 +50,9 @@ Ray unprojected_ray(Pixel pixel, const Mat4& camera_to_world, const Mat4& image_
     const Mat4 world = contract::matrix_of(change->any);
     Mat4 picture(1);
     picture[3] = Vec4(-change->finer, -change->finer, 0, 1);
-    const Pixel transformed{.row = pixel.row + change->finer,
-                            .column = pixel.column + change->finer};
+    const Pixel shifted{.row = pixel.row + change->finer, .column = pixel.column + change->finer};
     return contract::moved_back(
-        contract::ask<1, "unprojected_ray">(transformed, Mat4(world * camera_to_world),
+        contract::ask<1, "unprojected_ray">(shifted, Mat4(world * camera_to_world),
                                             Mat4(world * image_to_world * picture)),
         change->any);
 }
