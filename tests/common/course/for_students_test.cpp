@@ -53,8 +53,8 @@ TEST_CASE("a hand-out has no solution") {
 }
 
 TEST_CASE("a hand-out has no student's work, whoever committed it") {
-    for (const char* file : {"sphere.cpp", "main.cpp", "helpers.hpp", "tests/mine.cpp", "notes.md",
-                             "progress.txt"})
+    for (const char* file :
+         {"sphere.cpp", "main.cpp", "helpers.hpp", "tests/mine.cpp", "notes.md", "progress.txt"})
         for (const char* folder : {"student/", "student_1/"}) {
             const std::string path = std::string("steps/step03_sphere/") + folder + file;
             INFO(path);
