@@ -64,7 +64,7 @@ void warn_if_blank(const Scene& scene, const Program& program, const Options& op
 }  // namespace
 
 bool make_picture(const Program& program, const Options& options, const Scene& scene,
-                  Rendering* centers, TimeBudget* pace, const std::atomic<bool>& stop) {
+                  TracedCenters* centers, TimeBudget* pace, const std::atomic<bool>& stop) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<std::string> legend;
     std::optional<Rendering> rendering;
@@ -73,21 +73,22 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
         RenderJob job{.threads = options.threads,
                       .settings = options.settings,
                       .row_done = [&progress] { progress.advance(); },
-                      .centers = centers,
+                      .centers = centers != nullptr ? &centers->rendering : nullptr,
                       .stop = &stop};
         if (pace != nullptr) job.next_settings = [pace] { return pace->next(); };
         rendering = rendering_of(scene, options, job, legend);
     }
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!rendering) return false;
     std::vector<PngText> metadata = picture_texts(program, options, scene.resolution);
     for (const std::string& line : legend) metadata.push_back({"Legend", line});
     write_png(options.output, rendering->image, metadata,
               legend.empty() ? options.settings.gamma : Gamma::unstated);
+    const std::chrono::duration<double> since_start = std::chrono::steady_clock::now() - start;
+    const double seconds = since_start.count() + (centers != nullptr ? centers->seconds : 0);
     if (options.preview) std::fputs(preview(rendering->image, terminal_columns()).c_str(), stdout);
     if (!options.quiet && legend.empty()) warn_if_blank(scene, program, options, rendering->image);
     if (options.quiet) return true;
-    report(*rendering, options, pace, seconds.count());
+    report(*rendering, options, pace, seconds);
     for (const std::string& line : legend) std::printf("  %s\n", line.c_str());
     return true;
 }

@@ -9,12 +9,18 @@
 
 namespace rt {
 
-/// Renders the scene, writes the picture with its legend, and reports the result. `centers`, if not
-/// null, is the result of render_centers with the same settings, and is moved from. A time budget
-/// `pace`, if not null, changes the settings from row to row. Returns false, and leaves no file, if
-/// it was stopped.
+/// The result of render_centers, and the seconds by the clock that it took.
+struct TracedCenters {
+    Rendering rendering;
+    double seconds = 0;
+};
+
+/// Renders the scene, writes the picture with its legend, and reports the result, with the seconds
+/// by the clock of both. `centers`, if not null, is that of the same settings, and is moved from. A
+/// time budget `pace`, if not null, changes the settings from row to row. Returns false, and leaves
+/// no file, if it was stopped.
 [[nodiscard]] bool make_picture(const Program& program, const Options& options, const Scene& scene,
-                                Rendering* centers, TimeBudget* pace,
+                                TracedCenters* centers, TimeBudget* pace,
                                 const std::atomic<bool>& stop);
 
 }  // namespace rt

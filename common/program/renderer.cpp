@@ -16,6 +16,7 @@
 #include "common/tuning/render_trials.hpp"
 #include "common/tuning/scene_traits.hpp"
 #include "common/tuning/stops_sampling.hpp"
+#include "common/tuning/trial_runner.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
 
@@ -33,8 +34,10 @@ void check_pixel(const std::string& option, Pixel pixel, Resolution size) {
                                  " is outside the picture, which is " + size_text(size));
 }
 
-/// Returns whether the rays through the centers of pixels are the same with both settings.
+/// Returns whether the rays through the centers of pixels with settings `a` are those of a picture
+/// of settings `b`.
 bool have_same_centers(RenderSettings a, const RenderSettings& b) {
+    if (!begins_with_centers(b)) return false;
     a.pixel_samples = b.pixel_samples;
     a.pixel_error = b.pixel_error;
     return a == b;
@@ -103,13 +106,17 @@ public:
     [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
                                               const TrialRequest& request) override {
         const double start = cpu_seconds();
-        centers_ = rt::render_centers(
+        const Clock::time_point time = Clock::now();
+        auto traced = rt::render_centers(
             scene_, {.threads = request.threads, .settings = settings, .stop = request.stop});
-        if (!centers_) return {};
+        if (!traced) return {};
+        const std::chrono::duration<double> taken = Clock::now() - time;
+        centers_ = {.rendering = *std::move(traced), .seconds = taken.count()};
         centers_settings_ = settings;
-        const auto pixels = double(centers_->image.pixels.size());
-        return {.image = &centers_->image,
-                .rays = double(centers_->rays) / pixels,
+        const Rendering& centers = centers_->rendering;
+        const auto pixels = double(centers.image.pixels.size());
+        return {.image = &centers.image,
+                .rays = double(centers.rays) / pixels,
                 .seconds = (cpu_seconds() - start) / pixels};
     }
 
@@ -139,7 +146,7 @@ private:
     RenderSettings settings_;
     Acceleration acceleration_;
     Scene scene_;
-    std::optional<Rendering> centers_;  ///< of trials
+    std::optional<TracedCenters> centers_;  ///< of trials
     RenderSettings centers_settings_;
 };
 

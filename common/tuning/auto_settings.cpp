@@ -171,13 +171,17 @@ private:
         const bool too_long = aim_.time && seconds > 1.1 * *aim_.time;
         say("expected", number(seconds) + " s" + expected_error() +
                             (too_long ? ": no setting is cheaper" : ""));
+        // The picture keeps the rays through the centers, and their time is counted as its own.
+        const bool kept = !choice_.in_float && begins_with_centers(choice_.expected.settings);
+        const double traced =
+            runner_.rays_traced() + (kept ? 0 : runner_.center_rays() * runner_.pixels());
+        const double spent = runner_.seconds_since_start() - (kept ? runner_.center_seconds() : 0);
         const double rays = choice_.expected.rays * runner_.pixels();
         // With a time, the rays of the picture are not known before.
         const std::string part =
-            rays > 0 ? number(100 * runner_.rays_traced() / rays) + " % of the picture's rays, "
-                     : "";
-        say("trials", std::to_string(runner_.pixels_drawn()) + " pixels, " + part +
-                          number(runner_.seconds_since_start()) + " s");
+            rays > 0 ? number(100 * traced / rays) + " % of the picture's rays, " : "";
+        say("trials", std::to_string(runner_.pixels_drawn()) + " pixels, " + part + number(spent) +
+                          " s by the clock");
     }
 
     /// The expected error, the picture from which it is measured, and what is not promised.

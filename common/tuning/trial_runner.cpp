@@ -54,9 +54,11 @@ TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSe
 }
 
 TrialCenters TrialRunner::render_centers(Trials& trials, const RenderSettings& settings) {
+    const double start = seconds_since_start();
     const TrialCenters centers =
         trials.render_centers(settings, {.threads = aim_.threads, .stop = &stop_});
     check_time();
+    center_seconds_ = seconds_since_start() - start;
     center_rays_ = centers.rays;
     return centers;
 }

@@ -77,6 +77,9 @@ public:
     /// pixel.
     [[nodiscard]] double center_rays() const { return center_rays_; }
 
+    /// The seconds by the clock that these took for the whole picture.
+    [[nodiscard]] double center_seconds() const { return center_seconds_; }
+
 private:
     /// Throws Stopped, or OutOfTime.
     void check_time() const;
@@ -89,6 +92,7 @@ private:
     std::size_t drawn_ = 0;
     double rays_ = 0;
     double center_rays_ = 0;
+    double center_seconds_ = 0;
     std::optional<double> deadline_;  ///< seconds since the start
 };
 
@@ -116,6 +120,12 @@ std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
         least.second = std::min(least.second, render_pixels(second(), settings, pixels, 0).seconds);
     }
     return least;
+}
+
+/// Returns whether a picture of these settings begins with one ray through the center of each
+/// pixel, which trials may have traced.
+[[nodiscard]] inline bool begins_with_centers(const RenderSettings& settings) {
+    return settings.pixel_error > 0 || settings.pixel_samples == 1;
 }
 
 /// The settings for trials of precision, depth and hierarchy: one shadow ray, unless the number is

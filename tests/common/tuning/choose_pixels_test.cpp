@@ -50,6 +50,24 @@ TEST_CASE("every pixel gets rays only if no rays beside edges keep the tolerance
         }
 }
 
+TEST_CASE("the time of rays that the picture keeps is not that of the trials") {
+    const auto trial_seconds = [](ModelScene model, const Aim& aim) {
+        for (const std::string& reason : chosen(model, aim).reasons)
+            if (reason.starts_with("  trials ")) {
+                const std::size_t end = reason.rfind(" s by the clock");
+                return std::stod(reason.substr(reason.rfind(' ', end - 1) + 1));
+            }
+        return -1.0;
+    };
+    ModelScene model = plain();
+    model.size = {.width = 64, .height = 48};
+    model.edges = 0.1;
+    const double others = trial_seconds(model, {.tolerance = 2});
+    CHECK(others >= 0);
+    model.center_time = std::chrono::seconds(3);
+    CHECK(trial_seconds(model, {.tolerance = 2}) < others + 2);  // on a busy machine
+}
+
 TEST_CASE("trial pixels cost a small part of a small picture") {
     for (const int width : {160, 320}) {
         ModelScene model = plain();

@@ -8,10 +8,12 @@
 #include "common/tuning/choose_depth.hpp"
 #include "common/tuning/penumbrae.hpp"
 
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <thread>
 
 namespace rt {
 
@@ -33,9 +35,10 @@ struct ModelScene {
     double list_cost = 1;       ///< in units of ray_cost
     double hierarchy_cost = 1;  ///< as well
     double other = 0;           ///< the share of the pixels that this precision gets wrong
-    double clock_noise = 1;     ///< seconds are too many, or too few, by up to this factor
-    std::size_t asked = 0;      ///< pixels
-    double spent = 0;           ///< seconds
+    std::chrono::milliseconds center_time{0};  ///< by the clock, for the rays through all centers
+    double clock_noise = 1;  ///< seconds are too many, or too few, by up to this factor
+    std::size_t asked = 0;   ///< pixels
+    double spent = 0;        ///< seconds
     std::size_t pays_from = 0;
 
     [[nodiscard]] double pixels() const { return double(size.width) * double(size.height); }
@@ -150,6 +153,7 @@ public:
     [[nodiscard]] TrialCenters render_centers(const RenderSettings& settings,
                                               const TrialRequest& request) override {
         if (*request.stop) return {};
+        std::this_thread::sleep_for(model_.center_time);
         centers_ = Image(model_.size);
         for (Pixel pixel; pixel.row < model_.size.height; ++pixel.row)
             for (pixel.column = 0; pixel.column < model_.size.width; ++pixel.column) {
