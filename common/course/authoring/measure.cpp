@@ -138,17 +138,10 @@ int measure(const std::vector<std::string>& names) {
         throw InputError({},
                          "measure needs OpenMesh: libopenmesh-dev; without it there are shapes, "
                          "contact, penumbra and hierarchy");
-    const auto script = [&](const char* name) { return (docs / "accuracy/plots" / name).string(); };
-    const std::string draw = script("draw.py");
+    const std::string draw = (docs / "accuracy/plots/draw.py").string();
     if (!can_run({"python3", draw, "ready"}))
         throw InputError(
             {}, "measure needs matplotlib: python3-matplotlib, or what your system calls it");
-    const auto compares = [](const File& file) { return file.study == "sources"; };
-    if (std::ranges::any_of(studied, compares) &&
-        !can_run({"python3", script("similarity.py"), "ready"}))
-        throw InputError({},
-                         "the study sources needs scikit-image: python3-skimage, or what your "
-                         "system calls it");
     choose_reference("");
     std::vector<std::string> targets;
     double seconds = 0;

@@ -1,11 +1,12 @@
 // The errors that single settings cause in eight pictures: their defaults, and coarser and
 // finer values. An error is the root mean square of the differences, in levels of 255, and beside
-// it stands the structural similarity, which is computed by scikit-image.
+// it stands the structural similarity.
 #include "common/image/png.hpp"
 #include "common/program/renderer.hpp"
 #include "common/tuning/candidates.hpp"
 
 #include "tests/measurements/accuracy/drawing.hpp"
+#include "tests/measurements/accuracy/similarity.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +15,6 @@
 #include <map>
 #include <random>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -56,20 +56,6 @@ void write_rounded(const fs::path& scene, const fs::path& rounded) {
     }
 }
 
-/// What the commands print, a line each.
-std::vector<std::string> lines_of(const std::string& command) {
-    std::FILE* const pipe = popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-    std::vector<std::string> lines;
-    char line[200];
-    while (std::fgets(line, sizeof line, pipe) != nullptr) {
-        lines.emplace_back(line);
-        lines.back().pop_back();
-    }
-    if (pclose(pipe) != 0) throw std::runtime_error(command + " fails");
-    return lines;
-}
-
 class Study {
 public:
     Study(const std::string& name, fs::path folder) : name_(name), folder_(std::move(folder)) {
@@ -105,6 +91,7 @@ private:
         const char* source;
         int value;
         Difference off;
+        double similarity;
     };
 
     void aliasing(const Image& one, RenderSettings right, RenderSettings some) {
@@ -124,21 +111,16 @@ private:
     }
 
     void add(const char* source, int value, const Image& right, const Image& picture) {
-        rows_.push_back({source, value, difference(picture, right)});
+        rows_.push_back(
+            {source, value, difference(picture, right), structural_similarity(picture, right)});
         write_png(file_of(rows_.size() - 1, "right"), right, {});
         write_png(file_of(rows_.size() - 1, "picture"), picture, {});
     }
 
     void print() const {
-        std::string command = "python3 '" RAYSTEPS_ROOT "/docs/accuracy/plots/similarity.py'";
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            command += " '" + file_of(i, "right") + "' '" + file_of(i, "picture") + "'";
-        const std::vector<std::string> similarities = lines_of(command);
-        for (std::size_t i = 0; i < rows_.size(); ++i) {
-            const auto& [source, value, off] = rows_[i];
-            std::printf("%s,%s,%d,%.4g,%d,%.5f,%s\n", name_.c_str(), source, value, off.error,
-                        off.most, off.seen, similarities.at(i).c_str());
-        }
+        for (const auto& [source, value, off, similarity] : rows_)
+            std::printf("%s,%s,%d,%.4g,%d,%.5f,%.6f\n", name_.c_str(), source, value, off.error,
+                        off.most, off.seen, similarity);
         std::fflush(stdout);
     }
 
@@ -152,8 +134,13 @@ private:
 
 }  // namespace
 
-/// With a folder as argument, the pictures stay there.
+/// With a folder as argument, the pictures stay there. With two pictures, prints their similarity.
 int main(int count, char** arguments) {
+    if (count > 2) {
+        std::printf("%.6f\n",
+                    structural_similarity(read_png(arguments[1]), read_png(arguments[2])));
+        return 0;
+    }
     const std::string number = std::to_string(std::random_device()());
     const fs::path folder = count > 1 ? fs::path(arguments[1])
                                       : fs::temp_directory_path() / ("raysteps_sources." + number);
