@@ -249,6 +249,8 @@ TEST_CASE("cones at the extremes") {
                         Sweep::surface, Sweep::mixed});
 }
 
+namespace {
+
 /// A ray of whole numbers in the plane of a rim of an upright shape, at this height.
 Ray in_plane_of_rim(Random& random, int height) {
     const auto whole = [&](int most) { return Real(random.below(2 * most + 1) - most); };
@@ -263,6 +265,8 @@ void check_near_side(const Case<Shape>& asked) {
     INFO(told(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)));
     CHECK_FALSE((got && judged(asked, got).wrong));
 }
+
+}  // namespace
 
 TEST_CASE("a ray in the plane of a rim never hits the far side of it in place of the near one") {
     // The two roots were decided by two roundings. By hand for the first: (14 - 3 t)² + (t - 3)² =
