@@ -6,6 +6,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/two_numbers.hpp"
 
@@ -158,7 +159,7 @@ int main(int count, char** words) {
     } catch (const rt::ProgramError& error) {
         std::cerr << error.what();
     } catch (const std::exception& error) {
-        std::cerr << "error: " << error.what() << '\n';
+        std::cerr << "error: " << rt::one_line(error.what()) << '\n';
     }
     return 2;
 }
