@@ -53,14 +53,13 @@ std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smo
     return mesh_geometry(std::move(mesh));
 }
 
-/// "the mesh of scene.rt:4:1"
+}  // namespace
+
 std::string named_by(const FileLocation& place) {
     std::string text = to_string(place);
     text.resize(text.rfind(':'));
     return "the mesh of " + text;
 }
-
-}  // namespace
 
 void load_meshes(Scene& scene, const Warn& warn) {
     std::map<std::pair<std::string, bool>, std::shared_ptr<const MeshGeometry>> models;

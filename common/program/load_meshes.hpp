@@ -13,6 +13,9 @@ namespace rt {
 /// no_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
+/// "the mesh of scene.rt:4:1", for messages about the file that is named there.
+[[nodiscard]] std::string named_by(const FileLocation& place);
+
 /// Returns the lines about the meshes' files that `--requirements` prints: what their triangles
 /// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError as load_meshes does.
 [[nodiscard]] std::string mesh_forms(const Scene& scene);

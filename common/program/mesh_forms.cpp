@@ -70,6 +70,14 @@ std::string box_line(const Mesh& mesh) {
     return text.data();
 }
 
+Mesh loaded(const MeshRequest& named) {
+    try {
+        return load_mesh(path_of(named));
+    } catch (const InputError& error) {
+        throw error.with(named_by(named.place));
+    }
+}
+
 }  // namespace
 
 std::string mesh_forms(const Scene& scene) {
@@ -77,7 +85,7 @@ std::string mesh_forms(const Scene& scene) {
     std::set<std::string> seen;
     for (const MeshRequest& named : scene.mesh_requests) {
         if (!seen.insert(named.file).second) continue;
-        const Mesh mesh = load_mesh(path_of(named));
+        const Mesh mesh = loaded(named);
         const auto [triangles, vertices] = welded(mesh);
         lines += (seen.size() == 1 ? "with the meshes\n  " : "  ") + named.file + ": " +
                  counted(mesh.triangles.size(), "triangle") + " in " +

@@ -122,6 +122,10 @@ TEST_CASE("a scene's meshes: what --requirements prints, and the warning of a tu
     };
     const std::string box = "; middle m 10.5,0.5,1, longest side e 2\n";
     CHECK(mesh_forms(with({}, true)).empty());
+    CHECK_THROWS_WITH(mesh_forms(with({"absent.off"}, true)),
+                      (folder.path / "absent.off").string() +
+                          ": error: no such file (the mesh of " + (folder.path / "a.rt").string() +
+                          ":2:1)");
     CHECK(mesh_forms(with({"right.off", "turned.off", "open.stl", "right.off"}, true)) ==
           "with the meshes\n  right.off: 4 triangles in 1 part, closed" + box +
               "  turned.off: 4 triangles in 1 part, closed, 1 triangle turned over" + box +
