@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <utility>
 #include <vector>
@@ -147,12 +146,13 @@ std::string foreign_remark(std::string_view text) {
            " lines are none of a scene: is this another format?";
 }
 
-/// Throws InputError if the file's name is that of a mesh.
+/// Throws InputError if the file's name is that of a mesh. The book's engine reads scenes too, and
+/// has no std::filesystem.
 void refuse_mesh(const std::string& file) {
-    const std::filesystem::path path(file);
+    const std::string name = file.substr(file.find_last_of("/\\") + 1);
     constexpr std::array<std::string_view, 4> endings = {".off", ".obj", ".ply", ".stl"};
-    if (std::ranges::find(endings, lower_case(path.extension().string())) == endings.end()) return;
-    const std::string name = path.filename().string();
+    const std::string ending = lower_case(name.substr(std::min(name.rfind('.'), name.size())));
+    if (std::ranges::find(endings, ending) == endings.end()) return;
     const bool has_blanks = name.find_first_of(blanks) != std::string::npos;
     throw InputError({file}, "this is a mesh: name it in a scene, as in \"mesh " +
                                  (has_blanks ? "FILE" : name) + " 0,0,0 1 200,200,200\"");
