@@ -50,12 +50,12 @@ Knowledge stage10() {
         (1 - double(shadow_ray(floor, {0, 1, 0}).interval.max)) / double(unit_roundoff);
     const double too_large =
         said_in("tests/common/render/contact_test.cpp", "{\"0", " along the normal\"");
-    return {
-        {"the least t (CR §3.2)", cr_shadow_start},
-        {"u by which a point is off", said_in(source, "error of a point is at most ", ",")},
-        {"where the ray ends before the ceiling", std::asin(flat_is_off / before) / degree, "°"},
-        {"the largest of the constants", too_large},
-        {"half of it", too_large / 2}};
+    return {{"the least t (CR §3.2)", cr_shadow_start},
+            {"u by which a point is off", said_in(source, "error of a point is at most ", ",")},
+            {"where the ray ends before the ceiling, in whole degrees",
+             std::ceil(std::asin(flat_is_off / before) / degree), "°"},
+            {"the largest of the constants", too_large},
+            {"half of it", too_large / 2}};
 }
 
 Knowledge stage12() {
