@@ -55,12 +55,6 @@ std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smo
 
 }  // namespace
 
-std::string named_by(const FileLocation& place) {
-    std::string text = to_string(place);
-    text.resize(text.rfind(':'));
-    return "the mesh of " + text;
-}
-
 void load_meshes(Scene& scene, const Warn& warn) {
     std::map<std::pair<std::string, bool>, std::shared_ptr<const MeshGeometry>> models;
     for (const MeshRequest& named : scene.mesh_requests) {

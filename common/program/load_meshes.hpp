@@ -14,7 +14,11 @@ namespace rt {
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
 /// "the mesh of scene.rt:4:1", for messages about the file that is named there.
-[[nodiscard]] std::string named_by(const FileLocation& place);
+[[nodiscard]] inline std::string named_by(const FileLocation& place) {
+    std::string text = to_string(place);
+    text.resize(text.rfind(':'));
+    return "the mesh of " + text;
+}
 
 /// Returns the lines about the meshes' files that `--requirements` prints: what their triangles
 /// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError as load_meshes does.
