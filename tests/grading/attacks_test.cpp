@@ -263,7 +263,7 @@ TEST_CASE("a right trace has all cases, sealed and with a seed; a mistake has no
     setenv("RAYSTEPS_SEED_FILE", seed.c_str(), 1);
     const auto graded = [&](const std::string& stage, const std::string& text) {
         return grader.grade(
-            {.name = stage, .text = "// stage: " + stage + "\n// file: main.cpp\n" + text});
+            {.name = stage, .head = {{"stage", stage}, {"file", "main.cpp"}}, .text = text});
     };
     const auto source = [](const std::string& file) { return content(RAYSTEPS_ROOT "/" + file); };
     for (const auto& [stage, right, wrong] :
