@@ -1,5 +1,6 @@
 #include "common/mesh_file/load_mesh.hpp"
 
+#include "common/geometry/mesh_edges.hpp"
 #include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/mesh_file.hpp"
 #include "common/system/huge_pages.hpp"
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace rt {
@@ -113,7 +115,36 @@ void turn_to_normals(Mesh& mesh) {
     }
 }
 
+/// Leaves out the facets with the corners of another one, either way around. So some programs write
+/// a surface that is seen from both sides; shading turns every normal to the eye.
+void leave_out_doubled(Triangles& triangles, const Warn& warn) {
+    Triangles sorted = triangles;
+    for (auto& corners : sorted) std::ranges::sort(corners);
+    std::vector<std::uint32_t> order(sorted.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return sorted[i]; });
+    std::vector<bool> is_double(sorted.size());
+    for (std::size_t i = 1; i < order.size(); ++i)
+        is_double[order[i]] = sorted[order[i]] == sorted[order[i - 1]];
+    std::size_t index = 0;
+    const auto doubled = std::erase_if(triangles, [&](const auto&) { return is_double[index++]; });
+    if (doubled > 0)
+        warn(std::to_string(doubled) + (doubled == 1 ? " facet has" : " facets have") +
+             " the corners of another one: left out");
+}
+
 }  // namespace
+
+void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn) {
+    const auto others = other_sides(mesh.triangles, mesh.vertices.size());
+    const auto turned = std::ranges::count(turned_triangles(mesh.triangles, others), true);
+    if (turned == 0) return;
+    warn(to_string(FileLocation{file}) + "warning: " + std::to_string(turned) + " of " +
+         std::to_string(mesh.triangles.size()) +
+         (turned == 1 ? " triangles is" : " triangles are") +
+         " turned over, compared to their neighbors, and shading around them is wrong: "
+         "mend the file, or try normals:flat");
+}
 
 Mesh load_mesh(const std::string& file, const Warn& warn) {
     MeshFile content = read_mesh_file(file);
@@ -128,7 +159,11 @@ Mesh load_mesh(const std::string& file, const Warn& warn) {
     Mesh mesh = {.vertices = std::move(vertices), .triangles = std::move(content.triangles)};
     set_normals(mesh, content);
     if (!mesh.normals.empty()) turn_to_normals(mesh);
-    if (content.facets) add_creased_normals(mesh, crease_angle);
+    if (content.facets) {
+        leave_out_doubled(mesh.triangles, warn_of);
+        if (warn) warn_of_turned_triangles(mesh, file, warn);
+        add_creased_normals(mesh, crease_angle);
+    }
     return mesh;
 }
 

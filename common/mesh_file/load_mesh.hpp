@@ -16,5 +16,9 @@ inline namespace RT_PRECISION {
 /// warning for content that is hardly intended.
 [[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
 
+/// Warns of triangles whose corners run around the other way than those of their neighbors. Call it
+/// before the normals are computed: load_mesh does where they are its own, in STL.
+void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn);
+
 }  // namespace RT_PRECISION
 }  // namespace rt

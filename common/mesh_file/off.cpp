@@ -134,8 +134,8 @@ void read_face(std::string_view line, MeshLines& lines, std::uint64_t vertices,
 }  // namespace
 
 void read_off(std::string& content, const std::string& file, MeshBuilder& builder) {
-    blank_comments(content);
     plain_text(content);
+    blank_comments(content);
     MeshLines lines(content, file);
     const OffHeader header = take_off_header(lines);
     // The file may promise more than it has: a vertex has at least six bytes, "0 0 0" and its end.

@@ -76,7 +76,6 @@ std::string take_keyword(std::string_view& line) {
 }
 
 void read_text(std::string& content, const std::string& file, MeshBuilder& builder) {
-    plain_text(content);
     blank_comments(content);
     MeshLines lines(content, file);
     Facets facets(builder);
@@ -121,6 +120,7 @@ void read_stl(std::string& content, const std::string& file, MeshBuilder& builde
     const bool has_header = content.size() >= header_size && content[header_size - 1] == '\0';
     if (!has_header) {
         blank_byte_order_mark(content);
+        plain_text(content);
         if (is_text(content)) return read_text(content, file, builder);
         throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
     }

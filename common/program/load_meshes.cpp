@@ -1,11 +1,9 @@
 #include "common/program/load_meshes.hpp"
 
-#include "common/geometry/mesh_edges.hpp"
 #include "common/geometry/mesh_normals.hpp"
 #include "common/mesh_file/load_mesh.hpp"
 #include "common/scene/copies.hpp"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -27,18 +25,6 @@ void leave_out_copied_triangles(Mesh& mesh) {
             return points[t[0]] == points[u[0]] && points[t[1]] == points[u[1]] &&
                    points[t[2]] == points[u[2]];
         });
-}
-
-/// Warns of triangles whose corners run around the other way than those of their neighbors.
-void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn) {
-    const auto others = other_sides(mesh.triangles, mesh.vertices.size());
-    const auto turned = std::ranges::count(turned_triangles(mesh.triangles, others), true);
-    if (turned == 0) return;
-    warn(to_string(FileLocation{file}) + "warning: " + std::to_string(turned) + " of " +
-         std::to_string(mesh.triangles.size()) +
-         (turned == 1 ? " triangles is" : " triangles are") +
-         " turned over, compared to their neighbors, and shading around them is wrong: "
-         "mend the file, or try normals:flat");
 }
 
 std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smooth,

@@ -40,6 +40,7 @@ std::pair<Triangles, std::size_t> welded(const Mesh& mesh) {
 }
 
 std::string form_line(const MeshForm& form) {
+    if (form.parts == 0) return "no part: none has an area";
     std::string text = counted(form.parts, "part");
     if (form.holes == 0) text += form.crowded_edges == 0 ? ", closed" : ", no hole";
     if (form.holes > 0) {
@@ -62,8 +63,8 @@ std::string box_line(const Mesh& mesh) {
     const glm::dvec3 size = high - low;
     const double longest = std::max({size.x, size.y, size.z});
     // To a millionth of the size: the digits that matter to place the mesh.
-    const double step = std::pow(10, std::floor(std::log10(longest)) - 6);
-    const glm::dvec3 middle = glm::round((low + high) / 2.0 / step) * step;
+    const double step = longest > 0 ? std::pow(10, std::floor(std::log10(longest)) - 6) : 0;
+    const glm::dvec3 middle = step > 0 ? glm::round((low + high) / 2.0 / step) * step : low;
     std::array<char, 160> text;
     std::snprintf(text.data(), text.size(), "middle m %.12g,%.12g,%.12g, longest side e %.6g",
                   middle.x + 0.0, middle.y + 0.0, middle.z + 0.0, longest);

@@ -108,7 +108,7 @@ Color Fields::color(std::string_view field) {
         const Token part = parts[std::size_t(i)];
         const Decimal number = decimal(part, name);
         color[i] = up_to(255, number, part, name) / 255;
-        if (number.whole) continue;
+        if (number.whole || !(number.value <= 255)) continue;
         doubt(part, "whole color", name + " must be a whole number, not " + quoted(part.text),
               "it is kept");
     }

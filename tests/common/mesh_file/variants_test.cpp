@@ -5,6 +5,7 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,11 @@ std::string binary_stl(std::string header, const std::string& more) {
     return text + more;
 }
 
+std::string cr_only(std::string text) {
+    std::ranges::replace(text, '\n', '\r');
+    return text;
+}
+
 double area(const Mesh& mesh) {
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -67,6 +73,11 @@ TEST_CASE("STL: before the first word, and after the last") {
                                "solid # 1\nouter loop # 2\nvertex 0 0 0 # 3\n#\n"
                                "vertex 1 0 0\nvertex 0 1 0\nendsolid\n# 4\n")
               .empty());
+    CHECK(warnings_of_triangle("a.stl", "; c\rsolid a\r" + cr_only(facet) + "endsolid\r").empty());
+    const std::string back = "facet\nouter loop\nvertex 0 1 0\nvertex 1 0 0\nvertex 0 0 0\n";
+    for (const std::string& second : {facet, back})
+        CHECK(warnings_of_triangle("a.stl", "solid\n" + facet + second + "endsolid") ==
+              Warnings{"1 facet has the corners of another one: left out"});
     CHECK(warnings_of_triangle("a.stl", "solid\n" + facet) ==
           Warnings{"has no \"endsolid\" at its end: its last facets may be missing"});
 }
@@ -90,7 +101,8 @@ TEST_CASE("OFF: letters in any order, no keyword, faces over lines, counts on th
           "OFF\n3 1 0\n" + three_points + "3\n0 1\n\n2\n",
           "OFF\n3 1 0\n" + three_points + "3 0 1\n2 9 9 9\n",
           "CSTOFF\n3 1 0\n0 0 0 9 9 9 9 0 0\n1 0 0 9 9 9 9 0 0\n0 1 0 9 9 9 9 0 0\n" + face,
-          "NOFF\n3 1 0\n" + three_points + face})
+          "NOFF\n3 1 0\n" + three_points + face,
+          cr_only("OFF\n# made by me\n3 1 0\n" + three_points + face)})
         CHECK(warnings_of_triangle("a.off", text).empty());
     // Geomview has the normal before the color, and MeshLab after it, and its letters as well.
     const auto vertices = [](const std::string& after) {
