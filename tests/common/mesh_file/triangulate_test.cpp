@@ -53,9 +53,9 @@ TEST_CASE("fewer than three corners have no triangle") {
 
 TEST_CASE("a convex polygon is a fan around its first corner") {
     const Corners square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-    CHECK(triangulate(std::span(square).first(3)) == Triangles{{0, 1, 2}});
-    CHECK(triangulate(square) == Triangles{{0, 1, 2}, {0, 2, 3}});
+    using Fan = std::vector<std::array<std::uint32_t, 3>>;
+    CHECK(triangulate(std::span(square).first(3)) == Fan{{0, 1, 2}});
+    CHECK(triangulate(square) == Fan{{0, 1, 2}, {0, 2, 3}});
 }
 
 TEST_CASE("a dart, whichever corner comes first: the diagonal is the one inside") {
