@@ -91,7 +91,7 @@ bool is_missing(const std::string& command) {
     return std::find(of_clones.begin(), of_clones.end(), command) != of_clones.end();
 }
 
-/// Of lecturers and authors: the others are for students.
+/// The commands of lecturers and authors; the others are for students.
 const std::string authors = "For lecturers, and for authors of stages";
 
 /// "ROW,COLUMN"

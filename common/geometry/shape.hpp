@@ -48,7 +48,7 @@ struct AnyField {
     operator T() const;
 };
 
-/// Whether Owner, an aggregate, can be initialised by a value for each of that many fields.
+/// Returns whether the aggregate Owner can be initialized by a value for each of that many fields.
 template <class Owner, std::size_t... Is>
 constexpr bool has_fields(std::index_sequence<Is...> /*count*/) {
     return requires {

@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// What the triangles of a mesh form together.
+/// The parts, holes and edges that the triangles of a mesh form.
 struct MeshForm {
     std::size_t parts = 0;          ///< not connected by a vertex
     std::size_t holes = 0;          ///< closed ways along edges of one triangle

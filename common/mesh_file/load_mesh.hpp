@@ -10,10 +10,10 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// Loads an OFF, OBJ, PLY or STL file, as the end of its name indicates, with every polygon cut
-/// into triangles. The normals are the file's if it has one for every vertex, else empty
-/// (common/geometry/mesh_normals.hpp computes them). Throws InputError if the file is wrong. Call
-/// it from one thread at a time: OpenMesh's readers share state. `warn`, if given, receives a
-/// warning for content that is hardly intended.
+/// into triangles. The normals are the file's if it has one for every vertex; of STL those of its
+/// facets, smooth but for creases; else empty (common/geometry/mesh_normals.hpp computes them).
+/// Throws InputError if the file is wrong. `warn`, if given, receives a warning for content that is
+/// hardly intended.
 [[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
 
 /// Warns of triangles whose corners run around the other way than those of their neighbors. Call it

@@ -1,4 +1,4 @@
-// What a PLY file must declare so that its mesh can be read.
+// The declarations of a PLY file that are needed to read its mesh.
 #pragma once
 
 #include "common/mesh_file/ply_header.hpp"

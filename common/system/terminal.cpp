@@ -2,7 +2,7 @@
 
 #include "common/system/input_error.hpp"
 
-// What standard C++ does not have: whether a stream is a terminal, and its width.
+// Standard C++ can neither detect a terminal nor measure its width.
 #if __has_include(<sys/ioctl.h>)
 #include <sys/ioctl.h>
 #endif

@@ -87,7 +87,7 @@ Lines after_changes(const KnownMistake& mistake, const Lines& lines, const std::
     return changed;
 }
 
-/// What a source consists of, when those that it includes stand in place.
+/// The parts of a source, with the sources that it includes in place.
 struct Parts {
     Lines head;  ///< the directives, each once
     Lines body;

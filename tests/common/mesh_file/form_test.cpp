@@ -1,4 +1,4 @@
-// What the triangles of a mesh form: parts, holes, crowded edges, triangles turned over.
+// The parts, holes, crowded edges and turned triangles of meshes.
 
 #include "common/mesh_file/half_edges.hpp"
 

@@ -92,7 +92,7 @@ std::string real(const std::string& path) {
 }
 
 /// Makes folders of people and services look empty, in a mount namespace of this process: Landlock
-/// alone forbids their files, but tells those that exist from those that do not.
+/// alone forbids their files, but its errors reveal which of them exist.
 void hide_folders(const Sandbox& seal, const std::string& program) {
     std::vector<std::string> needed{real(program)};
     for (const auto& list : {seal.readable, seal.writable})
