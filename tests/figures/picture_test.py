@@ -159,8 +159,8 @@ def check(chromium, origin, folder, stage):
 
 
 good = "C 0,0,3 0,0,-1 60\nsp 0,0,0 1 200,80,60\n"
-wrong = [good + "sp 0,0 1 200,80,60", "C 0,0,3 0,0,-1 60\nsp 0,0,0 one 1,1,1", good + "sp 0,0,0 1 300,0,0", "sp 0,0,0 1 1,1,1", "",
-         good + "pl 0,0,0 0,1,0 1,1,1", good + "sp 0,0,0 1 200,80,60 mirror:0.5", good + "\0", "C 0,0,3 0,0,-1 600", good + "L 1,1"]
+wrong = [good + "sp 0,0 1 200,80,60", "C 0,0,3 0,0,-1 60\nsp 0,0,0 one 1,1,1", good + "sp 0,0,0 2,2 1,1,1", "sp 0,0,0 1 1,1,1", "",
+         good + "pl 0,0,0 0,1,0 1,1,1", good + "sp 0,0,0 1 200,80,60 mirror:0.5", good + "\0", "C 0,0,3 0,0,-1 wide", good + "L 1,1"]
 
 
 def check_wrong_scenes(chromium, origin, folder):

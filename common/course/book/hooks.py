@@ -349,9 +349,11 @@ def compress_pictures(site):
 
 
 def shorten_search_index(site):
-    """A page's whole text is there again in its sections, which alone are searched."""
+    """A page's whole text is there again in its sections, which alone are searched. Known mistakes
+    are found in their lists: they are half of the index, and nothing for students."""
     file = site / "search/search_index.json"
     index = json.loads(file.read_text(encoding="utf-8"))
+    index["docs"] = [entry for entry in index["docs"] if not entry["location"].startswith("mistakes/")]
     places = [entry["location"] for entry in index["docs"]]
     with_sections = {place.split("#")[0] for place in places if "#" in place}
     for entry in index["docs"]:

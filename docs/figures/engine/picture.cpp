@@ -91,7 +91,9 @@ std::string path_of(const MeshRequest& mesh) {
     return mesh.file;
 }
 
-/// In place of OpenMesh's readers: OFF files of triangles, as scenes/meshes has them.
+void RT_PRECISION::warn_of_turned_triangles(const Mesh&, const std::string&, const Warn&) {}
+
+/// In place of the readers of mesh files: OFF files of triangles, as scenes/meshes has them.
 Mesh RT_PRECISION::load_mesh(const std::string& file, const Warn& /*warn*/) {
     const auto found = book::mesh_files.find(file);
     if (found == book::mesh_files.end() || !found->second.starts_with("OFF"))
