@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <cstdlib>
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto object = rt::grade::parse_object({reinterpret_cast<const char*>(data), size});
     if (!object) return 0;
     const rt::grade::StageFunctions functions{.own = {"_Z3ownv"}, .callable = {}, .others = {}};
