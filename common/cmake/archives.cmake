@@ -1,9 +1,8 @@
 # In a hand-out, sources that contain a solution are replaced by an archive of their objects.
 
-# raysteps_archive(<name> <folder> <source>...)
-#
-# Defines x86_64/f32.a and f64.a, or those of another kind of processor, for this folder of a
-# hand-out: the sources compiled again, for all processors of the kind. The target `archives` builds them all, in the folder archives/ of the build.
+# raysteps_archive(<name> <folder> <source>...): defines x86_64/f32.a and f64.a, or those of another
+# kind of processor, for this folder of a hand-out: the sources compiled again, for all processors of
+# the kind. The target `archives` builds them all, in the folder archives/ of the build.
 function(raysteps_archive name folder)
     if(NOT TARGET archives)
         add_custom_target(archives)
@@ -26,10 +25,8 @@ function(raysteps_archive name folder)
     target_compile_definitions(${name}_archive_f32 PRIVATE RT_FLOAT)
 endfunction()
 
-# raysteps_link_archive(<name> <folder> [WHOLE])
-#
-# A target that links <name>_f32 or _f64 gets the contents of the folder's archives: the missing
-# symbols, or with WHOLE all objects.
+# raysteps_link_archive(<name> <folder> [WHOLE]): a target that links <name>_f32 or _f64 gets the
+# contents of the folder's archives: the missing symbols, or with WHOLE all objects.
 function(raysteps_link_archive name folder)
     raysteps_require_fit()
     foreach(precision IN ITEMS f32 f64)
@@ -51,8 +48,6 @@ function(raysteps_link_archive name folder)
     endforeach()
 endfunction()
 
-# raysteps_require_fit()
-#
 # Reports an error, once, if the archives do not fit this compiler, before a linker would.
 function(raysteps_require_fit)
     get_property(fits GLOBAL PROPERTY RAYSTEPS_FITS)

@@ -1,5 +1,4 @@
-# Compiler options and required packages for all targets.
-
+# Compiler options and required packages for all targets, and what targets of both precisions need.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -9,16 +8,13 @@ if(RAYSTEPS_SANITIZE)
 endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
-# raysteps_find(<package> <Debian package>)
-#
 # find_package whose error message names the Debian package to install.
 macro(raysteps_find package debian)
-    find_package(${package} QUIET ${ARGN})
+    find_package(${package} QUIET)
     if(NOT ${package}_FOUND)
         message(FATAL_ERROR "${package} is missing: apt-get install ${debian}")
     endif()
 endmacro()
-
 raysteps_find(glm libglm-dev)
 raysteps_find(PNG libpng-dev)
 raysteps_find(CLI11 libcli11-dev)
@@ -51,14 +47,13 @@ if(NOT RAYSTEPS_ANY_PROCESSOR)
     endif()
 endif()
 
-# compensated.hpp and the watertight triangle are correct only if each operation is rounded
-# once. `errno` is never read after math functions, so `sqrt` can be one instruction.
-target_compile_options(raysteps_options INTERFACE -ffp-contract=off -fno-math-errno)
-# Two numbers that are stored separately and loaded as a pair cause a stall: g++ 12 generates
-# that for every Vec3 at -O2. Without it the results have the same bits, up to a fifth faster.
 target_compile_options(raysteps_options INTERFACE
-    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
-target_compile_options(raysteps_options INTERFACE
+    # compensated.hpp and the watertight triangle are correct only if each operation is rounded
+    # once. `errno` is never read after math functions, so `sqrt` can be one instruction.
+    -ffp-contract=off -fno-math-errno
+    # Two numbers that are stored separately and loaded as a pair cause a stall: g++ 12 generates
+    # that for every Vec3 at -O2. Without it the results have the same bits, up to a fifth faster.
+    $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast
     # Reports a helper outside an anonymous namespace, which both precisions would define:
     $<IF:$<CXX_COMPILER_ID:GNU>,-Wmissing-declarations,-Wmissing-prototypes>
@@ -69,9 +64,7 @@ target_compile_options(raysteps_options INTERFACE
 if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-        # With sanitizers g++ 12 reports this warning without reason in the standard library's
-        # headers.
-        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+        $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)  # as above, with sanitizers in g++ 12
     target_link_options(raysteps_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -87,22 +80,27 @@ endif()
 set(word_f32 float)
 set(word_f64 double)
 
-# raysteps_compile_twice(<name> <source>...)
-#
-# Defines two object libraries of the same sources: <name>_f32, with Real = float, and <name>_f64.
-function(raysteps_compile_twice name)
+# raysteps_both(<command> <argument>...): calls the command once a precision, with f32 or f64 for
+# each @ in its arguments, and float or double for each @word.
+function(raysteps_both command)
     foreach(precision IN ITEMS f32 f64)
-        add_library(${name}_${precision} OBJECT ${ARGN})
-        target_link_libraries(${name}_${precision} PUBLIC raysteps_options)
+        string(REPLACE "@word" "${word_${precision}}" arguments "${ARGN}")
+        string(REPLACE "@" "${precision}" arguments "${arguments}")
+        cmake_language(CALL ${command} ${arguments})
     endforeach()
+endfunction()
+
+# raysteps_compile_twice(<name> <source>...): defines two object libraries of the same sources,
+# <name>_f32, with Real = float, and <name>_f64.
+function(raysteps_compile_twice name)
+    raysteps_both(add_library ${name}_@ OBJECT ${ARGN})
+    raysteps_both(target_link_libraries ${name}_@ PUBLIC raysteps_options)
     target_compile_definitions(${name}_f32 PRIVATE RT_FLOAT)
 endfunction()
 
-# raysteps_compile_by_folder(<target>...)
-#
-# Compiles each folder's sources as one (CMake's unity build), so that the headers that they share are
-# read once: a first build takes half the time. Two sources of a folder cannot give a helper the same
-# name. -DCMAKE_UNITY_BUILD=OFF compiles each source alone.
+# raysteps_compile_by_folder(<target>...): compiles each folder's sources as one (CMake's unity
+# build), so that the headers that they share are read once: a first build takes half the time. Two
+# sources of a folder cannot give a helper the same name. -DCMAKE_UNITY_BUILD=OFF compiles each alone.
 function(raysteps_compile_by_folder)
     if(NOT DEFINED CMAKE_UNITY_BUILD)
         set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
@@ -120,30 +118,22 @@ function(raysteps_compile_by_folder)
     endforeach()
 endfunction()
 
-# raysteps_start_from_common(<name>)
-#
-# Compiles <name>_f32 and <name>_f64 in half the time with the precompiled headers of
-# raysteps_common. Not for a student's file or a reference, which must include the headers that they
-# use.
+# raysteps_start_from_common(<name>): compiles <name>_f32 and _f64 in half the time with the
+# precompiled headers of raysteps_common. Not for a student's file or a reference, which must include
+# the headers that they use.
 function(raysteps_start_from_common name)
-    foreach(precision IN ITEMS f32 f64)
-        target_precompile_headers(${name}_${precision} REUSE_FROM raysteps_common_${precision})
-    endforeach()
+    raysteps_both(target_precompile_headers ${name}_@ REUSE_FROM raysteps_common_@)
 endfunction()
 
-# raysteps_compile_without_optimizing(<target> <precision>)
-#
-# Compiles the target in half the time, with the same precompiled headers. For what runs briefly, such
-# as a known mistake. Its numbers have the same bits.
+# raysteps_compile_without_optimizing(<target> <precision>): compiles the target in half the time,
+# with the same headers, for what runs briefly, such as a known mistake. Its numbers have the same bits.
 function(raysteps_compile_without_optimizing target precision)
     target_compile_options(${target} PRIVATE -O0)
     target_precompile_headers(${target} REUSE_FROM raysteps_unoptimized_${precision})
 endfunction()
 
-# raysteps_precompile(<name> <header>...)
-#
-# Defines <name>_f32 and _f64, for g++: the headers, precompiled in a folder <name>.hpp.gch beside a
-# file <name>.hpp that includes them.
+# raysteps_precompile(<name> <header>...): defines <name>_f32 and _f64, for g++: the headers,
+# precompiled in a folder <name>.hpp.gch beside a file <name>.hpp that includes them.
 function(raysteps_precompile name)
     list(TRANSFORM ARGN REPLACE "(.+)" "#include \"${PROJECT_SOURCE_DIR}/\\1\"\n")
     string(CONCAT includes ${ARGN})
@@ -151,50 +141,47 @@ function(raysteps_precompile name)
     file(CONFIGURE OUTPUT ${source} CONTENT "${includes}")
     raysteps_compile_twice(${name} ${source})
     foreach(target IN ITEMS ${name}_f32 ${name}_f64)
+        set(header ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp)
+        file(CONFIGURE OUTPUT ${header} CONTENT "${includes}")
         target_compile_options(${target} PRIVATE "SHELL:-x c++-header")
-        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON
-            RAYSTEPS_HEADER ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp)
-        file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp
-            CONTENT "${includes}")
+        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON RAYSTEPS_HEADER ${header})
     endforeach()
 endfunction()
 
-# raysteps_start_from(<headers> <name> <source>...)
-#
-# Compiles <name>_f32 and <name>_f64, of these sources, in a third of the time with g++: they start
-# from what <headers>_f32 and _f64 have precompiled.
-function(raysteps_start_from headers name)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        foreach(precision IN ITEMS f32 f64)
-            get_target_property(header ${headers}_${precision} RAYSTEPS_HEADER)
-            set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
-                ${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
-            target_compile_options(${name}_${precision} PRIVATE "SHELL:-include \"${header}\"")
-        endforeach()
-    endif()
-endfunction()
-
-# raysteps_link(<target> <precision> <name>...)
-#
-# Links a target to <name>_f32 or <name>_f64 of each name.
+# raysteps_link(<target> <precision> <name>...): links a target to <name>_f32 or _f64 of each name.
 function(raysteps_link target precision)
     list(TRANSFORM ARGN APPEND _${precision})
     target_link_libraries(${target} PRIVATE ${ARGN})
 endfunction()
 
-# raysteps_collect(<collection> <name>...)
-#
-# Defines <collection>_f32 and _f64: who links it, links all of these, and their objects.
+# raysteps_collect(<collection> <name>...): defines <collection>_f32 and _f64; who links it, links
+# all of these, and their objects.
 function(raysteps_collect collection)
-    foreach(precision IN ITEMS f32 f64)
-        add_library(${collection}_${precision} INTERFACE)
-        foreach(name IN LISTS ARGN)
-            set(part ${name}_${precision})
-            target_link_libraries(${collection}_${precision} INTERFACE ${part})
-            get_target_property(type ${part} TYPE)
-            if(type STREQUAL "OBJECT_LIBRARY")  # whose objects only a direct link contains
-                target_sources(${collection}_${precision} INTERFACE $<TARGET_OBJECTS:${part}>)
-            endif()
-        endforeach()
+    raysteps_both(add_library ${collection}_@ INTERFACE)
+    foreach(name IN LISTS ARGN)
+        raysteps_both(target_link_libraries ${collection}_@ INTERFACE ${name}_@)
+        get_target_property(type ${name}_f64 TYPE)
+        if(type STREQUAL "OBJECT_LIBRARY")  # whose objects only a direct link contains
+            raysteps_both(target_sources ${collection}_@ INTERFACE $<TARGET_OBJECTS:${name}_@>)
+        endif()
     endforeach()
+endfunction()
+
+# raysteps_target(<name> [STATIC | ON_DEMAND] SOURCES <source>... [LIBRARIES <library>...]
+#     [OPTIONS <option>...] [DEFINITIONS <definition>...]): a program, which ON_DEMAND is built by
+# name only, or a STATIC library.
+function(raysteps_target name)
+    cmake_parse_arguments(PARSE_ARGV 1 the "STATIC;ON_DEMAND" "" "SOURCES;LIBRARIES;OPTIONS;DEFINITIONS")
+    if(the_STATIC)
+        add_library(${name} STATIC ${the_SOURCES})
+        target_link_libraries(${name} PUBLIC ${the_LIBRARIES})
+    else()
+        add_executable(${name} ${the_SOURCES})
+        target_link_libraries(${name} PRIVATE ${the_LIBRARIES})
+    endif()
+    target_compile_options(${name} PRIVATE ${the_OPTIONS})
+    target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
+    if(the_ON_DEMAND)
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
 endfunction()

@@ -1,52 +1,53 @@
 include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
-include(${PROJECT_SOURCE_DIR}/common/cmake/exact.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 
-# raysteps_stage([LOOPS_OVER <stage>] [MESHES] [SHARES_ANEW] [OWN_LOOP] [WHOLE_KERNEL]
-#                [SANITIZED_IN_BOTH])
+# raysteps_stage([<flag>...] [LOOPS_OVER <stage>] [SUITE <part>...] [PICTURES <scene>...]): defines the
+# targets of the stage in the current folder: its reference, the student's file if there is one, and
+# the executable with the stage's name, built from every stage up to this one.
 #
-# Defines the targets of the stage in the current folder: its reference, the student's file if there
-# is one, and the executable with the stage's name, built from every stage up to this one.
-#
-# LOOPS_OVER         a kind of shape of which this stage's shape consists
 # MESHES             this stage and later ones need OpenMesh
 # SHARES_ANEW        its files replace those that earlier stages share with later ones
 # OWN_LOOP           its main.cpp has a loop over the shapes, and calls no query
 # WHOLE_KERNEL       its certified kernel includes the rest of the reference
 # SANITIZED_IN_BOTH  sanitizers can find more in float: a Real chooses an element, or a number of lanes
+# LOOPS_OVER         a kind of shape of which this stage's shape consists
+# SUITE              the parts of its suite, tests/suites/<stage>/<part>_test.cpp, in the order of their
+#                    cases; by default it is one file, tests/suites/<stage>_test.cpp
+# PICTURES           scenes besides its own of which its suite compares the picture
+#
+# stepNN_name                    `run`'s program: the selected files of all stages. `check` draws with
+# stepNN_name_checked            the selected file of this stage and the references of the others, and
+# stepNN_name_reference_program  `compare`'s other picture comes from the references alone
+# stepNN_name_exact              from certified kernels: common/cmake/exact.cmake
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
 # stepNN_name_student_f64     object library of student/*.cpp, if there are any
 # stepNN_name_f64             the selected one of these two, by option
 # stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
-# stepNN_name                 the executable; _reference_program and _checked are the same program built
-#                             from the references, and from this stage's selected file with the
-#                             references of the other stages
-# stepNN_name_exact           the same program built from certified kernels: common/cmake/exact.cmake
 # stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
 #                             that this stage and earlier ones share with later ones: the other
-#                             files beside a main.cpp, except story.cpp; and meshes or their refusal
+#                             files beside a main.cpp, except story.cpp; and meshes or their refusal.
+#                             Of two stages that share a file of one name (pixel_rays.cpp of stages 1
+#                             and 2), the later one's is linked: it SHARES_ANEW
 # stepNN_name_chosen_picture_f64  the same with student/main.cpp, if there is one, by the same option
 # stepNN_name_picture_without_main_f64  the same without either
 # stepNN_name_unity_f64       the picture and the references, compiled as unity builds: one for each
 #                             kind of shape, and one for the rest
 function(raysteps_stage)
     set(flags MESHES SHARES_ANEW OWN_LOOP WHOLE_KERNEL SANITIZED_IN_BOTH)
-    cmake_parse_arguments(PARSE_ARGV 0 stage "${flags}" "LOOPS_OVER" "")
+    cmake_parse_arguments(PARSE_ARGV 0 stage "${flags}" "LOOPS_OVER" "SUITE;PICTURES")
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     foreach(flag IN LISTS flags)  # RAYSTEPS_MESHES are the stages with MESHES
         if(stage_${flag})
             set_property(GLOBAL APPEND PROPERTY RAYSTEPS_${flag} ${name})
         endif()
     endforeach()
+    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
+    set_property(GLOBAL PROPERTY RAYSTEPS_SUITE_${name} ${stage_SUITE})
+    set_property(GLOBAL PROPERTY RAYSTEPS_PICTURES_${name} ${stage_PICTURES})
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
 
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
-    file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
-    set(student_main ${student})
-    list(FILTER student_main INCLUDE REGEX "/main\\.cpp$")
-    list(FILTER student EXCLUDE REGEX "/main\\.cpp$")
-    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
-    list(REMOVE_ITEM exact ${RAYSTEPS_EXACT_MESH_BVH})
     if(reference)
         raysteps_compile_twice(${name}_reference ${reference})
         raysteps_archive(${name}_reference steps/${name}/reference ${reference})
@@ -54,11 +55,17 @@ function(raysteps_stage)
         raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
-    raysteps_headers_of(${name} headers)
-    set(chosen reference)
-    set(chosen_main main)
+    raysteps_compile_twice(${name}_main main.cpp)
+    raysteps_start_from_common(${name}_main)
+
+    # The student's files, and which of them are chosen.
+    file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
+    set(student_main ${student})
+    list(FILTER student_main INCLUDE REGEX "/main\\.cpp$")
+    list(FILTER student EXCLUDE REGEX "/main\\.cpp$")
     if(student)
         raysteps_compile_twice(${name}_student ${student})
+        raysteps_headers_of(${name} headers)
         raysteps_start_from(${headers} ${name}_student ${student})
     endif()
     if(student_main)
@@ -67,6 +74,8 @@ function(raysteps_stage)
             raysteps_start_from_common(${name}_student_main)
         endif()
     endif()
+    set(chosen reference)
+    set(chosen_main main)
     if(NOT RAYSTEPS_REFERENCE STREQUAL "all" AND NOT number IN_LIST RAYSTEPS_REFERENCE)
         if(student)
             set(chosen student)
@@ -76,23 +85,25 @@ function(raysteps_stage)
         endif()
     endif()
     raysteps_collect(${name} ${name}_${chosen})
+
+    file(GLOB exact CONFIGURE_DEPENDS exact/*.cpp)
+    list(REMOVE_ITEM exact "${RAYSTEPS_EXACT_MESH_BVH}")
     if(exact)
         raysteps_exact(${name}_certified ${exact})
         raysteps_exact(${name}_exact_queries queries.cpp)
-        if(NOT stage_WHOLE_KERNEL)
-            raysteps_exact_rest(${name} ${reference})
+        if(NOT stage_WHOLE_KERNEL)  # the reference, whose `intersect` gets another name
+            raysteps_exact(${name}_exact_rest ${reference})
+            target_compile_definitions(${name}_exact_rest_f64 PRIVATE intersect=reference_intersect)
+            target_sources(${name}_certified_f64 INTERFACE $<TARGET_OBJECTS:${name}_exact_rest_f64>)
         endif()
     else()
         add_library(${name}_certified_f64 ALIAS ${name}_reference_f64)
     endif()
-    set_property(GLOBAL APPEND PROPERTY RAYSTEPS_STAGES ${name})
 
-    raysteps_compile_twice(${name}_main main.cpp)
-    raysteps_start_from_common(${name}_main)
-    file(GLOB handed_on CONFIGURE_DEPENDS *.cpp)
-    list(FILTER handed_on EXCLUDE REGEX "/(main|story)\\.cpp$")
-    if(handed_on)
-        raysteps_compile_twice(${name}_shared ${handed_on})
+    file(GLOB shared CONFIGURE_DEPENDS *.cpp)
+    list(FILTER shared EXCLUDE REGEX "/(main|story)\\.cpp$")
+    if(shared)
+        raysteps_compile_twice(${name}_shared ${shared})
         raysteps_start_from_common(${name}_shared)
         if(stage_SHARES_ANEW)
             set_property(GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
@@ -109,19 +120,16 @@ function(raysteps_stage)
         endif()
         set(meshes raysteps_meshes)
     endif()
-
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
     raysteps_collect(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
     raysteps_collect(${name}_picture ${name}_main ${name}_picture_without_main)
     raysteps_collect(${name}_chosen_picture ${name}_${chosen_main} ${name}_picture_without_main)
 
-    # The program built from the selected files and, for `./course compare`, from the references
-    # only, and from this stage's selected file with the references of the others.
     get_property(stages GLOBAL PROPERTY RAYSTEPS_STAGES)
     get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
     list(APPEND stages ${always})
     list(REMOVE_DUPLICATES stages)
-    if(TARGET raysteps_exact_common_f64)
+    if(RAYSTEPS_EXACT_MESH_BVH)
         raysteps_exact_program(${name} ${number} ${meshes} ${stages})
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
@@ -139,15 +147,27 @@ function(raysteps_stage)
     set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
-# raysteps_headers_of(<stage> <variable>)
-#
-# The precompiled headers from which a student's file of the stage starts.
+# raysteps_headers_of(<stage> <variable>): the precompiled headers from which a student's file of the
+# stage starts.
 function(raysteps_headers_of stage variable)
     string(REGEX REPLACE "^step[0-9]+_(.*)" "\\1.hpp" contract ${stage})
     file(STRINGS ${PROJECT_SOURCE_DIR}/steps/${stage}/${contract} optional REGEX "^#include <optional>")
     set(${variable} raysteps_rays PARENT_SCOPE)
     if(optional)  # as every shape's header includes
         set(${variable} raysteps_shapes PARENT_SCOPE)
+    endif()
+endfunction()
+
+# raysteps_start_from(<headers> <name> <source>...): compiles <name>_f32 and <name>_f64, of these
+# sources, in a third of the time with g++, from what <headers>_f32 and _f64 have precompiled.
+function(raysteps_start_from headers name)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        foreach(precision IN ITEMS f32 f64)
+            get_target_property(header ${headers}_${precision} RAYSTEPS_HEADER)
+            set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
+                ${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
+            target_compile_options(${name}_${precision} PRIVATE "SHELL:-include \"${header}\"")
+        endforeach()
     endif()
 endfunction()
 
@@ -158,16 +178,13 @@ function(raysteps_link_program program stage)
     if(TARGET ${stage}_unity_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_unity)
     endif()
-    raysteps_link(${program} f32 ${parts} raysteps_common)
-    raysteps_link(${program} f64 ${parts} raysteps_common)
+    raysteps_both(raysteps_link ${program} @ ${parts} raysteps_common)
 endfunction()
 
-# raysteps_unity(<stage> <meshes> <part>...)
-#
-# Defines <stage>_unity_f32 and _f64: the stage's picture, with its main.cpp and these parts, so that
-# calls between them are inlined: this saves up to a fifth of a picture's time
-# (docs/reference/speed.md). With a student's file, programs are linked from separate parts instead,
-# so that a change compiles only one.
+# raysteps_unity(<stage> <meshes> <part>...): defines <stage>_unity_f32 and _f64: the stage's picture,
+# with its main.cpp and these parts, so that calls between them are inlined: this saves up to a fifth
+# of a picture's time (docs/reference/speed.md). With a student's file, programs are linked from
+# separate parts instead, so that a change compiles only one.
 # The parts of a stage that has queries.cpp are compiled as one for the programs of all later stages:
 # <stage>_queries_unity. In it, a query inlines the `intersect` that it calls, with the parts of the
 # stage that the shape LOOPS_OVER. All other parts are compiled as one for each program.
@@ -194,14 +211,10 @@ function(raysteps_unity stage meshes)
     raysteps_collect(${stage}_unity ${stage}_unity_objects ${kinds} ${meshes})
 endfunction()
 
-# raysteps_compile_as_one(<name> <part>...)
-#
-# Defines two object libraries of the sources of all parts, compiled as one: <name>_f32 and <name>_f64.
+# raysteps_compile_as_one(<name> <part>...): defines <name>_f32 and <name>_f64, object libraries of the
+# sources of all parts, compiled as one.
 function(raysteps_compile_as_one name)
-    set(sources)
-    foreach(part IN LISTS ARGN)
-        list(APPEND sources $<TARGET_PROPERTY:${part}_f64,SOURCES>)
-    endforeach()
+    list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_PROPERTY:\\1_f64,SOURCES>" OUTPUT_VARIABLE sources)
     raysteps_compile_twice(${name} ${sources})
     raysteps_start_from_common(${name})
     set_target_properties(${name}_f32 ${name}_f64 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)

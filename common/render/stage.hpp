@@ -46,7 +46,8 @@ namespace rt {
 [[nodiscard]] Image render(Resolution resolution, Real vertical_fov);
 
 /// The scene's picture by that loop, in stage 1; in all later stages nothing. Throws InputError if
-/// the loop returns an image of another size.
+/// the loop returns an image of another size. The program of stage 1 is linked to pixel_rays.cpp of
+/// stage 1, and all others to that of stage 2, which SHARES_ANEW (common/cmake/stage.cmake).
 [[nodiscard]] std::optional<Image> picture_by_own_loop(const Scene& scene);
 
 /// The color seen along the ray.

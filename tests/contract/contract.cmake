@@ -1,9 +1,8 @@
 # A stage's contract, called in another process: the workers, and the suites linked to stubs that
 # call them. Targets without a precision in the name are in double.
 
-# raysteps_worker(<program> <folder> <precision> <name>...)
-#
-# A worker linked to <name>_f32 or _f64 of each name.
+# raysteps_worker(<program> <folder> <precision> <name>...): a worker linked to <name>_f32 or _f64 of
+# each name.
 function(raysteps_worker program folder precision)
     add_executable(${program})
     raysteps_link(${program} ${precision} raysteps_worker ${ARGN})
@@ -19,41 +18,27 @@ endfunction()
 function(raysteps_contract stage)
     raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_context)
     foreach(precision IN ITEMS f32 f64)
-        set(word ${word_${precision}})
-        raysteps_worker(${stage}_worker_${word} "" ${precision} ${stage} ${stage}_context)
+        raysteps_worker(${stage}_worker_${word_${precision}} "" ${precision} ${stage} ${stage}_context)
     endforeach()
     set_target_properties(${stage}_worker_float PROPERTIES EXCLUDE_FROM_ALL ON)
     raysteps_suite_objects(${stage}_stubs f64 contract/stubs/${stage}.cpp)
     raysteps_asked_suite(${stage} ${stage}_worker_double $<TARGET_OBJECTS:${stage}_stubs> ${stage}_context)
 endfunction()
 
-# raysteps_trace_contract(<stage>)
-#
-# <stage>_trace_asked_test_double: the suite of `trace` with a worker
-function(raysteps_trace_contract stage)
-    raysteps_asked_suite(${stage}_trace ${stage}_reference_worker "" raysteps_common raysteps_references
-        ${stage}_picture)
-endfunction()
-
-# raysteps_asked_suite(<suite> <worker> <stubs> <name>...)
-#
-# <suite>_asked_test_double and its test with this worker, linked to the stubs and <name>_f64 of each
-# name.
+# raysteps_asked_suite(<suite> <worker> <stubs> <name>...): <suite>_asked_test_double and its test with
+# this worker, linked to the stubs and <name>_f64 of each name.
 function(raysteps_asked_suite suite worker stubs)
     set(program ${suite}_asked_test_double)
     add_executable(${program} $<TARGET_OBJECTS:${suite}_test_double_objects> ${stubs})
     raysteps_link(${program} f64 raysteps_kit ${ARGN})
     target_link_libraries(${program} PRIVATE raysteps_asking raysteps_kit_main)
-    add_test(NAME ${suite}_asked COMMAND ${program})
-    set_tests_properties(${suite}_asked PROPERTIES LABELS contract
-        ENVIRONMENT RAYSTEPS_WORKER=$<TARGET_FILE:${worker}>)
+    raysteps_add_test(${suite}_asked contract
+        "ENVIRONMENT;RAYSTEPS_WORKER=$<TARGET_FILE:${worker}>" ${program})
 endfunction()
 
-# raysteps_recognition(<stage>)
-#
-# A worker of all known mistakes and other right answers; the test that the stage's probes.txt
-# recognizes the former and not the latter, and knows the suite's cases; and the target
-# <stage>_probes, which writes it.
+# raysteps_recognition(<stage>): a worker of all known mistakes and other right answers; the test that
+# the stage's probes.txt recognizes the former and not the latter, and knows the suite's cases; and
+# the target <stage>_probes, which writes it.
 function(raysteps_recognition stage)
     raysteps_worker(${stage}_answers_worker "" f64 ${stage}_answers ${stage}_context)
     set(probes ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/probes.txt)
@@ -63,10 +48,9 @@ function(raysteps_recognition stage)
     if(Catch2_VERSION VERSION_GREATER_EQUAL 3)
         set(names "--list-tests --verbosity quiet")
     endif()
-    add_test(NAME recognition_${stage}
-        COMMAND sh -c "suite=$1; shift; \"$suite\" ${names} | \"$@\"" sh
-            $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words})
-    set_tests_properties(recognition_${stage} PROPERTIES LABELS "mistakes")
+    raysteps_add_test(recognition_${stage} mistakes ""
+        sh -c "suite=$1 && shift && \"$suite\" ${names} | \"$@\"" sh
+        $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words})
 
     set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
     add_custom_target(${stage}_probes

@@ -1,6 +1,4 @@
-# raysteps_seat(<stage>)
-#
-# The link kit of a graded worker of the stage, for the student's own files, in double. <file> is
+# raysteps_seat(<stage>): the link kit of a graded worker of the stage, for the student's own files, in double. <file> is
 # <stage>, the file of its functions, or <stage>_trace, its main.cpp:
 #
 # seats/<stage>.o             everything but the stages' own files and main.cpp, as one object
@@ -70,16 +68,14 @@ function(raysteps_seat stage)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
 endfunction()
 
-# raysteps_graded_seat(<file> <stage> <own> <objects>)
-#
-# seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
+# raysteps_graded_seat(<file> <stage> <own> <objects>): seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
 # the objects of the file's own reference. The object with a header's functions, if there is one, has
 # its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
 # and of those folders of common/ whose headers it may include, each compiled as one, but not the
 # loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
 # listed, such as lighting.hpp. A file of functions is not linked to what computes the same for
 # another purpose, and what nothing calls in its worker: the stages' stories, which explain a hit,
-# and before stage 13 the hierarchy that draws meshes. tests/grading/seats_test.sh looks for them.
+# and before the stage of meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -96,7 +92,8 @@ function(raysteps_graded_seat file stage own objects)
     set(others)
     if(file STREQUAL stage)
         set(unused "unity_stories|/story\\.cpp|/pixel_log_parts\\.cpp")
-        if(NOT stage STREQUAL "step13_meshes")
+        get_property(with_meshes GLOBAL PROPERTY RAYSTEPS_MESHES)
+        if(NOT stage IN_LIST with_meshes)
             string(APPEND unused "|/mesh_bvh\\.cpp")
         endif()
         set(parts "$<FILTER:${objects},EXCLUDE,${unused}>")

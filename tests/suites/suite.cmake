@@ -1,10 +1,14 @@
 # For what tests compile once and run briefly: three quarters of the time of -O2.
 set(quickly $<$<CONFIG:Release>:-O1>)
 
-# raysteps_suite_objects(<name> <precision> <source>...)
-#
-# An object library of test cases, which starts from the precompiled header of the kit, or of
-# another library: ${suite_headers}_f32 or _f64.
+# raysteps_add_test(<name> <label> <properties> <command>...): its words contain no semicolon.
+function(raysteps_add_test name label properties)
+    add_test(NAME ${name} COMMAND ${ARGN})
+    set_tests_properties(${name} PROPERTIES LABELS "${label}" ${properties})
+endfunction()
+
+# raysteps_suite_objects(<name> <precision> <source>...): an object library of test cases, which starts
+# from the precompiled header of the kit, or of another library: ${suite_headers}_f32 or _f64.
 function(raysteps_suite_objects name precision)
     add_library(${name} OBJECT ${ARGN})
     target_link_libraries(${name} PRIVATE raysteps_kit_${precision}_options)
@@ -15,9 +19,8 @@ function(raysteps_suite_objects name precision)
     target_precompile_headers(${name} REUSE_FROM ${suite_headers}_${precision})
 endfunction()
 
-# raysteps_link_suite(<program> <objects> <precision> <name>...)
-#
-# The program of these test cases, linked to <name>_f32 or _f64 of each name.
+# raysteps_link_suite(<program> <objects> <precision> <name>...): the program of these test cases,
+# linked to <name>_f32 or _f64 of each name.
 function(raysteps_link_suite program objects precision)
     add_executable(${program} $<TARGET_OBJECTS:${objects}>)
     raysteps_link(${program} ${precision} raysteps_kit raysteps_drawn ${ARGN})
@@ -28,19 +31,18 @@ function(raysteps_link_suite program objects precision)
 endfunction()
 
 # raysteps_suite(<name> [SANITIZED_IN_DOUBLE] [LABEL <label>] [PICTURE <stage> | STAGES <name>...]
-#                SOURCES <source>...)
-#
-# The suite <name>_float and <name>_double: the sources, with that precision as Real, in one program
-# each, linked to STAGES: by default all references and the picture of a stage, step12_mirror.
-# SANITIZED_IN_DOUBLE: with sanitizers, it is built in double only. Several sources are compiled as
-# one, in two thirds of the time, but for those with the property SKIP_UNITY_BUILD_INCLUSION.
+#     SOURCES <source>...): the suite <name>_float and <name>_double: the sources, with that precision
+# as Real, in one program each, linked to STAGES: by default all references and the picture of the
+# last stage that needs no meshes. SANITIZED_IN_DOUBLE: with sanitizers, it is built in double only.
+# Several sources are compiled as one, in two thirds of the time, but for those with the property
+# SKIP_UNITY_BUILD_INCLUSION.
 function(raysteps_suite name)
     cmake_parse_arguments(PARSE_ARGV 1 suite "SANITIZED_IN_DOUBLE" "LABEL;PICTURE" "STAGES;SOURCES")
     if(NOT suite_LABEL)
         set(suite_LABEL common)
     endif()
     if(NOT suite_PICTURE)
-        set(suite_PICTURE step12_mirror)
+        set(suite_PICTURE ${last_without_meshes})
     endif()
     if(NOT suite_STAGES)
         set(suite_STAGES raysteps_common raysteps_references ${suite_PICTURE}_picture)
@@ -51,78 +53,59 @@ function(raysteps_suite name)
         set(precisions f64)
     endif()
     foreach(precision IN LISTS precisions)
-        set(word ${word_${precision}})
-        raysteps_suite_objects(${name}_test_${word}_objects ${precision} ${suite_SOURCES})
+        set(program ${name}_test_${word_${precision}})
+        raysteps_suite_objects(${program}_objects ${precision} ${suite_SOURCES})
         if(files GREATER 1 AND NOT DEFINED CMAKE_UNITY_BUILD)
-            set_target_properties(${name}_test_${word}_objects PROPERTIES
-                UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+            set_target_properties(${program}_objects PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
         endif()
-        raysteps_link_suite(${name}_test_${word} ${name}_test_${word}_objects ${precision}
-            ${suite_STAGES})
-        add_test(NAME ${name}_${word} COMMAND ${name}_test_${word})
-        set_tests_properties(${name}_${word} PROPERTIES LABELS ${suite_LABEL})
+        raysteps_link_suite(${program} ${program}_objects ${precision} ${suite_STAGES})
+        raysteps_add_test(${name}_${word_${precision}} ${suite_LABEL} "" ${program})
     endforeach()
 endfunction()
 
-# raysteps_test(<name> [LABEL <label>] SOURCES <source>... LIBRARIES <library>...
-#               [DEFINITIONS <definition>...] [NEEDS <target>...] [CASES <pattern>])
-#
-# The test <name>, a program of test cases that call no stage. NEEDS are built before it. CASES are
-# those that the test runs, by default all.
-function(raysteps_test name)
-    cmake_parse_arguments(PARSE_ARGV 1 test "" "LABEL;CASES" "")
-    raysteps_test_program(${name} ${test_UNPARSED_ARGUMENTS})
-    add_test(NAME ${name} COMMAND ${name}_test ${test_CASES})
-    set_tests_properties(${name} PROPERTIES LABELS "${test_LABEL}")
-endfunction()
-
-# The program alone: raysteps_test_program(<name> SOURCES <source>... LIBRARIES <library>...
-#                                          [DEFINITIONS <definition>...] [NEEDS <target>...])
+# raysteps_test_program(<name> SOURCES <source>... LIBRARIES <library>... [DEFINITIONS <definition>...]
+#     [NEEDS <target>...]): a program of test cases that call no stage. NEEDS are built before it.
 function(raysteps_test_program name)
     cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LIBRARIES;DEFINITIONS;NEEDS")
-    add_executable(${name}_test ${test_SOURCES})
-    target_link_libraries(${name}_test PRIVATE
-        ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options)
-    target_compile_definitions(${name}_test PRIVATE ${test_DEFINITIONS})
-    target_compile_options(${name}_test PRIVATE ${quickly})
+    raysteps_target(${name}_test SOURCES ${test_SOURCES} DEFINITIONS ${test_DEFINITIONS}
+        LIBRARIES ${test_LIBRARIES} raysteps_kit_main raysteps_kit_f64_options OPTIONS ${quickly})
     target_precompile_headers(${name}_test REUSE_FROM raysteps_kit_f64)
     if(test_NEEDS)
         add_dependencies(${name}_test ${test_NEEDS})
     endif()
 endfunction()
 
-# The suites of several files, tests/suites/<stage>/<part>_test.cpp: their cases run, and are
-# reported, in the order of the parts.
-set(step09_phong_parts terms scenes)
-set(step10_shadows_parts shadow_ray scenes)
-set(step11_soft_shadows_parts light_points visibility scenes)
-set(step12_mirror_parts reflected_ray self_intersection reflections)
-set(step13_meshes_parts boxes oriented_boxes frames meshes scenes)
+# raysteps_test(<name> <label> SOURCES …): the test <name>, which runs this program.
+function(raysteps_test name label)
+    raysteps_test_program(${name} ${ARGN})
+    raysteps_add_test(${name} "${label}" "" ${name}_test)
+endfunction()
 
-# raysteps_stage_suite(<stage>)
-#
-# The suite of a stage, and the student's own tests: the chosen file, with the references of the
-# stages before it, so that a first check compiles no others. <stage>_context_f32 and _f64 are
-# everything that a program needs beside that file if it calls all stages.
-# <stage>_suites_float and _double build this suite and that of `trace`; `./course check` waits for
-# the line that they print then.
+# raysteps_stage_suite(<stage>): the suite of a stage, and the student's own tests: the chosen file,
+# with the references of the stages before it, so that a first check compiles no others.
+# <stage>_context_f32 and _f64 are everything that a program needs beside that file if it calls all
+# stages. <stage>_suites_float and _double build this suite and that of `trace`; `./course check`
+# waits for the line that they print then.
 function(raysteps_stage_suite stage)
     set(others ${stages})
     list(REMOVE_ITEM others ${stage})
-    list(TRANSFORM others APPEND _reference)
-    raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
     get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
-    list(TRANSFORM always APPEND _reference OUTPUT_VARIABLE before)
-    list(REMOVE_ITEM before ${stage}_reference)
+    set(before ${others})
     foreach(other IN LISTS others)
-        if(other STRLESS stage AND NOT other IN_LIST before)
-            list(APPEND before ${other})
+        if(other STRGREATER stage OR other IN_LIST always)
+            list(REMOVE_ITEM before ${other})
         endif()
     endforeach()
+    list(REMOVE_ITEM always ${stage})
+    list(PREPEND before ${always})
+    list(TRANSFORM before APPEND _reference)
+    list(TRANSFORM others APPEND _reference)
+    raysteps_collect(${stage}_context raysteps_common ${stage}_picture ${others})
 
-    set(suite ${stage})
-    if(DEFINED ${stage}_parts)
-        list(TRANSFORM ${stage}_parts PREPEND ${stage}/ OUTPUT_VARIABLE suite)
+    get_property(suite GLOBAL PROPERTY RAYSTEPS_SUITE_${stage})
+    list(TRANSFORM suite PREPEND ${stage}/)
+    if(NOT suite)
+        set(suite ${stage})
     endif()
     list(TRANSFORM suite REPLACE "(.+)" "suites/\\1_test.cpp")
     file(GLOB own_tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/tests/*.cpp)
@@ -157,10 +140,8 @@ function(raysteps_stage_suite stage)
     endif()
 endfunction()
 
-# raysteps_trace_suite(<stage>)
-#
-# <stage>_trace_test_float and _double, in stage 1 and from stage 3 on: the chosen main.cpp, with the
-# references of its stage and of those before it.
+# raysteps_trace_suite(<stage>): <stage>_trace_test_float and _double, if there is such a suite: the
+# chosen main.cpp, with the references of its stage and of those before it.
 function(raysteps_trace_suite stage)
     set(suite suites/${stage}_trace_test.cpp)
     if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${suite})
@@ -172,39 +153,32 @@ function(raysteps_trace_suite stage)
         STAGES raysteps_common ${before} ${stage}_reference ${stage}_chosen_picture)
     if(TARGET course)
         raysteps_starter(${stage}_trace ${PROJECT_SOURCE_DIR}/steps/${stage}/starter/main.cpp)
-        raysteps_trace_contract(${stage})
+        raysteps_asked_suite(${stage}_trace ${stage}_reference_worker ""
+            raysteps_common raysteps_references ${stage}_picture)
     endif()
     if(RAYSTEPS_MISTAKES)
         raysteps_answers(${stage}_trace ${stage}/main)
         if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/trace.txt)
-            add_test(NAME recognition_${stage}_trace COMMAND sh
+            raysteps_add_test(recognition_${stage}_trace mistakes "" sh
                 ${PROJECT_SOURCE_DIR}/tests/trace_mistakes.sh check ${PROJECT_BINARY_DIR}
                 ${PROJECT_SOURCE_DIR} ${stage})
-            set_tests_properties(recognition_${stage}_trace PROPERTIES LABELS mistakes)
         endif()
     endif()
 endfunction()
 
-# raysteps_starter(<suite> <source>...)
-#
-# <suite>_starter_test_float and _double: the suite, linked to the stage's starter, for `./course
-# audit`.
+# raysteps_starter(<suite> <source>...): <suite>_starter_test_float and _double: the suite, linked to
+# the stage's starter, for `./course audit`.
 function(raysteps_starter suite)
     raysteps_compile_twice(${suite}_starter ${ARGN})
-    set_target_properties(${suite}_starter_f32 ${suite}_starter_f64 PROPERTIES EXCLUDE_FROM_ALL ON)
-    foreach(precision IN ITEMS f32 f64)
-        raysteps_compile_without_optimizing(${suite}_starter_${precision} ${precision})
-        set(word ${word_${precision}})
-        raysteps_link_suite(${suite}_starter_test_${word} ${suite}_test_${word}_objects
-            ${precision} ${suite}_starter ${suite}_context)
-        set_target_properties(${suite}_starter_test_${word} PROPERTIES EXCLUDE_FROM_ALL ON)
-    endforeach()
+    raysteps_both(raysteps_compile_without_optimizing ${suite}_starter_@ @)
+    raysteps_both(raysteps_link_suite ${suite}_starter_test_@word ${suite}_test_@word_objects
+        @ ${suite}_starter ${suite}_context)
+    raysteps_both(set_target_properties ${suite}_starter_@ ${suite}_starter_test_@word
+        PROPERTIES EXCLUDE_FROM_ALL ON)
 endfunction()
 
-# raysteps_known_mistake(<file> <suite> [<name>])
-#
-# The source of one mistake of mistakes/<suite>.txt, or of all of them and of the other right answers,
-# of which RAYSTEPS_ANSWER selects one.
+# raysteps_known_mistake(<file> <suite> [<name>]): the source of one mistake of mistakes/<suite>.txt, or
+# of all of them and of the other right answers, of which RAYSTEPS_ANSWER selects one.
 function(raysteps_known_mistake file suite)
     string(REGEX REPLACE "_trace$" "" stage ${suite})
     set(alternatives ${PROJECT_SOURCE_DIR}/tests/alternatives/${stage})
@@ -219,28 +193,35 @@ function(raysteps_known_mistake file suite)
         VERBATIM)
 endfunction()
 
-# raysteps_answers(<suite> <folder>)
-#
-# The tests mistake_<suite>_<name>_double, and alternative_<suite>_<name>_float and _double: the suite,
-# linked to all known mistakes and, from this folder, all other right answers. Float shows no more
-# about mistakes than double: only the suite's first is tested in float, too, or with
-# -DRAYSTEPS_MISTAKES=both all are.
+# raysteps_known_mistakes(<variable> <folder> <stage/name>...): the sources of these mistakes.
+function(raysteps_known_mistakes variable folder)
+    set(files)
+    foreach(mistake IN LISTS ARGN)
+        list(APPEND files ${folder}/${mistake}.cpp)
+        string(REPLACE "/" ";" words ${mistake})
+        raysteps_known_mistake(${folder}/${mistake}.cpp ${words})
+    endforeach()
+    set(${variable} ${files} PARENT_SCOPE)
+endfunction()
+
+# raysteps_answers(<suite> <folder>): the tests mistake_<suite>_<name>_double, and
+# alternative_<suite>_<name>_float and _double: the suite, linked to all known mistakes and, from this
+# folder, all other right answers. Float shows no more about mistakes than double: only the suite's
+# first is tested in float, too, or with -DRAYSTEPS_MISTAKES=both all are.
 function(raysteps_answers suite folder)
     set(source ${CMAKE_CURRENT_BINARY_DIR}/answers/${suite}.cpp)
     raysteps_known_mistake(${source} ${suite})
     raysteps_compile_twice(${suite}_answers ${source})
-    foreach(precision IN ITEMS f32 f64)
-        set(objects ${suite}_answers_${precision})
-        raysteps_compile_without_optimizing(${objects} ${precision})
-        target_compile_options(${objects} PRIVATE -w)  # they are wrong on purpose
-        set(program ${suite}_answers_test_${word_${precision}})
-        raysteps_link_suite(${program} ${suite}_test_${word_${precision}}_objects ${precision}
-            ${suite}_answers ${suite}_context)
-    endforeach()
+    raysteps_both(raysteps_compile_without_optimizing ${suite}_answers_@ @)
+    raysteps_both(target_compile_options ${suite}_answers_@ PRIVATE -w)  # they are wrong on purpose
+    raysteps_both(raysteps_link_suite ${suite}_answers_test_@word ${suite}_test_@word_objects
+        @ ${suite}_answers ${suite}_context)
 
     set(catalogue ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${suite}.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${catalogue})
     file(STRINGS ${catalogue} lines REGEX "^(mistake|caught by:) " ENCODING UTF-8)
+    # It fails by an assertion: a missing case, or a crash, does not count.
+    set(fails TIMEOUT 300 PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed")
     set(words float double)
     foreach(line IN LISTS lines)
         if(line MATCHES "^mistake ([a-z0-9_]+) ")
@@ -250,10 +231,8 @@ function(raysteps_answers suite folder)
         string(REGEX REPLACE "^caught by: " "" case "${line}")
         string(REGEX REPLACE "([][,*\\\\~])" "\\\\\\1" case "${case}")  # for Catch2
         foreach(word IN LISTS words)
-            raysteps_test_answer(mistake ${suite} ${name} ${word} "${case}")
-            # It fails by an assertion: a missing case, or a crash, does not count.
-            set_tests_properties(mistake_${suite}_${name}_${word} PROPERTIES TIMEOUT 300
-                PASS_REGULAR_EXPRESSION "test cases: +1 \\|( +0 passed \\|)? +1 failed")
+            raysteps_add_test(mistake_${suite}_${name}_${word} mistakes
+                "ENVIRONMENT;RAYSTEPS_ANSWER=${name};${fails}" ${suite}_answers_test_${word} "${case}")
         endforeach()
         if(NOT RAYSTEPS_MISTAKES STREQUAL "both")
             set(words double)
@@ -262,14 +241,9 @@ function(raysteps_answers suite folder)
     file(GLOB alternatives CONFIGURE_DEPENDS alternatives/${folder}/*.cpp)
     foreach(file IN LISTS alternatives)  # all of the suite must pass
         get_filename_component(name ${file} NAME_WE)
-        raysteps_test_answer(alternative ${suite} ${name} float)
-        raysteps_test_answer(alternative ${suite} ${name} double)
+        foreach(word IN ITEMS float double)
+            raysteps_add_test(alternative_${suite}_${name}_${word} alternatives
+                "ENVIRONMENT;RAYSTEPS_ANSWER=${name}" ${suite}_answers_test_${word})
+        endforeach()
     endforeach()
-endfunction()
-
-# raysteps_test_answer(<kind> <suite> <name> <precision's word> [<case>])
-function(raysteps_test_answer kind suite name word)
-    set(test ${kind}_${suite}_${name}_${word})
-    add_test(NAME ${test} COMMAND ${suite}_answers_test_${word} ${ARGN})
-    set_tests_properties(${test} PROPERTIES LABELS ${kind}s ENVIRONMENT RAYSTEPS_ANSWER=${name})
 endfunction()
