@@ -47,11 +47,13 @@ TEST_CASE("the pages of all stages have the same parts, in the same order") {
         const std::vector<PageLine> page = page_of(stage);
         int before = 0;
         for (const std::string& part :
-             {std::string("# Stage " + std::to_string(stage) + ": "), std::string("!["),
+             {std::string("# Stage " + std::to_string(stage) + ": "),
               std::string("- **You will be able to** "), std::string("- **You need** "),
-              std::string("- **It takes** "), std::string("## The idea"),
-              std::string("## What to write"), std::string("## What goes wrong"),
-              std::string("## See it"), questions, answers, curious}) {
+              std::string("- **It takes** "), std::string("!["), std::string("In the documents: "),
+              std::string("## The idea"), std::string("## What to write"),
+              std::string("<details><summary>What a graded file may include"),
+              std::string("## What goes wrong"), std::string("## See it"), questions, answers,
+              curious}) {
             const int line = line_of(page, part);
             CHECK(verdict(line > before, name_of(stage) + ".md: \"" + part +
                                              "\" is missing, or not at its place"));

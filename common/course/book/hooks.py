@@ -29,10 +29,12 @@ source = os.environ.get("RAYSTEPS_SOURCE", "../..")
 widest_picture = 1000  # pixels
 meshes_in_pages = ["owl.off"]
 scenes_in_pages = set()  # that can be drawn there
+generated_pages = tempfile.TemporaryDirectory()
 
 used_font = re.compile(r"KaTeX_(AMS|Main|Math|Size).*\.woff2")
 
-after_the_stages = ["debugging.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md"]
+before_the_stages = ["debugging.md", "cpp.md"]
+after_the_stages = ["README.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md"]
 
 
 def text_of(path):
@@ -41,11 +43,11 @@ def text_of(path):
 
 def on_config(config):
     docs = Path(config["docs_dir"])
-    stages = sorted(page.name for page in docs.glob("step*.md"))
-    others = sorted({page.name for page in docs.glob("*.md")} - {"README.md", *stages},
+    stages = [*before_the_stages, *sorted(page.name for page in docs.glob("step*.md"))]
+    others = sorted({page.name for page in docs.glob("*.md")} - set(stages),
                     key=lambda name: [*after_the_stages, name].index(name))
     reference = sorted(f"reference/{page.name}" for page in docs.glob("reference/*.md"))
-    config["nav"] = [{"Overview": "README.md"}, {"Stages": stages}, {"More": others},
+    config["nav"] = [{"Home": "index.md"}, {"Stages": stages}, {"More": others},
                      {"Reference": reference}]
     if catalogues():
         config["nav"].append({"Known mistakes": ["mistakes/index.md", *(f"mistakes/{s}.md" for s in catalogues())]})
@@ -53,22 +55,29 @@ def on_config(config):
 
 
 def on_files(files, config):
-    """Of docs/, pages and pictures only."""
+    """Of docs/, pages and pictures only. The home page is the project's README; that of docs/, whose
+    name MkDocs takes for the home page's, is documents.html."""
     for file in list(files):
         in_docs = Path(file.abs_src_path).is_relative_to(config["docs_dir"])
         if in_docs and Path(file.src_path).suffix not in {".md", ".svg", ".png"}:
             files.remove(file)
+    overview = files.get_file_from_path("README.md")
+    overview.name = "documents"
+    overview.dest_path = overview.url = "documents.html"
+    overview.abs_dest_path = str(Path(config["site_dir"]) / overview.dest_path)
+    generated = Path(generated_pages.name)
+    home = re.sub(r"\]\((?!docs/|https?:|#)", "](../", text_of("README.md")).replace("](docs/", "](")
+    (generated / "index.md").write_text(home, encoding="utf-8")
+    files.append(File("index.md", str(generated), config["site_dir"], False))
     if catalogues():
-        write_mistakes(Path(pages_of_mistakes.name) / "mistakes")
+        write_mistakes(generated / "mistakes")
         for name in ["index", *catalogues()]:
-            files.append(File(f"mistakes/{name}.md", pages_of_mistakes.name, config["site_dir"], False))
+            files.append(File(f"mistakes/{name}.md", str(generated), config["site_dir"], False))
     return files
 
 
 # ---- known mistakes
 
-
-pages_of_mistakes = tempfile.TemporaryDirectory()
 
 record = re.compile(r"mistake (\w+) in (\S+)(?: around (.*))?\norigin: (.*)\ncaught by: (.*)\nsentence: (.*)\n((?:.*\n)*)")
 
@@ -158,8 +167,8 @@ def linked_to_sources(markdown, page, files):
 
 
 def contract(markdown):
-    """The header that a stage's page names, before what a graded file may include."""
-    header = re.search(r"implements `(steps/\S*\.hpp)`", markdown)[1]
+    """The header that a stage's page names, behind the table of its functions."""
+    header, table = re.search(r"`(steps/\S*\.hpp)`:\n\n((?:\|.*\n)+)", markdown).groups()
     shown = f"""<details class="contract" markdown><summary>The contract: <code>{header}</code></summary>
 
 ```cpp
@@ -168,7 +177,7 @@ def contract(markdown):
 </details>
 
 """
-    return markdown.replace("A graded file may include", shown + "A graded file may include", 1)
+    return markdown.replace(table, f"{table}\n{shown}", 1)
 
 
 def hints(name):
