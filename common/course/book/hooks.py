@@ -50,7 +50,7 @@ def on_config(config):
     config["nav"] = [{"Home": "index.md"}, {"Stages": stages}, {"More": others},
                      {"Reference": reference}]
     if catalogues():
-        config["nav"].append({"Known mistakes": ["mistakes/index.md", *(f"mistakes/{s}.md" for s in catalogues())]})
+        reference.append("mistakes/index.md")  # which leads to one for each stage
     return config
 
 
