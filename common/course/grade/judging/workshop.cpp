@@ -66,10 +66,13 @@ std::string costliest_header(GradedFile graded) {
     return graded.is_trace ? "common/render/stage.hpp" : stage_header(graded.stage).string();
 }
 
-/// Its place. All main.cpp share that of stage 1.
+/// The place of a header that the compile begins with, precompiled. All main.cpp share that of
+/// stage 1. What functions begin with is less than their stage's header, so it has a name of its
+/// own.
 fs::path header_of(const BuildDirectory& workshop, GradedFile graded) {
-    return headers_of(workshop, graded.is_trace ? GradedFile(1, true) : graded) /
-           costliest_header(graded);
+    if (graded.is_trace)
+        return headers_of(workshop, GradedFile(1, true)) / costliest_header(graded);
+    return headers_of(workshop, graded) / "start.hpp";
 }
 
 fs::path precompiled(const fs::path& header) {
