@@ -2,6 +2,7 @@
 
 #include "common/program/used_options.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/version.hpp"
 
 #include <filesystem>
 
@@ -17,7 +18,7 @@ std::vector<PngText> picture_texts(const Program& program, const Options& option
     const std::string used =
         is_float ? equivalent_options(program, options) : used_options(program, options);
     return {{"Title", std::filesystem::path(options.scene).filename().string()},
-            {"Software", "Raysteps " + name_of(program.stage)},
+            {"Software", "Raysteps " + version_number() + " " + name_of(program.stage)},
             {"Size", size_text(size)},
             {"Precision", name(options.precision)},
             {"Options", used}};

@@ -27,8 +27,19 @@ std::string packed_commit(const fs::path& file, const std::string& reference) {
     return "";
 }
 
+/// The commit in the title of a hand-out (common/course/handout), "Raysteps, version 1.0.0
+/// (52c7ed4), handed out …"; empty if it has none.
+std::string commit_of_handout(const std::string& title) {
+    const std::string version = title.substr(0, title.find(", handed out"));
+    const std::size_t open = version.find(" (");
+    if (open == std::string::npos || !version.ends_with(')')) return "";
+    return version.substr(open + 2, version.size() - open - 3);
+}
+
 /// The commit that is checked out, as git's files state it; empty if there are none.
 std::string commit_of(const fs::path& project) {
+    const std::string title = first_line(project / "steps/handout.txt");
+    if (!title.empty()) return commit_of_handout(title);
     const fs::path git = project / ".git";
     const std::string head = first_line(git / "HEAD");
     const std::string link = "ref: ";
@@ -40,9 +51,13 @@ std::string commit_of(const fs::path& project) {
 
 }  // namespace
 
+std::string version_number() {
+    return RAYSTEPS_VERSION;
+}
+
 std::string version(const fs::path& project) {
     const std::string commit = commit_of(project).substr(0, short_commit);
-    return commit.empty() ? RAYSTEPS_VERSION : RAYSTEPS_VERSION " (" + commit + ")";
+    return version_number() + (commit.empty() ? "" : " (" + commit + ")");
 }
 
 }  // namespace rt

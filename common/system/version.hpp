@@ -6,8 +6,12 @@
 
 namespace rt {
 
-/// "1.0.0", that of CMakeLists.txt, or "1.0.0 (52c7ed4)" if the project's folder is a clone: the
-/// commit that is checked out now.
+/// "1.0.0", that of CMakeLists.txt
+[[nodiscard]] std::string version_number();
+
+/// The number and a commit, "1.0.0 (52c7ed4)": in a clone the one that is checked out now, and in a
+/// hand-out the one from which it was made, whatever repository a student keeps it in. The number
+/// alone elsewhere.
 [[nodiscard]] std::string version(const std::filesystem::path& project);
 
 }  // namespace rt

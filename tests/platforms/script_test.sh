@@ -40,6 +40,16 @@ course() {
 ninja_comes() { printf '#!/bin/sh\n' > fakes/ninja; chmod +x fakes/ninja; }
 few_lines() { [ "$(wc -l < out)" -le "$1" ] || fail "at most $1 lines"; }
 
+# The version is the project's own, not that of a repository around it; a hand-out's is in its title.
+git init -q . && git -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m around
+course 0 --version
+grep -qx 'Raysteps [0-9]*\.[0-9]*\.[0-9]*' out || fail "the number alone"
+mkdir bare/steps
+echo "Raysteps, version 1.0.0 (52c7ed4), handed out on 2026-11-21 for g++ 12" > bare/steps/handout.txt
+course 0 --version
+[ "$(cat out)" = "$(cat bare/steps/handout.txt)" ] || fail "a hand-out's title"
+rm -r bare/steps .git
+
 # Without network: one line with the reason, in apt's words.
 : > known
 { seq -f 'echo dlstatus:%g:1:wait' 400

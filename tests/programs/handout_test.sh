@@ -28,6 +28,15 @@ diff -r old packed/old > out || fail "the same in both"
 
 [ ! -d "$project/build/book" ] || [ -e old/docs/book/step03_sphere.html ] || fail "the book goes along"
 
+# The version is the clone's, also in a student's own repository.
+commit=$(git -C "$project" rev-parse --short=7 HEAD)
+cp -r old kept
+(cd kept && git init -q && git add . && git -c user.name=A -c user.email=a@b.c commit -qm mine)
+cd kept || exit 1
+course 0 --version
+says "Raysteps, version $(sed -n 's/^project(raysteps VERSION \([0-9.]*\).*/\1/p' "$project/CMakeLists.txt") ($commit), handed out on "
+cd .. && rm -r kept
+
 # Nothing shows a solution.
 ls "$project"/steps/*/reference/*.cpp > /dev/null || exit 1
 sealed "$project"/steps/*/reference/*.cpp "$project"/steps/*/story.cpp

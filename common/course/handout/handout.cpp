@@ -12,6 +12,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/version.hpp"
 
 #include <sys/utsname.h>
 
@@ -250,7 +251,8 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines) {
                        with_live_links(read_text(folder / path), (folder / path).parent_path()));
     write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);
-    Manifest manifest{.title = "Raysteps, handed out on " + today() + " for " + kind_of(machines),
+    Manifest manifest{.title = "Raysteps, version " + version(project_folder) + ", handed out on " +
+                               today() + " for " + kind_of(machines),
                       .fingerprints = {}};
     for (const std::string& path : all_files(folder))
         manifest.fingerprints[path] = {fingerprint(folder / path)};
