@@ -93,37 +93,83 @@ std::vector<std::uint32_t> corner_groups(
     return groups;
 }
 
-std::vector<bool> turned_triangles(const Triangles& triangles,
-                                   const std::vector<std::uint32_t>& others) {
-    const auto is_wrong = [&](std::uint32_t side) {
-        return others[side] < crowded && !is_consistent(triangles, side, others[side]);
-    };
-    std::uint32_t side = 0;
-    while (side < others.size() && !is_wrong(side)) ++side;
-    if (side == others.size()) return {};
-    std::vector<bool> is_turned(triangles.size());
-    std::vector<bool> is_seen(triangles.size());
-    std::vector<std::uint32_t> part;  // in the order in which its triangles are reached
-    for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
-        if (is_seen[seed]) continue;
-        is_seen[seed] = true;
-        part.assign(1, seed);
+namespace {
+
+/// Turns the triangles of one part after the other.
+class Orienting {
+public:
+    Orienting(const Triangles& triangles, const std::vector<std::uint32_t>& others)
+        : triangles_(triangles), others_(others), is_seen_(triangles.size()) {
+        result_.is_turned.resize(triangles.size());
+    }
+
+    [[nodiscard]] Orientation run() {
+        for (std::uint32_t seed = 0; seed < triangles_.size(); ++seed)
+            if (!is_seen_[seed]) orient_part(seed);
+        return std::move(result_);
+    }
+
+    /// Returns whether two neighbors run along this side in the same direction.
+    [[nodiscard]] bool is_wrong(std::uint32_t side) const {
+        return has_neighbor(side) && !is_consistent(triangles_, side, others_[side]);
+    }
+
+private:
+    [[nodiscard]] bool has_neighbor(std::uint32_t side) const {
+        const std::uint32_t other = others_[side];
+        return other < crowded && opposite(side) != opposite(other);
+    }
+
+    /// The corner that is not on the side.
+    [[nodiscard]] std::uint32_t opposite(std::uint32_t side) const {
+        return triangles_[side / 3][(side + 2) % 3];
+    }
+
+    void orient_part(std::uint32_t seed) {
+        is_seen_[seed] = true;
+        part_.assign(1, seed);
+        auto& is_turned = result_.is_turned;
         std::size_t turned = 0;
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            const std::uint32_t triangle = part[i];
-            for (std::uint32_t k = 3 * triangle; k < 3 * triangle + 3; ++k) {
-                const std::uint32_t other = others[k];
-                if (other >= crowded || is_seen[other / 3]) continue;
-                is_seen[other / 3] = true;
-                is_turned[other / 3] = is_turned[triangle] != is_wrong(k);
-                turned += is_turned[other / 3];
-                part.push_back(other / 3);
+        bool has_two_sides = true;
+        for (std::size_t i = 0; i < part_.size(); ++i) {
+            const std::uint32_t triangle = part_[i];
+            for (std::uint32_t side = 3 * triangle; side < 3 * triangle + 3; ++side) {
+                if (!has_neighbor(side)) continue;
+                const std::uint32_t other = others_[side] / 3;
+                const bool must_turn = is_turned[triangle] != is_wrong(side);
+                if (is_seen_[other]) {
+                    has_two_sides = has_two_sides && is_turned[other] == must_turn;
+                    continue;
+                }
+                is_seen_[other] = true;
+                is_turned[other] = must_turn;
+                turned += must_turn;
+                part_.push_back(other);
             }
         }
-        if (2 * turned > part.size())
-            for (const std::uint32_t triangle : part) is_turned[triangle] = !is_turned[triangle];
+        const bool fewer = 2 * turned <= part_.size();
+        if (!fewer)
+            for (const std::uint32_t triangle : part_) is_turned[triangle] = !is_turned[triangle];
+        if (has_two_sides)
+            result_.turned += fewer ? turned : part_.size() - turned;
+        else
+            result_.one_sided += part_.size();
     }
-    return is_turned;
+
+    const Triangles& triangles_;
+    const std::vector<std::uint32_t>& others_;
+    std::vector<bool> is_seen_;
+    std::vector<std::uint32_t> part_;  ///< in the order in which its triangles are reached
+    Orientation result_;
+};
+
+}  // namespace
+
+Orientation orientation_of(const Triangles& triangles, const std::vector<std::uint32_t>& others) {
+    Orienting orienting(triangles, others);
+    for (std::uint32_t side = 0; side < others.size(); ++side)
+        if (orienting.is_wrong(side)) return orienting.run();
+    return {};
 }
 
 }  // namespace rt

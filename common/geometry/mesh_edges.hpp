@@ -41,9 +41,16 @@ inline constexpr std::uint32_t crowded = 0xfffffffe;
     const Triangles& triangles, const std::vector<std::uint32_t>& others,
     const std::function<bool(std::uint32_t, std::uint32_t)>& is_joined);
 
-/// Returns for each triangle whether it must be turned over so that all neighbors are consistent:
-/// in every part, the fewer of them. Empty if no triangle must.
-[[nodiscard]] std::vector<bool> turned_triangles(const Triangles& triangles,
-                                                 const std::vector<std::uint32_t>& others);
+/// What must be turned over so that all neighbors are consistent.
+struct Orientation {
+    std::vector<bool> is_turned;  ///< for each triangle; empty if none must be
+    std::size_t turned = 0;       ///< triangles of parts that have two sides
+    std::size_t one_sided = 0;    ///< triangles of parts that have one side, as a Möbius band has
+};
+
+/// Returns the triangles to turn over: in every part the fewer of them. In a part with one side
+/// some neighbors remain inconsistent. Two triangles with the same corners are not neighbors.
+[[nodiscard]] Orientation orientation_of(const Triangles& triangles,
+                                         const std::vector<std::uint32_t>& others);
 
 }  // namespace rt

@@ -13,8 +13,9 @@ namespace {
 
 using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The half-edges of triangles of which none is turned over. Half-edges need a vertex for each fan
-/// of triangles: where two fans touch in a vertex, and at crowded edges, it is one for each.
+/// The half-edges of triangles of which none is turned over; what has one side is cut open.
+/// Half-edges need a vertex for each fan of triangles: where two fans touch in a vertex, and at
+/// crowded edges, it is one for each.
 HalfEdges half_edges(const Triangles& triangles, const std::vector<std::uint32_t>& others) {
     const auto groups = corner_groups(triangles, others, [](auto, auto) { return true; });
     std::vector<HalfEdges::VertexHandle> vertices(groups.size());
@@ -81,12 +82,14 @@ MeshForm form_of(const Triangles& triangles, std::size_t vertices) {
     MeshForm form = {.parts = count_parts(triangles, vertices)};
     auto others = other_sides(triangles, vertices);
     form.crowded_edges = count_crowded(triangles, others);
-    const auto is_turned = turned_triangles(triangles, others);
-    form.turned = std::size_t(std::ranges::count(is_turned, true));
+    const Orientation orientation = orientation_of(triangles, others);
+    const auto& is_turned = orientation.is_turned;
+    form.turned = orientation.turned;
+    form.one_sided = orientation.one_sided;
     Triangles consistent = triangles;
     for (std::size_t i = 0; i < is_turned.size(); ++i)
         if (is_turned[i]) std::swap(consistent[i][1], consistent[i][2]);
-    if (form.turned > 0) others = other_sides(consistent, vertices);
+    if (!is_turned.empty()) others = other_sides(consistent, vertices);
     count_holes(half_edges(consistent, others), form);
     return form;
 }

@@ -62,8 +62,8 @@ std::vector<Vec3> rounded_vertices(const MeshFile& content) {
     return result;
 }
 
-/// A sentence about coordinates that float cannot resolve; empty if there is no such loss.
-[[maybe_unused]] std::string loss_in_float(const MeshFile& content) {
+/// The smallest box around the triangles: its lowest and its highest corner.
+[[maybe_unused]] std::pair<glm::dvec3, glm::dvec3> box_of(const MeshFile& content) {
     glm::dvec3 low(content.vertices[content.triangles[0][0]]);
     glm::dvec3 high = low;
     for (const auto& corners : content.triangles) {
@@ -72,16 +72,7 @@ std::vector<Vec3> rounded_vertices(const MeshFile& content) {
             high = glm::max(high, content.vertices[corner]);
         }
     }
-    const double largest = std::max(largest_of(low), largest_of(high));
-    const double shift = double(std::numeric_limits<float>::epsilon()) / 2 * largest;
-    const double size = largest_of(high - low);
-    if (!(shift > unseen_share * size)) return "";
-    std::array<char, 160> text;
-    std::snprintf(text.data(), text.size(),
-                  "coordinates reach %.3g, where float moves points by up to %.2g, and the mesh is "
-                  "%.2g large; try --precision double",
-                  largest, shift, size);
-    return text.data();
+    return {low, high};
 }
 
 /// The file's normals, of unit length; where one has no direction, the smooth normal.
@@ -135,25 +126,47 @@ void leave_out_doubled(Triangles& triangles, const Warn& warn) {
 
 }  // namespace
 
+std::string loss_in_float(glm::dvec3 low, glm::dvec3 high) {
+    const double largest = std::max(largest_of(low), largest_of(high));
+    const double shift = double(std::numeric_limits<float>::epsilon()) / 2 * largest;
+    const double size = largest_of(high - low);
+    if (!(shift > unseen_share * size)) return "";
+    std::array<char, 160> text;
+    std::snprintf(text.data(), text.size(),
+                  "coordinates reach %.3g, where float moves points by up to %.2g, and the mesh is "
+                  "%.2g large",
+                  largest, shift, size);
+    return text.data();
+}
+
 void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn) {
     const auto others = other_sides(mesh.triangles, mesh.vertices.size());
-    const auto turned = std::ranges::count(turned_triangles(mesh.triangles, others), true);
-    if (turned == 0) return;
-    warn(to_string(FileLocation{file}) + "warning: " + std::to_string(turned) + " of " +
-         std::to_string(mesh.triangles.size()) +
-         (turned == 1 ? " triangles is" : " triangles are") +
-         " turned over, compared to their neighbors, and shading around them is wrong: "
-         "mend the file, or try normals:flat");
+    const Orientation orientation = orientation_of(mesh.triangles, others);
+    const auto warn_of = [&](std::size_t count, const char* one, const char* many,
+                             const std::string& then) {
+        if (count == 0) return;
+        warn(to_string(FileLocation{file}) + "warning: " + std::to_string(count) + " of " +
+             std::to_string(mesh.triangles.size()) + " triangles " + (count == 1 ? one : many) +
+             then + "try normals:flat");
+    };
+    warn_of(orientation.turned, "is", "are",
+            " turned over, compared to their neighbors, and shading around them is wrong: "
+            "mend the file, or ");
+    warn_of(orientation.one_sided, "belongs", "belong",
+            " to a surface with only one side, as a Möbius band has, and shading has an edge where "
+            "neighbors turn the other way: ");
 }
 
 Mesh load_mesh(const std::string& file, const Warn& warn) {
     MeshFile content = read_mesh_file(file);
-    const auto warn_of = [&](const std::string& warning) {
-        if (warn) warn(to_string(FileLocation{file}) + "warning: " + warning);
+    const auto warn_of = [&](const std::string& warning, int line = 0) {
+        if (warn) warn(to_string(FileLocation{file, line}) + "warning: " + warning);
     };
-    std::ranges::for_each(content.warnings, warn_of);
+    for (const auto& [text, line] : content.warnings) warn_of(text, line);
 #ifdef RT_FLOAT
-    if (const std::string loss = loss_in_float(content); !loss.empty()) warn_of(loss);
+    const auto [low, high] = box_of(content);
+    if (const std::string loss = loss_in_float(low, high); !loss.empty())
+        warn_of(loss + "; try --precision double");
 #endif
     std::vector<Vec3> vertices = rounded_vertices(content);  // which looks at the triangles
     Mesh mesh = {.vertices = std::move(vertices), .triangles = std::move(content.triangles)};

@@ -4,6 +4,8 @@
 #include "common/geometry/mesh.hpp"
 #include "common/system/input_error.hpp"
 
+#include <glm/vec3.hpp>
+
 #include <string>
 
 namespace rt {
@@ -16,7 +18,12 @@ inline namespace RT_PRECISION {
 /// hardly intended.
 [[nodiscard]] Mesh load_mesh(const std::string& file, const Warn& warn = nullptr);
 
-/// Warns of triangles whose corners run around the other way than those of their neighbors. Call it
+/// A sentence about coordinates in the box from `low` to `high` that float cannot resolve; empty if
+/// there is no such loss.
+[[nodiscard]] std::string loss_in_float(glm::dvec3 low, glm::dvec3 high);
+
+/// Warns of triangles whose corners run around the other way than those of their neighbors, and of
+/// surfaces with only one side, where that cannot be mended. Call it
 /// before the normals are computed: load_mesh does where they are its own, in STL.
 void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn);
 

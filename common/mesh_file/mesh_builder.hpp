@@ -38,7 +38,9 @@ public:
     /// three different corners. Throws MeshRefusal for more than most_corners.
     void add_face(std::span<const std::uint32_t> corners);
 
-    void warn(const std::string& warning) { mesh_.warnings.push_back(warning); }
+    void warn(const std::string& warning, int line = 0) {
+        mesh_.warnings.push_back({warning, line});
+    }
     /// For a format whose vertices are shared only because they are in the same place.
     void set_facets() { mesh_.facets = true; }
 

@@ -61,7 +61,7 @@ MeshFile parse_mesh_file(std::string content, const std::string& file) {
         read(content, file, builder);
         MeshFile result = builder.take();
         if (!has_area(result))
-            result.warnings.emplace_back("no triangle has an area: no ray hits the mesh");
+            result.warnings.push_back({"no triangle has an area: no ray hits the mesh"});
         return result;
     } catch (const MeshRefusal& refusal) {
         throw InputError({file}, refusal.message);

@@ -17,11 +17,17 @@ inline constexpr std::size_t largest_mesh_file = std::size_t(512) << 20;
 /// the square of this number.
 inline constexpr int most_corners = 4096;
 
+/// Content that is accepted but hardly intended.
+struct MeshWarning {
+    std::string text;
+    int line = 0;  ///< 0 if it has none
+};
+
 struct MeshFile {
     std::vector<glm::dvec3> vertices;  ///< all in the range of float
     std::vector<glm::dvec3> normals;   ///< one for each vertex, of any length, 0 included; or empty
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< at least one
-    std::vector<std::string> warnings;  ///< content that is accepted but hardly intended
+    std::vector<MeshWarning> warnings;
     bool facets = false;  ///< the file has no shared vertices: this reader joined its corners
 };
 

@@ -28,6 +28,11 @@ inline void skip_blanks(std::string_view& line) {
     line.remove_prefix(blanks);
 }
 
+/// The word without a plus sign before its digits.
+inline std::string_view without_plus(std::string_view word) {
+    return word.substr(word.size() > 1 && word[0] == '+' && is_digit(word[1]));
+}
+
 /// Removes what was parsed from the line. Returns false, and removes nothing, if that is not a
 /// whole word.
 bool take_parsed(std::string_view& line, const std::from_chars_result& parsed) {
@@ -103,6 +108,7 @@ std::size_t count_words(std::string_view line) {
 }
 
 std::optional<std::int64_t> whole_number(std::string_view word) {
+    word = without_plus(word);
     std::int64_t value = 0;
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
     if (result.ec != std::errc() || result.ptr != word.data() + word.size()) return std::nullopt;
@@ -118,7 +124,7 @@ std::optional<std::int64_t> take_whole_number(std::string_view& line) {
     for (; end < most && is_digit(line[end]); ++end) small = 10 * small + (line[end] - '0');
     if (end > 0 && take_parsed(line, {line.data() + end, std::errc()})) return small;
 
-    const std::string_view digits = line.substr(line.starts_with('+'));
+    const std::string_view digits = without_plus(line);
     std::int64_t value = 0;
     const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (!take_parsed(line, parsed)) return std::nullopt;

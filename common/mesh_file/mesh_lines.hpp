@@ -55,7 +55,8 @@ private:
 /// The number of words in the line.
 [[nodiscard]] std::size_t count_words(std::string_view line);
 
-/// Parses the whole word as an integer; nothing if it is not one of 64 bits.
+/// Parses the whole word as an integer, which may begin with '+'; nothing if it is not one of 64
+/// bits.
 [[nodiscard]] std::optional<std::int64_t> whole_number(std::string_view word);
 
 /// Removes the next word from the line and returns it as an integer, which may begin with '+';

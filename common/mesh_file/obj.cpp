@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,14 @@ std::string_view without_comment(std::string_view line) {
     return line.substr(0, at);
 }
 
+/// The other statements of an OBJ file, in the order of its specification.
+constexpr auto skipped = std::to_array<std::string_view>(
+    {"vp",       "vt",     "deg",    "bmat",   "step",       "cstype",    "p",     "l",
+     "curv",     "curv2",  "surf",   "parm",   "trim",       "hole",      "scrv",  "sp",
+     "end",      "con",    "g",      "s",      "mg",         "o",         "bevel", "c_interp",
+     "d_interp", "lod",    "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech",
+     "maplib",   "usemap", "call",   "csh"});
+
 /// The statements of a file.
 class Statements {
 public:
@@ -36,14 +45,32 @@ public:
         while (const auto line = lines_.next()) {
             std::string_view rest = without_comment(*line);
             const std::string_view keyword = take_word(rest);
-            if (keyword != "v" && keyword != "vn" && keyword != "f") continue;
+            if (keyword != "v" && keyword != "vn" && keyword != "f") {
+                note(keyword);
+                continue;
+            }
             if (rest.find('\\') != std::string_view::npos) rest = with_continuation(rest);
             return Statement{keyword, rest};
         }
         return std::nullopt;
     }
 
+    /// Throws InputError at the first line that no OBJ file has, if there was one.
+    void refuse_foreign(const std::string& file) const {
+        if (foreign_line_ == 0) return;
+        throw InputError({file, foreign_line_}, "has no face, and OBJ has no statement " +
+                                                    quoted(foreign_) + ": expected v, vn or f");
+    }
+
 private:
+    void note(std::string_view keyword) {
+        if (foreign_line_ > 0 || keyword.empty() ||
+            std::ranges::find(skipped, keyword) != skipped.end())
+            return;
+        foreign_ = keyword;
+        foreign_line_ = lines_.number();
+    }
+
     /// Appends the next line to a line that ends in a backslash. Of the other statements only their
     /// first line has a known keyword; and a path or a name may end in a backslash.
     std::string_view with_continuation(std::string_view rest) {
@@ -52,7 +79,7 @@ private:
             const std::size_t last = rest.find_last_not_of(" \t\r");
             const bool ends_in_backslash = last != std::string_view::npos && rest[last] == '\\';
             const auto next = ends_in_backslash ? lines_.next_of_any_kind() : std::nullopt;
-            if (!next) return joined_.append(rest);
+            if (!next) return joined_.append(rest.substr(0, ends_in_backslash ? last : rest.npos));
             joined_.append(rest.substr(0, last)).append(1, ' ');
             rest = without_comment(*next);
         }
@@ -60,6 +87,8 @@ private:
 
     MeshLines& lines_;
     std::string joined_;
+    std::string_view foreign_;  ///< the first keyword that is not of OBJ, and its line
+    int foreign_line_ = 0;
 };
 
 /// Converts an index, from 1, or negative to count back from the last of `before`, to one from 0.
@@ -148,6 +177,7 @@ void read_obj(std::string& content, const std::string& file, MeshBuilder& builde
     plain_text(content);
     // Faces may precede their vertices.
     std::vector<glm::dvec3> normals;
+    bool has_face = false;
     MeshLines lines(content, file);
     Statements first(lines);
     while (const auto statement = first.next()) {
@@ -158,8 +188,11 @@ void read_obj(std::string& content, const std::string& file, MeshBuilder& builde
         } else if (statement->keyword == "vn") {
             normals.push_back(take_normal(rest, "a normal", lines));
             require_no_word(rest, "a normal", lines);
+        } else {
+            has_face = true;
         }
     }
+    if (!has_face) first.refuse_foreign(file);
     lines = MeshLines(content, file);
     Statements second(lines);
     Faces faces(lines, normals, builder);

@@ -147,6 +147,11 @@ void read_off(std::string& content, const std::string& file, MeshBuilder& builde
         read_face(next_item(lines, "faces", i, header.faces), lines, header.vertices, face);
         builder.add_face(face);
     }
+    if (lines.next()) {
+        builder.warn("the header counts " + std::to_string(header.faces) +
+                         (header.faces == 1 ? " face" : " faces") + ": what follows is not read",
+                     lines.number());
+    }
 }
 
 }  // namespace rt

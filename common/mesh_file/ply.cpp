@@ -41,6 +41,7 @@ public:
             }
         }
         for (auto& [element, at] : postponed) read_faces(at, *element);
+        items.warn_of_rest(builder_);
     }
 
 private:
@@ -142,12 +143,20 @@ private:
     std::vector<std::uint32_t> face_;
 };
 
+/// Ends the lines of a header in LF that ends them in CR alone; and those of a text after it.
+void end_header_lines_in_lf(std::string& content) {
+    constexpr std::string_view last = "\rend_header\r";
+    const std::size_t end = content.find(last);
+    if (end == std::string::npos || content.find('\n') < end) return;
+    if (content.find("\rformat ascii") < end) return plain_text(content);
+    std::replace(content.begin(), content.begin() + std::ptrdiff_t(end + last.size()), '\r', '\n');
+}
+
 }  // namespace
 
 void read_ply(std::string& content, const std::string& file, MeshBuilder& builder) {
     blank_byte_order_mark(content);
-    const bool has_cr_lines = content.find("\rformat ascii") < content.find('\n');
-    if (has_cr_lines) plain_text(content);
+    end_header_lines_in_lf(content);
     MeshLines lines(content, file);
     const PlyHeader header = take_ply_header(lines);
     check_ply_header(header, file);

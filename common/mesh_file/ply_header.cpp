@@ -1,6 +1,7 @@
 #include "common/mesh_file/ply_header.hpp"
 
 #include "common/system/escaping.hpp"
+#include "common/system/lower_case.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +45,7 @@ PlyProperty take_property(std::string_view line, const MeshLines& lines) {
         line = after_list;
     }
     property.type = take_type(line, lines);
-    property.name = take_word(line);
+    property.name = lower_case(std::string(take_word(line)));
     property.line = lines.number();
     if (property.name.empty()) lines.refuse("expected the name of a property after its type");
     return property;

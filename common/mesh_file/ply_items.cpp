@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <optional>
 
 namespace rt {
 
@@ -32,9 +31,14 @@ Number number_in(std::string_view bytes, bool swap) {
 
 }  // namespace
 
-void PlyText::begin(const PlyElement& element, std::uint64_t index) {
+std::optional<std::string_view> PlyText::next_line() {
     auto line = lines_.next();
     while (line && line->starts_with("comment")) line = lines_.next();
+    return line;
+}
+
+void PlyText::begin(const PlyElement& element, std::uint64_t index) {
+    const auto line = next_line();
     if (!line) {
         lines_.refuse("the file ends after " + std::to_string(index) + " of " +
                       std::to_string(element.count) + " " + items_of(element));
@@ -91,6 +95,11 @@ void PlyText::skip_all(const PlyElement& element) {
     for (std::uint64_t i = 0; i < element.count; ++i) begin(element, i);
 }
 
+void PlyText::warn_of_rest(MeshBuilder& builder) {
+    if (next_line())
+        builder.warn("the header counts no more items: what follows is not read", lines_.number());
+}
+
 std::string_view PlyBytes::take(std::size_t count) {
     if (count > bytes_.size()) throw InputError({file_}, "the file ends too early");
     const std::string_view taken = bytes_.substr(0, count);
@@ -130,6 +139,13 @@ void PlyBytes::skip_all(const PlyElement& element) {
     }
     for (std::uint64_t i = 0; i < element.count; ++i)
         for (const PlyProperty& p : element.properties) skip_property(*this, element, p);
+}
+
+void PlyBytes::warn_of_rest(MeshBuilder& builder) const {
+    if (bytes_.empty()) return;
+    builder.warn("the header counts no more items: the last " +
+                 (bytes_.size() == 1 ? "byte is" : std::to_string(bytes_.size()) + " bytes are") +
+                 " not read");
 }
 
 void PlyBytes::refuse(const std::string& message) const {

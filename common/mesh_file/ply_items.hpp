@@ -2,12 +2,14 @@
 // the same functions, and are copied to return to an element.
 #pragma once
 
+#include "common/mesh_file/mesh_builder.hpp"
 #include "common/mesh_file/mesh_lines.hpp"
 #include "common/mesh_file/ply_header.hpp"
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,11 +40,15 @@ public:
     void skip(const PlyElement& element, PlyType type);
     /// Skips every item of the element.
     void skip_all(const PlyElement& element);
+    /// Warns if an item follows the last element.
+    void warn_of_rest(MeshBuilder& builder);
 
     /// Throws InputError at the current item.
     [[noreturn]] void refuse(const std::string& message) const { lines_.refuse(message); }
 
 private:
+    /// Returns the next line that is no comment.
+    std::optional<std::string_view> next_line();
     /// Throws InputError for a value that is missing or no number.
     [[noreturn]] void refuse_value(const PlyElement& element) const;
 
@@ -68,6 +74,7 @@ public:
     std::int64_t whole_number(const PlyElement&, PlyType type);
     void skip(const PlyElement&, PlyType type) { take(type.size); }
     void skip_all(const PlyElement& element);
+    void warn_of_rest(MeshBuilder& builder) const;
 
     [[noreturn]] void refuse(const std::string& message) const;
 

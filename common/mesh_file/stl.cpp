@@ -82,6 +82,7 @@ void read_text(std::string& content, const std::string& file, MeshBuilder& build
     std::array<glm::dvec3, 3> corners;
     std::size_t to_come = 0;  // corners
     std::string keyword;
+    bool has_facet = false;
     while (const auto line = lines.next()) {
         if (is_comment(*line)) continue;
         std::string_view rest = *line;
@@ -92,12 +93,14 @@ void read_text(std::string& content, const std::string& file, MeshBuilder& build
                          " at the start of a line, not " + quoted(*line));
         }
         if (keyword == "outer") to_come = 3;
+        has_facet = has_facet || to_come > 0;
         if (keyword != "vertex") continue;
         corners[3 - to_come] = take_point(rest, "a vertex", lines);
         require_no_word(rest, "a vertex", lines);
         if (--to_come == 0) facets.add(corners);
     }
     if (to_come > 0) lines.refuse("the file ends within a facet");
+    if (!has_facet) lines.refuse("has no triangles: no line begins with \"outer loop\"");
     if (keyword != "endsolid")
         builder.warn("has no \"endsolid\" at its end: its last facets may be missing");
 }
@@ -119,10 +122,13 @@ void read_stl(std::string& content, const std::string& file, MeshBuilder& builde
     // million triangles, and no text has a zero byte.
     const bool has_header = content.size() >= header_size && content[header_size - 1] == '\0';
     if (!has_header) {
+        if (is_utf16(content)) throw InputError({file}, text_in_utf16);
         blank_byte_order_mark(content);
         plain_text(content);
         if (is_text(content)) return read_text(content, file, builder);
-        throw InputError({file}, "is not STL: expected \"solid\" or a binary header");
+        std::string_view first = MeshLines(content, file).next().value_or("");
+        throw InputError({file}, "is not STL: expected \"solid\" or a binary header, not " +
+                                     quoted(take_word(first)));
     }
     const std::size_t count = little_endian(content, 80);
     const std::size_t size = header_size + count * triangle_size;

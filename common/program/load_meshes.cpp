@@ -39,6 +39,15 @@ std::shared_ptr<const MeshGeometry> load_model(const std::string& file, bool smo
     return mesh_geometry(std::move(mesh));
 }
 
+/// Throws InputError if a corner of the mesh in the scene is out of the range of Real.
+void require_finite(const MeshInstance& mesh, const FileLocation& place) {
+    const BoundingBox box = bounds(mesh);
+    if (largest_component(glm::max(abs(box.min), abs(box.max))) < infinity) return;
+    throw InputError(place, std::string("the mesh reaches out of the range of ") +
+                                (sizeof(Real) == sizeof(float) ? "float" : "double") +
+                                ": expected a smaller scale or position");
+}
+
 }  // namespace
 
 void load_meshes(Scene& scene, const Warn& warn) {
@@ -54,8 +63,9 @@ void load_meshes(Scene& scene, const Warn& warn) {
         } catch (const InputError& error) {
             throw error.with(named_by(named.place));
         }
-        scene.meshes.push_back(
-            {.shape = {.model = model, .placement = named.placement}, .material = named.material});
+        const MeshInstance shape = {.model = model, .placement = named.placement};
+        require_finite(shape, named.place);
+        scene.meshes.push_back({.shape = shape, .material = named.material});
     }
 }
 

@@ -6,6 +6,7 @@
 #include "common/program/used_options.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/lower_case.hpp"
+#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/wording.hpp"
@@ -113,7 +114,9 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     if (!options.quiet) {
         for (const std::string& reason : chosen->reasons) std::cout << reason << '\n';
         if (!options.time)
-            std::cout << rt::line("equivalent", rt::equivalent_options(program, options)) << '\n';
+            std::cout << rt::one_line(
+                             rt::line("equivalent", rt::equivalent_options(program, options)))
+                      << '\n';
     }
     return session->run(options, chosen->pace.get(), stop);
 }

@@ -5,6 +5,7 @@
 #include "common/program/turntable.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/render.hpp"
+#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 
 #include <chrono>
@@ -39,8 +40,9 @@ bool make_animation(const Program& program, const Options& options, const Scene&
                     picture_texts(program, options, scene.resolution), options.settings.gamma);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (!options.quiet)
-        std::printf("%s: %d frames of %s pixels, %s, %.2f s\n", options.output.c_str(), frames,
-                    size_text(scene.resolution).c_str(), name(options.precision), seconds.count());
+        std::printf("%s: %d frames of %s pixels, %s, %.2f s\n", one_line(options.output).c_str(),
+                    frames, size_text(scene.resolution).c_str(), name(options.precision),
+                    seconds.count());
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "common/program/shade_picture.hpp"
 #include "common/program/used_options.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/tuning/wording.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 void report(const Rendering& rendering, const Options& options, const TimeBudget* pace,
             double seconds) {
-    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", options.output.c_str(),
+    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", one_line(options.output).c_str(),
                 size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
                 static_cast<long long>(rendering.rays));
     if (rendering.sized_light_rays > 0)

@@ -3,6 +3,7 @@
 #include "common/mesh_file/load_mesh.hpp"
 #include "common/mesh_file/welder.hpp"
 #include "common/program/load_meshes.hpp"
+#include "common/system/readable.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,6 +52,8 @@ std::string form_line(const MeshForm& form) {
     if (form.crowded_edges > 0)
         text += ", " + counted(form.crowded_edges, "edge") + " of three triangles or more";
     if (form.turned > 0) text += ", " + counted(form.turned, "triangle") + " turned over";
+    if (form.one_sided > 0)
+        text += ", " + counted(form.one_sided, "triangle") + " of a surface with only one side";
     return text;
 }
 
@@ -68,7 +71,8 @@ std::string box_line(const Mesh& mesh) {
     std::array<char, 160> text;
     std::snprintf(text.data(), text.size(), "middle m %.12g,%.12g,%.12g, longest side e %.6g",
                   middle.x + 0.0, middle.y + 0.0, middle.z + 0.0, longest);
-    return text.data();
+    const std::string loss = loss_in_float(low, high);
+    return text.data() + (loss.empty() ? "" : "\n    at risk with --precision float: " + loss);
 }
 
 Mesh loaded(const MeshRequest& named) {
@@ -88,7 +92,7 @@ std::string mesh_forms(const Scene& scene) {
         if (!seen.insert(named.file).second) continue;
         const Mesh mesh = loaded(named);
         const auto [triangles, vertices] = welded(mesh);
-        lines += (seen.size() == 1 ? "with the meshes\n  " : "  ") + named.file + ": " +
+        lines += (seen.size() == 1 ? "with the meshes\n  " : "  ") + one_line(named.file) + ": " +
                  counted(mesh.triangles.size(), "triangle") + " in " +
                  form_line(form_of(triangles, vertices)) + "; " + box_line(mesh) + "\n";
     }

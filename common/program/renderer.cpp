@@ -11,6 +11,7 @@
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/cpu_seconds.hpp"
+#include "common/system/readable.hpp"
 #include "common/tuning/fine_shapes.hpp"
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/render_trials.hpp"
@@ -123,7 +124,7 @@ public:
     [[nodiscard]] bool run(const Options& options, TimeBudget* pace,
                            const std::atomic<bool>& stop) override {
         if (options.requirements) {
-            std::cout << options.scene << explanation(scene_) << mesh_forms(scene_);
+            std::cout << one_line(options.scene) << explanation(scene_) << mesh_forms(scene_);
         } else if (options.pixel) {
             check_pixel("--pixel", *options.pixel, scene_.resolution);
             explain_pixel(program_, options, scene_, *options.pixel);

@@ -12,9 +12,13 @@ namespace rt {
 /// cannot be read.
 [[nodiscard]] std::string read_input_file(const std::string& file, std::size_t limit);
 
-/// Returns whether the content begins with the byte order mark of UTF-16, or of UTF-32.
+/// Returns whether the content begins with the byte order mark of UTF-16 or UTF-32, or without it
+/// with letters of ASCII, in which the other bytes are zero.
 [[nodiscard]] inline bool is_utf16(std::string_view content) {
-    return content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF");
+    if (content.starts_with("\xFF\xFE") || content.starts_with("\xFE\xFF")) return true;
+    std::string zeros;
+    for (const char c : content.substr(0, 4)) zeros += c == '\0' ? '0' : 'x';
+    return zeros == "x0x0" || zeros == "0x0x" || zeros == "x000" || zeros == "000x";
 }
 
 /// The error of a file that is_utf16.

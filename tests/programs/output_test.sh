@@ -246,5 +246,7 @@ grep -q 'more shapes were missed' out || fail "a story leaves misses out"
 # Control characters in names are not interpreted.
 "$build/step03_sphere" "$(printf 'a\nb\033[31m.rt')" > out 2> err
 [ "$(cat err)" = 'a?b?[31m.rt: error: no such file' ] || fail "a name of several lines is one line"
+"$build/step03_sphere" many.rt -o "$(printf 'a\nb\033[31m.png')" --size 32x24 > out 2> err
+grep -q '^a?b?\[31m\.png: ' out || fail "a picture's name of several lines is one line"
 
 exit $failed

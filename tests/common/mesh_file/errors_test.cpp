@@ -37,6 +37,18 @@ std::string ply_with(const std::string& what, const std::string& by) {
     return text.replace(at, what.size(), by);
 }
 
+std::string no_statement(const std::string& keyword) {
+    return ": error: has no face, and OBJ has no statement \"" + keyword +
+           "\": expected v, vn or f";
+}
+
+/// The text in UTF-16, of which the odd bytes are 0, or in the other byte order the even ones.
+std::string in_utf16(const std::string& text, bool is_big) {
+    std::string result;
+    for (const char c : text) result += is_big ? "\0"s + c : c + "\0"s;
+    return result;
+}
+
 std::string binary_stl(char count, std::size_t size) {
     std::string text(size, '\0');
     text[80] = count;
@@ -57,9 +69,14 @@ TEST_CASE("files that are no mesh") {
         {"a.off", "ply\n", ":1: error: expected OFF, not \"ply\""},
         {"a.off", "\n\n", ":2: error: expected OFF, not \"\""},
         {"a.ply", "OFF\n", ":1: error: expected ply, not \"OFF\""},
-        {"a.stl", "OFF\n", ": error: is not STL: expected \"solid\" or a binary header"},
-        {"a.obj", "OFF\n3 1 0\n", ": error: has no triangles: expected at least one"},
-        {"a.obj", "\0\xff\x1b"s, ": error: has no triangles: expected at least one"},
+        {"a.stl", "OFF\n",
+         ": error: is not STL: expected \"solid\" or a binary header, not \"OFF\""},
+        {"a.obj", "OFF\n3 1 0\n", ":1" + no_statement("OFF")},
+        {"a.obj", "\0\xff\x1b"s, ":1" + no_statement("\\x00\\xFF\\x1B")},
+        {"a.obj", "# no case\nV 0 0 0\nV 1 0 0\nV 0 1 0\nF 1 2 3\n", ":2" + no_statement("V")},
+        {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nfo 1 2 3\n", ":5" + no_statement("fo")},
+        {"a.obj", "<!DOCTYPE html>\n<html>\n", ":1" + no_statement("<!DOCTYPE")},
+        {"a.obj", "solid a\nfacet normal 0 0 1\n", ":1" + no_statement("solid")},
         {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 0\n",
          ": error: has no triangles: 1 face has fewer than three different corners"},
         {"a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 1\n",
@@ -79,6 +96,24 @@ TEST_CASE("files that are no mesh") {
     const std::string inside = (folder.path / "folder.off").string();
     std::filesystem::create_directories(inside);
     CHECK(refusal(inside) == inside + ": error: is a directory: expected a file");
+}
+
+TEST_CASE("text in UTF-16 is named as such, with a byte order mark or without") {
+    const std::string stl =
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+        "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+    for (const bool is_big : {false, true})
+        for (const std::string& mark : {""s, is_big ? "\xFE\xFF"s : "\xFF\xFE"s})
+            for (const auto& [name, content] :
+                 std::vector<std::pair<std::string, std::string>>{{"a.obj", "v 0 0 0\n"},
+                                                                  {"a.off", "OFF\n"},
+                                                                  {"a.ply", "ply\n"},
+                                                                  {"a.stl", stl}})
+                CHECK(mesh_refusal(name, mark + in_utf16(content, is_big)) ==
+                      name +
+                          ": error: text in UTF-16 or UTF-32: expected UTF-8, as which an "
+                          "editor can save it");
+    CHECK(mesh_refusal("a.obj", "v\0\0\0 \0\0\0"s).ends_with("as which an editor can save it"));
 }
 
 TEST_CASE("a byte order mark is skipped in every text format") {
@@ -228,7 +263,9 @@ TEST_CASE("OBJ") {
         {"a.obj", "v 0 \\\n0 \\\n0\nv 0 0 x\n",  // the number of the line, as in the file
          ":4: error: a vertex must be three numbers up to 3.4e38, not \"x\""},
         {"a.obj", three + "f 1 2 \\\n",
-         ":4: error: a corner's vertex must be a whole number other than 0, not \"\\\""},
+         ": error: has no triangles: 1 face has fewer than three different corners"},
+        {"a.obj", three + "f +-1 2 3\n",
+         ":4: error: a corner's vertex must be a whole number other than 0, not \"+-1\""},
         {"a.obj", "v 0 0 inf\n",
          ":1: error: a vertex must be three numbers up to 3.4e38, not \"inf\""},
         {"a.obj", "v 0 0x1 0\n",
@@ -378,12 +415,13 @@ TEST_CASE("binary PLY") {
 }
 
 TEST_CASE("STL") {
+    const std::string no_loop = "has no triangles: no line begins with \"outer loop\"";
     const std::string facet =
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
         "endfacet\n";
     check({
-        {"a.stl", "solid x", ": error: has no triangles: expected at least one"},
-        {"a.stl", "solid x\nendsolid x\n", ": error: has no triangles: expected at least one"},
+        {"a.stl", "solid x", ":1: error: " + no_loop},
+        {"a.stl", "solid x\nendsolid x\n", ":2: error: " + no_loop},
         {"a.stl", "solid x\n" + facet + "facet normal 0 0 1\nouter loop\nvertex 0 0 0\n",
          ":11: error: the file ends within a facet"},
         {"a.stl", "solid x\nouter loop\nvertex 0 0 0\nendloop\n",
@@ -400,8 +438,7 @@ TEST_CASE("STL") {
         {"a.stl", binary_stl(0, 84), ": error: has no triangles: expected at least one"},
         {"a.stl", binary_stl(1, 84 + 50),
          ": error: has no triangles: 1 face has fewer than three different corners"},
-        {"a.stl", "solid x facet normal 0 0 1 outer loop vertex 0 0 0",
-         ": error: has no triangles: expected at least one"},
+        {"a.stl", "solid x facet normal 0 0 1 outer loop vertex 0 0 0", ":1: error: " + no_loop},
         {"a.stl", "solid x\nfacet normal 0 0 1 outer loop\nvertex 0 0 0\n",
          ":3: error: expected \"facet\" or \"outer loop\" at the start of a line, not \"vertex 0 0 "
          "0\""},

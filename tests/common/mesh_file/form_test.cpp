@@ -7,6 +7,7 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@ void check(const MeshForm& found, const MeshForm& expected) {
     CHECK(found.longest_hole == expected.longest_hole);
     CHECK(found.crowded_edges == expected.crowded_edges);
     CHECK(found.turned == expected.turned);
+    CHECK(found.one_sided == expected.one_sided);
 }
 
 /// A grid of quadrilaterals, each two triangles, without those of which `left_out` holds.
@@ -86,20 +88,38 @@ TEST_CASE("two closed parts that touch in a vertex, and three triangles at an ed
     check(form_of({{0, 1, 2}, {3, 4, 5}}, 6), {.parts = 2, .holes = 2, .longest_hole = 3});
 }
 
-TEST_CASE("a band with one half turn has no sides: it is counted, and nothing fails") {
-    // Five quadrilaterals in a ring whose last is joined the other way around.
-    Triangles band;
-    for (std::uint32_t i = 0; i < 5; ++i) {
-        const std::uint32_t a = 2 * i;
-        const std::uint32_t b = a + 1;
-        const std::uint32_t c = i == 4 ? 1 : a + 2;
-        const std::uint32_t d = i == 4 ? 0 : a + 3;
-        band.push_back({a, c, b});
-        band.push_back({c, d, b});
-    }
-    const MeshForm form = form_of(band, 10);
-    CHECK(form.parts == 1);
-    CHECK(form.holes >= 1);
+TEST_CASE("a band with half turns has two sides if their number is even") {
+    // Five quadrilaterals in a ring whose last is joined to the first the one way or the other.
+    const auto band = [](bool half_turn) {
+        Triangles triangles;
+        for (std::uint32_t i = 0; i < 5; ++i) {
+            const std::uint32_t a = 2 * i;
+            const std::uint32_t b = a + 1;
+            const std::uint32_t c = i < 4 ? a + 2 : half_turn ? 1 : 0;
+            const std::uint32_t d = i < 4 ? a + 3 : half_turn ? 0 : 1;
+            triangles.push_back({a, c, b});
+            triangles.push_back({c, d, b});
+        }
+        return triangles;
+    };
+    check(form_of(band(false), 10), {.parts = 1, .holes = 2, .longest_hole = 5});
+    check(form_of(with_turned(band(false), 4), 10),
+          {.parts = 1, .holes = 2, .longest_hole = 5, .turned = 1});
+    // Cut open once: the ten edges of its border, and both sides of the cut.
+    for (std::size_t turned = 0; turned < 10; ++turned)
+        check(form_of(with_turned(band(true), turned), 10),
+              {.parts = 1, .holes = 1, .longest_hole = 12, .one_sided = 10});
+    // Beside it, a tetrahedron of which one triangle is turned.
+    Triangles two = band(true);
+    for (const auto& [a, b, c] : with_turned(tetrahedron, 2))
+        two.push_back({a + 10, b + 10, c + 10});
+    check(form_of(two, 14),
+          {.parts = 2, .holes = 1, .longest_hole = 12, .turned = 1, .one_sided = 10});
+}
+
+TEST_CASE("a triangle that is there twice is not turned over") {
+    check(form_of({{0, 1, 2}, {1, 2, 0}}, 3), {.parts = 1, .holes = 2, .longest_hole = 3});
+    check(form_of({{0, 1, 2}, {0, 2, 1}}, 3), {.parts = 1});
 }
 
 TEST_CASE("a scene's meshes: what --requirements prints, and the warning of a turned triangle") {
@@ -131,6 +151,21 @@ TEST_CASE("a scene's meshes: what --requirements prints, and the warning of a tu
               "  turned.off: 4 triangles in 1 part, closed, 1 triangle turned over" + box +
               "  open.stl: 1 triangle in 1 part, 1 hole of 3 edges; middle m 1.5,1.5,0, longest "
               "side e 3\n");
+    static_cast<void>(folder.write(
+        "moebius.off",
+        "OFF\n6 6 0\n0 0 0\n0 0 1\n1 0 0\n1 0 1\n0 1 0\n0 1 1\n3 0 2 1\n3 2 3 1\n3 2 4 3\n3 4 5 3\n"
+        "3 4 1 5\n3 1 0 5\n"));
+    CHECK(mesh_forms(with({"moebius.off"}, true))
+              .starts_with("with the meshes\n  moebius.off: 6 triangles in 1 part, 1 hole of 8 "
+                           "edges, 6 triangles of a surface with only one side; "));
+    // A square of 0.5 m at map coordinates: float has steps of 0.5 there, and moves by half of it.
+    static_cast<void>(folder.write("map.off",
+                                   "OFF\n4 1 0\n5000000 0 0\n5000000.5 0 0\n5000000.5 0.5 0\n"
+                                   "5000000 0.5 0\n4 0 1 2 3\n"));
+    CHECK(
+        mesh_forms(with({"map.off"}, true))
+            .ends_with("\n    at risk with --precision float: coordinates reach 5e+06, where float "
+                       "moves points by up to 0.3, and the mesh is 0.5 large\n"));
     const auto warnings = [&](const std::string& file, bool smooth) {
         std::vector<std::string> all;
         Scene scene = with({file}, smooth);
@@ -139,7 +174,19 @@ TEST_CASE("a scene's meshes: what --requirements prints, and the warning of a tu
     };
     CHECK(warnings("right.off", true).empty());
     CHECK(warnings("open.stl", true).empty());
+    Scene beyond = with({"right.off"}, true);
+    beyond.mesh_requests[0].placement.translation = Vec3(std::numeric_limits<Real>::max());
+    beyond.mesh_requests[0].placement.scale = std::numeric_limits<Real>::max() / 4;
+    CHECK_THROWS_WITH(
+        load_meshes(beyond, nullptr),
+        (folder.path / "a.rt").string() + ":2:1: error: the mesh reaches out of the range of " +
+            (sizeof(Real) == 4 ? "float" : "double") + ": expected a smaller scale or position");
     CHECK(warnings("turned.off", false).empty());
+    const auto one_sided = warnings("moebius.off", true);
+    REQUIRE(one_sided.size() == 1);
+    CHECK(one_sided[0].starts_with((folder.path / "moebius.off").string() +
+                                   ": warning: 6 of 6 triangles belong to a surface with only one "
+                                   "side, "));
     const auto found = warnings("turned.off", true);
     REQUIRE(found.size() == 1);
     CHECK(found[0].starts_with((folder.path / "turned.off").string() +

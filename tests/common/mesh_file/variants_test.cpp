@@ -101,7 +101,8 @@ TEST_CASE("OFF: letters in any order, no keyword, faces over lines, counts on th
           "OFF\n3 1 0\n" + three_points + "3\n0 1\n\n2\n",
           "OFF\n3 1 0\n" + three_points + "3 0 1\n2 9 9 9\n",
           "CSTOFF\n3 1 0\n0 0 0 9 9 9 9 0 0\n1 0 0 9 9 9 9 0 0\n0 1 0 9 9 9 9 0 0\n" + face,
-          "NOFF\n3 1 0\n" + three_points + face,
+          "NOFF\n3 1 0\n" + three_points + face, "off\n3 1 0\n" + three_points + face,
+          "noff3 +1 0\n" + three_points + face,
           cr_only("OFF\n# made by me\n3 1 0\n" + three_points + face)})
         CHECK(warnings_of_triangle("a.off", text).empty());
     // Geomview has the normal before the color, and MeshLab after it, and its letters as well.
@@ -155,6 +156,9 @@ TEST_CASE("OBJ: names and paths that end in a backslash; colors of nan; faces be
         CHECK(warnings_of_triangle("a.obj", name + "\n" + v + name + "\nf 1 2 3\n").empty());
     CHECK(
         warnings_of_triangle("a.obj", "f 1 2 3\nv 0 0 0 nan nan nan\nv 1 0 0\nv 0 1 0\n").empty());
+    CHECK(warnings_of_triangle("a.obj", v + "f 1 2 3 \\").empty());
+    CHECK(warnings_of_triangle("a.obj", v + "f 1 \\\n2 3\\\n").empty());
+    CHECK(warnings_of_triangle("a.obj", v + "f +1 +2/ +3\n").empty());
     CHECK(warnings_of_triangle("a.obj", v + "f 1 \\\n 2 \\\n\n3\nf 1 2 3\n").size() == 1);
 }
 
@@ -176,6 +180,8 @@ TEST_CASE("PLY: elements and properties of every kind around those that are read
           ply(xyz, "element face 1\nproperty list uchar float texcoord\n" + list,
               three_points + "6 0 0 1 0 0 1 3 0 1 2\n"),
           ply(xyz, "element face 1\nproperty int flags\n" + list, three_points + "7 3 0 1 2\n"),
+          ply("property float X\nproperty float Y\nproperty float Z\n", face,
+              three_points + "3 0 1 2\n"),
           ply(xyz, edge + face, three_points + "0 1\n3 0 1 2\n"),
           ply("property list uchar int scan\n" + xyz, face,
               "0 0 0 0\n2 7 7 1 0 0\n1 7 0 1 0\n3 0 1 2\n"),
@@ -211,6 +217,11 @@ TEST_CASE("PLY: binary, with elements and lists around those that are read") {
                                             "property list ushort double uv\n" + end + "abcd" +
                                             vertices + face + "\1\0"s + std::string(8, 'x'))
               .empty());
+    // A header whose lines end in CR; the first byte after it may be that of LF.
+    CHECK(warnings_of_triangle("a.ply", cr_only(start + "element edge 1\nproperty short a\n" +
+                                                of_vertices + "element face 1\n" + list + end) +
+                                            "\n\r" + vertices + face)
+              .empty());
     const std::string strip =
         "\5\0\0\0"s + zero + "\1\0\0\0"s + "\2\0\0\0"s + "\xff\xff\xff\xff"s + zero;
     CHECK(warnings_of_triangle(
@@ -218,6 +229,41 @@ TEST_CASE("PLY: binary, with elements and lists around those that are read") {
                            "element tristrips 1\nproperty list int int vertex_indices\n" + end +
                            vertices + strip)
               .empty());
+}
+
+TEST_CASE("OFF and PLY with more than the header counts") {
+    const auto whole = [](const std::string& name, const std::string& content) {
+        const MeshFolder folder;
+        const std::string file = folder.write(name, content);
+        Warnings all;
+        static_cast<void>(load_mesh(file, [&](const std::string& warning) {
+            all.push_back(warning.substr(folder.path.string().size() + 1));
+        }));
+        return all;
+    };
+    const std::string off = "OFF\n3 1 0\n" + three_points + "3 0 1 2\n";
+    CHECK(whole("a.off", off + "# the end\n\n \n").empty());
+    CHECK(whole("a.off", off + "\n3 0 2 1\n3 0 1 2\n") ==
+          Warnings{"a.off:8: warning: the header counts 1 face: what follows is not read"});
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar uchar vertex_indices\n"
+        "end_header\n";
+    const std::string text = ply + three_points + "3 0 1 2\n";
+    CHECK(whole("a.ply", text + "comment the end\n\n").empty());
+    CHECK(whole("a.ply", text + "3 0 2 1\n") ==
+          Warnings{"a.ply:14: warning: the header counts no more items: what follows is not read"});
+    std::string bytes = ply;
+    bytes.replace(bytes.find("ascii"), 5, "binary_big_endian");
+    const std::string one = "\x3f\x80\0\0"s;
+    const std::string zero(4, '\0');
+    bytes += zero + zero + zero + one + zero + zero + zero + one + zero + "\3\0\1\2"s;
+    CHECK(whole("a.ply", bytes).empty());
+    CHECK(whole("a.ply", bytes + "\n") ==
+          Warnings{"a.ply: warning: the header counts no more items: the last byte is not read"});
+    CHECK(whole("a.ply", bytes + "\3\0\2\1"s) ==
+          Warnings{"a.ply: warning: the header counts no more items: the last 4 bytes are not "
+                   "read"});
 }
 
 TEST_CASE("a strip of triangles: every second is turned") {
