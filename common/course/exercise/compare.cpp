@@ -26,6 +26,7 @@ namespace {
 constexpr std::chrono::milliseconds reference_limit = std::chrono::minutes(10);
 constexpr std::chrono::milliseconds least_limit = std::chrono::seconds(10);  // as for a suite
 constexpr int slower_at_most = 20;                                           // than the reference
+constexpr const char* no_picture = "with these options no picture is made: nothing is compared";
 
 std::string my_program(const ComparisonRequest& contest) {
     return stage_target(contest.stage, contest.all_mine ? "" : "_checked");
@@ -80,8 +81,7 @@ Comparison compare_both(const ComparisonRequest& contest) {
         const TemporaryFolder folder(build_folder);
         const std::string file = (folder.path() / "picture.png").string();
         answer(program, contest, {"--quiet", "-o", file}, limit);
-        if (!std::filesystem::exists(file))
-            throw InputError({}, "with these options no picture is made: nothing is compared");
+        if (!std::filesystem::exists(file)) throw InputError({}, no_picture);
         return read_png(file);
     });
     return compare(both.mine, both.reference);
@@ -119,9 +119,13 @@ void show_parts(const ComparisonRequest& contest) {
 
 int compare_pictures(const ComparisonRequest& contest) {
     const std::string file = "renders/" + stage_target(contest.stage, "_compare.png");
-    for (const std::string& word : contest.words)
+    for (const std::string& word : contest.words) {
         if (word.starts_with("-o") || word.starts_with("--output"))
             throw InputError({}, "compare writes " + file + ", and has no " + word);
+        const std::string option = word.substr(0, word.find('='));
+        if (option == "--pixel" || option == "--rays" || option == "--requirements")
+            throw InputError({}, no_picture);
+    }
     build_both(contest);
     const Comparison comparison = compare_both(contest);
     write_png((project_folder / file).string(), comparison.side_by_side, {});
