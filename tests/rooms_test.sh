@@ -1,8 +1,8 @@
 #!/bin/sh
 # The rooms of common/ are layers: rooms_test.sh PROJECT_FOLDER
 #
-# Fails if a file includes one of a room beside or above its own, if common/course includes anything
-# of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, if a file
+# Fails if a file includes one of a room beside or above its own, if the same happens among the folders
+# of common/course, if common/course includes anything of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, if a file
 # lies flat in common/ or in no room, and if a test includes Catch2 itself: tests/kit/catch.hpp knows
 # both of its versions.
 cd "$1" || exit 2
@@ -19,6 +19,22 @@ judge() {
                 layer[pair[1]] = pair[2]
             }
             course["course"] = course["system"] = course["stages"] = course["image"] = 1
+            order = "build=0 grade/sandbox=0 exercise=1 authoring=2 grade/results=2 own=2 view=2 " \
+                "book=3 grade/judging=3 grade/reports=3 handout=4 grade=5 course=6"
+            count = split(order, pairs, " ")
+            for (i = 1; i <= count; ++i) {
+                split(pairs[i], pair, "=")
+                floor[pair[1]] = pair[2]
+            }
+        }
+        function folder(path) {
+            sub("^common/", "", path)
+            sub("/[^/]*$", "", path)
+            sub("^course/", "", path)
+            return path
+        }
+        function is_below(to, from) {
+            return to == from || to in floor && from in floor && floor[to] < floor[from]
         }
         function room(path,    parts) {
             split(path, parts, "/")
@@ -27,9 +43,9 @@ judge() {
         {
             from = room($1)
             to = room($2)
-            if (from == to)
+            if (from == "course" && to == "course" ? is_below(folder($2), folder($1)) : from == to)
                 next
-            if (from == "course" ? to in course : from in layer && to in layer && layer[to] < layer[from])
+            if (from == "course" ? to != from && to in course : from in layer && to in layer && layer[to] < layer[from])
                 next
             print $1 ": includes " $2
         }'
@@ -41,7 +57,7 @@ includes() {
 }
 
 flat() {
-    find common -maxdepth 1 -type f ! -name CMakeLists.txt | sed 's/$/: lies in no room/'
+    find common -maxdepth 1 -type f ! -name CMakeLists.txt ! -name README.md | sed 's/$/: lies in no room/'
 }
 
 catch2() {
@@ -57,10 +73,13 @@ missed=$({
     echo "common/tuning/auto_settings.hpp common/program/options.hpp"
     echo "common/course/main.cpp common/scene/scene.hpp"
     echo "common/render/render.cpp common/course/main.hpp"
+    echo "common/course/grade/results/term.hpp common/course/grade/reports/csv.hpp"
+    echo "common/course/book/site.cpp common/course/handout/manifest.hpp"
+    echo "common/course/build/build.cpp common/course/new/new.hpp"
     echo "common/elsewhere/new.cpp common/math/real.hpp"
     echo "steps/step03_sphere/main.cpp tests/kit/picture.hpp"
 } | judge | wc -l)
-[ "$missed" = 8 ] || { echo "of 8 wrong includes only $missed are found"; exit 1; }
+[ "$missed" = 11 ] || { echo "of 11 wrong includes only $missed are found"; exit 1; }
 [ "$(includes | wc -l)" -gt 500 ] || { echo "includes are not found"; exit 1; }
 
 wrong=$(includes | judge; flat; catch2)

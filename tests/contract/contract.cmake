@@ -1,35 +1,14 @@
-# A stage's contract, called in another process: the workers, and the suites linked to stubs that
-# call them. Targets without a precision in the name are in double.
+# The suites whose questions a worker answers, as in a graded run. A hand-out has none of them.
 
-# raysteps_worker(<program> <folder> <precision> <name>...): a worker linked to <name>_f32 or _f64 of
-# each name.
-function(raysteps_worker program folder precision)
-    add_executable(${program})
-    raysteps_link(${program} ${precision} raysteps_worker ${ARGN})
-    set_target_properties(${program} PROPERTIES
-        RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
-endfunction()
-
-# raysteps_contract(<stage>)
-#
-# <stage>_worker_float, _double  the chosen one
-# <stage>_reference_worker       the reference
-# <stage>_asked_test_double      the suite with a worker
-function(raysteps_contract stage)
-    raysteps_worker(${stage}_reference_worker "" f64 ${stage}_reference ${stage}_context)
-    foreach(precision IN ITEMS f32 f64)
-        raysteps_worker(${stage}_worker_${word_${precision}} "" ${precision} ${stage} ${stage}_context)
-    endforeach()
-    set_target_properties(${stage}_worker_float PROPERTIES EXCLUDE_FROM_ALL ON)
-    raysteps_suite_objects(${stage}_stubs f64 contract/stubs/${stage}.cpp)
-    raysteps_asked_suite(${stage} ${stage}_worker_double $<TARGET_OBJECTS:${stage}_stubs> ${stage}_context)
-endfunction()
-
-# raysteps_asked_suite(<suite> <worker> <stubs> <name>...): <suite>_asked_test_double and its test with
-# this worker, linked to the stubs and <name>_f64 of each name.
-function(raysteps_asked_suite suite worker stubs)
+# raysteps_asked_suite(<suite> <worker> <name>...): <suite>_asked_test_double and its test with this
+# worker, linked to the suite's stubs, if there are any, and to <name>_f64 of each name.
+function(raysteps_asked_suite suite worker)
     set(program ${suite}_asked_test_double)
-    add_executable(${program} $<TARGET_OBJECTS:${suite}_test_double_objects> ${stubs})
+    add_executable(${program} $<TARGET_OBJECTS:${suite}_test_double_objects>)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/contract/stubs/${suite}.cpp)
+        raysteps_suite_objects(${suite}_stubs f64 contract/stubs/${suite}.cpp)
+        target_sources(${program} PRIVATE $<TARGET_OBJECTS:${suite}_stubs>)
+    endif()
     raysteps_link(${program} f64 raysteps_kit ${ARGN})
     target_link_libraries(${program} PRIVATE raysteps_asking raysteps_kit_main)
     raysteps_add_test(${suite}_asked contract

@@ -1,5 +1,5 @@
 // The hash that identifies a submitted file.
-#include "common/course/grade/judging/sha256.hpp"
+#include "common/course/grade/results/sha256.hpp"
 
 #include "common/system/hash.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "common/course/book/own_answers.hpp"
 #include "common/course/book/site.hpp"
-#include "common/course/handout/manifest.hpp"
+#include "common/course/build/manifest.hpp"
 #include "common/course/view/host.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"

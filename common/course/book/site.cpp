@@ -1,8 +1,8 @@
 #include "common/course/book/site.hpp"
 
 #include "common/course/build/build.hpp"
+#include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"

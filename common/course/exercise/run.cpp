@@ -1,9 +1,9 @@
 #include "common/course/exercise/run.hpp"
 
 #include "common/course/build/build.hpp"
+#include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
-#include "common/course/handout/manifest.hpp"
 #include "common/system/input_error.hpp"
 
 #include <algorithm>

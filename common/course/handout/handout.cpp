@@ -2,10 +2,10 @@
 
 #include "common/course/book/site.hpp"
 #include "common/course/build/build.hpp"
+#include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/handout/for_students.hpp"
 #include "common/course/handout/live_links.hpp"
-#include "common/course/handout/manifest.hpp"
 #include "common/system/ending_of.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/files.hpp"

@@ -1,8 +1,8 @@
 #include "common/course/handout/update.hpp"
 
+#include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/course/handout/manifest.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"

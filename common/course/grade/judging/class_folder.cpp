@@ -1,7 +1,7 @@
 #include "common/course/grade/judging/class_folder.hpp"
 
 #include "common/course/grade/judging/class_layout.hpp"
-#include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/sandbox/source_names.hpp"
 
 #include "common/system/input_error.hpp"
 #include "common/system/lower_case.hpp"

@@ -1,7 +1,7 @@
 #include "common/course/grade/judging/intake.hpp"
 
 #include "common/course/grade/judging/archive.hpp"
-#include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/sandbox/source_names.hpp"
 
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"

@@ -1,8 +1,8 @@
 #include "common/course/grade/judging/judge.hpp"
 
 #include "common/course/exercise/trace_mistakes.hpp"
-#include "common/course/grade/judging/sha256.hpp"
 #include "common/course/grade/judging/submission_job.hpp"
+#include "common/course/grade/results/sha256.hpp"
 #include "common/stages/reasons.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"

@@ -1,6 +1,6 @@
 #include "common/course/grade/reports/grade_book.hpp"
 
-#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/submissions.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"

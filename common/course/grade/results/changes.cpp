@@ -1,6 +1,6 @@
 #include "common/course/grade/results/changes.hpp"
 
-#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/student_names.hpp"
 
 #include "common/stages/graded_file.hpp"

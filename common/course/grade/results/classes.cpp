@@ -1,6 +1,6 @@
 #include "common/course/grade/results/classes.hpp"
 
-#include "common/course/grade/judging/sha256.hpp"
+#include "common/course/grade/results/sha256.hpp"
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"

@@ -1,7 +1,7 @@
 // The list of a class: a platform's export, or a spreadsheet of the lecturer's own.
 #pragma once
 
-#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/student_names.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The lines "word: value" of a lecturer's term.txt.
 #pragma once
 
-#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/results/csv.hpp"
 #include "common/system/input_error.hpp"
 
 #include <filesystem>

@@ -4,7 +4,7 @@
 // nearly the name of a stage's file. It runs in the sandbox. The files in the folder are named "1",
 // "2", …, whatever their names in the archive, so that no name leads to another folder. The file
 // "list" describes them: a line "KIND NUMBER LENGTH", then the name, LENGTH bytes.
-#include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/sandbox/source_names.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,4 +1,4 @@
-#include "common/course/grade/reports/csv.hpp"
+#include "common/course/grade/results/csv.hpp"
 
 #include "common/course/grade/results/any_text.hpp"
 #include "common/course/grade/results/student_names.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/handout/manifest.hpp"
+#include "common/course/build/manifest.hpp"
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/grade/judging/sha256.hpp"
+#include "common/course/grade/results/sha256.hpp"
 
 #include <array>
 #include <bit>

@@ -1,5 +1,5 @@
-# raysteps_seat(<stage>): the link kit of a graded worker of the stage, for the student's own files, in double. <file> is
-# <stage>, the file of its functions, or <stage>_trace, its main.cpp:
+# raysteps_seat(<stage>): the link kit of a graded worker of the stage, for the student's own files, in
+# double. <file> is <stage>, the file of its functions, or <stage>_trace, its main.cpp:
 #
 # seats/<stage>.o             everything but the stages' own files and main.cpp, as one object
 # seats/references/<file>.o   the reference of each, for grading another
@@ -68,14 +68,15 @@ function(raysteps_seat stage)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
 endfunction()
 
-# raysteps_graded_seat(<file> <stage> <own> <objects>): seats/graded/<file>.o and .txt, from the seat's objects and all other files' references; <own> are
-# the objects of the file's own reference. The object with a header's functions, if there is one, has
-# its name: todo.cpp.o for common/stages/todo.hpp. A main.cpp may call the functions of all stages
-# and of those folders of common/ whose headers it may include, each compiled as one, but not the
-# loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
-# listed, such as lighting.hpp. A file of functions is not linked to what computes the same for
-# another purpose, and what nothing calls in its worker: the stages' stories, which explain a hit,
-# and before the stage of meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
+# raysteps_graded_seat(<file> <stage> <own> <objects>): seats/graded/<file>.o and .txt, from the seat's
+# objects and all other files' references; <own> are the objects of the file's own reference. The
+# object with a header's functions, if there is one, has its name: todo.cpp.o for
+# common/stages/todo.hpp. A main.cpp may call the functions of all stages and of those folders of
+# common/ whose headers it may include, each compiled as one, but not the loop over the pixels in
+# common/render/render.cpp, and not the parts of its own stage that are not listed, such as
+# lighting.hpp. A file of functions is not linked to what computes the same for another purpose, and
+# what nothing calls in its worker: the stages' stories, which explain a hit, and before the stage of
+# meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
@@ -130,7 +131,7 @@ function(raysteps_graded_seat file stage own objects)
         set(${list} "$<FILTER:${${list}},EXCLUDE,cmake_pch>")
     endforeach()
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
-    set(script ${PROJECT_SOURCE_DIR}/tests/grading/graded_seat.sh)
+    set(script ${PROJECT_SOURCE_DIR}/common/course/grade/graded_seat.sh)
     add_custom_command(OUTPUT ${out}.o BYPRODUCTS ${out}.txt
         COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/seats/graded
         COMMAND sh ${script} ${out}.o ${out}.txt ${CMAKE_CXX_COMPILER} ${CMAKE_NM} ${CMAKE_OBJCOPY}

@@ -1,4 +1,4 @@
-#include "common/course/grade/judging/source_names.hpp"
+#include "common/course/grade/sandbox/source_names.hpp"
 
 #include "common/stages/graded_file.hpp"
 #include "common/system/ending_of.hpp"
