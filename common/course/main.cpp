@@ -12,7 +12,6 @@
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/run.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/course/exercise/wrap.hpp"
 #include "common/course/handout/handout.hpp"
 #include "common/course/handout/update.hpp"
 #include "common/course/own/check_own.hpp"
@@ -22,6 +21,7 @@
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/two_numbers.hpp"
+#include "common/system/wrap.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -160,10 +160,14 @@ int test(rt::Command words) {
 
 /// Prints what the command itself does with its arguments.
 void show_help(const CLI::App& command) {
-    std::printf("%s\n\n", rt::wrapped(command.get_description()).c_str());
-    for (const CLI::Option* option : command.get_options())
-        std::printf("  %-18s %s\n", (option->get_name() + " " + option->get_type_name()).c_str(),
-                    option->get_description().c_str());
+    constexpr std::size_t column = 21;  // of the descriptions
+    std::string page = command.get_description() + "\n\n";
+    for (const CLI::Option* option : command.get_options()) {
+        std::string line = "  " + option->get_name() + " " + option->get_type_name();
+        line.resize(std::max(line.size() + 1, column), ' ');
+        page += line + option->get_description() + "\n";
+    }
+    std::fputs(rt::wrapped_page(page, column).c_str(), stdout);
 }
 
 /// The commands. CLI11 parses their arguments, prints their help, and starts them.
@@ -222,8 +226,14 @@ void Commands::add_of_program(const std::string& usage, const std::string& descr
                               const Body& body) {
     const auto answer = [this, body](const rt::Command& rest) {
         if (!wants_help(rest)) return body(rest);
-        show_help(*app_.get_subcommands()[0]);
-        std::puts("The other options are those of the stage's program:\n");
+        const CLI::App& command = *app_.get_subcommands()[0];
+        show_help(command);
+        const bool is_run = command.get_name() == "run";  // which builds the program
+        std::printf(
+            "The other options are those of the stage's program%s\n",
+            is_run ? ":\n"
+                   : (": ./course run " + std::to_string(stage()) + " --help lists them.").c_str());
+        if (!is_run) return 0;
         std::fflush(stdout);
         return rt::run_stage(stage(), {"--help"}, "");
     };
@@ -343,7 +353,7 @@ void Commands::print_summary() const {
     for (const CLI::App* command : app_.get_subcommands({}))
         if (!is_missing(command->get_name()) && command->get_group() != authors)
             line += " " + command->get_name();
-    std::printf("%s\n./course --help describes them.\n", rt::wrapped(line).c_str());
+    std::printf("%s./course --help describes them.\n", rt::wrapped_page(line, 0).c_str());
     if (rt::is_handout(rt::project_folder))
         std::printf("\n%s\n", rt::wrapped(rt::read_manifest(rt::project_folder).title).c_str());
     std::puts("");
@@ -361,14 +371,12 @@ void Commands::print_list() const {
         std::string line = command->get_description();
         const std::size_t end = line.find(": ");
         line.replace(end, 2, std::string(end + 2 < column ? column - end : 2, ' '));
-        std::puts(
-            rt::wrapped(line, rt::output_on_terminal() ? rt::terminal_columns() : 1000, column)
-                .c_str());
+        std::puts(rt::wrapped(line, rt::terminal_columns(), column).c_str());
     }
-    std::printf("\n%s\n", rt::wrapped(std::string("N is ") + stage_option + ".").c_str());
-    std::puts(rt::wrapped("run, compare, explain: --mine uses all your stages, --reference 3,5 "
-                          "all but these. ./course --version prints the version.")
-                  .c_str());
+    const std::string notes = std::string("\nN is ") + stage_option +
+                              ".\nrun, compare, explain: --mine uses all your stages, --reference "
+                              "3,5 all but these. ./course --version prints the version.";
+    std::fputs(rt::wrapped_page(notes, 0).c_str(), stdout);
 }
 
 std::vector<std::string> Commands::command_names() const {
@@ -414,7 +422,7 @@ int Commands::run(int argc, char** argv) {
         if (app_.get_subcommands().empty())
             print_list();
         else
-            std::cout << app_.help();
+            std::cout << rt::wrapped_page(app_.help(), app_.get_formatter()->get_column_width());
         return 0;
     } catch (const CLI::ParseError& error) {
         refuse(error, words[1]);

@@ -9,6 +9,7 @@
 #include "common/system/suggestion.hpp"
 #include "common/system/two_numbers.hpp"
 #include "common/system/version.hpp"
+#include "common/system/wrap.hpp"
 #include "common/tuning/choose_pixels.hpp"
 
 #include <CLI/CLI.hpp>
@@ -343,7 +344,7 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help();
+        std::cout << wrapped_page(app.help(), app.get_formatter()->get_column_width());
         return std::nullopt;
     } catch (const CLI::CallForVersion& asked) {
         std::cout << asked.what() << '\n';

@@ -225,13 +225,16 @@ course 1 compare 3
 says "pixels differ"
 [ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
 course 0 compare 3 --help
+says "./course run 3 --help lists them"
+course 0 run 3 --help
 says "Usage: step03_sphere"
+! LC_ALL=C.UTF-8 grep -E '^.{81}' out || fail "no line of the help is wider"
 course 2 compare 3 --requirements
 says "error: with these options no picture is made: nothing is compared"
 course 2 compare 3 -o picture.png
 says "error: compare writes renders/step03_sphere_compare.png, and has no -o"
 course 0 explain 3 --help
-says "Usage: step03_sphere"
+says "./course run 3 --help lists them"
 course 0 explain 3
 says "mine "
 says "The first difference: "

@@ -262,6 +262,7 @@ awk "BEGIN { exit !($bound >= 0.5) }" || fail "--time promises an error of $boun
 
 "$build/step05_triangle" --help > out
 grep -q -- '--pixel' out || fail "--help lists the options"
+! LC_ALL=C.UTF-8 grep -E '^.{81}' out || fail "no line of the help is wider than 80 columns"
 
 # Far away, and enormous: still a picture.
 printf 'C 1e18,0,5 0,0,-1 60\nsp 1e18,0,0 2 255,0,0\npl 0,-1e18,0 0,1,0 9,9,9\n' > far.rt

@@ -66,6 +66,8 @@ if [ -x "$build/course" ]; then
     on_terminal "columns 80 rows 24" "$build/course --help" > out
     ! LC_ALL=C.UTF-8 grep -E '^.{81}' out || fail "no line of the help is wider"
     says "./course grade"
+    "$build/course" --help > out
+    ! LC_ALL=C.UTF-8 grep -E '^.{81}' out || fail "no line of the help is wider in a pipe"
 
     # Colors: on a terminal that has some, or if they are asked for.
     colored() { grep -q "$escape" out; }

@@ -1,6 +1,6 @@
 #include "common/course/exercise/cases.hpp"
 
-#include "common/course/exercise/wrap.hpp"
+#include "common/system/wrap.hpp"
 #include "common/system/paint.hpp"
 
 #include <algorithm>

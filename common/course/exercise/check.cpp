@@ -11,7 +11,7 @@
 #include "common/course/exercise/trace_mistakes.hpp"
 #include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/course/exercise/wrap.hpp"
+#include "common/system/wrap.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"

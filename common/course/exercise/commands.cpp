@@ -3,11 +3,11 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/course/exercise/wrap.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ void show_next() {
     const std::string line = std::string("Next: ./course ") + (started ? "check " : "start ") +
                              std::to_string(current) + ", and read docs/" + name_of(current) +
                              ".md";
-    std::puts(wrapped(line).c_str());
+    std::fputs(wrapped_page(line, 0).c_str(), stdout);
 }
 
 void start(int stage) {

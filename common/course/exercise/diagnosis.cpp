@@ -2,7 +2,7 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
-#include "common/course/exercise/wrap.hpp"
+#include "common/system/wrap.hpp"
 #include "common/system/status_line.hpp"
 
 #include "common/system/files.hpp"

@@ -1,6 +1,6 @@
 // Texts that `./course` prints: suggestions, long lines, errors of the linker.
 #include "common/course/build/compiler_errors.hpp"
-#include "common/course/exercise/wrap.hpp"
+#include "common/system/wrap.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
 

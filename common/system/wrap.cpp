@@ -1,8 +1,9 @@
-#include "common/course/exercise/wrap.hpp"
+#include "common/system/wrap.hpp"
 
 #include "common/system/terminal.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace rt {
 
@@ -50,6 +51,15 @@ std::string wrapped(const std::string& line, int columns, std::size_t indent) {
 
 std::string wrapped(const std::string& line) {
     return output_on_terminal() ? wrapped(line, std::max(terminal_columns(), narrowest)) : line;
+}
+
+std::string wrapped_page(const std::string& text, std::size_t column) {
+    const int columns = std::max(terminal_columns(), narrowest);
+    std::istringstream lines(text);
+    std::string page;
+    for (std::string line; std::getline(lines, line); page += '\n')
+        page += line.starts_with(' ') ? wrapped(line, columns, column) : wrapped(line, columns);
+    return page;
 }
 
 }  // namespace rt

@@ -16,4 +16,8 @@ namespace rt {
 /// The same for the width of the terminal; the line itself if the standard output is none.
 [[nodiscard]] std::string wrapped(const std::string& line);
 
+/// A page of help with each line broken for the width of the terminal, 80 if it is none. The lines
+/// that begin with a blank describe options, and go on in that column.
+[[nodiscard]] std::string wrapped_page(const std::string& text, std::size_t column);
+
 }  // namespace rt
