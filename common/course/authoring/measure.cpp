@@ -39,7 +39,7 @@ const std::vector<File> files = {
     {"pictures", "pictures", {"pictures"}, 3, 18},
     {"memory", "memory", {"memory_float", "memory_double"}, 1, 1},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25},
-    {"choices", "choices", {"choices"}, 1, 350},
+    {"analytic", "analytic", {"analytic"}, 1, 5},
 };
 
 /// The one study that needs OpenMesh. Without OpenMesh, it is not one of all.

@@ -12,8 +12,9 @@ def panel(axes, scene, rows):
               label="other settings")
     axes.plot(*zip(*points(front(rows))), label="the front", **dict(SERIES[1], markersize=4))
     chosen = [row for row in rows if row["what"].startswith("tolerance")]
-    axes.plot(*zip(*points(chosen)), label="--tolerance 8, 4, 2, 1",
-              **dict(SERIES[0], linestyle="", markersize=6, markerfacecolor="none"))
+    if chosen:
+        axes.plot(*zip(*points(chosen)), label="--tolerance 8, 4, 2, 1",
+                  **dict(SERIES[0], linestyle="", markersize=6, markerfacecolor="none"))
     axes.plot([1], [number(where(where(rows, what="cell"), **DEFAULT)[0], "error")], label="the defaults",
               **dict(SERIES[2], linestyle="", markersize=7))
     axes.set(xscale="log", yscale="log", title=scene, xlim=(0.2, 3000), ylim=(0.06, 60))

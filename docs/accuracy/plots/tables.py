@@ -241,21 +241,37 @@ def sources():
     return table(["", "picture", "error, of 255", "structural similarity"], lines)
 
 
-def choices():
-    rows, lines = read("choices"), []
-    for scene in different(rows, "scene"):
-        own, line = where(rows, scene=scene), [f"`{scene}`"]
-        for asked in ("1", "4"):
-            turns = where(own, goal="tolerance", asked=asked)
-            line += [f"{100 * middle(turns, 'kept'):.1f} %",
-                     f"{100 * middle(turns, 'kept_in_penumbrae'):.0f} %",
-                     two_digits(middle(turns, "seconds") / middle(turns, "best"))]
-        for asked in ("1", "3"):
-            line.append(two_digits(middle(where(own, goal="time", asked=asked), "seconds")) + " s")
-        lines.append(line)
-    return table(["scene", "`--tolerance 1`: kept by", "in penumbrae", "time",
-                  "`--tolerance 4`: kept by", "in penumbrae", "time", "`--time 1`", "`--time 3`"],
-                 lines)
+def analytic():
+    """The error against the number of rays, of pixels that are known."""
+    rows, lines = read("analytic"), []
+    sampled = [row for row in rows if row["rays are"]]
+    counts = different(sampled, "rays")
+    for picture in different(sampled, "picture"):
+        for kind, theory in (("independent", "−0.50"), ("well spread", "−0.75")):
+            own = where(sampled, picture=picture, **{"rays are": kind})
+            lines.append([picture, kind, *(two_digits(float(row["error"])) for row in own),
+                          slope(own), theory])
+    return table(["picture", "rays are", *(thousands(float(count)) for count in counts),
+                  "slope", "in theory"], lines)
+
+
+def pipeline():
+    """What the steps from rays to levels are worth."""
+    rows = read("analytic")
+
+    def level(picture, at="1"):
+        return two_digits(float(where(rows, picture=picture, rays=at)[0]["error"]))
+    lines = [["the edge's levels, rounded to 8 bits", level("8 bits")],
+             ["its rays encoded for a screen before their mean, not after it",
+              level("mean of encoded")],
+             ["four times as bright: clamped after the mean of the rays, not before it",
+              level("clamped after")]]
+    for name in ("box", "tent", "Gauss"):
+        lines.append([f"pixel filter {name}: black and white stripes of 4 pixels, which should keep"
+                      " 255, keep", level(f"filter {name}", "4")])
+        lines.append([f"pixel filter {name}: stripes of 1.25 pixels, which should vanish, keep",
+                      level(f"filter {name}", "1.25")])
+    return table(["step", "levels"], lines)
 
 
 def tables():
@@ -263,4 +279,5 @@ def tables():
     return {**dict(shape_tables()), "contact": contact(), "penumbra": penumbra(),
             "mirrors": mirrors(), "hierarchy": hierarchy(), "decimation": decimation(),
             "pictures": pictures(), "memory": memory(), "input rounding": input_rounding(),
-            "front": front_table(), "sources": sources(), "spending": spending(), "choices": choices()}
+            "front": front_table(), "sources": sources(), "spending": spending(),
+            "analytic": analytic(), "pipeline": pipeline()}
