@@ -14,7 +14,7 @@ struct MeshForm {
     std::size_t longest_hole = 0;   ///< edges
     std::size_t crowded_edges = 0;  ///< of three triangles or more
     std::size_t turned = 0;         ///< triangles that are turned over, compared to their neighbors
-    std::size_t one_sided = 0;  ///< triangles of parts with one side
+    std::size_t one_sided = 0;      ///< triangles of parts with one side
 };
 
 /// Returns the form of the triangles; vertices in the same place must be one.
