@@ -1,5 +1,7 @@
 #include "common/stages/todo.hpp"
 
+#include "common/stages/not_written.hpp"
+
 #include <cstdio>
 #include <string_view>
 
@@ -9,8 +11,8 @@ void say_todo(const char* file, int line, const char* function) {
     // Prints the path from the project's folder, wherever that is.
     const std::string_view path(file);
     const std::size_t start = path.rfind("steps/step");
-    std::fprintf(stderr, "%s:%d: %s is not written yet\n",
-                 file + (start == std::string_view::npos ? 0 : start), line, function);
+    std::fprintf(stderr, "%s:%d: %s%s\n", file + (start == std::string_view::npos ? 0 : start),
+                 line, function, not_written);
 }
 
 }  // namespace rt

@@ -9,6 +9,7 @@
 
 #include "common/image/png.hpp"
 #include "common/stages/graded_file.hpp"
+#include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"
@@ -155,7 +156,7 @@ void look_at_suite(GradedFile graded, Findings& findings) {
         const std::set<std::string> passed = passed_cases(starter);
         findings.require(starter.ended.empty(), "the starter " + starter.ended);
         if (!graded.is_trace)
-            findings.require(starter.output.find("is not written yet") != std::string::npos,
+            findings.require(starter.output.find(not_written) != std::string::npos,
                              "the starter does not report that it is not written yet");
         findings.require(passed.size() < cases, "the starter's " + file + " is right");
         for (const std::string& each : passed)

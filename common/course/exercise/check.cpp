@@ -11,13 +11,14 @@
 #include "common/course/exercise/trace_mistakes.hpp"
 #include "common/course/exercise/warnings.hpp"
 #include "common/course/exercise/workbook.hpp"
-#include "common/system/wrap.hpp"
+#include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,8 +31,6 @@
 namespace rt {
 
 namespace {
-
-constexpr const char* not_written = " is not written yet";  // from common/stages/todo.cpp
 
 /// The result of a suite in one precision.
 struct Judged {

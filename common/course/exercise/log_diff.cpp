@@ -1,5 +1,6 @@
 #include "common/course/exercise/log_diff.hpp"
 
+#include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
 
 #include <algorithm>
@@ -81,7 +82,7 @@ std::vector<std::vector<int>> common_tails(const Lines& a, const Lines& b) {
 std::vector<std::string> take_unwritten(Lines& lines) {
     std::vector<std::string> taken;
     const auto is_message = [&taken](const std::string& line) {
-        if (line.find(" is not written yet") == std::string::npos) return false;
+        if (line.find(not_written) == std::string::npos) return false;
         if (std::find(taken.begin(), taken.end(), line) == taken.end()) taken.push_back(line);
         return true;
     };
