@@ -282,6 +282,23 @@ void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
 
+/// True if SIGKILL ended the tool or a program that it started, as the last lines of g++ say. Of
+/// the sandbox's limits only that of processor time sends it; the system does when its memory is
+/// full.
+bool is_killed(const ProcessResult& ending) {
+    constexpr std::string_view words = "fatal error: Killed signal terminated program ";
+    const std::string& output = ending.output;
+    const std::size_t at = output.rfind(words);
+    return ending.status == 128 + SIGKILL ||
+           (at != std::string::npos &&
+            output.substr(std::min(output.find('\n', at), output.size())) ==
+                "\ncompilation terminated.\n");
+}
+
+constexpr const char* short_of_memory =
+    " was killed, through no limit of the sandbox: this machine has too little memory left. The "
+    "same command judges it again\n";
+
 std::string ended_by_the_clock(const ProcessResult& ending) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.1f s", ending.processor_seconds);
@@ -314,9 +331,11 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     const bool by_a_limit = ending.out_of_time || ending.status == 128 + SIGXCPU;
-    if (by_a_limit && ending.processor_seconds < limits.processor_seconds / 2.0)
-        throw ProgramError(fs::path(command.at(0)).filename().string() +
-                           ended_by_the_clock(ending));
+    if (ending.processor_seconds < limits.processor_seconds / 2.0) {
+        const std::string tool = fs::path(command.at(0)).filename().string();
+        if (by_a_limit) throw ProgramError(tool + ended_by_the_clock(ending));
+        if (is_killed(ending)) throw ProgramError(tool + short_of_memory);
+    }
     if (ending.status != 0) check_space(writable);
     return ending;
 }
