@@ -337,7 +337,7 @@ def compress_pictures(site):
                              duration=round(picture.info["duration"]))
                 picture.seek(0)
             picture.thumbnail((widest_picture, widest_picture))
-            picture.convert("RGB").save(site / still[name], quality=80)
+            picture.convert("RGB").save(site / still[name], quality=76)
         file.unlink()
 
     def image(found):
