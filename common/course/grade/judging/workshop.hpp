@@ -14,8 +14,8 @@
 namespace rt::grade {
 
 /// A folder that contains only what a compiler may read: the project's headers, and the link kits
-/// (common/course/grade/seat.cmake). The compiler runs as an unprivileged user, so all folders above it
-/// must be readable by everyone.
+/// (common/course/grade/seat.cmake). The compiler runs as an unprivileged user, so all folders
+/// above it must be readable by everyone.
 struct BuildDirectory {
     std::filesystem::path folder;
     std::filesystem::path sealed;             ///< the launcher
