@@ -2,9 +2,10 @@
 # The rooms of common/ are layers: rooms_test.sh PROJECT_FOLDER
 #
 # Fails if a file includes one of a room beside or above its own, if the same happens among the folders
-# of common/course, if common/course includes anything of the ray tracer but pictures, if common/ or steps/ include tests, pages or scenes, if a file
-# lies flat in common/ or in no room, and if a test includes Catch2 itself: tests/kit/catch.hpp knows
-# both of its versions.
+# of common/course, if common/course includes anything of the ray tracer but pictures, if common/ or
+# steps/ include tests, pages or scenes, if a file lies flat in common/ or in no room, if a test
+# includes Catch2 itself (tests/kit/catch.hpp knows both of its versions), and if the title of a
+# suite's case has another word than hit, miss or uniform.
 cd "$1" || exit 2
 
 # Prints what is wrong in lines "FILE INCLUDED", and nothing for those that are right.
@@ -65,6 +66,11 @@ catch2() {
         sed 's/$/: includes Catch2 itself/'
 }
 
+titles() {
+    grep -rA1 'TEST_CASE(' tests/suites | grep -F '"' | grep -wE 'met|meets?|even|evenly' |
+        grep -v ' even if ' | sed 's/$/: a hit, a miss, uniform, well spread/'
+}
+
 # The rules themselves: of these lines each is wrong.
 missed=$({
     echo "common/math/real.hpp common/geometry/ray.hpp"
@@ -82,5 +88,5 @@ missed=$({
 [ "$missed" = 11 ] || { echo "of 11 wrong includes only $missed are found"; exit 1; }
 [ "$(includes | wc -l)" -gt 500 ] || { echo "includes are not found"; exit 1; }
 
-wrong=$(includes | judge; flat; catch2)
+wrong=$(includes | judge; flat; catch2; titles)
 [ -z "$wrong" ] || { echo "$wrong"; exit 1; }

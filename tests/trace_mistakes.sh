@@ -17,7 +17,7 @@ lines_of() {
 }
 
 # Without the mistakes that fail in all like one with another sentence.
-told_apart() {
+distinguished() {
     awk '
         /^mistake / { ++count; head[count] = $0; next }
         count == 0 { print; next }
@@ -49,7 +49,7 @@ for stage in "$@"; do
                 echo "mistake $name: $sentence"
                 lines_of "$folder/report"
             done
-    } | told_apart > "$folder/$stage"
+    } | distinguished > "$folder/$stage"
     text=$project/tests/mistakes/$stage/trace.txt
     case $action in
         write) cp "$folder/$stage" "$text" ;;

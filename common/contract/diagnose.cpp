@@ -20,8 +20,8 @@ namespace {
 
 void explain(const Difference& difference) {
     const auto& [call, got, expected] = difference;
-    std::cout << "smallest: " << code(call) << "\n  got:      " << told(call, got)
-              << "\n  expected: " << told(call, expected)
+    std::cout << "smallest: " << code(call) << "\n  got:      " << answer_text(call, got)
+              << "\n  expected: " << answer_text(call, expected)
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
 

@@ -87,7 +87,7 @@ std::string paste_line(const Call& call, const Value& expected) {
     return block + "}";
 }
 
-std::string told(const Call& call, const Answer& answer) {
+std::string answer_text(const Call& call, const Answer& answer) {
     if (!answer.value) return "your code " + answer.failure;
     if (!asks_for_hit(call)) return code(without_signed_zeros(*answer.value));
     return answer.value->parts.empty() ? "no hit"

@@ -9,6 +9,6 @@ namespace rt::contract {
 [[nodiscard]] std::string paste_line(const Call& call, const Value& expected);
 
 /// "a hit at t = 4", "no hit", "{0, 0, 1}", "your code crashed: Segmentation fault"
-[[nodiscard]] std::string told(const Call& call, const Answer& answer);
+[[nodiscard]] std::string answer_text(const Call& call, const Answer& answer);
 
 }  // namespace rt::contract

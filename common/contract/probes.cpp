@@ -118,8 +118,8 @@ using Functions = std::set<const Callee*>;
 
 /// True if the answers of the function are the mistake's. In an open function, most must be of the
 /// mistake's kind: where a formula cancels, other answers are of another kind.
-bool answers_like(const Probes& probes, std::size_t mistake, const Callee& callee,
-                  const std::vector<Answer>& answers) {
+bool has_answers_of(const Probes& probes, std::size_t mistake, const Callee& callee,
+                    const std::vector<Answer>& answers) {
     constexpr double most = 0.7;
     const bool open = is_open(probes, callee);
     double count = 0;
@@ -169,7 +169,7 @@ bool fails_like(const Probes& probes, std::size_t mistake, const Functions& also
 Functions explained(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
     Functions functions;
     for (const Callee* const callee : wrong_functions(probes, answers))
-        if (errs_in(probes, mistake, *callee) && answers_like(probes, mistake, *callee, answers))
+        if (errs_in(probes, mistake, *callee) && has_answers_of(probes, mistake, *callee, answers))
             functions.insert(callee);
     return functions;
 }
@@ -202,7 +202,7 @@ bool is_recognized(const Probes& probes, std::size_t mistake, const std::vector<
     for (const Callee& callee : callees()) {
         if (callee.stage != probes.stage || !errs_in(probes, mistake, callee)) continue;
         also.erase(&callee);
-        if (answers_like(probes, mistake, callee, answers))
+        if (has_answers_of(probes, mistake, callee, answers))
             made.insert(&callee);
         else if (!wrong.contains(&callee))
             spared.insert(&callee);
@@ -276,13 +276,13 @@ std::string text_of(const Probes& probes) {
     for (const auto& [call, right, mistaken] : probes.probes) {
         text += "\ncall " + code(call) + "\nright " + answer_text(probes, call, right) + "\n";
         const double within = tolerance_of(probes, call);
-        std::vector<bool> told(mistaken.size());
+        std::vector<bool> counted(mistaken.size());
         for (std::size_t i = 0; i < mistaken.size(); ++i) {
-            if (told[i] || same(mistaken[i], right, within)) continue;
+            if (counted[i] || same(mistaken[i], right, within)) continue;
             text += "wrong " + answer_text(probes, call, mistaken[i]) + " |";
             for (std::size_t j = i; j < mistaken.size(); ++j) {
-                if (told[j] || !same(mistaken[j], mistaken[i], within)) continue;
-                told[j] = true;
+                if (counted[j] || !same(mistaken[j], mistaken[i], within)) continue;
+                counted[j] = true;
                 text += " " + probes.mistakes[j].name;
             }
             text += "\n";

@@ -16,40 +16,40 @@ inline namespace RT_PRECISION {
 /// certified kernel is at most 128 u of t.
 inline constexpr Real undecided = 260 * unit_roundoff;
 
-/// `Met` identifies the hit object. Its order decides between two hits at exactly the same t.
-template <class Met>
+/// `Object` identifies what was hit. Its order decides between two hits at exactly the same t.
+template <class Object>
 class ClosestSoFar {
 public:
     /// The t of the closest hit; infinite if there is none yet.
     [[nodiscard]] Real t() const { return t_; }
-    [[nodiscard]] const Met& met() const { return met_; }
+    [[nodiscard]] const Object& object() const { return object_; }
 
-    /// Considers a hit on `met` at about t inside the interval. If it is closer, it becomes the
+    /// Considers a hit on `object` at about t inside the interval. If it is closer, it becomes the
     /// closest hit, the interval ends where no closer hit is possible beyond it, and the function
-    /// returns true. `root_of(met)` is the exact root, or nothing if it is not known.
+    /// returns true. `root_of(object)` is the exact root, or nothing if it is not known.
     template <class RootOf>
-    bool accepts(Real t, const Met& met, const RootOf& root_of, Interval& interval) {
-        const bool told = !(std::abs(t - t_) <= undecided * t);
-        if (told ? t >= t_ : !is_ahead(t, met, root_of)) return false;
+    bool accepts(Real t, const Object& object, const RootOf& root_of, Interval& interval) {
+        const bool certain = !(std::abs(t - t_) <= undecided * t);
+        if (certain ? t >= t_ : !is_ahead(t, object, root_of)) return false;
         t_ = t;
-        met_ = met;
+        object_ = object;
         interval.max = t * (1 + undecided);
         return true;
     }
 
 private:
     template <class RootOf>
-    [[nodiscard, gnu::noinline]] bool is_ahead(Real t, const Met& met,
+    [[nodiscard, gnu::noinline]] bool is_ahead(Real t, const Object& object,
                                                const RootOf& root_of) const {
-        const auto root = root_of(met);
-        const auto root_of_leader = root_of(met_);
+        const auto root = root_of(object);
+        const auto root_of_leader = root_of(object_);
         if (!root || !root_of_leader) return t < t_;
         const int order = order_of(*root, *root_of_leader).value_or(0);
-        return order != 0 ? order < 0 : met < met_;
+        return order != 0 ? order < 0 : object < object_;
     }
 
     Real t_ = infinity;
-    Met met_;
+    Object object_;
 };
 
 }  // namespace RT_PRECISION
@@ -67,13 +67,13 @@ namespace rt {
 inline namespace RT_PRECISION {
 
 /// A primitive of a scene that was hit. For boxes no exact root is available.
-struct MetItem {
+struct HitItem {
     const void* primitive = nullptr;
     std::uint32_t triangle = 0;  ///< index of a mesh's triangle
-    std::optional<ExactRoot> (*root)(const Ray&, const MetItem&) = nullptr;
+    std::optional<ExactRoot> (*root)(const Ray&, const HitItem&) = nullptr;
 
     /// Between two kinds, the one that is tested first stays the closest.
-    friend bool operator<(const MetItem& a, const MetItem& b) {
+    friend bool operator<(const HitItem& a, const HitItem& b) {
         return a.root == b.root && std::less<>()(a.primitive, b.primitive);
     }
 };
@@ -100,23 +100,23 @@ public:
     }
 
 private:
-    bool accepts(const Ray& ray, const MetItem& met, Real t, Interval& interval) {
+    bool accepts(const Ray& ray, const HitItem& hit, Real t, Interval& interval) {
         return leader_.accepts(
-            t, met, [&ray](const MetItem& one) { return one.root(ray, one); }, interval);
+            t, hit, [&ray](const HitItem& one) { return one.root(ray, one); }, interval);
     }
 
     template <class Shape>
-    static std::optional<ExactRoot> root_of(const Ray& ray, const MetItem& met) {
-        const Shape& shape = static_cast<const Primitive<Shape>*>(met.primitive)->shape;
+    static std::optional<ExactRoot> root_of(const Ray& ray, const HitItem& hit) {
+        const Shape& shape = static_cast<const Primitive<Shape>*>(hit.primitive)->shape;
         if constexpr (std::is_same_v<Shape, MeshInstance>)
-            return exact_root(ray, shape, met.triangle, {});
+            return exact_root(ray, shape, hit.triangle, {});
         else if constexpr (requires { exact_root(ray, shape, Interval()); })
             return exact_root(ray, shape, {});
         else
             return std::nullopt;
     }
 
-    ClosestSoFar<MetItem> leader_;
+    ClosestSoFar<HitItem> leader_;
 };
 
 }  // namespace RT_PRECISION

@@ -4,7 +4,7 @@ namespace rt {
 
 namespace {
 
-constexpr int misses_told = 24;  // about one screenful
+constexpr int most_misses = 24;  // about one screenful
 
 }  // namespace
 
@@ -21,11 +21,11 @@ void PixelLog::remark(const std::string& text) {
 }
 
 bool PixelLog::count_miss() {
-    return ++misses_ <= misses_told;
+    return ++misses_ <= most_misses;
 }
 
 int PixelLog::misses_left_out() const {
-    return misses_ > misses_told ? misses_ - misses_told : 0;
+    return misses_ > most_misses ? misses_ - most_misses : 0;
 }
 
 }  // namespace rt

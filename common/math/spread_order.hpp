@@ -1,4 +1,4 @@
-// An order of which every part is spread evenly over the whole.
+// An order of which every part is well spread over the whole.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace rt {
 
 /// Returns the numbers below `count` in an order in which successive ones are a golden ratio of the
-/// count apart, so that the first few, however many, are spread evenly.
+/// count apart, so that the first few, however many, are well spread.
 [[nodiscard]] inline std::vector<std::size_t> spread_order(std::size_t count) {
     constexpr double golden_ratio = 0.6180339887498949;
     auto step = std::max(std::size_t(golden_ratio * double(count)), std::size_t(1));

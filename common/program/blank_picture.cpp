@@ -89,7 +89,7 @@ Vec3 rounded(Vec3 v) {
     return glm::round(v * Real(100)) / Real(100);
 }
 
-std::string why_nothing_is_met(const Scene& scene, const RenderSettings& settings) {
+std::string why_nothing_is_hit(const Scene& scene, const RenderSettings& settings) {
     const std::string start = "no ray of the camera hits a shape: ";
     const Camera& camera = scene.cameras.front();
     const std::size_t cameras = std::min(scene.cameras.size(), most_cameras_tried);
@@ -143,7 +143,7 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
         return start + "the camera's field of view is " + (camera.fov == 0 ? "0" : "180") +
                "; try one of 60";
     if (hits(scene, camera, settings, most_of_this_camera) == 0)
-        return start + why_nothing_is_met(scene, settings);
+        return start + why_nothing_is_hit(scene, settings);
     const bool lit = stage >= light_stage && settings.shading == Shading::color;
     if (lit && scene.lights.empty() && !scene.ambient)
         return start + "there is no light; try lines A and L, or --shade normal";

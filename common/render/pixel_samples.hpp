@@ -125,9 +125,9 @@ private:
             most = std::max(most, value);
         }
 
-        /// An edge between two colors that differ by d crosses about √n of the boxes that n even
-        /// points represent, and each of these has an error of about d / n of either sign:
-        /// d / n^(3/4) in total, less if the edge cuts off only little (Mitchell 1996;
+        /// An edge between two colors that differ by d crosses about √n of the boxes that n
+        /// well-spread points represent, and each of these has an error of about d / n of either
+        /// sign: d / n^(3/4) in total, less if the edge cuts off only little (Mitchell 1996;
         /// visibility_error of stage 11 is the same for a light). The deviation, at most d / 2,
         /// shows how little.
         [[nodiscard]] double error(int count) const {

@@ -13,8 +13,8 @@ inline namespace RT_PRECISION {
 
 /// The pixels of a picture of one ray a pixel that get more rays. A pixel does if a neighbor has
 /// another color, or if a neighbor got more rays and these differ: an edge is followed from pixel
-/// to pixel, even where it is so thin that no ray through a center meets it. Which pixels these are
-/// does not depend on the order in which they are found. It takes a byte a pixel.
+/// to pixel, even where it is so thin that every ray through a center misses it. Which pixels these
+/// are does not depend on the order in which they are found. It takes a byte a pixel.
 class Refinement {
 public:
     /// Two colors differ if a component does by more than `difference`, of 255.

@@ -62,7 +62,7 @@ struct RenderSettings {
 }
 
 /// The number of rays through a pixel with --pixel-error that follows `count`, if that is not
-/// enough: twice as many, because they are most even at powers of two.
+/// enough: twice as many, because they are best spread at powers of two.
 [[nodiscard]] constexpr int next_pixel_samples(int count, int most) {
     return count > most / 2 ? most : 2 * count;
 }

@@ -1,4 +1,4 @@
-// Deterministic sample points, spread evenly over a square.
+// Deterministic sample points, well spread over a square.
 #pragma once
 
 #include "common/image/pixel.hpp"
@@ -16,8 +16,8 @@ inline namespace RT_PRECISION {
 [[nodiscard]] Vec2 spread_sample(std::uint32_t index, std::uint32_t seed);
 
 /// Returns a permutation of the indices, one for each seed. The first 2^k indices become a block
-/// whose points are as even as the first 2^k. With it, points of two sequences of the same index
-/// are paired at random (Burley 2020).
+/// whose points are as well spread as the first 2^k. With it, points of two sequences of the same
+/// index are paired at random (Burley 2020).
 [[nodiscard]] std::uint32_t shuffled(std::uint32_t index, std::uint32_t seed);
 
 /// Returns a seed that depends only on the pixel and the sampled quantity, so that the result of

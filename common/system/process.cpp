@@ -215,7 +215,7 @@ int exit_status(int answer) {
     return WIFEXITED(answer) ? WEXITSTATUS(answer) : signalled + WTERMSIG(answer);
 }
 
-bool is_told_to_stop(int status) {
+bool is_stopped(int status) {
     return status == signalled + SIGTERM || status == signalled + SIGINT ||
            status == signalled + SIGHUP;
 }

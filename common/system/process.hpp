@@ -59,6 +59,6 @@ struct ProcessResult {
 
 /// True for the exit status of a program that SIGINT (Ctrl-C), SIGTERM or SIGHUP ended: it did not
 /// crash, somebody stopped it.
-[[nodiscard]] bool is_told_to_stop(int status);
+[[nodiscard]] bool is_stopped(int status);
 
 }  // namespace rt

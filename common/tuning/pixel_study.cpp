@@ -67,9 +67,10 @@ void PixelStudy::expect_details(const SceneTraits& traits) {
     if (double(parts.size()) <= very_few * runner_.pixels()) return fine_.parts.clear();
     const auto least = parts.begin() + std::ptrdiff_t(very_few * runner_.pixels());
     std::ranges::nth_element(parts, least);
-    // A detail that no ray meets does not matter if it changes no pixel by more than the tolerance.
+    // A detail that every ray misses does not matter if it changes no pixel by more than the
+    // tolerance.
     const double part = std::max(double(*least), allowed_ / 255);
-    constexpr double most_found = 3;  // that no ray meets it is then 5 % likely
+    constexpr double most_found = 3;  // that every ray misses it is then 5 % likely
     strata_[3].at_least = int(std::clamp(most_found / part, 32.0, double(right_pixel_samples)));
     elsewhere_ = (traits.shadows || traits.strongest_mirror > 0) &&
                  double(parts.size()) > few_pixels * runner_.pixels();

@@ -56,7 +56,7 @@ private:
     int columns_;
 };
 
-/// Returns about `count` of the pixels, spread evenly: every k-th, or all.
+/// Returns about `count` of the pixels, regularly spaced: every k-th, or all.
 [[nodiscard]] std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t count);
 
 }  // namespace rt

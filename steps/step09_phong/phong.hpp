@@ -26,8 +26,8 @@ namespace rt {
 /// The ambient term: the ambient light that the surface reflects, once for any number of lights.
 [[nodiscard]] Color ambient_term(const ShadingPoint& surface, const Ambient& ambient);
 
-/// The diffuse term: light reflected evenly in all directions, proportional to ⟨L, N⟩. Black where
-/// that is not positive, or if the light is at the point itself.
+/// The diffuse term: light reflected uniformly in all directions, proportional to ⟨L, N⟩. Black
+/// where that is not positive, or if the light is at the point itself.
 [[nodiscard]] Color diffuse_term(const ShadingPoint& surface, const Light& light);
 
 /// The specular term: the highlight, proportional to ⟨R, V⟩ to the power of the shininess. Black

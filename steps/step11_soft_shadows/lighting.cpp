@@ -18,7 +18,7 @@ bool accurate(const ShadowRays& rays, const Color& color, const Context& context
     if (settings.shadow_error <= 0) return false;
     const bool agree = rays.reached == 0 || rays.reached == rays.sent;
     if (agree && settings.shadow_agree > 0 && rays.sent >= settings.shadow_agree) return true;
-    // Evaluated at powers of two, where the points are most even.
+    // Evaluated at powers of two, where the points are best spread.
     if (rays.sent < fewest_samples || !std::has_single_bit(unsigned(rays.sent))) return false;
     const Real largest = glm::max(color.r, glm::max(color.g, color.b));
     const Real steps = 255 * visibility_error(rays) * largest * Real(context.weight);

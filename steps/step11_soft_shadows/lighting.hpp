@@ -32,8 +32,8 @@ struct LightPoints {
 };
 
 /// The light's points for the rays of one shading point. The rays through a pixel share a sequence,
-/// of which each uses a part of its own, so that together their points are as even as those of one
-/// ray. `light` is the light's number, from 1.
+/// of which each uses a part of its own, so that together their points are as well spread as those
+/// of one ray. `light` is the light's number, from 1.
 [[nodiscard]] LightPoints light_points(const Context& context, std::uint32_t light);
 
 }  // namespace RT_PRECISION

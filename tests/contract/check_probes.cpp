@@ -33,7 +33,7 @@ public:
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
             complain(name + " is right, but differs:\n  " +
                      paste_line(found->call, *found->expected.value) +
-                     "\n  got: " + told(found->call, found->got));
+                     "\n  got: " + answer_text(found->call, found->got));
     }
 
     void mistaken(const std::string& name, const std::string& sentence, Asked asked) {

@@ -262,13 +262,14 @@ TEST_CASE("the smallest call that crashes does crash") {
     const Diagnosis found = diagnosis("crashes");
     REQUIRE(found.smallest);
     CHECK(found.smallest->call.arguments[0].parts[1].parts[0].number > 0.25);
-    CHECK(told(found.smallest->call, found.smallest->got) == "your code crashed: Aborted");
+    CHECK(answer_text(found.smallest->call, found.smallest->got) == "your code crashed: Aborted");
 }
 
 TEST_CASE("an endless loop is diagnosed") {
     const Diagnosis found = diagnosis("never_answers");
     REQUIRE(found.smallest);
-    CHECK(told(found.smallest->call, found.smallest->got) == "your code gave no answer within 1 s");
+    CHECK(answer_text(found.smallest->call, found.smallest->got) ==
+          "your code gave no answer within 1 s");
 }
 
 TEST_CASE("a failing call is a line to paste") {

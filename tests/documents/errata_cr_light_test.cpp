@@ -94,7 +94,7 @@ TEST_CASE("erratum 30: a limit of one bounce allows none (CR §2.1, §5.1)") {
     // A mirror before a wall of brightness 1: what the camera sees, if `bounces` are allowed.
     const auto wall_in_mirror = [](int bounces, bool counts_the_first_ray) {
         int rays = counts_the_first_ray ? bounces : bounces + 1;
-        if (rays-- == 0) return 0;  // the ray that meets the mirror
+        if (rays-- == 0) return 0;  // the ray that hits the mirror
         if (rays-- == 0) return 0;  // the one that it reflects
         return 1;
     };

@@ -69,9 +69,9 @@ inline std::vector<PageCode> code_of(const std::vector<PageLine>& page) {
             code.text = words.substr(call);
             while (open_brackets(code.text) > 0) code.text += page.at(++i).words();
             const std::string expected = "expected: ";
-            std::size_t told = i + 1;
-            while (page.at(told).words().rfind(expected, 0) != 0) ++told;
-            code.expected = page[told].words().substr(expected.size());
+            std::size_t answer = i + 1;
+            while (page.at(answer).words().rfind(expected, 0) != 0) ++answer;
+            code.expected = page[answer].words().substr(expected.size());
         } else {
             continue;
         }

@@ -60,7 +60,7 @@ Knowledge light_shares() {
 /// The ratio of the estimates to the true error for 8, 16, … 1024 rays, as root mean squares over
 /// straight edges at these distances from the middle of a disc.
 struct Estimates {
-    std::vector<double> even;         ///< true error / visibility_error
+    std::vector<double> well_spread;  ///< true error / visibility_error
     std::vector<double> independent;  ///< √(p (1 − p) / n) / true error
 };
 
@@ -92,7 +92,7 @@ Estimates estimates(double from, double to) {
     }
     Estimates result;
     for (std::size_t k = 0; k < ratios.size(); ++k) {
-        result.even.push_back(std::sqrt(ratios[k]));
+        result.well_spread.push_back(std::sqrt(ratios[k]));
         result.independent.push_back(std::sqrt(independent[k] / errors[k]));
     }
     return result;
@@ -169,14 +169,14 @@ std::vector<Row> soft_shadow_table() {
 Knowledge stage11() {
     Knowledge all = light_shares();
     all.push_back({"the error of twice as many independent points", std::pow(2, -0.5)});
-    all.push_back({"the error of twice as many even points", std::pow(2, -0.75)});
+    all.push_back({"the error of twice as many well-spread points", std::pow(2, -0.75)});
     const std::vector<Row> table = soft_shadow_table();
     for (const Row& row : table) {
-        const std::string told = "| `" + row.option + "` | " + decimals(row.drawn.rays, 1) + " | " +
+        const std::string line = "| `" + row.option + "` | " + decimals(row.drawn.rays, 1) + " | " +
                                  decimals(row.errors.root_mean_square, 4) + " | " +
                                  decimals(row.errors.largest, 3) + " |";
-        CHECK(says("step11_soft_shadows", told));
-        for (const Printed& number : numbers_in(told)) all.push_back({row.option, number.value});
+        CHECK(says("step11_soft_shadows", line));
+        for (const Printed& number : numbers_in(line)) all.push_back({row.option, number.value});
         if (row.settings.shadow_error > 0) all.push_back({row.option, row.settings.shadow_error});
     }
 
@@ -219,7 +219,8 @@ Knowledge stage11() {
     const Estimates rim = estimates(0.8, 1);
     const auto twentieths = [](double ratio) { return std::round(20 * ratio) / 20; };
     for (const Estimates& ratios : {anywhere, rim}) {
-        const auto [least, most] = std::minmax_element(ratios.even.begin(), ratios.even.end());
+        const auto [least, most] =
+            std::minmax_element(ratios.well_spread.begin(), ratios.well_spread.end());
         all.push_back({"the true error is at least so much of the estimate", twentieths(*least)});
         all.push_back({"and at most", twentieths(*most)});
     }

@@ -127,9 +127,9 @@ bool moller_trumbore(Vector o) {
 }
 
 /// The costs of a ray down at (x, y), as a row of the page's table.
-std::string costs_at(double x, double y, Way way, bool meets) {
+std::string costs_at(double x, double y, Way way, bool is_hit) {
     costs = {};
-    REQUIRE(way(vector(x, y, 2)) == meets);
+    REQUIRE(way(vector(x, y, 2)) == is_hit);
     return std::to_string(costs.multiplications) + " | " + std::to_string(costs.additions) + " | " +
            std::to_string(costs.divisions) + " | " + std::to_string(costs.roots);
 }

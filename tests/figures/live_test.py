@@ -176,8 +176,8 @@ def check(browser, origin, name):
                 if answer != right and not (function in by_angle and nearly_same(precision, function, answer, right)):
                     errors.append(f"state {number}, {precision}: {function} answers {answer}, native {right}")
             # The last explanation is the one that stands in the table, line by line.
-            told = [answer for _, _, answer, function in asked if function.startswith("explain")]
-            for line in explanation(told[-1]).splitlines() if told and name != "triangle_shared_edge" else []:
+            explained = [answer for _, _, answer, function in asked if function.startswith("explain")]
+            for line in explanation(explained[-1]).splitlines() if explained and name != "triangle_shared_edge" else []:
                 value = line.split(" = ")[-1].strip()
                 if value not in shown["table"]:
                     errors.append(f"state {number}, {precision}: the table lacks {line.strip()}")

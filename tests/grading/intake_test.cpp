@@ -30,7 +30,8 @@ TEST_CASE("a full disk is no fault of a submission") {
     if (fs::space("/proc").capacity == 0) CHECK_NOTHROW(check_space("/proc"));
 }
 
-TEST_CASE("an archive without a file, and one that is no file, are told apart from a damaged one") {
+TEST_CASE(
+    "an archive without a file, and one that is no file, are distinguished from a damaged one") {
     const Ground ground(RAYSTEPS_SEALED);
     ground.write("none/x", "");
     fs::remove(ground.place("none/x"));

@@ -3,7 +3,7 @@
 namespace rt::grade {
 
 std::vector<Mark> class_of_two() {
-    const CaseMark met{.name = "it is met", .points = 1, .passed = true};
+    const CaseMark hit{.name = "it is hit", .points = 1, .passed = true};
     const CaseMark missed{.name = "a < b & \"c\"",
                           .points = 1,
                           .given = true,
@@ -20,7 +20,7 @@ std::vector<Mark> class_of_two() {
          .mistake = "You compare with <0>.",
          .smallest = "intersect(…)\n  got: 1\n",
          .slice = "step04 slice.svg",
-         .cases = {met, missed},
+         .cases = {hit, missed},
          .picture = PictureMark{.pixels = 12, .different = 5, .file = "step04_plane.png"},
          .most = 2},
         {.student = odd, .stage = 5, .verdict = Verdict::refused, .words = "no <vec>", .most = 4},

@@ -144,7 +144,7 @@ TEST_CASE("JUnit's XML has a testsuite a student and stage") {
     const std::string name = "=cmd|&quot;&lt;b&gt;&amp;\n";
     CHECK(has(xml, "<testsuite name=\"" + name +
                        ".step04_plane\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">"));
-    CHECK(has(xml, "name=\"it is met\"/>"));
+    CHECK(has(xml, "name=\"it is hit\"/>"));
     CHECK(has(xml,
               "name=\"a &lt; b &amp; &quot;c&quot;\"><failure message=\"got: ��(\">"
               "tests/suites/step04_plane_test.cpp:9\ngot: ��(\nexpected: &lt;hit&gt;\n</failure>"));
@@ -218,7 +218,7 @@ TEST_CASE("a feedback page shows the failures, and folds away the passing stages
               "<small>tests/suites/step04_plane_test.cpp:9</small>"));
     CHECK(has(page, "<h3>Your picture</h3>\n<figure><img src=\"data:image/png;base64,iVBORw==\""));
     CHECK(has(page, "the difference: 5 of 12 pixels differ"));
-    CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is met</li>\n</ul>"));
+    CHECK(has(page, "<summary>1 case passes</summary>\n<ul>\n<li>it is hit</li>\n</ul>"));
     CHECK(has(page, "<pre>warning: &lt;unused&gt;</pre>"));
     CHECK(
         has(page, "<p>Your file cannot be graded:</p>\n<pre class=\"wrong\">no &lt;vec&gt;</pre>"));
@@ -235,7 +235,7 @@ TEST_CASE("a submitted starter has no points, and the feedback gives the reason"
     const Mark mark{.student = "anna",
                     .stage = 3,
                     .verdict = Verdict::judged,
-                    .cases = {{.name = "behind", .passed = true, .given = true}, {.name = "met"}},
+                    .cases = {{.name = "behind", .passed = true, .given = true}, {.name = "hit"}},
                     .most = 2};
     write_mark(results.folder, mark);
     write_feedback(results.folder, {mark});
@@ -296,7 +296,7 @@ TEST_CASE("the class report has every mark, and the most important rows first") 
         "<td class=\"text\">a &lt; b &amp; &quot;c&quot;</td>");
     CHECK(hardest < less_hard);
     CHECK(less_hard != std::string::npos);
-    CHECK_FALSE(has(page, "it is met"));
+    CHECK_FALSE(has(page, "it is hit"));
     CHECK(has(page, "Similarity is no proof."));
 }
 

@@ -82,7 +82,7 @@ TEST_CASE("a mark that is read is the one that was written, but for bytes that a
     CHECK(first.most == 2);
     CHECK(first.points() == 1);
     REQUIRE(first.cases.size() == 2);
-    CHECK(first.cases[0].name == "it is met");
+    CHECK(first.cases[0].name == "it is hit");
     CHECK(first.cases[0].passed);
     CHECK_FALSE(first.cases[0].given);
     CHECK(first.cases[1].given);

@@ -32,7 +32,7 @@ using Answer = bool;
 namespace {
 
 /// The failure: a verdict's sentence alone, or any other assertion as written in the suite.
-std::string told(const Catch::AssertionResult& result) {
+std::string failure_text(const Catch::AssertionResult& result) {
     const std::string expanded = result.getExpandedExpression();
     if (!expanded.empty() && expanded.front() == '\n')
         return expanded.substr(expanded.find_first_not_of("\n "));
@@ -95,7 +95,7 @@ public:
             out_ << "part " << part << std::endl;
         if (const int points = points_in(info.tagsAsString()); points != 1)
             out_ << "points " << points << std::endl;
-        told_ = false;
+        reported_ = false;
         rt::failures_of_case.clear();
     }
 
@@ -116,19 +116,19 @@ public:
 private:
     void explain(const Catch::AssertionResult& result) {
         if (result.isOk()) return;
-        rt::failures_of_case.add(told(result));
-        if (told_) return;
-        told_ = true;
+        rt::failures_of_case.add(failure_text(result));
+        if (reported_) return;
+        reported_ = true;
         out_ << "at " << place(result.getSourceInfo()) << '\n';
         const std::string remark = rt::remark_on_failure ? rt::remark_on_failure() : "";
-        std::istringstream lines(told(result) + "\n" + remark);
+        std::istringstream lines(failure_text(result) + "\n" + remark);
         for (std::string line; std::getline(lines, line);)
             if (remark.empty() || line.rfind("  paste:", 0) != 0) out_ << "| " << line << '\n';
         out_.flush();
     }
 
     std::ofstream out_;
-    bool told_ = false;
+    bool reported_ = false;
 };
 
 }  // namespace

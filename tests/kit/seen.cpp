@@ -57,7 +57,7 @@ std::string scene_color(Rgb color) {
            std::to_string(color[2]);
 }
 
-std::string told_of_pixel(const std::string& what, const std::string& scene) {
+std::string pixel_report(const std::string& what, const std::string& scene) {
     return what + "\n  scene:    save it to render it" + indented(whole(scene));
 }
 
@@ -67,7 +67,7 @@ Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& sett
     bool close = true;
     for (std::size_t i = 0; i < got.size(); ++i)
         close = close && std::abs(got[i] - expected[i]) <= difference;
-    return verdict(close, told_of_pixel("the color of the only pixel, of 255", scene) +
+    return verdict(close, pixel_report("the color of the only pixel, of 255", scene) +
                               "\n  got:      " + text(got) + "\n  expected: " + text(expected));
 }
 

@@ -22,7 +22,7 @@ namespace rt {
 [[nodiscard]] std::string scene_color(Rgb color);
 
 /// The first lines of a sentence about a picture of one pixel: what is tested, and the scene.
-[[nodiscard]] std::string told_of_pixel(const std::string& what, const std::string& scene);
+[[nodiscard]] std::string pixel_report(const std::string& what, const std::string& scene);
 
 /// The pixel has the expected color, to 1 of 255 or the given difference. The sentence contains the
 /// scene, which a student can save and render, unless it is long.

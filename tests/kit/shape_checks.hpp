@@ -42,7 +42,7 @@ struct Sample {
     Vec3 normal;
 };
 
-/// A ray that meets a shape first at t, and where.
+/// A ray that hits a shape first at t, and where.
 template <class Shape>
 struct Aimed {
     Ray ray;
@@ -116,23 +116,24 @@ Verdict nothing_behind_is_hit(Draw draw) {
     });
 }
 
-/// A ray that starts very close to the surface, on either side, meets it at once. A textbook's
+/// A ray that starts very close to the surface, on either side, hits it at once. A textbook's
 /// formula has a few digits of this t left, and only these are tested.
 template <class Draw>
-Verdict close_surfaces_are_met(Draw draw) {
+Verdict close_surfaces_are_hit(Draw draw) {
     return for_all([draw](Random& random) {
         const auto [shape, point, normal] = draw(random);
         const Real gap = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? -10 : -20);
         const Vec3 away = random.coin() ? normal : -normal;
         const Ray ray{.origin = point + gap * away, .direction = -away};
         const std::optional<Real> t = intersect(ray, shape, {});
-        return verdict(t && std::abs(*t - gap) < gap / 8, told(ray, shape, {}, t, gap));
+        return verdict(t && std::abs(*t - gap) < gap / 8,
+                       intersection_report(ray, shape, {}, t, gap));
     });
 }
 
-/// A shape is met from far away, where a textbook's formula has half of its digits left.
+/// A shape is hit from far away, where a textbook's formula has half of its digits left.
 template <class Draw>
-Verdict far_shapes_are_met(Draw draw) {
+Verdict far_shapes_are_hit(Draw draw) {
     return for_all([draw](Random& random) {
         const auto [near, shape, t, point, normal] = aimed_from_outside(draw(random), random);
         const Real farther = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? 4 : 14);
@@ -140,7 +141,7 @@ Verdict far_shapes_are_met(Draw draw) {
         const std::optional<Real> got = intersect(ray, shape, {});
         const Real expected = farther * t;
         return verdict(got && std::abs(*got - expected) < std::sqrt(epsilon) * expected,
-                       told(ray, shape, {}, got, expected));
+                       intersection_report(ray, shape, {}, got, expected));
     });
 }
 
@@ -153,7 +154,8 @@ Verdict ends_are_outside(const Ray& ray, const Shape& shape) {
     for (const Interval interval :
          {Interval{.min = 0, .max = *t}, Interval{.min = *t, .max = infinity}}) {
         const std::optional<Real> got = intersect(ray, shape, interval);
-        if (got == t) return verdict(false, told(ray, shape, interval, got, std::nullopt));
+        if (got == t)
+            return verdict(false, intersection_report(ray, shape, interval, got, std::nullopt));
     }
     return {};
 }

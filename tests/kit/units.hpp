@@ -31,7 +31,7 @@ inline Real draw_length(Random& random) {
     return std::ldexp(Real(1), random.below(2 * most + 1) - most);
 }
 
-/// A ray and a shape that it does not meet.
+/// A ray and a shape that it misses.
 template <class Shape>
 struct Past {
     Ray ray;

@@ -63,8 +63,8 @@ inline std::string got_text(std::optional<Real> t) {
 /// The lines of a failure: the call, the answer, the expected answer, and a line to paste into a
 /// test.
 template <class Shape>
-std::string told(const Ray& ray, const Shape& shape, Interval interval, std::optional<Real> got,
-                 std::optional<Real> expected) {
+std::string intersection_report(const Ray& ray, const Shape& shape, Interval interval,
+                                std::optional<Real> got, std::optional<Real> expected) {
     const bool whole = interval.min == 0 && interval.max == infinity;
     const std::string question =
         code(ray) + ",\n          " + code(shape) + (whole ? "" : ",\n          " + code(interval));
@@ -80,14 +80,14 @@ std::string told(const Ray& ray, const Shape& shape, Interval interval, std::opt
 template <class Shape>
 Verdict hits(const Ray& ray, const Shape& shape, Real t, Interval interval = {}) {
     const std::optional<Real> got = intersect(ray, shape, interval);
-    return verdict(got && close(*got, t, 0), told(ray, shape, interval, got, t));
+    return verdict(got && close(*got, t, 0), intersection_report(ray, shape, interval, got, t));
 }
 
 /// The ray has no hit inside the interval.
 template <class Shape>
 Verdict misses(const Ray& ray, const Shape& shape, Interval interval = {}) {
     const std::optional<Real> got = intersect(ray, shape, interval);
-    return verdict(!got, told(ray, shape, interval, got, std::nullopt));
+    return verdict(!got, intersection_report(ray, shape, interval, got, std::nullopt));
 }
 
 /// A value that should equal the expected one; `what` is the call that returned it.

@@ -26,7 +26,7 @@ Number fraction(int numerator, int denominator) {
 }
 
 template <class Shape>
-bool meets(const Ray& ray, const Shape& shape, const Number& t, const Interval& interval = {}) {
+bool hits(const Ray& ray, const Shape& shape, const Number& t, const Interval& interval = {}) {
     const auto got = intersect(ray, shape, interval);
     return got && same(got->value(), t);
 }
@@ -89,10 +89,10 @@ TEST_CASE("a quadratic's roots are ordered, and their signs exact") {
 TEST_CASE("spheres (PHY, by hand)") {
     const Sphere ball{.center = {0, 0, -5}, .radius = 2};
     const Ray ray{.origin = {}, .direction = {0, 0, -3}};
-    CHECK(meets(ray, ball, 1));
-    CHECK(meets(ray, ball, fraction(7, 3), {.min = 1}));  // strictly inside
+    CHECK(hits(ray, ball, 1));
+    CHECK(hits(ray, ball, fraction(7, 3), {.min = 1}));  // strictly inside
     CHECK(misses(ray, ball, {.min = 1, .max = Exact(2)}));
-    CHECK(meets({.origin = {2, 0, 0}, .direction = {0, 0, -1}}, ball, 5));  // touches
+    CHECK(hits({.origin = {2, 0, 0}, .direction = {0, 0, -1}}, ball, 5));  // touches
     CHECK(misses({.origin = {2, tiny, 0}, .direction = {0, 0, -1}}, ball));
     CHECK(misses({.origin = {}, .direction = {0, 0, 1}}, ball));
     CHECK(misses({.origin = {}, .direction = {}}, ball));
@@ -104,7 +104,7 @@ TEST_CASE("spheres (PHY, by hand)") {
 TEST_CASE("planes (PHY's situation A, by hand)") {
     const Plane plane{.point = {1, 2, 3}, .normal = {2, -1, 2}};
     const Ray ray{.origin = {}, .direction = {1, 1, 1}};
-    CHECK(meets(ray, plane, 2));  // (2 − 2 + 6) / 3
+    CHECK(hits(ray, plane, 2));  // (2 − 2 + 6) / 3
     CHECK(misses({.origin = {}, .direction = {1, 2, 0}}, plane));
     CHECK(misses({.origin = {}, .direction = {-1, -1, -1}}, plane));
     CHECK(same(normal(plane, {}), {fraction(2, 3), fraction(-1, 3), fraction(2, 3)}));
@@ -116,9 +116,9 @@ TEST_CASE("triangles (MRT §5, by hand)") {
     const auto from = [](Exact x, Exact y) {
         return Ray{.origin = {x, y, 2}, .direction = {0, 0, -1}};
     };
-    CHECK(meets(from(1, 1), triangle, 2));
-    CHECK(meets(from(1.5, 1.5), triangle, 2));  // on an edge
-    CHECK(meets(from(3, 0), triangle, 2));      // at a corner
+    CHECK(hits(from(1, 1), triangle, 2));
+    CHECK(hits(from(1.5, 1.5), triangle, 2));  // on an edge
+    CHECK(hits(from(3, 0), triangle, 2));      // at a corner
     CHECK(misses(from(1.5, std::nextafter(1.5, 2)), triangle));
     CHECK(misses(from(1, -tiny), triangle));
     CHECK(misses({.origin = {1, 1, 0}, .direction = {1, 0, 0}}, triangle));
@@ -138,12 +138,12 @@ TEST_CASE("squares (MRT §6, by hand)") {
     const auto from = [](Exact y, Exact z) {
         return Ray{.origin = {3, y, z}, .direction = {-2, 0, 0}};
     };
-    CHECK(meets(from(2, -2), square, 1));  // a corner
+    CHECK(hits(from(2, -2), square, 1));  // a corner
     CHECK(misses(from(std::nextafter(2.0, 3), 0), square));
     CHECK(misses({.origin = {1, 0, 0}, .direction = {0, 1, 0}}, square));
     Square one_sided = square;
     one_sided.one_sided = true;
-    CHECK(meets(from(0, 0), one_sided, 1));
+    CHECK(hits(from(0, 0), one_sided, 1));
     CHECK(misses({.origin = {0, 0, 0}, .direction = {1, 0, 0}}, one_sided));
     CHECK(same(square_uv(square, {1, 2, -1})[0], 1));
     CHECK(same(square_uv(square, {1, 2, -1})[1], fraction(1, 4)));
@@ -153,13 +153,13 @@ TEST_CASE("squares (MRT §6, by hand)") {
 TEST_CASE("cylinders (MRT §7, by hand)") {
     // The axis' length does not matter: it is a direction.
     const Cylinder tube{.center = {0, 1, 0}, .axis = {0, 3, 0}, .radius = 2, .height = 6};
-    CHECK(meets({.origin = {5, 0, 0}, .direction = {-1, 0, 0}}, tube, 3));
-    CHECK(meets({.origin = {5, 4, 0}, .direction = {-1, 0, 0}}, tube, 3));  // the rims belong to it
-    CHECK(meets({.origin = {5, -2, 0}, .direction = {-1, 0, 0}}, tube, 3));
+    CHECK(hits({.origin = {5, 0, 0}, .direction = {-1, 0, 0}}, tube, 3));
+    CHECK(hits({.origin = {5, 4, 0}, .direction = {-1, 0, 0}}, tube, 3));  // the rims belong to it
+    CHECK(hits({.origin = {5, -2, 0}, .direction = {-1, 0, 0}}, tube, 3));
     CHECK(misses({.origin = {5, std::nextafter(4.0, 5), 0}, .direction = {-1, 0, 0}}, tube));
-    CHECK(meets({.origin = {4, 7, 0}, .direction = {-1, -1, 0}}, tube, 6));  // in at the top
-    CHECK(meets({.origin = {0, 0, 0}, .direction = {3, 0, 4}}, tube, fraction(2, 5)));
-    CHECK(meets({.origin = {2, 0, 1}, .direction = {0, 0, -1}}, tube, 1));  // touches
+    CHECK(hits({.origin = {4, 7, 0}, .direction = {-1, -1, 0}}, tube, 6));  // in at the top
+    CHECK(hits({.origin = {0, 0, 0}, .direction = {3, 0, 4}}, tube, fraction(2, 5)));
+    CHECK(hits({.origin = {2, 0, 1}, .direction = {0, 0, -1}}, tube, 1));  // touches
     CHECK(misses({.origin = {0, 9, 0}, .direction = {0, -1, 0}}, tube));
     CHECK(misses({.origin = {2, 9, 0}, .direction = {0, -1, 0}}, tube));  // in the side
     CHECK(same(normal(tube, {3, 2, 4}), {fraction(3, 5), 0, fraction(4, 5)}));
@@ -169,15 +169,15 @@ TEST_CASE("cylinders (MRT §7, by hand)") {
 
 TEST_CASE("cones (MRT §8, by hand)") {
     const Cone cone{.apex = {0, 0, 1}, .axis = {0, 0, 2}, .radius = 3, .height = 4};
-    CHECK(meets({.origin = {9, 0, 3}, .direction = {-1, 0, 0}}, cone, fraction(15, 2)));
-    CHECK(meets({.origin = {9, 0, 5}, .direction = {-1, 0, 0}}, cone, 6));  // the rim belongs to it
+    CHECK(hits({.origin = {9, 0, 3}, .direction = {-1, 0, 0}}, cone, fraction(15, 2)));
+    CHECK(hits({.origin = {9, 0, 5}, .direction = {-1, 0, 0}}, cone, 6));  // the rim belongs to it
     CHECK(misses({.origin = {9, 0, std::nextafter(5.0, 6)}, .direction = {-1, 0, 0}}, cone));
-    CHECK(meets({.origin = {9, 0, 1}, .direction = {-1, 0, 0}}, cone, 9));  // the apex
-    CHECK(misses({.origin = {9, 0, 0}, .direction = {-1, 0, 0}}, cone));    // the other nappe
-    CHECK(meets({.origin = {0, 0, 3}, .direction = {0, 3, 4}}, cone, fraction(-1, 4), {.min = -1}));
+    CHECK(hits({.origin = {9, 0, 1}, .direction = {-1, 0, 0}}, cone, 9));  // the apex
+    CHECK(misses({.origin = {9, 0, 0}, .direction = {-1, 0, 0}}, cone));   // the other nappe
+    CHECK(hits({.origin = {0, 0, 3}, .direction = {0, 3, 4}}, cone, fraction(-1, 4), {.min = -1}));
     CHECK(misses({.origin = {0, 0, 1}, .direction = {3, 0, 4}}, cone));  // in the side
     CHECK(
-        meets({.origin = {0, 1, 3}, .direction = {0, -3, 4}}, cone, fraction(-1, 12), {.min = -1}));
+        hits({.origin = {0, 1, 3}, .direction = {0, -3, 4}}, cone, fraction(-1, 12), {.min = -1}));
     CHECK(same(normal(cone, {0, 3, 5}), {0, fraction(4, 5), fraction(-3, 5)}));
     CHECK(same(normal(cone, {0, 0, 1}), {0, 0, -1}));
     CHECK(same(off_surface({0, 0, 6}, cone), 3));

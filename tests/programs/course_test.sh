@@ -253,7 +253,7 @@ in_intersect='s/^std::optional<Real> intersect(.*/&\n    if (sizeof(Real) == 4 \
 sed "$in_intersect return std::nullopt;/" $stage/reference/sphere.cpp > $mine
 course 1 check 3
 says "  ✓ 1 intersect: "
-says "  ✗ the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)  (in float only)"
+says "  ✗ the unit sphere five ahead is hit at t = 4 (MRT §3)  (in float only)"
 says "      got:      no hit"
 says "Write next: intersect."
 sed "$in_intersect __builtin_trap();/" $stage/reference/sphere.cpp > $mine

@@ -243,7 +243,7 @@ shows "one first line that differs, the color" "document.querySelectorAll('.firs
     document.querySelector('.first .mine').textContent !==
     document.querySelector('.first .reference').textContent"
 shows "the first difference" "/^The first difference: .*color, of /.test(
-    document.getElementById('told').textContent)"
+    document.getElementById('explanation').textContent)"
 
 # Its rays in three dimensions, with the numbers of the story; the keyboard turns them.
 shows "the pixel's rays" "(space.drawn()?.rays ?? []).length > 0 &&
@@ -268,7 +268,7 @@ program step05_triangle
 echo "another" >> project/steps/step05_triangle/student/triangle.cpp
 shows "no difference once it is right" "$caption.startsWith('The same picture as ')"
 shows "no error any more" "document.querySelector('[data-of=mine] pre').hidden"
-told="document.getElementById('told').textContent"
+explanation="document.getElementById('explanation').textContent"
 
 # Depths: both on one scale, whose legend has numbers.
 colors() {
@@ -284,15 +284,15 @@ shows "the names of shapes" "/triangle [0-9]+, .* of the pixels/.test(
 colors 0
 shows "no legend for colors" "document.getElementById('legend').hidden &&
     $caption.startsWith('The same picture as ')"
-shows "the same story" "$told === 'Nothing differs.'"
+shows "the same story" "$explanation === 'Nothing differs.'"
 
 # Numbers are compared, not texts; a function that is not written is reported, and no difference.
 script "echo 'steps/step04_plane/student/plane.cpp:7: intersect is not written yet' >&2
 \"$build/step05_triangle\" \"\$@\" | sed 's/\([(, ]\)0\([,)]\)/\1-0\2/g; s/\(\.[0-9]\{9\}\)[0-9]*/\1/g'"
 touch project/steps/step05_triangle/student/triangle.cpp
 shows "no difference by the sign of zero or the last digits" "
-    $told.startsWith('Nothing differs.') && document.querySelector('.differs') === null"
-shows "what is not written" "$told.includes('plane.cpp:7: intersect is not written yet')"
+    $explanation.startsWith('Nothing differs.') && document.querySelector('.differs') === null"
+shows "what is not written" "$explanation.includes('plane.cpp:7: intersect is not written yet')"
 
 # Whose files draw the picture.
 parts="document.getElementById('parts').textContent"

@@ -87,7 +87,8 @@ void hold(const char* shape, Goal goal, const char* measure, double promise) {
     const std::uint64_t steps = once * number_from("RAYSTEPS_CLIMB", 1);
     const auto [top, height] = highest<Shape>(goal, steps);
     const auto got = intersect(top.ray, top.shape, top.interval);
-    const std::string where = told(top.ray, top.shape, top.interval, got, exact_answer(top));
+    const std::string where =
+        intersection_report(top.ray, top.shape, top.interval, got, exact_answer(top));
     std::printf("| %s | %s | %llu | %.2f | %.0f |\n", shape, measure,
                 static_cast<unsigned long long>(steps), height, promise);
     if (number_from("RAYSTEPS_CLIMB", 1) > 1) std::printf("%s\n", where.c_str());

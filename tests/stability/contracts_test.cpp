@@ -311,7 +311,7 @@ TEST_CASE("u and v of a square, colors, the torch and mirrors are within 10 u") 
         cases));
 }
 
-TEST_CASE("no box that a ray meets is lost, at its corners and edges either") {
+TEST_CASE("no box that a ray hits is lost, at its corners and edges either") {
     CHECK(for_all(
         [](Random& random) {
             std::array<BoundingBox, 8> boxes;

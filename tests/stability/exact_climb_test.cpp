@@ -90,7 +90,8 @@ void measure_ladder(const char* shape) {
         }
         if (height <= worst) continue;
         worst = height;
-        where = told(best.ray, best.shape, {}, intersect(best.ray, best.shape, {}), std::nullopt);
+        where = intersection_report(best.ray, best.shape, {}, intersect(best.ray, best.shape, {}),
+                                    std::nullopt);
     }
     std::printf("| %s | climbs | %llu | %.2f |\n", shape,
                 static_cast<unsigned long long>(climbs * steps), worst);
@@ -113,7 +114,7 @@ TEST_CASE("no search makes a certified t wrong by more than a few ulps") {
 TEST_CASE("the largest known errors of certified t, and cases with underflowing products") {
     const auto check = [](const auto& asked, double bound) {
         const auto got = intersect(asked.ray, asked.shape, {});
-        INFO(told(asked.ray, asked.shape, {}, got, std::nullopt));
+        INFO(intersection_report(asked.ray, asked.shape, {}, got, std::nullopt));
         CHECK(ulps_off(asked, {}, got) <= bound);
     };
     check(

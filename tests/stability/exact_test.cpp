@@ -55,7 +55,8 @@ Worst measured(Sweep sweep, std::uint64_t rays) {
             const double off = ulps_off(asked, interval, got);
             worst.add(off, off <= certified_ulps
                                ? ""
-                               : told(asked.ray, asked.shape, interval, got, std::nullopt) +
+                               : intersection_report(asked.ray, asked.shape, interval, got,
+                                                     std::nullopt) +
                                      "\n  ulps off: " + std::to_string(off) + "\n  random:   ray " +
                                      std::to_string(i));
             if (!got) break;

@@ -101,7 +101,7 @@ TEMPLATE_TEST_CASE("ties are decided as exact arithmetic does", "", Sphere, Plan
             if (root) expected = root->value().template convert_to<Real>();
             return verdict(got.has_value() == expected.has_value() &&
                                (!got || std::abs(*got - *expected) <= 8 * epsilon * *got),
-                           told(asked.ray, asked.shape, interval, got, expected));
+                           intersection_report(asked.ray, asked.shape, interval, got, expected));
         },
         20'000));
 }

@@ -50,7 +50,7 @@ template <class Shape>
 Verdict is_sound(const Case<Shape>& asked, Interval interval) {
     const auto got = intersect(asked.ray, asked.shape, interval);
     return verdict(!got || interval.contains(*got),
-                   told(asked.ray, asked.shape, interval, got, std::nullopt));
+                   intersection_report(asked.ray, asked.shape, interval, got, std::nullopt));
 }
 
 template <class Shape>

@@ -158,15 +158,15 @@ void ask(const Ray& ray, const Shape& first, const Shape& second, bool first_is_
         ++orders.asked;
         if (got == (first_is_nearer ? 1 : 2)) continue;
         if (orders.wrong++ != 0) continue;
-        const auto told = [](const auto& one) { return code(one); };
-        orders.where = "ray:    " + code(ray) + "\nfirst:  " + std::visit(told, first) +
-                       "\nsecond: " + std::visit(told, second) + "\nnearer: the " +
+        const auto printed = [](const auto& one) { return code(one); };
+        orders.where = "ray:    " + code(ray) + "\nfirst:  " + std::visit(printed, first) +
+                       "\nsecond: " + std::visit(printed, second) + "\nnearer: the " +
                        (first_is_nearer ? "first" : "second") + ", but came " +
                        std::to_string(got) + " of " + name(way);
     }
 }
 
-// Shapes that a ray meets at a point first. Much smaller than t, so that their last digits move t
+// Shapes that a ray hits at a point first. Much smaller than t, so that their last digits move t
 // by far less than an ulp.
 
 constexpr Real size = Real(1) / 64;

@@ -19,7 +19,7 @@ struct Orders {
 /// rounding: in a list and in a BVH, in either order.
 [[nodiscard]] Orders orders_of_near_ties(std::uint64_t times);
 
-/// Two that are met at the same t, a whole number or √3: the first is the nearest.
+/// Two that are hit at the same t, a whole number or √3: the first is the nearest.
 [[nodiscard]] Orders orders_of_ties();
 
 }  // namespace rt

@@ -24,13 +24,13 @@ void hold(const char* what, const Orders& orders) {
 
 }  // namespace
 
-TEST_CASE("of shapes that are a few ulps apart the nearest is met") {
+TEST_CASE("of shapes that are a few ulps apart the nearest is hit") {
     const char* times = std::getenv("RAYSTEPS_STABILITY");
     hold("near ties",
          orders_of_near_ties(times == nullptr ? 1 : std::strtoull(times, nullptr, 10)));
 }
 
-TEST_CASE("of shapes that are equally near the first is met") {
+TEST_CASE("of shapes that are equally near the first is hit") {
     const Orders orders = orders_of_ties();
     CHECK(orders.asked == 3 * (14 * 14 + 6 * 6));
     hold("ties", orders);

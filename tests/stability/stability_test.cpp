@@ -64,7 +64,9 @@ void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real
              const std::string& drawn) {
     const Judgment judgment = judged(asked, got);
     const auto place = [&] {
-        return told(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)) + drawn;
+        return intersection_report(asked.ray, asked.shape, asked.interval, got,
+                                   exact_answer(asked)) +
+               drawn;
     };
     if (judgment.off) row.off.add(*judgment.off, place);
     if (judgment.ulps) row.ulps.add(*judgment.ulps, place);
@@ -148,7 +150,7 @@ TEST_CASE("a sphere's roots from its surface, along it, are no quotients of roun
     }
 }
 
-TEST_CASE("a ray from the surface of a cylinder or a cone meets only its other side") {
+TEST_CASE("a ray from the surface of a cylinder or a cone hits only its other side") {
     // Points of whole numbers are exactly on these: one root is 0, and no rounding error beside it.
     Random random(1);
     const std::vector<Vec3> places = {{3, 0, 4}, {-5, 0, 0}, {4, 0, -3}, {0, 0, 5}};
@@ -262,7 +264,7 @@ Ray in_plane_of_rim(Random& random, int height) {
 template <class Shape>
 void check_near_side(const Case<Shape>& asked) {
     const auto got = intersect(asked.ray, asked.shape, asked.interval);
-    INFO(told(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)));
+    INFO(intersection_report(asked.ray, asked.shape, asked.interval, got, exact_answer(asked)));
     CHECK_FALSE((got && judged(asked, got).wrong));
 }
 

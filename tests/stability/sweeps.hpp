@@ -1,4 +1,4 @@
-// Rays and shapes at the extremes: each sweep takes one thing there, evenly over its decades, and
+// Rays and shapes at the extremes: each sweep takes one thing there, uniform over its decades, and
 // the last one several at once.
 #pragma once
 

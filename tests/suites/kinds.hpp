@@ -11,7 +11,7 @@
 namespace rt {
 
 /// A kind of shape in a scene, introduced by the stage of that number. The eye is at the origin and
-/// looks along 0,0,-1: the ray of the pixel meets the shape at 0,0,-depth.
+/// looks along 0,0,-1: the ray of the pixel hits the shape at 0,0,-depth.
 struct Kind {
     using Line = std::string (*)(int depth, const std::string& color);
 
@@ -75,7 +75,7 @@ inline const std::vector<Kind> all_kinds = {
 
 /// The pixel has the color, of 1, to a few roundings: shows allows 1 of 255.
 inline Verdict shows_exactly(const std::string& scene, Color expected) {
-    return gives(told_of_pixel("the color of the only pixel, of 1", scene), seen_unrounded(scene),
+    return gives(pixel_report("the color of the only pixel, of 1", scene), seen_unrounded(scene),
                  expected);
 }
 
@@ -186,12 +186,11 @@ inline Verdict colors_do_not_depend_on_order(int stage, const std::string& head)
             for (std::size_t i = scenes.size(); i-- > 0;) {
                 const Color again = seen_unrounded(scenes[i]);
                 if (again == colors[i]) continue;
-                return verdict(
-                    false, told_of_pixel("the color of the only pixel, asked again after "
-                                         "other scenes",
-                                         scenes[i]) +
-                               "\n  got:      " + text(again) + "\n  expected: " + text(colors[i]) +
-                               ", the same as before");
+                return verdict(false, pixel_report("the color of the only pixel, asked again after "
+                                                   "other scenes",
+                                                   scenes[i]) +
+                                          "\n  got:      " + text(again) + "\n  expected: " +
+                                          text(colors[i]) + ", the same as before");
             }
             return Verdict{};
         },

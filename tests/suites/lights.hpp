@@ -1,6 +1,6 @@
 // Questions about lights, for `trace` of stage 9 or 10 and all later ones: scenes of one pixel.
 //
-// The ray meets the white wall at 0,0,-4. A light at 3,0,0 is at a cosine of 0.8 there, 5 away.
+// The ray hits the white wall at 0,0,-4. A light at 3,0,0 is at a cosine of 0.8 there, 5 away.
 #pragma once
 
 #include "tests/suites/kinds.hpp"
@@ -186,8 +186,8 @@ inline Real share_seen(const std::string& scene, int samples) {
     return seen_unrounded(scene, {.shadow_samples = samples}).r / Real(0.4);
 }
 
-inline std::string told_of_share(const std::string& scene, int samples) {
-    return told_of_pixel(
+inline std::string share_report(const std::string& scene, int samples) {
+    return pixel_report(
         "the share of an area light that reaches the surface, with "
         "--shadow-samples " +
             std::to_string(samples),
@@ -203,7 +203,7 @@ inline Verdict share_is_of_samples(const std::string& scene, int samples) {
     const Real whole = std::round(reached);
     const bool is_of_samples =
         std::abs(reached - whole) <= rounding && whole >= 0 && whole <= Real(samples);
-    return verdict(is_of_samples, told_of_share(scene, samples) + "\n  got:      that of " +
+    return verdict(is_of_samples, share_report(scene, samples) + "\n  got:      that of " +
                                       decimal(reached) +
                                       " samples\n  expected: that of a whole number of samples");
 }
@@ -234,7 +234,7 @@ inline Verdict small_shares_are_seen() {
         const Real share = share_seen(scene, samples);
         const Real small = hidden ? share : 1 - share;
         return verdict(small > 0 && small < Real(0.0625),
-                       told_of_share(scene, samples) + "\n  got:      " + decimal(share) +
+                       share_report(scene, samples) + "\n  got:      " + decimal(share) +
                            "\n  expected: about " + (hidden ? "0.016" : "0.984"));
     };
     for (const std::string center :
@@ -329,13 +329,13 @@ inline Verdict pixels_have_their_own_samples() {
             };
             const Image image = draw();
             const std::string pattern = pattern_of(image);
-            const std::string told =
-                told_of_pixel("the pixels of a picture of 40 x 40, with --shadow-samples 1", scene);
+            const std::string question =
+                pixel_report("the pixels of a picture of 40 x 40, with --shadow-samples 1", scene);
             if (!pattern.empty())
-                return verdict(false, told + "\n  got:      " + pattern +
+                return verdict(false, question + "\n  got:      " + pattern +
                                           "\n  expected: each pixel has samples of its own");
             return verdict(draw().pixels == image.pixels,
-                           told +
+                           question +
                                "\n  got:      another picture, the second time"
                                "\n  expected: the same: samples depend on their seed alone");
         },
@@ -346,7 +346,7 @@ inline Verdict pixels_have_their_own_samples() {
 /// shares of the pixels are no more uneven than 2/3 of those of independent points, √(¼ · ¾ / 64) =
 /// 0.054. The first 64 points of a sequence have 0.016 or so. Every second point, if the two lights
 /// divide a sequence, covers half of a light only.
-inline Verdict samples_are_even() {
+inline Verdict samples_are_well_spread() {
     constexpr int size = 16;
     constexpr int samples = 64;
     const std::string scene =
@@ -364,7 +364,7 @@ inline Verdict samples_are_even() {
     const Real off = std::sqrt(squares / Real(2 * image.pixels.size()));
     return verdict(
         off < Real(0.036),
-        told_of_pixel("the pixels of a picture of 16 x 16, with --shadow-samples 64", scene) +
+        pixel_report("the pixels of a picture of 16 x 16, with --shadow-samples 64", scene) +
             "\n  got:      shares of a quarter of a light, off by " + decimal(off) +
             "\n  expected: off by about 0.02: each pixel and light has the samples"
             "\n            spread_sample(0, seed), spread_sample(1, seed), …");
@@ -388,7 +388,7 @@ inline Verdict area_lights_are_sampled() {
     keep_first(all, lights_of_any_size_are_sampled());
     keep_first(all, lights_have_their_own_samples());
     keep_first(all, pixels_have_their_own_samples());
-    keep_first(all, samples_are_even());
+    keep_first(all, samples_are_well_spread());
     return all;
 }
 

@@ -1,6 +1,6 @@
 // Questions about mirrors, for `trace` of stages 12 and 13: scenes of one pixel.
 //
-// The ray meets a mirror at 0,0,-4. A wall at z = 6, behind the eye, is what it shows.
+// The ray hits a mirror at 0,0,-4. A wall at z = 6, behind the eye, is what it shows.
 #pragma once
 
 #include "tests/suites/lights.hpp"
@@ -28,7 +28,7 @@ inline std::string seen_in_mirrors(int count, const std::string& fov = "60") {
 }
 
 /// A ray that one to six mirrors have reflected has the same color as a ray of the camera: with
-/// light, shadow and sky, and with the term that the option --term selects. The ray meets one of
+/// light, shadow and sky, and with the term that the option --term selects. The ray hits one of
 /// the last six kinds of this stage at 0,0,-4, and one of `hiding`, as a mirror, hides the red
 /// light.
 inline Verdict mirrors_show_mirrors(int stage,
@@ -116,7 +116,7 @@ inline Verdict mirrors_do_not_show_themselves() {
         40);
 }
 
-/// A mirror shows black, or the sky, where its ray meets nothing, and so does a second mirror.
+/// A mirror shows black, or the sky, where its ray misses everything, and so does a second mirror.
 inline Verdict mirrors_show_black_or_sky() {
     const std::string bright = "A 1 255,255,255\n";
     const std::string sky = "sky 0,0,255 255,0,0\n";
@@ -171,7 +171,7 @@ inline Verdict pixels_in_mirrors_have_their_own_samples() {
     const bool differ = std::ranges::any_of(
         image.pixels, [&](const Rgb& color) { return color != image.pixels.front(); });
     return verdict(
-        differ, told_of_pixel("the pixels of a picture of 8 x 8, with --shadow-samples 1", scene) +
+        differ, pixel_report("the pixels of a picture of 8 x 8, with --shadow-samples 1", scene) +
                     "\n  got:      all pixels agree"
                     "\n  expected: in a mirror, too, each pixel has samples of its own");
 }
@@ -232,7 +232,7 @@ inline Verdict reflections_end() {
     keep_first(all, shows(two, {64, 0, 159}, {.depth = 2}));
     // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
     keep_first(all, shows(two, {85, 0, 170}, {.depth = 100}, 2));
-    // Between perfect mirrors, ten apart, the ray climbs by one on each way: it meets a wall after
+    // Between perfect mirrors, ten apart, the ray climbs by one on each way: it hits a wall after
     // 400 reflections.
     const std::string hall =
         "A 1 255,255,255\npl 0,0,-4 0,0,1 255,255,255 mirror:1\n"

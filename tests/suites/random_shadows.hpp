@@ -7,7 +7,7 @@
 
 namespace rt {
 
-/// The ray meets a white wall at 0,0,-4. Up to five lights are around it, each at a cosine of 0.8
+/// The ray hits a white wall at 0,0,-4. Up to five lights are around it, each at a cosine of 0.8
 /// there; a ball halfway to it blocks about half of them. `option` follows each light.
 inline Verdict random_lights_are_blocked(const std::string& option) {
     return for_all(

@@ -50,7 +50,7 @@ TEST_CASE("the middle pixel of an odd picture lies in the middle of the screen (
     CHECK(on_screen({.row = 2, .column = 3}, {.width = 7, .height = 5}, right_angle, {0, 0}));
 }
 
-TEST_CASE("rays go through the centers of pixels: + 0.5, over W and H (MRT §1)", "[3 points]") {
+TEST_CASE("the center of a corner pixel on the screen (MRT §1)", "[3 points]") {
     CHECK(on_screen({.row = 0, .column = 0}, three, right_angle, {-two_thirds, two_thirds}));
     CHECK(on_screen({.row = 2, .column = 2}, three, right_angle, {two_thirds, -two_thirds}));
     CHECK(on_screen({.row = 0, .column = 0}, {.width = 1, .height = 1}, right_angle, {0, 0}));
@@ -58,19 +58,21 @@ TEST_CASE("rays go through the centers of pixels: + 0.5, over W and H (MRT §1)"
         on_screen({.row = 0, .column = 0}, vga, right_angle, {Real(-639) / 480, Real(479) / 480}));
 }
 
-TEST_CASE("the row goes down, the column to the right (MRT §1, i and j)") {
+TEST_CASE(
+    "the pixels beside the middle one: y in the first row, x in the last column (MRT §1, i and "
+    "j)") {
     CHECK(on_screen({.row = 0, .column = 1}, three, right_angle, {0, two_thirds}));
     CHECK(on_screen({.row = 1, .column = 2}, three, right_angle, {two_thirds, 0}));
 }
 
-TEST_CASE("the ratio W / H stretches x (MRT §1)") {
+TEST_CASE("pictures of 4 × 2 and of 2 × 4 pixels: x and y on the screen (MRT §1)") {
     CHECK(on_screen({.row = 0, .column = 0}, {.width = 4, .height = 2}, right_angle,
                     {Real(-1.5), Real(0.5)}));
     CHECK(on_screen({.row = 0, .column = 1}, {.width = 2, .height = 4}, right_angle,
                     {Real(0.25), Real(0.75)}));
 }
 
-TEST_CASE("the field of view is vertical, and halved in the tangent (MRT §1)") {
+TEST_CASE("vertical fields of view of 60° and 120° (MRT §1)") {
     const Real tan_30 = 1 / std::sqrt(Real(3));
     CHECK(on_screen({.row = 0, .column = 0}, {.width = 2, .height = 2}, pi / 3,
                     Vec2(Real(-0.5), Real(0.5)) * tan_30));
@@ -121,7 +123,7 @@ TEST_CASE("by inverse matrices the ray starts at the camera and ends on the far 
     CHECK(gives("the direction in row 2, column 1", lower.direction, Vec3(0, Real(-32) / 3, -16)));
 }
 
-TEST_CASE("both ends are divided by their w (M1)") {
+TEST_CASE("inverse matrices multiplied by a number give the same ray (M1)") {
     // All the same points, in homogeneous coordinates twice and four times as large.
     const auto& [camera, image] = of_nine_pixels;
     const Ray ray = unprojected_ray({.row = 0, .column = 2}, Real(2) * camera, Real(4) * image);

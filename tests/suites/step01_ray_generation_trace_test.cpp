@@ -70,11 +70,11 @@ TEST_CASE("every pixel of a square picture has its own ray (M1)") {
     CHECK(render_shows_directions({.width = 3, .height = 3}, right_angle));
 }
 
-TEST_CASE("rows and columns are counted apart: a picture wider than high (M1)") {
+TEST_CASE("every pixel of a picture wider than high has its own ray (M1)") {
     CHECK(render_shows_directions({.width = 5, .height = 3}, right_angle));
 }
 
-TEST_CASE("rows and columns are counted apart: a picture higher than wide (M1)") {
+TEST_CASE("every pixel of a picture higher than wide has its own ray (M1)") {
     CHECK(render_shows_directions({.width = 3, .height = 5}, right_angle));
 }
 

@@ -90,13 +90,13 @@ TEST_CASE("the default camera has the world's axes (MRT §2)",
     CHECK(basis_is({0, 0, -1}, {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}}));
 }
 
-TEST_CASE("Z is against the direction, X to the right, Y upwards (MRT §2)", "[3 points]") {
+TEST_CASE("level views to the right, back and to the left (MRT §2)", "[3 points]") {
     CHECK(basis_is({1, 0, 0}, {.x = {0, 0, 1}, .y = {0, 1, 0}, .z = {-1, 0, 0}}));
     CHECK(basis_is({0, 0, 1}, {.x = {-1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, -1}}));
     CHECK(basis_is({-1, 0, 0}, {.x = {0, 0, -1}, .y = {0, 1, 0}, .z = {1, 0, 0}}));
 }
 
-TEST_CASE("X is made unit length when the camera is pitched (erratum 3, MRT §2)") {
+TEST_CASE("views that are pitched down and up: X, Y and Z have unit length (erratum 3, MRT §2)") {
     // (0, 1, 0) ∧ Z has the length 0.8 here, and 0.5 at a pitch of 60°.
     CHECK(basis_is(
         {0, -3, -4},
@@ -119,7 +119,7 @@ TEST_CASE("a vertical view takes X = (1, 0, 0) (MRT §2)") {
     CHECK(basis_is({0, Real(-0.125), 0}, {.x = {1, 0, 0}, .y = {0, 0, -1}, .z = {0, 1, 0}}));
 }
 
-TEST_CASE("however near the vertical, X is where the formula has it (MRT §2)", "[exact]") {
+TEST_CASE("views almost along the vertical, to 2^-60 (MRT §2)", "[exact]") {
     const Real lean = std::ldexp(Real(1), -60);
     CHECK(basis_is_exact({lean, 1, 0}));
     CHECK(basis_is_exact({-lean, 1, 0}));
@@ -159,7 +159,7 @@ TEST_CASE("a ray of the camera's frame is carried into the world (MRT §2)", "[p
     CHECK(gives("the same, for a longer direction", longer.origin, Vec3(8, 18, 14)));
 }
 
-TEST_CASE("t keeps its meaning: a turned direction keeps its length (MRT §2)") {
+TEST_CASE("the direction has the same length in the world (MRT §2)") {
     CHECK(for_all([](Random& random) {
         const Basis basis = random.basis();
         const Vec3 direction = random.power_of_two() * random.point(2);

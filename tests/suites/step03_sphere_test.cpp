@@ -41,7 +41,8 @@ Verdict hits_almost_touching(Random& random) {
     const Ray ray{.origin = closest - back * basis.y, .direction = basis.y};
     const std::optional<Real> t = intersect(ray, sphere, {});
     const Real near = back - half_chord;
-    return verdict(t && std::abs(*t - near) < half_chord / 8, told(ray, sphere, {}, t, near));
+    return verdict(t && std::abs(*t - near) < half_chord / 8,
+                   intersection_report(ray, sphere, {}, t, near));
 }
 
 /// In eighths, the radius a power of two: with rays along the axes nothing is rounded.
@@ -51,12 +52,11 @@ Sphere draw_in_eighths(Random& random) {
 
 }  // namespace
 
-TEST_CASE("the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)",
-          "[part intersect][3 points]") {
+TEST_CASE("the unit sphere five ahead is hit at t = 4 (MRT §3)", "[part intersect][3 points]") {
     CHECK(hits(ahead, unit_sphere, 4));
 }
 
-TEST_CASE("the radius and the center count (MRT §3)") {
+TEST_CASE("spheres of other radii and centers (MRT §3)") {
     CHECK(hits(ahead, Sphere{.center = {0, 0, 0}, .radius = 2}, 3));
     CHECK(hits(ahead, Sphere{.center = {0, 0, -3}, .radius = 1}, 7));
     CHECK(hits(ahead, Sphere{.center = {3, 0, 0}, .radius = 5}, 1));
@@ -78,7 +78,7 @@ TEST_CASE("situation B, as it is given and as it is worked, is a miss (PHY)") {
     CHECK(misses(ray, Sphere{.center = {1, -3, 0}, .radius = 3}));
 }
 
-TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exact]") {
+TEST_CASE("a ray tangent to the sphere hits it (PHY, B² − 4AC = 0)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, unit_sphere, 5));
     CHECK(hits(Ray{.origin = {-3, 0, -2}, .direction = {2, 0, 0}},
                Sphere{.center = {0, 0, 0}, .radius = 2}, Real(1.5)));
@@ -92,7 +92,7 @@ TEST_CASE("a ray that touches the sphere meets it (PHY, B² − 4AC = 0)", "[exa
     CHECK(for_all(hits_almost_touching));
 }
 
-TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root)") {
+TEST_CASE("a ray from inside hits the far side (MRT §3, the smallest positive root)") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, unit_sphere, 1));
     CHECK(hits(Ray{.origin = {0, 0, Real(0.5)}, .direction = {0, 0, -1}}, unit_sphere, Real(1.5)));
     // PHY's situation B with a radius that reaches the origin: A = 34, B = −30, C = 29 − 36 = −7.
@@ -106,12 +106,15 @@ TEST_CASE("from inside, the far side is met (MRT §3, the smallest positive root
     }));
 }
 
-TEST_CASE("behind the origin, nothing is met (CR §2.2, PHY)") {
+TEST_CASE("a sphere behind the origin is a miss (CR §2.2, PHY)") {
     CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, unit_sphere));
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a ray that starts on the sphere does not meet it at once (PHY, t > 0)", "[exact]") {
+TEST_CASE(
+    "a ray from a point of the sphere: out of it a miss, into it a hit of the far side (PHY, t > "
+    "0)",
+    "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 1}, .direction = {0, 0, 1}}, unit_sphere));
     CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -1}}, unit_sphere, 2));
     CHECK(for_all([](Random& random) {
@@ -134,14 +137,14 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
+TEST_CASE("hits at very small and very large t (CR §2.1)") {
     CHECK(
         hits(Ray{.origin = {0, 0, Real(1.25)}, .direction = {0, 0, -1}}, unit_sphere, Real(0.25)));
     CHECK(hits(Ray{.origin = {0, 0, 101}, .direction = {0, 0, -1}}, unit_sphere, 100));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
-    CHECK(far_shapes_are_met(draw));
-    CHECK(close_surfaces_are_met(draw));
+    CHECK(far_shapes_are_hit(draw));
+    CHECK(close_surfaces_are_hit(draw));
     CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
         const Sphere sphere = draw_in_eighths(random);
         const Vec3 out = random.axes().x;
@@ -153,14 +156,14 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (CR §2.1)") {
     }));
 }
 
-TEST_CASE("small spheres and short directions count: no epsilon on Δ or ‖d‖² (contract)") {
+TEST_CASE("very small spheres and very short directions (contract)") {
     CHECK(hits_in(tiny_shape, draw));
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(tiny_shape, draw_past));
     CHECK(misses_in(short_direction, draw_past));
 }
 
-TEST_CASE("rays aimed at a point of the sphere meet it there (MRT §3)") {
+TEST_CASE("rays aimed at a point of the sphere hit it there (MRT §3)") {
     CHECK(aimed_rays_hit(draw));
 }
 

@@ -25,13 +25,13 @@ Verdict show_in_any_order(std::array<std::string, 3> lines, Rgb expected) {
 
 }  // namespace
 
-TEST_CASE("without a hit the pixel is black (CR §2.1)", "[part trace]") {
+TEST_CASE("a ray that misses all spheres gives black (CR §2.1)", "[part trace]") {
     CHECK(shows("", black));
     CHECK(shows("sp 3,0,-5 2 255,0,0\n", black));
     CHECK(shows("sp 3,0,-5 2 255,0,0\nsp 0,-4,-9 3 0,255,0\n", black));
 }
 
-TEST_CASE("without a hit the pixel is the color of the scene's sky in the ray's direction") {
+TEST_CASE("a ray that misses all spheres gives the color of the sky in its direction") {
     const std::string sky = "sky 0,0,255 255,0,0\n";
     CHECK(shows(sky, {128, 0, 128}));                             // level: half of each
     CHECK(shows(sky + "C 0,0,0 0,1,0 60\n", {255, 0, 0}));        // straight up
@@ -82,13 +82,14 @@ TEST_CASE(
     CHECK(colors_do_not_depend_on_order(3, ""));
 }
 
-TEST_CASE("a sphere behind the eye is not seen, nor does it hide another (PHY)") {
+TEST_CASE("spheres behind the eye, alone and with one in front of it (PHY)") {
     CHECK(shows("sp 0,0,5 2 255,0,0\n", black));
     CHECK(show_in_any_order(
         {"sp 0,0,5 2 255,0,0\n", "sp 0,0,2 1 0,0,255\n", "sp 0,0,-9 2 0,255,0\n"}, green));
 }
 
-TEST_CASE("inside a sphere, the eye sees what is nearer than its far side (CR §2.1)") {
+TEST_CASE(
+    "the eye inside a sphere: its far side, and spheres nearer and farther than that (CR §2.1)") {
     CHECK(shows("sp 0,0,0 20 0,255,0\n", green));
     CHECK(show_in_any_order(
         {"sp 0,0,0 20 0,255,0\n", "sp 0,0,-5 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));
@@ -97,7 +98,7 @@ TEST_CASE("inside a sphere, the eye sees what is nearer than its far side (CR §
 }
 
 TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)") {
-    // The ray meets it at 0,0,-6, where its normal is 0,-0.6,0.8.
+    // The ray hits it at 0,0,-6, where its normal is 0,-0.6,0.8.
     const std::string slanted = "sp 0,3,-10 10 255,255,255\n";
     CHECK(shows_exactly(slanted, Color(Real(0.8))));
     CHECK(shows("sp 0,3,-10 10 255,100,0\n", {204, 80, 0}));
@@ -105,7 +106,7 @@ TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)")
     CHECK(show_in_any_order({slanted, "sp 0,0,-20 2 255,0,0\n", "sp 0,0,-30 2 255,0,0\n"},
                             {204, 204, 204}));
     CHECK(show_in_any_order({slanted, "sp 0,0,-3 2 255,0,0\n", "sp 0,0,-30 2 0,0,255\n"}, red));
-    // From its center, every ray meets a sphere at a right angle; the rays have several lengths.
+    // From its center, every ray hits a sphere at a right angle; the rays have several lengths.
     CHECK(shows_in_every_pixel("sp 0,0,0 8 120,80,40\n", {120, 80, 40}));
 }
 

@@ -29,13 +29,13 @@ TEST_CASE("situation A: t = 0.5333 at (1.467, -1.933, -0.6) (PHY)", "[part inter
                 Vec3(Real(22) / 15, Real(-29) / 15, Real(-3) / 5)));
 }
 
-TEST_CASE("a plane is met from either side (MRT §4)") {
+TEST_CASE("a plane is hit from either side (MRT §4)") {
     CHECK(hits(Ray{.origin = {3, 2, 1}, .direction = {0, -1, 0}}, ground, 2));
     CHECK(hits(Ray{.origin = {3, -2, 1}, .direction = {0, 1, 0}}, ground, 2));
     CHECK(hits(Ray{.origin = {0, 3, 0}, .direction = {1, -1, 1}}, ground, 3));
 }
 
-TEST_CASE("a plane across any axis is met (MRT §4)") {
+TEST_CASE("planes across each axis are hit (MRT §4)") {
     const Vec3 point(1, 2, 3);
     const Vec3 direction(2, -1, 4);
     for (int axis = 0; axis < 3; ++axis) {
@@ -45,19 +45,19 @@ TEST_CASE("a plane across any axis is met (MRT §4)") {
     }
 }
 
-TEST_CASE("any point of the plane will do (MRT §4)") {
+TEST_CASE("a plane given by different points of it (MRT §4)") {
     const Ray ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
     CHECK(hits(ray, Plane{.point = {7, 1, -9}, .normal = {0, 1, 0}}, 4));
     CHECK(hits(ray, Plane{.point = {2, 0, 0}, .normal = {1, 2, 0}}, 4));
 }
 
-TEST_CASE("the length and the sign of the normal do not matter for t (PHY, N and n)") {
+TEST_CASE("normals of several lengths and of both signs give the same t (PHY, N and n)") {
     const Ray ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}};
     CHECK(hits(ray, Plane{.point = {0, 1, 0}, .normal = {0, 8, 0}}, 4));
     CHECK(hits(ray, Plane{.point = {0, 1, 0}, .normal = {0, Real(-0.25), 0}}, 4));
 }
 
-TEST_CASE("behind the origin, nothing is met (MRT §4, t positive)") {
+TEST_CASE("a plane behind the origin is a miss (MRT §4, t positive)") {
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, ground));
     CHECK(misses(Ray{.origin = {0, -2, 0}, .direction = {1, -1, 0}}, ground));
     CHECK(nothing_behind_is_hit(draw));
@@ -71,7 +71,7 @@ TEST_CASE("a parallel ray misses, above the plane and in it (MRT §4)", "[exact]
                  Plane{.point = {4, 0, 0}, .normal = {1, 1, 0}}));
 }
 
-TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)", "[exact]") {
+TEST_CASE("a grazing ray hits the plane far away (MRT §4)", "[exact]") {
     for (const int power : {-40, -60}) {  // about 1e-12 and 1e-18
         const Real slope = std::ldexp(Real(1), power);
         CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {1, -slope, 0}}, ground, 2 / slope));
@@ -89,7 +89,7 @@ TEST_CASE("a grazing ray meets the plane far away: there is no epsilon (MRT §4)
     }
 }
 
-TEST_CASE("the horizon: rays above it miss, rays below it land further and further away (MRT §4)") {
+TEST_CASE("rays below the horizon hit further and further away, rays above it miss (MRT §4)") {
     const Vec3 eye(0, 1, 0);
     Real before = 0;
     for (const Real depth : {Real(1), Real(0.25), Real(0.0625), Real(0.015625)}) {
@@ -102,7 +102,7 @@ TEST_CASE("the horizon: rays above it miss, rays below it land further and furth
     }
 }
 
-TEST_CASE("a ray that starts on the plane does not meet it (PHY, t > 0)", "[exact]") {
+TEST_CASE("a ray from a point of the plane is a miss (PHY, t > 0)", "[exact]") {
     CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, 1, 0}}, ground));
     CHECK(misses(Ray{.origin = {5, 0, 5}, .direction = {1, -1, 0}}, ground));
 }
@@ -121,7 +121,7 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[exact]") {
+TEST_CASE("hits at very small and very large t (contract)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {3, near, 1}, .direction = {0, -1, 0}}, ground, near));
     CHECK(hits(Ray{.origin = {3, -near, 1}, .direction = {1, 1, 0}}, ground, near));
@@ -132,15 +132,15 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[e
     CHECK(hits_in(tiny_shape, draw));
 }
 
-TEST_CASE("short directions count: no epsilon on ⟨d, n⟩ (contract)") {
+TEST_CASE("very short directions (contract)") {
     CHECK(hits_in(short_direction, draw));
 }
 
-TEST_CASE("rays aimed at a point of the plane meet it there (MRT §4)") {
+TEST_CASE("rays aimed at a point of the plane hit it there (MRT §4)") {
     CHECK(aimed_rays_hit(draw));
 }
 
-TEST_CASE("rays aimed from the other side meet it there too (MRT §4)") {
+TEST_CASE("rays aimed at a point of the plane from its other side hit it there (MRT §4)") {
     CHECK(for_all([](Random& random) {
         Sample<Plane> sample = draw(random);
         sample.normal = -sample.normal;

@@ -78,7 +78,7 @@ Past<Triangle> draw_past(Random& random) {
     return {.ray = aimed.ray, .shape = aimed.shape};
 }
 
-/// A ray at right angles meets the point with these weights if none is negative, where nothing is
+/// A ray at right angles hits the point with these weights if none is negative, where nothing is
 /// rounded: corners in eighths, two sides along axes and as long as powers of two.
 Verdict hits_exactly_at(Vec3 weights, Random& random) {
     const auto [x, y, z] = random.axes();
@@ -94,7 +94,7 @@ Verdict hits_exactly_at(Vec3 weights, Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §5)",
+TEST_CASE("rays to points inside the triangle hit it, rays beside it miss (MRT §5)",
           "[part intersect][3 points][exact]") {
     CHECK(hits(down_at(1, 1), right_angled, 2));
     CHECK(misses(down_at(3, 3), right_angled));
@@ -112,7 +112,7 @@ TEST_CASE("a ray to the inside hits the triangle, a ray beside it misses (MRT §
     }));
 }
 
-TEST_CASE("each half-plane is tested (MRT §5)") {
+TEST_CASE("rays just outside each of the three edges miss (MRT §5)") {
     CHECK(hits(down_at(1, 2), right_angled, 2));
     // Just outside one edge, well inside the other two.
     CHECK(misses(down_at(1, Real(-0.125)), right_angled));
@@ -120,14 +120,14 @@ TEST_CASE("each half-plane is tested (MRT §5)") {
     CHECK(misses(down_at(Real(-0.125), 1), right_angled));
 }
 
-TEST_CASE("it is met from either side, whichever way its corners turn (MRT §5)") {
+TEST_CASE("a triangle is hit from either side, in both orders of its corners (MRT §5)") {
     const Triangle rotated{.a = {0, 0, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
     CHECK(hits(down_at(1, 1), rotated, 2));
     CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, right_angled, 3));
     CHECK(hits(Ray{.origin = {1, 1, -3}, .direction = {0, 0, 1}}, rotated, 3));
 }
 
-TEST_CASE("it is met along any direction, some of it zero (MRT §5)") {
+TEST_CASE("a triangle is hit along directions of which some components are zero (MRT §5)") {
     // On x + y + z = 3, around (1, 1, 1).
     const Triangle leaning{.a = {3, 0, 0}, .b = {0, 3, 0}, .c = {0, 0, 3}};
     for (int i = 0; i < 125; ++i) {
@@ -138,7 +138,7 @@ TEST_CASE("it is met along any direction, some of it zero (MRT §5)") {
     }
 }
 
-TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (erratum 5, MRT §5)",
+TEST_CASE("rays to the edges of a triangle and the diagonal of a quad hit (erratum 5, MRT §5)",
           "[exact]") {
     const Triangle other{.a = {4, 4, 0}, .b = {0, 4, 0}, .c = {4, 0, 0}};
     CHECK(hits(down_at(2, 2), right_angled, 2));
@@ -165,7 +165,7 @@ TEST_CASE("edges belong to the triangle: no crack along a quad's diagonal (errat
     }));
 }
 
-TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)", "[exact]") {
+TEST_CASE("rays to the corners of a triangle hit (erratum 5, MRT §5)", "[exact]") {
     CHECK(hits(down_at(0, 0), right_angled, 2));
     CHECK(hits(down_at(4, 0), right_angled, 2));
     CHECK(hits(down_at(0, 4), right_angled, 2));
@@ -176,7 +176,7 @@ TEST_CASE("corners belong to the triangle (erratum 5, MRT §5)", "[exact]") {
     }));
 }
 
-TEST_CASE("behind the origin, nothing is met (MRT §4–5, t positive)") {
+TEST_CASE("a triangle behind the origin is a miss (MRT §4–5, t positive)") {
     CHECK(misses(Ray{.origin = {1, 1, 2}, .direction = {0, 0, 1}}, right_angled));
     CHECK(misses(Ray{.origin = {1, 1, -2}, .direction = {0, 0, -1}}, right_angled));
     CHECK(nothing_behind_is_hit(draw));
@@ -188,7 +188,7 @@ TEST_CASE("a ray in the triangle's plane misses (MRT §5, ⟨d, n⟩ = 0)", "[ex
     CHECK(misses(Ray{.origin = {-1, 1, 1}, .direction = {1, 0, 0}}, right_angled));
 }
 
-TEST_CASE("a triangle without area is missed (contract)", "[exact]") {
+TEST_CASE("a triangle without area is a miss (contract)", "[exact]") {
     const Triangle line{.a = {0, 0, 0}, .b = {2, 0, 0}, .c = {4, 0, 0}};
     const Triangle point{.a = {1, 1, 0}, .b = {1, 1, 0}, .c = {1, 1, 0}};
     CHECK(misses(down_at(1, 0), line));
@@ -196,7 +196,7 @@ TEST_CASE("a triangle without area is missed (contract)", "[exact]") {
     CHECK(misses(down_at(1, 1), point));
 }
 
-TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") {
+TEST_CASE("small triangles are hit (MRT §5)", "[exact]") {
     const Real small = std::ldexp(Real(1), -30);  // about 1e-9
     const Triangle triangle{.a = {0, 0, 0}, .b = {4 * small, 0, 0}, .c = {0, 4 * small, 0}};
     CHECK(hits(down_at(small, small), triangle, 2));
@@ -211,8 +211,7 @@ TEST_CASE("small triangles are seen: there is no epsilon (MRT §5)", "[exact]") 
     }));
 }
 
-TEST_CASE("narrow triangles are seen: there is no epsilon on angles or sides (contract)",
-          "[exact]") {
+TEST_CASE("narrow triangles are hit (contract)", "[exact]") {
     for (const int power : {-3, -5, -8, -11}) {
         const Real narrow = std::ldexp(Real(1), power);
         const Triangle needle{.a = {0, 0, 0}, .b = {2, narrow, 0}, .c = {2, -narrow, 0}};
@@ -233,7 +232,7 @@ TEST_CASE("narrow triangles are seen: there is no epsilon on angles or sides (co
     }));
 }
 
-TEST_CASE("a grazing ray meets the triangle: there is no epsilon (MRT §5)", "[exact]") {
+TEST_CASE("a grazing ray hits the triangle (MRT §5)", "[exact]") {
     for (const int power : {-12, -40, -60}) {
         const Real slope = std::ldexp(Real(1), power);
         CHECK(
@@ -259,22 +258,22 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[exact]") {
+TEST_CASE("hits at very small and very large t (contract)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, right_angled, near));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
-    CHECK(far_shapes_are_met(draw));
+    CHECK(far_shapes_are_hit(draw));
 }
 
-TEST_CASE("small triangles and short directions count: no epsilon on the determinant (contract)") {
+TEST_CASE("very small triangles and very short directions (contract)") {
     CHECK(hits_in(tiny_shape, draw));
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(tiny_shape, draw_past));
     CHECK(misses_in(short_direction, draw_past));
 }
 
-TEST_CASE("rays aimed at a point inside meet it there (MRT §5, M1)") {
+TEST_CASE("rays aimed at a point of the triangle hit it there (MRT §5, M1)") {
     CHECK(aimed_rays_hit(draw));
     CHECK(aimed_rays_hit(draw_across_an_axis));
     CHECK(aimed_rays_hit(draw_almost_across_an_axis));
@@ -284,7 +283,7 @@ TEST_CASE("rays aimed at its plane outside the triangle miss (MRT §5, M1)") {
     CHECK(misses_in({}, draw_past));
 }
 
-TEST_CASE("the triangle ends at its edges, and not 0.1 % further (MRT §5)") {
+TEST_CASE("rays aimed 0.1 % beside the edges of the triangle miss (MRT §5)") {
     CHECK(for_all([](Random& random) {
         const Real weight = draw_narrow(random);
         if (random.coin()) {

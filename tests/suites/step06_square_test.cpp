@@ -61,7 +61,8 @@ Verdict ends_at_frame(const Square& square, Real margin, Random& random) {
 
 }  // namespace
 
-TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[part intersect][3 points]") {
+TEST_CASE("rays to points inside the square hit it, rays beside it miss (MRT §6)",
+          "[part intersect][3 points]") {
     CHECK(hits(down_at(0, 0), flat, 2));
     CHECK(hits(down_at(Real(1.75), Real(-1.75)), flat, 2));
     CHECK(misses(down_at(Real(2.25), 0), flat));
@@ -71,13 +72,14 @@ TEST_CASE("the side is h, from -h/2 to h/2 (MRT §6)", "[part intersect][3 point
     CHECK(misses(down_at(3, 3), flat));
 }
 
-TEST_CASE("the center counts (MRT §6)") {
+TEST_CASE("a square with another center (MRT §6)") {
     const Square square{.center = {5, -3, 1}, .basis = {}, .side = 2};
     CHECK(hits(down_at(Real(5.5), Real(-3.5)), square, 1));
     CHECK(misses(down_at(0, 0), square));
 }
 
-TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)", "[exact]") {
+TEST_CASE("rays to the edges and corners of the square hit (erratum 5, MRT §6, CR §2.3)",
+          "[exact]") {
     CHECK(hits(down_at(2, 0), flat, 2));
     CHECK(hits(down_at(-2, 1), flat, 2));
     CHECK(hits(down_at(0, 2), flat, 2));
@@ -113,7 +115,7 @@ TEST_CASE("edges and corners belong to the square (erratum 5, MRT §6, CR §2.3)
     }));
 }
 
-TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
+TEST_CASE("squares with other bases (MRT §6)") {
     // Turned by an eighth: its corners are on the world's axes, 2.83 away.
     const Real half = std::sqrt(Real(0.5));
     const Square rotated{.center = {0, 0, 0},
@@ -128,7 +130,7 @@ TEST_CASE("x and y are the square's own, not the world's (MRT §6)") {
     CHECK(misses(Ray{.origin = {3, 1, Real(2.5)}, .direction = {-1, 0, 0}}, upright));
 }
 
-TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
+TEST_CASE("a square is hit from either side, a one-sided one from its front only (HAI)") {
     const Ray from_below{.origin = {1, 1, -3}, .direction = {0, 0, 1}};
     CHECK(hits(from_below, flat, 3));
     Square front_only = flat;
@@ -147,7 +149,7 @@ TEST_CASE("it is met from either side, unless it is one-sided (HAI)") {
     }));
 }
 
-TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+TEST_CASE("a shape behind the origin is a miss (PHY, t positive)") {
     CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, flat));
     CHECK(nothing_behind_is_hit(draw));
 }
@@ -178,7 +180,7 @@ TEST_CASE("a ray in the square's plane misses (MRT §6)", "[exact]") {
     CHECK(misses(Ray{.origin = {-5, 0, 1}, .direction = {1, 0, 0}}, flat));
 }
 
-TEST_CASE("a grazing ray meets the square: there is no epsilon (MRT §6)", "[exact]") {
+TEST_CASE("a grazing ray hits the square (MRT §6)", "[exact]") {
     Square front_only = flat;
     front_only.one_sided = true;
     for (const int power : {-20, -40, -60}) {
@@ -206,22 +208,22 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)", "[exact]") {
+TEST_CASE("hits at very small and very large t (contract)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {1, 1, near}, .direction = {0, 0, -1}}, flat, near));
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
-    CHECK(far_shapes_are_met(draw));
+    CHECK(far_shapes_are_hit(draw));
 }
 
-TEST_CASE("small squares and short directions count: no epsilon on ⟨d, Z⟩ (contract)") {
+TEST_CASE("very small squares and very short directions (contract)") {
     CHECK(hits_in(tiny_shape, draw));
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(tiny_shape, draw_past));
     CHECK(misses_in(short_direction, draw_past));
 }
 
-TEST_CASE("rays aimed at a point of the square meet it there (MRT §6)") {
+TEST_CASE("rays aimed at a point of the square hit it there (MRT §6)") {
     CHECK(aimed_rays_hit(draw));
 }
 
@@ -229,7 +231,7 @@ TEST_CASE("rays aimed at its plane beside the square miss (MRT §6)") {
     CHECK(misses_in({}, draw_past));
 }
 
-TEST_CASE("the square ends at its edges, and not 0.1 % further (MRT §6)") {
+TEST_CASE("rays aimed 0.1 % beside the edges of the square miss (MRT §6)") {
     CHECK(for_all([](Random& random) {
         const Square square = draw_square(random);
         return ends_at_frame(square, draw_narrow(random), random);
@@ -263,7 +265,7 @@ TEST_CASE("u and v are 0 at the corner C and 1 at the ends of its edges (erratum
     }));
 }
 
-TEST_CASE("x and y are the basis', however near its Z is to the vertical (contract)",
+TEST_CASE("rays to the edges of a square whose Z is almost vertical (contract)",
           "[part together]") {
     CHECK(for_all([](Random& random) {
         Square square = draw_square(random);

@@ -50,7 +50,8 @@ Verdict hits_almost_touching(Random& random) {
     const Ray ray{.origin = point - depth * normal - back * along, .direction = along};
     const std::optional<Real> t = intersect(ray, cylinder, {});
     const Real near = back - half_chord;
-    return verdict(t && std::abs(*t - near) < half_chord / 8, told(ray, cylinder, {}, t, near));
+    return verdict(t && std::abs(*t - near) < half_chord / 8,
+                   intersection_report(ray, cylinder, {}, t, near));
 }
 
 /// From outside and across, at a point of the endless tube this many half heights from the center.
@@ -68,7 +69,7 @@ Aimed<Cylinder> aimed_at_height(Real halves, Random& random) {
 }
 
 /// A ray at up to 45° to a rim, from outside or from inside, where it may come through the open
-/// end, meets the side a little before the rim, or misses a little beyond it. A small cylinder near
+/// end, hits the side a little before the rim, or misses a little beyond it. A small cylinder near
 /// the world's origin: in float a textbook's formula has z to 10^-5 there, and the margin is
 /// 9·10^-5.
 Verdict ends_at_its_rims(Random& random) {
@@ -140,7 +141,8 @@ Verdict hits_steeply(const Ray& ray, const Cylinder& cylinder, Real t) {
 
 }  // namespace
 
-TEST_CASE("a ray across meets the near side (MRT §7)", "[part intersect][3 points][exact]") {
+TEST_CASE("a ray across the cylinder hits the near side (MRT §7)",
+          "[part intersect][3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {-7, 1, 0}, .direction = {1, 0, 0}}, upright, 5));
     CHECK(hits(Ray{.origin = {0, 5, 5}, .direction = {0, -1, -1}}, upright, 3));
@@ -153,7 +155,7 @@ TEST_CASE("a ray across meets the near side (MRT §7)", "[part intersect][3 poin
     }));
 }
 
-TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
+TEST_CASE("rays just inside and just outside both ends of the cylinder (MRT §7)") {
     CHECK(hits(Ray{.origin = {0, Real(2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, Real(-2.75), 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(misses(Ray{.origin = {0, Real(3.25), 5}, .direction = {0, 0, -1}}, upright));
@@ -163,7 +165,7 @@ TEST_CASE("the center is half-way: from -h/2 to h/2 (MRT §7)") {
     CHECK(misses(Ray{.origin = {10, Real(5.5), 5}, .direction = {0, 0, -1}}, transformed));
 }
 
-TEST_CASE("the axis may point anywhere (MRT §7)") {
+TEST_CASE("cylinders along x and z (MRT §7)") {
     const Cylinder along_x{.center = {0, 0, 0}, .axis = {1, 0, 0}, .radius = 1, .height = 4};
     const Cylinder along_z{.center = {0, 0, 0}, .axis = {0, 0, 1}, .radius = 1, .height = 4};
     CHECK(hits(Ray{.origin = {Real(1.5), 5, 0}, .direction = {0, -1, 0}}, along_x, 4));
@@ -172,14 +174,14 @@ TEST_CASE("the axis may point anywhere (MRT §7)") {
     CHECK(misses(Ray{.origin = {0, 5, Real(-2.5)}, .direction = {0, -1, 0}}, along_z));
 }
 
-TEST_CASE("the axis has no direction: turned round, it is the same cylinder (MRT §7)") {
+TEST_CASE("a cylinder with the opposite axis is the same cylinder (MRT §7)") {
     Cylinder rotated = upright;
     rotated.axis = {0, -1, 0};
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, rotated, 3));
     CHECK(hits(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, rotated, 3));
 }
 
-TEST_CASE("both rims belong to the side (MRT §7)", "[exact]") {
+TEST_CASE("rays to both rims hit, rays just outside them miss (MRT §7)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, -3, 5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(for_all([](Random& random) {
@@ -206,32 +208,32 @@ TEST_CASE("both rims belong to the side (MRT §7)", "[exact]") {
     }));
 }
 
-TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+TEST_CASE("a shape behind the origin is a miss (PHY, t positive)") {
     CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, 1}}, upright));
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("a ray along the axis misses: a = 0 (erratum 6, MRT §7)", "[exact]") {
+TEST_CASE("a ray along the axis misses (erratum 6, MRT §7)", "[exact]") {
     CHECK(misses(Ray{.origin = {0, 9, 0}, .direction = {0, -1, 0}}, upright));
     CHECK(misses(Ray{.origin = {1, 0, 1}, .direction = {0, 1, 0}}, upright));
     CHECK(misses(Ray{.origin = {3, 0, 0}, .direction = {0, 1, 0}}, upright));
     CHECK(misses(Ray{.origin = {2, 0, 0}, .direction = {0, 1, 0}}, upright));
 }
 
-TEST_CASE("there are no caps (MRT §7)") {
+TEST_CASE("rays in at one end and out at the other miss (MRT §7)") {
     // In through the top, out through the bottom, never near the side.
     CHECK(misses(Ray{.origin = {1, 9, 0}, .direction = {Real(-0.0625), -1, 0}}, upright));
     CHECK(misses(Ray{.origin = {-1, 8, 0}, .direction = {1, -8, 0}}, upright));
 }
 
-TEST_CASE("into the open top, the far inside is met: both roots are tried (MRT §7)") {
-    // At t = 1 it passes over the near side at y = 4, above the rim. At t = 5 it meets the far one.
+TEST_CASE("a ray into an open end hits the far inside (MRT §7)") {
+    // At t = 1 it passes over the near side at y = 4, above the rim. At t = 5 it hits the far one.
     CHECK(hits(Ray{.origin = {0, 5, 3}, .direction = {0, -1, -1}}, upright, 5));
     CHECK(hits(Ray{.origin = {0, -5, 3}, .direction = {0, 1, -1}}, upright, 5));
     CHECK(hits(Ray{.origin = {-5, 8, 0}, .direction = {1, -1, 0}}, upright, 7));
 }
 
-TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT §7)", "[exact]") {
+TEST_CASE("a ray almost along the axis hits the side (MRT §7)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -24);
     const Cylinder narrow{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 2 * slope, .height = 6};
     CHECK(hits_steeply(Ray{.origin = {0, 0, 0}, .direction = {slope, 1, 0}}, narrow, 2));
@@ -246,7 +248,7 @@ TEST_CASE("a ray almost along the axis meets the side: there is no epsilon (MRT 
     }));
 }
 
-TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
+TEST_CASE("a ray from inside hits the side (MRT §7, PHY)") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {1, 0, 0}, .direction = {-1, 0, 0}}, upright, 3));
     CHECK(misses(Ray{.origin = {0, 0, 0}, .direction = {0, 2, -1}}, upright));
@@ -260,7 +262,7 @@ TEST_CASE("from inside, the side is met (MRT §7, PHY)") {
     }));
 }
 
-TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)", "[exact]") {
+TEST_CASE("a ray tangent to the side hits it (PHY, B² − 4AC = 0)", "[exact]") {
     CHECK(hits(Ray{.origin = {2, 1, 5}, .direction = {0, 0, -1}}, upright, 5));
     CHECK(for_all([](Random& random) {
         const auto [cylinder, x, y] = draw_in_eighths(random);
@@ -272,7 +274,9 @@ TEST_CASE("a ray that touches the side meets it (PHY, B² − 4AC = 0)", "[exact
     CHECK(for_all(hits_almost_touching));
 }
 
-TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)", "[exact]") {
+TEST_CASE(
+    "a ray from a point of the side: out of it a miss, into it a hit of the far side (PHY, t > 0)",
+    "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, 2}, .direction = {0, 0, 1}}, upright));
     CHECK(hits(Ray{.origin = {0, 0, 2}, .direction = {0, 0, -1}}, upright, 4));
     CHECK(for_all([](Random& random) {
@@ -299,11 +303,11 @@ TEST_CASE("only hits strictly inside the interval count (contract)", "[exact]") 
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
+TEST_CASE("hits at very small and very large t (contract)") {
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_shape, draw));
-    CHECK(far_shapes_are_met(draw));
-    CHECK(close_surfaces_are_met(draw));
+    CHECK(far_shapes_are_hit(draw));
+    CHECK(close_surfaces_are_hit(draw));
     CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
         const auto [cylinder, x, y] = draw_in_eighths(random);
         const bool outside = random.coin();
@@ -314,7 +318,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     }));
 }
 
-TEST_CASE("small cylinders and short directions count: no epsilon on a or Δ (contract)") {
+TEST_CASE("very small cylinders and very short directions (contract)") {
     CHECK(hits_in(tiny_shape, draw));
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(tiny_shape, draw_past));
@@ -331,7 +335,7 @@ TEST_CASE("small cylinders and short directions count: no epsilon on a or Δ (co
     }));
 }
 
-TEST_CASE("rays aimed at a point of the side meet it there (MRT §7)") {
+TEST_CASE("rays aimed at a point of the side hit it there (MRT §7)") {
     CHECK(aimed_rays_hit(draw));
 }
 
@@ -340,7 +344,7 @@ TEST_CASE("rays aimed past the side miss (MRT §7)") {
     CHECK(misses_in({}, draw_past_rim));
 }
 
-TEST_CASE("the side ends at its rims, and not 0.1 % further (MRT §7)") {
+TEST_CASE("rays aimed 0.1 % beyond the rims miss (MRT §7)") {
     CHECK(for_all([](Random& random) {
         const Real margin = draw_narrow(random);
         const bool inside = random.coin();

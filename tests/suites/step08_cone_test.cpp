@@ -64,7 +64,8 @@ Verdict hits_almost_touching(Random& random) {
     const Ray ray{.origin = point + depth * inwards - back * along, .direction = along};
     const std::optional<Real> t = intersect(ray, cone, {});
     const Real near = back - half_chord;
-    return verdict(t && std::abs(*t - near) < half_chord / 8, told(ray, cone, {}, t, near));
+    return verdict(t && std::abs(*t - near) < half_chord / 8,
+                   intersection_report(ray, cone, {}, t, near));
 }
 
 /// As `draw`, but long, and almost or exactly upright.
@@ -100,7 +101,7 @@ Verdict hits_behind(Real passed, Random& random) {
 }
 
 /// A ray at up to 45° to the rim's plane, from outside or from inside, where it may come through
-/// the open end, meets the side a little before the rim, or misses a little beyond it. A small cone
+/// the open end, hits the side a little before the rim, or misses a little beyond it. A small cone
 /// near the world's origin: in float a textbook's formula has z_p to 10^-5 there, and the margin is
 /// 12·10^-5.
 Verdict ends_at_its_rim(Random& random) {
@@ -155,7 +156,7 @@ Across draw_in_eighths(Random& random) {
 
 }  // namespace
 
-TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)",
+TEST_CASE("rays across a cone with r / h = 1/2 at several heights (erratum 4, MRT §8)",
           "[part intersect][3 points][exact]") {
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
     CHECK(hits(Ray{.origin = {0, 1, 5}, .direction = {0, 0, -1}}, upward, Real(4.5)));
@@ -167,7 +168,7 @@ TEST_CASE("at z_p = h the radius is r: (r/h)², not r/h (erratum 4, MRT §8)",
     }));
 }
 
-TEST_CASE("it opens along the axis, from the apex to the height (MRT §8)") {
+TEST_CASE("rays just inside and just outside the height of cones with opposite axes (MRT §8)") {
     CHECK(hits(Ray{.origin = {0, 3, 5}, .direction = {0, 0, -1}}, upward, Real(3.5)));
     CHECK(hits(Ray{.origin = {0, Real(3.75), 5}, .direction = {0, 0, -1}}, upward, Real(3.125)));
     CHECK(misses(Ray{.origin = {0, Real(4.25), 5}, .direction = {0, 0, -1}}, upward));
@@ -176,7 +177,9 @@ TEST_CASE("it opens along the axis, from the apex to the height (MRT §8)") {
     CHECK(misses(Ray{.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}}, downward));
 }
 
-TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "[exact]") {
+TEST_CASE(
+    "the radius of a cone with r = 1 and h = 2 at its height and half-way (erratum 4, MRT §8)",
+    "[exact]") {
     const Cone cone{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
     CHECK(hits(Ray{.origin = {0, Real(1.75), 5}, .direction = {0, 0, -1}}, cone, Real(4.125)));
     CHECK(misses(Ray{.origin = {Real(1.25), 2, 5}, .direction = {0, 0, -1}}, cone));
@@ -193,17 +196,17 @@ TEST_CASE("r = 1, h = 2: 1 wide at z = h, and not 1.414 (erratum 4, MRT §8)", "
     }));
 }
 
-TEST_CASE("there is one nappe, no hourglass (MRT §8, 0 ≤ z_p)") {
+TEST_CASE("a ray across the axis beyond the apex misses (MRT §8, 0 ≤ z_p)") {
     CHECK(misses(Ray{.origin = {0, -2, 5}, .direction = {0, 0, -1}}, upward));
     CHECK(hits(Ray{.origin = {0, 2, 5}, .direction = {0, 0, -1}}, upward, 4));
 }
 
-TEST_CASE("behind the origin, nothing is met (PHY, t positive)") {
+TEST_CASE("a shape behind the origin is a miss (PHY, t positive)") {
     CHECK(misses(Ray{.origin = {0, 2, 5}, .direction = {0, 0, 1}}, upward));
     CHECK(nothing_behind_is_hit(draw));
 }
 
-TEST_CASE("the axis may point anywhere (MRT §8)") {
+TEST_CASE("cones along other axes (MRT §8)") {
     const Cone along_x{.apex = {1, 0, 0}, .axis = {1, 0, 0}, .radius = 2, .height = 4};
     CHECK(hits(Ray{.origin = {3, 5, 0}, .direction = {0, -1, 0}}, along_x, 4));
     CHECK(misses(Ray{.origin = {0, 5, 0}, .direction = {0, -1, 0}}, along_x));
@@ -213,18 +216,18 @@ TEST_CASE("the axis may point anywhere (MRT §8)") {
     CHECK(hits(Ray{.origin = {Real(2.4), Real(3.2), 10}, .direction = {0, 0, -3}}, tilted, 2));
 }
 
-TEST_CASE("there is no base (MRT §8)") {
+TEST_CASE("rays in through the open end: a hit of the side, a miss beside it (MRT §8)") {
     // In through the open end at the height, out through the side.
     CHECK(hits(Ray{.origin = {Real(0.5), 6, 0}, .direction = {0, -1, 0}}, upward, 5));
     CHECK(misses(Ray{.origin = {Real(1.75), Real(4.5), 0}, .direction = {1, -1, 0}}, upward));
 }
 
-TEST_CASE("into the open end, the far inside is met: both roots are tried (MRT §8)") {
-    // At t = 2 it passes over the near side at y = 6, above the rim. At t = 6 it meets the far one.
+TEST_CASE("a ray into the open end hits the far inside (MRT §8)") {
+    // At t = 2 it passes over the near side at y = 6, above the rim. At t = 6 it hits the far one.
     CHECK(hits(Ray{.origin = {0, 8, 5}, .direction = {0, -1, -1}}, upward, 6));
 }
 
-TEST_CASE("the other nappe, crossed first, is not there (MRT §8, 0 ≤ z_p)") {
+TEST_CASE("a ray from beyond the apex into the cone hits the side (MRT §8, 0 ≤ z_p)") {
     // The near root is on the nappe that is not there, the far one on the one that is.
     CHECK(hits(Ray{.origin = {Real(0.5), -5, 0}, .direction = {0, 1, 0}}, upward, 6));
     CHECK(for_all([](Random& random) {
@@ -232,7 +235,7 @@ TEST_CASE("the other nappe, crossed first, is not there (MRT §8, 0 ≤ z_p)") {
     }));
 }
 
-TEST_CASE("a ray along the side has one root, -c/b (erratum 6, MRT §8)", "[exact]") {
+TEST_CASE("a ray parallel to a line of the side (erratum 6, MRT §8)", "[exact]") {
     // a = 0: the direction is that of a line of the cone's side.
     CHECK(hits(Ray{.origin = {0, -1, 2}, .direction = {0, 1, -1}}, right_angled, Real(1.5)));
     CHECK(hits(Ray{.origin = {0, 0, 4}, .direction = {0, 1, -1}}, right_angled, 2));
@@ -247,7 +250,7 @@ TEST_CASE("a ray along the side has one root, -c/b (erratum 6, MRT §8)", "[exac
     }));
 }
 
-TEST_CASE("a ray almost along the side meets it: there is no epsilon (MRT §8)", "[exact]") {
+TEST_CASE("a ray almost parallel to a line of the side hits it (MRT §8)", "[exact]") {
     const Real slope = std::ldexp(Real(1), -10);
     // Direction (0, 1, −(1 − s)): z = 4 − (1 − s) t meets y = t at t = 4 / (2 − s).
     CHECK(hits(Ray{.origin = {0, 0, 4}, .direction = {0, 1, -(1 - slope)}}, right_angled,
@@ -268,12 +271,12 @@ TEST_CASE("a ray almost along the side meets it: there is no epsilon (MRT §8)",
             const Ray ray{.origin = cone.apex + away * x, .direction = y - (1 - almost) * x};
             const std::optional<Real> t = intersect(ray, cone, {});
             return verdict(t && std::abs(*t - away / 2) < away / 32,
-                           told(ray, cone, {}, t, away / 2));
+                           intersection_report(ray, cone, {}, t, away / 2));
         },
         20));
 }
 
-TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §8)") {
+TEST_CASE("a ray parallel to the axis, beside it, hits the side (MRT §8)") {
     // Straight down beside the axis, into the cone: out of the open top, onto the inside.
     CHECK(hits(Ray{.origin = {1, 9, 0}, .direction = {0, -1, 0}}, upward, 7));
     CHECK(hits(Ray{.origin = {1, -5, 0}, .direction = {0, 1, 0}}, upward, 7));
@@ -281,14 +284,14 @@ TEST_CASE("a ray steeper than the side: the roots change places as a < 0 (MRT §
     CHECK(misses(Ray{.origin = {1, 3, 0}, .direction = {0, 1, 0}}, upward));
 }
 
-TEST_CASE("a ray along the axis meets nothing but the apex (MRT §8)", "[exact]") {
+TEST_CASE("a ray along the axis hits the apex or misses (MRT §8)", "[exact]") {
     // A double root: some right formulas just miss it.
     const std::optional<Real> t = intersect({{0, 9, 0}, {0, -1, 0}}, upward, {});
     CHECK(verdict(!t || close(*t, 9), "Expected the apex at t = 9, or nothing: " + got_text(t)));
     CHECK(misses(Ray{.origin = {0, 2, 0}, .direction = {0, 1, 0}}, upward));
 }
 
-TEST_CASE("a ray that touches the side, or the apex, meets it (PHY, B² − 4AC = 0; 0 ≤ z_p)",
+TEST_CASE("a ray tangent to the side, or through the apex, hits it (PHY, B² − 4AC = 0; 0 ≤ z_p)",
           "[exact]") {
     // In the plane z = y, which touches the side along (0, 1, 1).
     CHECK(hits(Ray{.origin = {-5, 2, 2}, .direction = {1, 0, 0}}, right_angled, 5));
@@ -303,7 +306,7 @@ TEST_CASE("a ray that touches the side, or the apex, meets it (PHY, B² − 4AC 
     CHECK(for_all(hits_almost_touching));
 }
 
-TEST_CASE("the rim belongs to the side (MRT §8, z_p ≤ h)", "[exact]") {
+TEST_CASE("rays to the rim hit, rays just outside it miss (MRT §8, z_p ≤ h)", "[exact]") {
     CHECK(hits(Ray{.origin = {0, 4, 5}, .direction = {0, 0, -1}}, upward, 3));
     CHECK(for_all([](Random& random) {
         const auto [cone, x, y] = draw_in_eighths(random);
@@ -334,7 +337,7 @@ TEST_CASE("a ray over the rim hits the far inside, for any direction of the axis
     }));
 }
 
-TEST_CASE("from inside, the side is met (MRT §8, PHY)") {
+TEST_CASE("a ray from inside hits the side (MRT §8, PHY)") {
     CHECK(hits(Ray{.origin = {0, 2, 0}, .direction = {0, 0, -1}}, upward, 1));
     CHECK(misses(Ray{.origin = {0, 3, 0}, .direction = {0, 2, -1}}, upward));
     CHECK(for_all([](Random& random) {
@@ -346,7 +349,9 @@ TEST_CASE("from inside, the side is met (MRT §8, PHY)") {
     }));
 }
 
-TEST_CASE("a ray that leaves the side does not meet it at once (PHY, t > 0)") {
+TEST_CASE(
+    "a ray from a point of the side: out of it a miss, into it a hit of the far side (PHY, t > "
+    "0)") {
     const Interval beyond{.min = Real(0.001), .max = infinity};
     CHECK(misses(Ray{.origin = {0, 2, 1}, .direction = {0, 0, 1}}, upward, beyond));
     CHECK(hits(Ray{.origin = {0, 2, 1}, .direction = {0, 0, -1}}, upward, 2, beyond));
@@ -368,11 +373,11 @@ TEST_CASE("only hits strictly inside the interval count (contract)") {
     CHECK(interval_is_kept(draw));
 }
 
-TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
+TEST_CASE("hits at very small and very large t (contract)") {
     CHECK(hits_in(tiny_t, draw));
     CHECK(hits_in(huge_cone, draw));
-    CHECK(far_shapes_are_met(draw));
-    CHECK(close_surfaces_are_met(draw));
+    CHECK(far_shapes_are_hit(draw));
+    CHECK(close_surfaces_are_hit(draw));
     CHECK(for_all([](Random& random) {  // a hair outside, and a hair inside
         const auto [cone, x, y] = draw_in_eighths(random);
         const Real z = Real(1 << random.below(3));
@@ -382,7 +387,7 @@ TEST_CASE("near hits count as much as far ones: no epsilon on t (contract)") {
     }));
 }
 
-TEST_CASE("small cones and short directions count: no epsilon on a or Δ (contract)") {
+TEST_CASE("very small cones and very short directions (contract)") {
     CHECK(hits_in(small_cone, draw));
     CHECK(hits_in(short_direction, draw));
     CHECK(misses_in(small_cone, draw_past));
@@ -395,7 +400,7 @@ TEST_CASE("small cones and short directions count: no epsilon on a or Δ (contra
     }));
 }
 
-TEST_CASE("rays aimed at a point of the side meet it there (MRT §8)") {
+TEST_CASE("rays aimed at a point of the side hit it there (MRT §8)") {
     CHECK(aimed_rays_hit(draw));
 }
 
@@ -403,7 +408,7 @@ TEST_CASE("rays aimed past the side miss (MRT §8)") {
     CHECK(misses_in({}, draw_past));
 }
 
-TEST_CASE("the side ends at its rim, and not 0.1 % further (MRT §8)") {
+TEST_CASE("rays aimed 0.1 % beyond the rim miss (MRT §8)") {
     CHECK(for_all([](Random& random) {
         const Real margin = draw_narrow(random);
         if (random.coin()) return hits_behind(1 + margin, random);
@@ -415,7 +420,7 @@ TEST_CASE("the side ends at its rim, and not 0.1 % further (MRT §8)") {
     CHECK(for_all(ends_at_its_apex));
 }
 
-TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part normal]") {
+TEST_CASE("the normal on the side and at the rim (MRT §8)", "[part normal]") {
     const Real half = std::sqrt(Real(0.5));
     CHECK(normal_is(right_angled, {0, 2, 2}, {0, -half, half}));
     CHECK(normal_is(right_angled, {-3, 3, 0}, {-half, -half, 0}));
@@ -427,7 +432,7 @@ TEST_CASE("the normal leans back by the slope of the side (MRT §8)", "[part nor
     }));
 }
 
-TEST_CASE("near the apex, the normal leans as everywhere (contract)", "[exact]") {
+TEST_CASE("the normal on the side near the apex (contract)", "[exact]") {
     const Real half = std::sqrt(Real(0.5));
     for (const int power : {-7, -12, -20}) {
         const Real near = std::ldexp(Real(1), power);

@@ -1,6 +1,6 @@
 // Stage 9, `trace`: the lights of a scene, against CR §3.1.
 //
-// The ray meets the wall at 0,0,-4. A light at the origin lights that point with its whole
+// The ray hits the wall at 0,0,-4. A light at the origin lights that point with its whole
 // brightness, since it is straight before it.
 #include "tests/kit/picture.hpp"
 #include "tests/suites/lights.hpp"
@@ -33,12 +33,12 @@ Verdict random_lights_add_up() {
 
 }  // namespace
 
-TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)",
+TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)",
           "[part trace]") {
     CHECK(nearest_of_each_pair_is_seen(9, "A 1 255,255,255\n", false));
 }
 
-TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("without a light a surface is black, and so is what no shape covers (C
     CHECK(shows("A 1 255,255,255\nL 0,0,0 1 255,255,255\n", {0, 0, 0}));
 }
 
-TEST_CASE("ambient light alone is the color times its ratio, and no torch (CR §3.1)") {
+TEST_CASE("a scene with ambient light only shows the color times its ratio (CR §3.1)") {
     CHECK(shows("A 0.2 255,255,255\n" + white_wall, {51, 51, 51}));
     CHECK(shows("A 0.2 255,255,255\npl 0,0,-4 0,0.6,0.8 255,255,255\n", {51, 51, 51}));
     CHECK(shows("A 0.4 255,0,255\npl 0,0,-4 0,0,1 255,255,0\n", {102, 0, 0}));
@@ -70,7 +70,7 @@ TEST_CASE("the light of two lights adds up (CR §3.1)") {
     CHECK(terms_add_up());
 }
 
-TEST_CASE("ambient light counts once, however many lights there are (CR §3.1)") {
+TEST_CASE("ambient light in scenes with several lights (CR §3.1)") {
     const std::string ambient = "A 0.2 255,255,255\n";
     const std::string light = "L 0,0,0 0.2 255,255,255\n";
     CHECK(shows(ambient + light + white_wall, {102, 102, 102}));
@@ -78,7 +78,7 @@ TEST_CASE("ambient light counts once, however many lights there are (CR §3.1)")
     CHECK(shows(ambient + light + light + light + white_wall, {204, 204, 204}));
 }
 
-TEST_CASE("a light behind the surface adds nothing, and takes nothing from others (CR §3.1)") {
+TEST_CASE("a light behind the surface, alone and beside other lights (CR §3.1)") {
     const std::string front = "L 0,0,0 0.4 255,255,255\n";
     const std::string behind = "L 0,0,-9 1 255,255,255\n";
     CHECK(shows(behind + white_wall, {0, 0, 0}));

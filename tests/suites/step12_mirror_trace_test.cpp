@@ -1,6 +1,6 @@
 // Stage 12, `trace`: what a mirror shows, against CR §5.1.
 //
-// The ray meets a mirror at 0,0,-4, which faces the eye. The wall behind the eye, at z = 6, is what
+// The ray hits a mirror at 0,0,-4, which faces the eye. The wall behind the eye, at z = 6, is what
 // it shows.
 #include "tests/suites/lights.hpp"
 #include "tests/suites/mirrors.hpp"
@@ -16,7 +16,7 @@ std::string mirror(const std::string& share, const std::string& color = "255,255
     return "pl 0,0,-4 0,0,1 " + color + " mirror:" + share + "\n";
 }
 
-/// Passes if a perfect mirror with this normal, which the ray meets at 0,0,-4, shows the color.
+/// Passes if a perfect mirror with this normal, which the ray hits at 0,0,-4, shows the color.
 Verdict reflects(const std::string& normal, const std::string& others, Rgb expected,
                  const RenderSettings& settings = {}) {
     return shows(bright + "pl 0,0,-4 " + normal + " 255,255,255 mirror:1\n" + others, expected,
@@ -44,8 +44,7 @@ Verdict random_shares_are_mixed() {
 
 }  // namespace
 
-TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)",
-          "[part trace]") {
+TEST_CASE("a perfect mirror shows what it faces (CR §5.1)", "[part trace]") {
     CHECK(shows(bright + mirror("1") + red_wall_behind, {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,-8 2 0,255,0\n", {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + "sp 0,0,6 2 0,255,0\n", {0, 255, 0}));
@@ -65,7 +64,7 @@ TEST_CASE("a mirror that is turned shows what lies where it sends the ray (CR §
     CHECK(shows(bright + turned + "pl 0,9,0 0,-1,0 0,0,255\nsp 0,5,-4 1 0,255,0\n", {0, 255, 0}));
 }
 
-TEST_CASE("a mirror shows black, or the sky, where its ray meets nothing (CR §5.1)") {
+TEST_CASE("a mirror shows black, or the sky, where its ray misses (CR §5.1)") {
     CHECK(mirrors_show_black_or_sky());
 }
 
@@ -127,7 +126,7 @@ TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5
     CHECK(mirrors_show_soft_shadows());
 }
 
-TEST_CASE("a mirror does not show itself (CR §5.1)") {
+TEST_CASE("a mirror under a sky shows the sky (CR §5.1)") {
     CHECK(mirrors_do_not_show_themselves());
 }
 
@@ -142,7 +141,7 @@ TEST_CASE("a mirror shows what another mirror shows (CR §5.1)") {
     CHECK(mirrors_show_mirrors(12));
 }
 
-TEST_CASE("two mirrors that face each other end, and give no more light than there is (CR §5.1)") {
+TEST_CASE("two mirrors that face each other (CR §5.1)") {
     const std::string second = "pl 0,0,6 0,0,-1 255,0,0 mirror:0.5\n";
     // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
     CHECK(shows(bright + mirror("0.5", "0,0,255") + second, {85, 0, 170}, {}, 2));
@@ -160,7 +159,7 @@ TEST_CASE(
     CHECK(weak_reflections_are_black());
 }
 
-TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -169,7 +168,7 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(reflects("0,0.70710678,0.70710678", "", {0, 180, 180}, {.shading = Shading::normal}));
 }
 
-TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(12, bright, false));
 }
 

@@ -34,7 +34,7 @@ std::string grid_around(int triangle, double x, double z, const std::string& col
 }
 
 /// The triangle is seen, and in the middle of the way to a light it casts a shadow.
-Verdict triangle_is_met(int triangle) {
+Verdict triangle_is_hit(int triangle) {
     Verdict all;
     keep_first(all, shows(bright + grid_around(triangle, 0, -4, "0,255,0"), {0, 255, 0}));
     keep_first(all, shows("L 3,0,0 0.5 255,0,0\npl 0,0,-4 0,0,1 255,255,255\n" +
@@ -53,7 +53,7 @@ TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace
     }
 }
 
-TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
+TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(shade_normal_shows_the_normal(13));
 }
 
-TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
+TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(13, bright, false));
 }
 
@@ -97,10 +97,10 @@ TEST_CASE("a mesh of any scale casts a shadow up to the light (CR §3.2, HAI)") 
 }
 
 TEST_CASE("each triangle of a large mesh is seen, and casts a shadow (CR §4.2)") {
-    CHECK(for_all([](Random& random) { return triangle_is_met(random.below(triangles_of_grid)); },
+    CHECK(for_all([](Random& random) { return triangle_is_hit(random.below(triangles_of_grid)); },
                   30));
     for (const int triangle : {0, 1, triangles_of_grid - 2, triangles_of_grid - 1})
-        CHECK(triangle_is_met(triangle));
+        CHECK(triangle_is_hit(triangle));
 }
 
 TEST_CASE("boxes and meshes hide an area light (CR §3.3)") {

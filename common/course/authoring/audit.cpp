@@ -33,8 +33,8 @@ public:
     explicit Findings(int stage) : name_(stage_name(stage)) {}
 
     void require(bool holds, const std::string& what) {
-        const bool told = std::count(missing_.begin(), missing_.end(), what) > 0;
-        if (!holds && !told) missing_.push_back(what);
+        const bool reported = std::count(missing_.begin(), missing_.end(), what) > 0;
+        if (!holds && !reported) missing_.push_back(what);
     }
     void note(const std::string& what) { notes_ += (notes_.empty() ? "" : ", ") + what; }
 

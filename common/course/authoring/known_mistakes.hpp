@@ -2,7 +2,7 @@
 //
 //     mistake far_root_first in textbook
 //     origin: seen in student repositories
-//     caught by: the unit sphere five ahead is hit at 4: + r² in the discriminant (MRT §3)
+//     caught by: the unit sphere five ahead is hit at t = 4 (MRT §3)
 //     sentence: You take the larger root first. Of two positive ones the smaller is seen (PHY).
 //     -    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
 //     +    for (const Real t : {(-b + root) / (2 * a), (-b - root) / (2 * a)})

@@ -42,7 +42,7 @@ SuiteResult run_suite(const std::string& program) {
         run_captured({"env", "RAYSTEPS_REPORT=" + report.string(),
                       (build_folder / program).string(), "--out", "/dev/null"},
                      suite_time_limit);
-    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+    if (!ending.out_of_time && !ending.crash.empty() && is_stopped(ending.status))
         throw InputError({}, program + " was told to stop before its end (" + ending.crash +
                                  "), which says nothing about your code: check it again");
     SuiteResult result{.output = ending.output};

@@ -327,11 +327,11 @@ namespace {
 
 /// The project's commit, if it is a git clone, and git is there.
 std::string version_of(const fs::path& project) {
-    const ProcessResult told =
+    const ProcessResult printed =
         run_captured({"env", "git", "-c", "safe.directory=" + project.string(), "-C",
                       project.string(), "rev-parse", "--short=10", "HEAD"},
                      std::chrono::seconds(10));
-    return told.status == 0 ? lines_of(told.output).at(0) : "unknown commit";
+    return printed.status == 0 ? lines_of(printed.output).at(0) : "unknown commit";
 }
 
 std::string edition_of(const fs::path& results, const fs::path& project) {

@@ -161,7 +161,7 @@ async function tell() {
   if (stage >= 3) space.show(query, () => mine === asked);
   const answer = await fetch("story?" + query).catch(() => null);
   if (mine !== asked || !answer || answer.status === 409) return;
-  if (!answer.ok) { $("told").textContent = await answer.text(); return; }
+  if (!answer.ok) { $("explanation").textContent = await answer.text(); return; }
   const {rows, first, unwritten} = await answer.json();
   $("story").hidden = false;
   const firstRow = rows.findIndex(([, , differs]) => differs);
@@ -177,10 +177,10 @@ async function tell() {
     }
     return line;
   }));
-  $("told").className = first ? "differ" : "";
-  $("told").textContent = first ? `The first difference: ${first}.` : "Nothing differs.";
-  for (const message of unwritten) $("told").textContent += `\n${message}`;
-  if (broken) $("told").textContent += "\nYours is from the last program that was built.";
+  $("explanation").className = first ? "differ" : "";
+  $("explanation").textContent = first ? `The first difference: ${first}.` : "Nothing differs.";
+  for (const message of unwritten) $("explanation").textContent += `\n${message}`;
+  if (broken) $("explanation").textContent += "\nYours is from the last program that was built.";
   let heading = Math.max(firstRow, 0);  // of the first section that differs
   while (heading > 0 && (rows[heading][0] ?? rows[heading][1]).startsWith(" ")) --heading;
   const line = $("story").children[heading];

@@ -13,7 +13,7 @@ const space = (() => {
     missed: {color: "--mirrored", dash: [14, 4, 2, 4], end: "arrow", text: "eye or mirrored: hits nothing"},
     lit: {color: "--lit", dash: [2, 4], end: "ring", text: "shadow ray, reaches the light"},
     blocked: {color: "--blocked", dash: [7, 4], end: "cross", text: "shadow ray, blocked"}};
-  let told = [null, null];             // what mine and the reference's program print
+  let printed = [null, null];             // what mine and the reference's program print
   let drawing = null;
   let middle = [0, 0, 0], reach = 1;   // of the drawing
   let yaw = 0, pitch = 0.35, zoom = 1, shift = [0, 0];
@@ -200,14 +200,14 @@ const space = (() => {
   }
 
   function use() {
-    const text = told[+of.value] ?? "";
+    const text = printed[+of.value] ?? "";
     const line = text.split("\n").findLast((each) => each.startsWith("{\"rays\":")) ?? "";
     try {
       drawing = JSON.parse(line);
     } catch {
       drawing = null;
     }
-    const message = document.getElementById("rays-told");
+    const message = document.getElementById("rays-message");
     message.textContent = drawing
       ? (drawing.left_out ? `${drawing.left_out} more shapes are not drawn.` : "") : text.trim();
     document.getElementById("space-parts").hidden = !drawing;
@@ -234,7 +234,7 @@ const space = (() => {
     const answer = await fetch("rays?" + parameters).catch(() => null);
     if (!isCurrent() || !answer || answer.status === 409) return;
     document.getElementById("space").hidden = false;
-    told = answer.ok ? await answer.json() : [await answer.text(), ""];
+    printed = answer.ok ? await answer.json() : [await answer.text(), ""];
     use();
   }
 

@@ -1,6 +1,6 @@
 """The style of all plots: colors, dashes, markers, tiles, and how an SVG is written.
 
-Series are told apart by color, dash and marker at once. The colors are those of Okabe and Ito
+Series are distinguished by color, dash and marker at once. The colors are those of Okabe and Ito
 (2008), which readers with any of the common color deficiencies tell apart. An SVG brings a card of
 its own, white, or dark where the reader prefers dark; both suit the colors.
 """

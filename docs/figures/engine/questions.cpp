@@ -98,7 +98,7 @@ ShadowRay printed_shadow_ray(const ShadingPoint& surface, Vec3 light, Real epsil
             .interval = {.min = epsilon, .max = distance}};
 }
 
-Vec2 even_sample(std::uint32_t index, std::uint32_t seed) {
+Vec2 well_spread_sample(std::uint32_t index, std::uint32_t seed) {
     return spread_sample(index, seed);
 }
 

@@ -37,8 +37,8 @@ template <class Shape>
 /// count, where the light is at t = 1 / distance.
 [[nodiscard]] ShadowRay printed_shadow_ray(const ShadingPoint& surface, Vec3 light, Real epsilon);
 
-/// Stage 11's evenly spread samples, and independent ones.
-[[nodiscard]] Vec2 even_sample(std::uint32_t index, std::uint32_t seed);
+/// Stage 11's well-spread samples, and independent ones.
+[[nodiscard]] Vec2 well_spread_sample(std::uint32_t index, std::uint32_t seed);
 [[nodiscard]] Vec2 independent_sample(std::uint32_t index, std::uint32_t seed);
 
 /// The owl of paper: that of scenes/meshes/owl_cage.obj, in triangles.
@@ -89,7 +89,7 @@ struct Contract<0> {
                    Function<"shade", Shade<Plane>(book::shade)>,
                    Function<"shade", Shade<Triangle>(book::shade)>,
                    Function<"printed_shadow_ray", book::printed_shadow_ray>,
-                   Function<"even_sample", book::even_sample>,
+                   Function<"well_spread_sample", book::well_spread_sample>,
                    Function<"independent_sample", book::independent_sample>,
                    Function<"owl", book::owl>, Function<"owl_hierarchy", book::owl_hierarchy>>;
 };

@@ -16,7 +16,7 @@ define("box_slabs", class extends Figure {
 
   async draw(sketch) {
     const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
-    const told = await this.ask(0, "explain", ray, oriented, ahead);
+    const explanation = await this.ask(0, "explain", ray, oriented, ahead);
     const inside = await this.ask(13, "overlap", ray, box, { min: -Infinity, max: Infinity });
     const t = await this.ask(13, "intersect", ray, oriented, ahead);
     sketch.polygon([[-1.2, -5, 0], [1.2, -5, 0], [1.2, 5, 0], [-1.2, 5, 0]], { fill: color.pale_blue });
@@ -31,7 +31,7 @@ define("box_slabs", class extends Figure {
     }
     // The intervals of t, below one another; t = 0 and 1 are the ray's origin and its direction's tip.
     const number = (text) => Number(text.replace("inf", "Infinity"));
-    const limits = Array.from(told.matchAll(/planes of (.) = \((.*), (.*)\)/g), ([, name, min, max]) => [name, number(min), number(max)]);
+    const limits = Array.from(explanation.matchAll(/planes of (.) = \((.*), (.*)\)/g), ([, name, min, max]) => [name, number(min), number(max)]);
     const place = (time) => 445 + 40 * Math.max(-4.5, Math.min(4.5, time - 1.5));
     sketch.pixels("rect", { x: 0, y: 268, width: 640, height: 98 }, { fill: color.white });
     limits.slice(0, 2).forEach(([name, min, max], i) => {
@@ -43,6 +43,6 @@ define("box_slabs", class extends Figure {
     sketch.shape("text", { x: 22, y: 336 }, "in the box");
     sketch.pixels("line", { x1: place(0), x2: place(0), y1: 275, y2: 345 }, { stroke: color.gray, dashes: "3 3" });
     sketch.shape("text", { x: place(0), y: 361, text_anchor: "middle" }, "t = 0");
-    return [told, ["overlap", inside], ["intersect", t], ["normal", n]];
+    return [explanation, ["overlap", inside], ["intersect", t], ["normal", n]];
   }
 });

@@ -34,8 +34,8 @@ define("cone_side", class extends Figure {
       sketch.arrow(p, p.map((x, i) => x + n[i] / 2), { stroke: color.green });
       sketch.mark(p, "hit");
     }
-    const told = await this.ask(0, "explain", ray, cone, ahead);
-    const a = Number(/A, B, C = ([^,]*),/.exec(told)?.[1]);
-    return [told, ["A", a > 0 ? "positive: the ray is flatter than the surface" : a < 0 ? "negative: it is steeper, and each nappe is met once" : "0: parallel to the surface, one root"], ["intersect", t]];
+    const explanation = await this.ask(0, "explain", ray, cone, ahead);
+    const a = Number(/A, B, C = ([^,]*),/.exec(explanation)?.[1]);
+    return [explanation, ["A", a > 0 ? "positive: the ray is flatter than the surface" : a < 0 ? "negative: it is steeper, and each nappe is hit once" : "0: parallel to the surface, one root"], ["intersect", t]];
   }
 });

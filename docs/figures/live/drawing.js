@@ -233,7 +233,7 @@ export class Figure extends HTMLElement {
     }
   }
 
-  /// Every t at which the line meets the shape: `intersect`, called again after each answer.
+  /// Every t at which the line hits the shape: `intersect`, called again after each answer.
   async roots(stage, ray, shape, min = -Infinity) {
     const found = [];
     for (let t; found.length < 4 && (t = await this.ask(stage, "intersect", ray, shape, { min: found.at(-1) ?? min, max: Infinity })) !== null;) found.push(t);

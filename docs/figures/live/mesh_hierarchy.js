@@ -1,10 +1,10 @@
-// Stage 13: boxes in boxes around an owl. A ray tests the boxes in a box only if it meets that box.
+// Stage 13: boxes in boxes around an owl. A ray tests the boxes in a box only if it hits that box.
 // Drag the ray.
 import { Figure, Sketch, color, define, minus } from "./drawing.js";
 
 const pens = {
-  opened: [{ stroke: color.blue, width: 2 }, "met, opened"],
-  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "met, but behind the hit"],
+  opened: [{ stroke: color.blue, width: 2 }, "hit, opened"],
+  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "hit, but behind the closest hit"],
   missed: [{ stroke: color.amber, width: 1.2, dashes: "3 3" }, "tested, missed"],
   untested: [{ stroke: color.gray, width: 0.6 }, "not tested"],
 };
@@ -33,12 +33,12 @@ define("mesh_hierarchy", class extends Figure {
       const hit = await this.ask(13, "intersect", ray, { vertices, normals: [], triangles }, { min: 0, max: this.t });
       if (hit !== null) [this.t, this.hit] = [hit.t, box.triangles[hit.triangle]];
     }
-    const met = [];
+    const entered = [];
     for (const part of box.parts) {
-      const inside = await this.meets(part, ray);
-      if (inside !== null) met.push([inside.min, part]);
+      const inside = await this.overlap(part, ray);
+      if (inside !== null) entered.push([inside.min, part]);
     }
-    for (const [near, part] of met.sort(([a], [b]) => a - b)) {
+    for (const [near, part] of entered.sort(([a], [b]) => a - b)) {
       if (near < this.t) await this.open(part, ray);
       else part.state = "behind";
     }
@@ -48,7 +48,7 @@ define("mesh_hierarchy", class extends Figure {
     return this.owl.triangles[triangle].map((corner) => this.owl.vertices[corner]);
   }
 
-  async meets(box, ray) {
+  async overlap(box, ray) {
     box.state = "missed";
     return this.ask(13, "overlap", ray, box.box, { min: 0, max: this.t });
   }
@@ -64,7 +64,7 @@ define("mesh_hierarchy", class extends Figure {
       if (i) boxes[box.parent].parts.push(box);
     });
     [this.t, this.hit, this.tested] = [Infinity, null, []];
-    if ((await this.meets(boxes[0], ray)) !== null) await this.open(boxes[0], ray);
+    if ((await this.overlap(boxes[0], ray)) !== null) await this.open(boxes[0], ray);
 
     const shown = boxes.filter(({ level }) => level === this.level.value);
     for (const view of [sketch, new Sketch(sketch.group, this.side)]) {

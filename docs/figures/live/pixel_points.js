@@ -7,7 +7,7 @@ const many = 1024;
 const within = (x, least, most) => Math.min(Math.max(x, least), most);
 
 define("pixel_points", class extends Figure {
-  static title = "An edge through a pixel, and the share of its rays that meet what is beyond: drag the ends of the edge";
+  static title = "An edge through a pixel, and the share of its rays that hit what is beyond: drag the ends of the edge";
   static height = 280;
   view = { place: [22, 212], scale: 180 };  // the first pixel is (0, 1)²
 
@@ -20,10 +20,10 @@ define("pixel_points", class extends Figure {
 
   point(kind, i, side) {
     if (kind === "regular") return [((i % side) + 0.5) / side, (Math.floor(i / side) + 0.5) / side];
-    return this.ask(0, kind === "spread" ? "even_sample" : "independent_sample", i, this.seed.value);
+    return this.ask(0, kind === "spread" ? "well_spread_sample" : "independent_sample", i, this.seed.value);
   }
 
-  async meets(triangle, [x, y]) {
+  async hits(triangle, [x, y]) {
     return (await this.ask(5, "intersect", { origin: [x, y, 1], direction: [0, 0, -1] }, triangle, ahead)) !== null;
   }
 
@@ -39,7 +39,7 @@ define("pixel_points", class extends Figure {
       sketch.pixels("rect", { x: left, y: bottom - 180, width: 180, height: 180 }, { stroke: color.ink });
       let hits = 0;
       for (let i = 0; i < side * side; ++i) {
-        const point = await this.point(kind, i, side), hit = await this.meets(triangle, point);
+        const point = await this.point(kind, i, side), hit = await this.hits(triangle, point);
         hits += hit;
         sketch.pixels("circle", { cx: left + 180 * point[0], cy: bottom - 180 * point[1], r: side > 8 ? 2 : 4 }, { fill: hit ? color.blue : color.white, stroke: color.blue });
       }
@@ -51,7 +51,7 @@ define("pixel_points", class extends Figure {
       rows.push([kind, `${hits} of ${side * side} rays: ${((100 * hits) / side ** 2).toFixed(1)} %`]);
     }
     let hits = 0;
-    for (let i = 0; i < many; ++i) hits += await this.meets(triangle, await this.point("spread", i));
+    for (let i = 0; i < many; ++i) hits += await this.hits(triangle, await this.point("spread", i));
     return [...rows, [`${many} spread rays`, `${((100 * hits) / many).toFixed(1)} %`]];
   }
 });

@@ -1,4 +1,4 @@
-// Stage 11: samples on a light, even and independent, and the share of it that is seen. Drag the ball.
+// Stage 11: samples on a light, well spread and independent, and the share of it that is seen. Drag the ball.
 import { Figure, color, define } from "./drawing.js";
 
 const from = { point: [0, 0, 0], normal: [0, 1, 0], geometric_normal: [0, 1, 0], to_eye: [0, 1, 0], error: 0, material: { color: [1, 1, 1], specular: 0, shininess: 32, mirror: 0 } };
@@ -19,7 +19,7 @@ define("soft_shadow_samples", class extends Figure {
     const light = { position: [0, 4, 0], brightness: 1, color: [1, 1, 1], radius: this.radius.value };
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
-    for (const [kind, shift, square] of [["even", 0, 430], ["independent", 2.45, 544]]) {
+    for (const [kind, shift, square] of [["well spread", 0, 430], ["independent", 2.45, 544]]) {
       sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
       sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
       sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });

@@ -1,4 +1,4 @@
-// Stage 3: where a line meets a sphere. Drag the ray's origin, and the tip of its direction.
+// Stage 3: where a line hits a sphere. Drag the ray's origin, and the tip of its direction.
 import { Figure, ahead, at, color, define, minus, times } from "./drawing.js";
 
 define("sphere_roots", class extends Figure {

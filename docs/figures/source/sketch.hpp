@@ -79,7 +79,7 @@ template <class Shape>
     return roots;
 }
 
-/// The point that the ray meets first. The shape must be there.
+/// The point that the ray hits first. The shape must be there.
 template <class Shape>
 [[nodiscard]] Vec3 first_hit(const Ray& ray, const Shape& shape) {
     return at(ray, intersect(ray, shape, {}).value());

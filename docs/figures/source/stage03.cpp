@@ -1,4 +1,4 @@
-// Stage 3: where a line meets a sphere.
+// Stage 3: where a line hits a sphere.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -42,7 +42,7 @@ void draw_key(Svg& svg, Vec2 place) {
     Sketch key(svg, {.place = place, .scale = 1});
     const TextStyle style{.anchor = Anchor::start, .size = 13};
     key.mark({0, 0, 0}, Mark::hit);
-    key.label({0, 0, 0}, {12, 5}, "met: the smallest $t$ > 0", style);
+    key.label({0, 0, 0}, {12, 5}, "hit: the smallest $t$ > 0", style);
     key.mark({200, 0, 0}, Mark::refused);
     key.label({200, 0, 0}, {12, 5}, "a root, refused", style);
     key.backwards({.origin = {375, 0, 0}, .direction = {1, 0, 0}}, -34);

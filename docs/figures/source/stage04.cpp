@@ -125,9 +125,9 @@ std::string plane_horizon() {
     sketch.label(up.origin, {-6, -12}, "$o_r$", {.anchor = Anchor::end});
     sketch.label({0, 0.84, -1}, {-6, -2}, "the screen", {.color = gray, .anchor = Anchor::end});
     sketch.label(at(up, behind), {0, 22}, "$t$ = " + decimal(behind, 1), {.color = red});
-    sketch.label(at(up, 2), {10, 5}, "⟨$d_r$, $n$⟩ > 0: met behind, where $t$ < 0", after);
+    sketch.label(at(up, 2), {10, 5}, "⟨$d_r$, $n$⟩ > 0: hit behind, where $t$ < 0", after);
     sketch.label(level, {10, 5}, "⟨$d_r$, $n$⟩ = 0: parallel, the horizon", after);
-    sketch.label(level, {70, 38}, "⟨$d_r$, $n$⟩ < 0: met ahead", after);
+    sketch.label(level, {70, 38}, "⟨$d_r$, $n$⟩ < 0: hit ahead", after);
     sketch.label({0, -1, 1.5}, {12, -46}, "$n$", {.color = green});
     return svg.source();
 }

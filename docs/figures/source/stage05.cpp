@@ -147,7 +147,7 @@ constexpr std::array quad = {Triangle{{-1, 1, -2}, {-1, -1, -2}, {1, -1, -2}},
                              Triangle{{-1, 1, -2}, {1, -1, -2}, {1, 1, -2}}};
 
 /// True if the ray hits the triangle, with MRT's strict inequalities or without.
-bool meets(const Ray& ray, const Triangle& half, bool strict) {
+bool hits(const Ray& ray, const Triangle& half, bool strict) {
     const std::optional<Real> t = intersect(ray, half, {});
     if (!t) return false;
     const Vec3 weights = barycentric(half, at(ray, *t));
@@ -164,21 +164,21 @@ void draw_quad_outline(Svg& svg, Vec2 corner) {
 
 /// The triangle of each pixel, and a ring at a pixel without one although its ray hits both.
 void draw_quad(Svg& svg, Vec2 corner, bool strict, std::string_view title) {
-    std::array<std::vector<Cell>, 2> met;
+    std::array<std::vector<Cell>, 2> hit;
     std::vector<Vec2> lost;
     for (Pixel pixel; pixel.row < picture.height; ++pixel.row)
         for (pixel.column = 0; pixel.column < picture.width; ++pixel.column) {
             const Ray ray = camera_ray(pixel, picture, fov);
             const Vec2 place = corner + pixel_size * Vec2(pixel.column, pixel.row);
-            if (meets(ray, quad[0], strict))
-                met[0].push_back({place, Vec2(pixel_size)});
-            else if (meets(ray, quad[1], strict))
-                met[1].push_back({place, Vec2(pixel_size)});
-            else if (meets(ray, quad[0], false))
+            if (hits(ray, quad[0], strict))
+                hit[0].push_back({place, Vec2(pixel_size)});
+            else if (hits(ray, quad[1], strict))
+                hit[1].push_back({place, Vec2(pixel_size)});
+            else if (hits(ray, quad[0], false))
                 lost.push_back(place + Vec2(pixel_size / 2));
         }
-    svg.cells(met[0], pale_blue);
-    svg.cells(met[1], pale_amber);
+    svg.cells(hit[0], pale_blue);
+    svg.cells(hit[1], pale_amber);
     const Real side = pixel_size * picture.width;
     for (Real x = 0; x <= side; x += pixel_size) {
         svg.line(corner + Vec2(0, x), corner + Vec2(side, x), grid);
@@ -197,7 +197,7 @@ std::string triangle_shared_edge() {
     draw_quad(svg, {344, 42}, false, "≥ 0: the edge belongs to both");
     svg.circle({70, 309}, 4, white, {.color = red});
     svg.text({82, 314},
-             "a ray through the pixel's center meets the shared edge, and neither triangle",
+             "a ray through the pixel's center hits the shared edge, and neither triangle",
              {.color = gray, .anchor = Anchor::start, .size = 13});
     return svg.source();
 }

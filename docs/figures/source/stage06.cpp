@@ -114,7 +114,7 @@ std::vector<Square> upright_walls(const Scene& scene) {
     return walls;
 }
 
-/// The ray as far as the wall it meets, with a ring where a wall that it would meet from behind
+/// The ray as far as the wall it hits, with a ring where a wall that it would hit from behind
 /// lets it through.
 void draw_ray_in_box(Sketch& sketch, const Ray& ray, const std::vector<Square>& walls) {
     Interval interval;
@@ -149,13 +149,13 @@ void label_box(Svg& svg, Sketch& sketch, Vec3 eye) {
     key.mark({0, 0, 0}, Mark::refused);
     key.label({0, 0, 0}, {12, 5}, "⟨$d_r$, $n$⟩ > 0: one looks through", note);
     key.mark({0, -24, 0}, Mark::hit);
-    key.label({0, -24, 0}, {12, 5}, "⟨$d_r$, $n$⟩ < 0: met", note);
+    key.label({0, -24, 0}, {12, 5}, "⟨$d_r$, $n$⟩ < 0: a hit", note);
 }
 
 }  // namespace
 
 std::string cornell_from_above() {
-    Svg svg({640, 330}, "The Cornell box from above: the front wall is met from inside only");
+    Svg svg({640, 330}, "The Cornell box from above: the front wall is hit from inside only");
     const Scene scene = load_scene(RAYSTEPS_ROOT "/scenes/cornell_box.rt", orthonormal_basis);
     const std::vector<Square> walls = upright_walls(scene);
     const Camera& camera = scene.cameras.front();

@@ -84,11 +84,11 @@ void draw_heights(Svg& svg, Vec2 place, const Basis& basis, const Ray& ray) {
     }
     for (const Real t : all_roots(ray, endless(tube))) {
         const Vec3 p = at(ray, t);
-        const bool met = t == intersect(ray, tube, {});
+        const bool is_hit = t == intersect(ray, tube, {});
         sketch.line(p, {edge, dot(p - tube.center, tube.axis), 0},
                     {.color = red, .width = 1, .dashes = "2 4"});
         sketch.label({edge, dot(p - tube.center, tube.axis), 0}, {6, 5},
-                     met ? "$z_p$ of $t_2$" : "$z_p$ of $t_1$",
+                     is_hit ? "$z_p$ of $t_2$" : "$z_p$ of $t_1$",
                      {.color = red, .anchor = Anchor::start});
     }
     sketch.ray(ray, Real(3.4));
@@ -144,8 +144,8 @@ std::string cylinder_both_roots() {
     draw_case(sketch, "E", {0, 2.1, 0}, {0, -1, 0}, Real(4.2));
     const Vec3 top = side_point(open_tube, open_tube.height / 2, x);
     sketch.label(top, {8, 5}, "$z_p$ = $h$ / 2", {.anchor = Anchor::start, .size = 13});
-    svg.key({396, 96}, "A", "the near root is within: met");
-    svg.key({396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is met");
+    svg.key({396, 96}, "A", "the near root is within: a hit");
+    svg.key({396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is hit");
     svg.key({396, 172}, "C", "|$z_p$| = $h$ / 2: the rim belongs");
     svg.key({396, 210}, "D", "neither root is within: missed");
     svg.key({396, 248}, "E", "along the axis $a$ = 0: missed");

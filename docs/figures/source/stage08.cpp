@@ -90,9 +90,9 @@ std::string cone_side() {
     sketch.label(cup.apex + Real(2.3) * cup.axis, {14, 8}, "$Z$", {.color = green});
     sketch.label((top + rim) / Real(2), {0, -18}, "$r$");
     sketch.label({1.62, cup.height / 2, 0}, {12, 5}, "$h$");
-    svg.key({400, 110}, "A", "the near root is within: met");
-    svg.key({400, 150}, "B", "$z_p$ < 0 at $t_1$: no nappe, $t_2$ is met");
-    svg.key({400, 190}, "C", "$z_p$ > $h$ at $t_1$: $t_2$ is met");
+    svg.key({400, 110}, "A", "the near root is within: a hit");
+    svg.key({400, 150}, "B", "$z_p$ < 0 at $t_1$: no nappe, $t_2$ is hit");
+    svg.key({400, 190}, "C", "$z_p$ > $h$ at $t_1$: $t_2$ is hit");
     svg.key({400, 230}, "D", "along the side $a$ = 0: one root");
     return svg.source();
 }

@@ -116,7 +116,7 @@ std::string shadow_offset() {
     draw_start(on, rounded, ground);
     on.label(rounded, {-2, 24}, "$o$ + $t d$, rounded", words);
     svg.text({112, 226}, "on the surface:", words);
-    svg.text({112, 244}, "it meets itself, acne", words);
+    svg.text({112, 244}, "it hits itself, acne", words);
 
     Sketch far = draw_ground(svg, {330, 130}, true);
     far.normal(point, side, 60);

@@ -1,4 +1,4 @@
-// Stage 11: umbra and penumbra, evenly spread points, and a penumbra off center.
+// Stage 11: umbra and penumbra, well-spread points, and a penumbra off center.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -71,7 +71,7 @@ std::string soft_shadow_regions() {
     draw_shadow(svg, sketch, left, right);
     svg.circle(sketch(lamp.position), 58 * lamp.radius, white, {.width = 2});
 
-    // Evenly over the angle that the light fills, in the plane of the page.
+    // Uniform over the angle that the light fills, in the plane of the page.
     const Vec3 from(Real(2.1), 0, 0);
     const Vec3 way = lamp.position - from;
     const Real middle = std::atan2(way.y, way.x);
@@ -156,12 +156,12 @@ std::vector<Vec2> independent_points() {
 }  // namespace
 
 std::string soft_shadow_samples() {
-    Svg svg({640, 244}, "64 independent points, 64 even ones, and these on the light");
-    std::vector<Vec2> even;
-    for (std::uint32_t i = 0; i < dots; ++i) even.push_back(spread_sample(i, 3));
+    Svg svg({640, 244}, "64 independent points, 64 well-spread ones, and these on the light");
+    std::vector<Vec2> well_spread;
+    for (std::uint32_t i = 0; i < dots; ++i) well_spread.push_back(spread_sample(i, 3));
     draw_panel(svg, {22, 16}, independent_points());
-    draw_panel(svg, {232, 16}, even);
-    draw_light(svg, {442, 16}, even);
+    draw_panel(svg, {232, 16}, well_spread);
+    draw_light(svg, {442, 16}, well_spread);
     const Real below = 16 + panel + 24;
     svg.text({22 + panel / 2, below}, "64 as rand() has them");
     svg.text({232 + panel / 2, below}, "64 samples: one a box");

@@ -13,7 +13,7 @@ namespace rt::figures {
 
 namespace {
 
-/// The mirror y = 0, met by the ray at t = 1.
+/// The mirror y = 0, hit by the ray at t = 1.
 ShadingPoint ground(const Ray& ray, Vec3 normal, Real error = 0) {
     return {.point = at(ray, 1), .normal = normal, .geometric_normal = {0, 1, 0}, .error = error};
 }

@@ -278,9 +278,9 @@ std::string mesh_hierarchy() {
     const Ray ray{.origin = {-1.12, 0.3, 1.5}, .direction = {1, 0.75, -0.6}};
     RayBoxTestCache slabs(ray);
     Interval interval;
-    std::set<std::uint32_t> met;
+    std::set<std::uint32_t> entered;
     hierarchy.nearest(slabs, interval, [&](std::uint32_t index) {
-        met.insert(index);
+        entered.insert(index);
         const Polygon& polygon = polygons[index];
         for (std::size_t i = 2; i < polygon.size(); ++i) {
             const Mesh one{.vertices = {polygon[0], polygon[i - 1], polygon[i]},
@@ -288,7 +288,7 @@ std::string mesh_hierarchy() {
             if (const auto hit = intersect(ray, one, interval)) interval.max = hit->t;
         }
     });
-    for (const std::uint32_t index : met)
+    for (const std::uint32_t index : entered)
         draw_box(asked, boxes[index], {.color = red, .width = Real(1.2)});
     asked.ray(ray, interval.max);
     asked.mark(at(ray, interval.max), Mark::hit);
@@ -297,7 +297,7 @@ std::string mesh_hierarchy() {
     svg.text({110, 284}, "one box around a coarse owl", note);
     svg.text({322, 284}, "around its parts, eight boxes", note);
     svg.text({534, 284},
-             "a ray tests " + std::to_string(met.size()) + " of its " +
+             "a ray tests " + std::to_string(entered.size()) + " of its " +
                  std::to_string(polygons.size()) + " polygons",
              note);
     return svg.source();

@@ -46,12 +46,12 @@ Real visibility(const ShadowRays& rays) {
 }
 
 Real visibility_error(const ShadowRays& rays) {
-    // Each of n even points represents one of n boxes, and only the boxes on the shadow's edge are
-    // uncertain (Mitchell 1996). If a fraction p of the light is visible, the length of the edge is
-    // about √p, and it crosses about √(p n) boxes, each with an error of about 1 / n of either
-    // sign: (p n)^(1/4) / n in total. p (1 − p) replaces the smaller part. One more ray of each
-    // kind prevents 0 (Agresti and Coull 1998): n rays that all agree may have missed about one
-    // box. The factor is measured. With it the root mean square error is 0.75 to 0.85 of the
+    // Each of n well-spread points represents one of n boxes, and only the boxes on the shadow's
+    // edge are uncertain (Mitchell 1996). If a fraction p of the light is visible, the length of
+    // the edge is about √p, and it crosses about √(p n) boxes, each with an error of about 1 / n of
+    // either sign: (p n)^(1/4) / n in total. p (1 − p) replaces the smaller part. One more ray of
+    // each kind prevents 0 (Agresti and Coull 1998): n rays that all agree may have missed about
+    // one box. The factor is measured. With it the root mean square error is 0.75 to 0.85 of the
     // estimate, over straight edges at any position, or discs, for n = 8 to 1024, and no more if
     // only little of the light is hidden.
     constexpr Real factor = Real(0.7);

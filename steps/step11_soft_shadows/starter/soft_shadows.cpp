@@ -22,7 +22,7 @@ namespace {
 }  // namespace
 
 Vec3 sample_light(const Light& light, Vec3 from, Vec2 sample) {
-    // A different point of the light for each sample, spread evenly over its visible part.
+    // A different point of the light for each sample, uniform over its visible part.
     RT_TODO(light, from, sample);
     return light.position;
 }

@@ -15,18 +15,18 @@ namespace {
 
 /// A triangle of a mesh. Of two hits at the same t, the triangle that is first in the mesh is
 /// reported.
-struct MetTriangle {
+struct HitTriangle {
     std::uint32_t index = 0;
     Triangle triangle;
 
-    friend bool operator<(const MetTriangle& a, const MetTriangle& b) { return a.index < b.index; }
+    friend bool operator<(const HitTriangle& a, const HitTriangle& b) { return a.index < b.index; }
 };
 
-/// Calls visit(MetTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
+/// Calls visit(HitTriangle, t) for the triangles of a leaf that the ray hits in the interval, until
 /// a call returns true. Returns whether one did.
 template <class Visit>
-bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
-               const Triangle4<Real>& packet, Visit visit) {
+bool visit_hits(const Ray& ray, const Interval& interval, const Leaf& leaf,
+                const Triangle4<Real>& packet, Visit visit) {
     for (std::size_t lane = 0; lane < lane_count && leaf.indices[lane] != Leaf::none; ++lane) {
         const auto corner = [&](std::size_t vertex) {
             const auto& [x, y, z] = packet.vertices[vertex];
@@ -34,7 +34,7 @@ bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
         };
         const Triangle triangle{.a = corner(0), .b = corner(1), .c = corner(2)};
         const auto t = intersect(ray, triangle, interval);
-        if (t && visit(MetTriangle{.index = leaf.indices[lane], .triangle = triangle}, *t))
+        if (t && visit(HitTriangle{.index = leaf.indices[lane], .triangle = triangle}, *t))
             return true;
     }
     return false;
@@ -45,20 +45,20 @@ bool visit_met(const Ray& ray, const Interval& interval, const Leaf& leaf,
 std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     Interval left = scaled(interval);
-    const auto root_of = [&seen, asked = left](const MetTriangle& met) {
-        return exact_root(seen, met.triangle, asked);
+    const auto root_of = [&seen, asked = left](const HitTriangle& hit) {
+        return exact_root(seen, hit.triangle, asked);
     };
-    ClosestSoFar<MetTriangle> leader;
+    ClosestSoFar<HitTriangle> leader;
     RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_met(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
-                         [&](const MetTriangle& met, Real t) {
-                             leader.accepts(t, met, root_of, left);
-                             return false;
-                         });
+        return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
+                          [&](const HitTriangle& hit, Real t) {
+                              leader.accepts(t, hit, root_of, left);
+                              return false;
+                          });
     });
     if (!(leader.t() < infinity)) return std::nullopt;
-    const auto& [index, triangle] = leader.met();
+    const auto& [index, triangle] = leader.object();
     return MeshHit{.t = leader.t() / scale_,
                    .triangle = index,
                    .weights = barycentric(triangle, at(seen, leader.t()))};
@@ -69,8 +69,8 @@ bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Interval left = scaled(interval);
     RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_met(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
-                         [](const MetTriangle& /*met*/, Real /*t*/) { return true; });
+        return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
+                          [](const HitTriangle& /*hit*/, Real /*t*/) { return true; });
     });
 }
 

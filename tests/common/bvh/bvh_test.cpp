@@ -169,7 +169,7 @@ TEST_CASE("a shape's box is hardly wider than the shape (contract)") {
     CHECK(gives("box of a square", square.max, Vec3(2, 2, 5)));
 }
 
-TEST_CASE("a ray through the corner of a box meets it (Ize 2013)") {
+TEST_CASE("a ray through the corner of a box hits it (Ize 2013)") {
     // Whole numbers, times a power of two: the ray passes through the corner exactly, and often
     // through no other point of the box. It starts near or far, at any scale. Rounded slabs without
     // padding miss it two times in a hundred.

@@ -13,7 +13,7 @@ constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
 
 }  // namespace
 
-TEST_CASE("a ray along the faces of boxes meets them (contract)") {
+TEST_CASE("a ray along the faces of boxes hits them (contract)") {
     SECTION("a mesh: every vertex of a grid, from above") {
         constexpr std::uint32_t side = 16;
         const MeshBvh packed(grid(side));

@@ -40,7 +40,7 @@ Verdict no_hit_is_lost(Random& random) {
     for (int i = 0; i < 20; ++i) {
         const Ray ray = draw_ray(random, transformed(spot.point, transform), ball);
         if (intersect(ray, shape, {}) && !is_near(ray, ball))
-            return verdict(false, code(ray) + " meets " + code(shape));
+            return verdict(false, code(ray) + " hits " + code(shape));
     }
     return {};
 }

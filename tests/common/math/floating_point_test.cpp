@@ -49,7 +49,7 @@ std::array<Triangle, 3> in_all_roles(const Triangle& triangle) {
     return {Triangle{a, b, c}, Triangle{b, c, a}, Triangle{c, a, b}};
 }
 
-bool is_met(const Ray& ray, const Triangle& triangle) {
+bool is_hit(const Ray& ray, const Triangle& triangle) {
     return intersect(ray, triangle, {}).has_value();
 }
 
@@ -154,16 +154,16 @@ TEST_CASE("a corner is seen at the same place in all three roles, and by both ne
             const Vec3 side = unit(cross(q - p, ray.direction));
             const Triangle left{p, q, aim + side};
             const Triangle right{q, p, aim - side};
-            const bool met_left = is_met(ray, left);
-            const bool met_right = is_met(ray, right);
+            const bool hits_left = is_hit(ray, left);
+            const bool hits_right = is_hit(ray, right);
             for (const Triangle& rotated : in_all_roles(left))
-                if (is_met(ray, rotated) != met_left)
+                if (is_hit(ray, rotated) != hits_left)
                     return verdict(false, code(ray) + ", " + code(left) + " turned");
             for (const Triangle& rotated : in_all_roles(right))
-                if (is_met(ray, rotated) != met_right)
+                if (is_hit(ray, rotated) != hits_right)
                     return verdict(false, code(ray) + ", " + code(right) + " turned");
-            return verdict(met_left || met_right,
-                           code(ray) + " meets neither " + code(left) + " nor " + code(right));
+            return verdict(hits_left || hits_right,
+                           code(ray) + " hits neither " + code(left) + " nor " + code(right));
         },
         100'000));
 }

@@ -17,33 +17,41 @@ namespace {
 /// A method of leaving the surface.
 struct Method {
     const char* name;
-    /// `met` is where the eye's ray met it, as o + t d; the surface's own point is re-projected.
-    ShadowRay (*way)(const ShadingPoint& surface, Vec3 met, Vec3 light);
+    /// `hit` is where the eye's ray hit it, as o + t d; the surface's own point is re-projected.
+    ShadowRay (*way)(const ShadingPoint& surface, Vec3 hit_point, Vec3 light);
 };
 
-constexpr Method ours{"surface.error", [](const ShadingPoint& surface, Vec3 /*met*/, Vec3 light) {
+constexpr Method ours{"surface.error", [](const ShadingPoint& surface, Vec3 /*hit*/, Vec3 light) {
                           return shadow_ray(surface, light);
                       }};
 
-ShadowRay by_constant(const ShadingPoint& surface, Vec3 met, Vec3 light, Real constant) {
-    const Vec3 origin = met + constant * surface.geometric_normal;
+ShadowRay by_constant(const ShadingPoint& surface, Vec3 hit_point, Vec3 light, Real constant) {
+    const Vec3 origin = hit_point + constant * surface.geometric_normal;
     return {.ray = {.origin = origin, .direction = light - origin},
             .interval = {.min = 0, .max = Real(0.999)}};
 }
 
 constexpr Method constants[] = {
-    {"1e-6 along the normal", [](const ShadingPoint& s, Vec3 met,
-                                 Vec3 light) { return by_constant(s, met, light, Real(1e-6)); }},
-    {"1e-4 along the normal", [](const ShadingPoint& s, Vec3 met,
-                                 Vec3 light) { return by_constant(s, met, light, Real(1e-4)); }},
-    {"1e-3 along the normal", [](const ShadingPoint& s, Vec3 met,
-                                 Vec3 light) { return by_constant(s, met, light, Real(1e-3)); }},
-    {"0.1 along the normal", [](const ShadingPoint& s, Vec3 met,
-                                Vec3 light) { return by_constant(s, met, light, Real(0.1)); }},
+    {"1e-6 along the normal",
+     [](const ShadingPoint& s, Vec3 hit_point, Vec3 light) {
+         return by_constant(s, hit_point, light, Real(1e-6));
+     }},
+    {"1e-4 along the normal",
+     [](const ShadingPoint& s, Vec3 hit_point, Vec3 light) {
+         return by_constant(s, hit_point, light, Real(1e-4));
+     }},
+    {"1e-3 along the normal",
+     [](const ShadingPoint& s, Vec3 hit_point, Vec3 light) {
+         return by_constant(s, hit_point, light, Real(1e-3));
+     }},
+    {"0.1 along the normal",
+     [](const ShadingPoint& s, Vec3 hit_point, Vec3 light) {
+         return by_constant(s, hit_point, light, Real(0.1));
+     }},
     {"t > 0.001 (CR §3.2)",
-     [](const ShadingPoint& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
-         return {.ray = {.origin = met, .direction = unit(light - met)},
-                 .interval = {.min = Real(0.001), .max = distance(light, met)}};
+     [](const ShadingPoint& /*surface*/, Vec3 hit_point, Vec3 light) -> ShadowRay {
+         return {.ray = {.origin = hit_point, .direction = unit(light - hit_point)},
+                 .interval = {.min = Real(0.001), .max = distance(light, hit_point)}};
      }},
 };
 
@@ -56,7 +64,7 @@ struct Scale {
 template <class Shape>
 struct Seen {
     Shape shape;
-    Vec3 met;
+    Vec3 hit_point;
     ShadingPoint surface;
     Vec3 light;
     Real extent;  ///< distance of the scene's farthest point from the origin
@@ -112,7 +120,7 @@ std::optional<Seen<Shape>> draw_seen(Random& random, Scale scale) {
     if (!(dot(to_light, surface.geometric_normal) > Real(1e-5) * extent)) return std::nullopt;
     if (!(length(to_light) > Real(1e-4) * extent)) return std::nullopt;
     return Seen<Shape>{.shape = shape,
-                       .met = at(ray, hit->t),
+                       .hit_point = at(ray, hit->t),
                        .surface = surface,
                        .light = light,
                        .extent = extent};
@@ -135,7 +143,7 @@ Count count(const Method& method, Scale scale, int rays) {
         if (!seen) continue;
         ++count.rays;
         const Vec3 point = seen->surface.point;
-        const ShadowRay way = method.way(seen->surface, seen->met, seen->light);
+        const ShadowRay way = method.way(seen->surface, seen->hit_point, seen->light);
         if (occludes(way.ray, seen->shape, way.interval)) ++count.false_hits;
 
         const Real far = distance(seen->light, point) / 4;
@@ -146,17 +154,17 @@ Count count(const Method& method, Scale scale, int rays) {
         const Square card{.center = point + gap * to_light,
                           .basis = {.x = across, .y = cross(to_light, across), .z = to_light},
                           .side = gap};
-        const bool met = random.coin() ? occludes(way.ray, ball, way.interval)
-                                       : occludes(way.ray, card, way.interval);
-        if (!met) ++count.missed;
+        const bool is_hit = random.coin() ? occludes(way.ray, ball, way.interval)
+                                          : occludes(way.ray, card, way.interval);
+        if (!is_hit) ++count.missed;
     }
     return count;
 }
 
-std::string told(const Method& method, Scale scale, const Count& count) {
+std::string count_report(const Method& method, Scale scale, const Count& count) {
     return std::string(method.name) + " at size " + text(scale.size) + ", " + text(scale.away) +
            " sizes from the origin: of " + std::to_string(count.rays) + " rays, " +
-           std::to_string(count.false_hits) + " meet the surface they leave, and " +
+           std::to_string(count.false_hits) + " hit the surface they leave, and " +
            std::to_string(count.missed) + " miss what is in the way";
 }
 
@@ -169,7 +177,7 @@ Verdict never_wrong() {
             const Scale scale{.size = size, .away = away};
             const Count counted = count<Shape>(ours, scale, rays);
             if (counted.rays < rays || counted.false_hits + counted.missed > 0)
-                return verdict(false, told(ours, scale, counted));
+                return verdict(false, count_report(ours, scale, counted));
         }
     return {};
 }
@@ -183,7 +191,7 @@ Verdict wrong_somewhere(const Method& method) {
         const Scale scale{.size = size};
         const Count counted = count<Shape>(method, scale, rays);
         if (counted.false_hits + counted.missed > rays / 100) return {};
-        all += told(method, scale, counted) + "\n  ";
+        all += count_report(method, scale, counted) + "\n  ";
     }
     return verdict(false, all);
 }
@@ -220,9 +228,9 @@ TEST_CASE("each constant has its scale: too small above it, too large below (err
     constexpr int rays = 20000;
     for (const Method& method : constants) {
         const Count small = count<Sphere>(method, {.size = Real(1e-6)}, rays);
-        CHECK(verdict(small.missed > rays / 4, told(method, {.size = Real(1e-6)}, small)));
+        CHECK(verdict(small.missed > rays / 4, count_report(method, {.size = Real(1e-6)}, small)));
         const Scale large{.size = Real(sizeof(Real) == 4 ? 1e6 : 1e15)};
         const Count too_small = count<Sphere>(method, large, rays);
-        CHECK(verdict(too_small.false_hits > rays / 100, told(method, large, too_small)));
+        CHECK(verdict(too_small.false_hits > rays / 100, count_report(method, large, too_small)));
     }
 }

@@ -183,7 +183,7 @@ TEST_CASE("adaptive sampling: a picture without an edge has one ray for each pix
     CHECK(render(scene, {.settings = adaptive})->rays == 9 * 7);
 }
 
-TEST_CASE("adaptive sampling: a line of half a pixel is followed where no center meets it") {
+TEST_CASE("adaptive sampling: a line of half a pixel is followed where all centers miss it") {
     // From one side of the picture to the other it climbs by less than half a pixel.
     Scene scene{.resolution = {.width = 64, .height = 8}, .cameras = {Camera{}}};
     scene.cameras.front().fov = 2 * std::atan(Real(1));
@@ -198,15 +198,15 @@ TEST_CASE("adaptive sampling: a line of half a pixel is followed where no center
     const RenderSettings one{.shading = Shading::normal};
     const RenderSettings adaptive{
         .shading = Shading::normal, .pixel_samples = 256, .pixel_error = 4};
-    int met = 0;
+    int hits = 0;
     int followed = 0;
     const Image centers = render(scene, {.settings = one})->image;
     const Image image = render(scene, {.settings = adaptive})->image;
     for (Pixel place{.row = 3}; place.column < 64; ++place.column) {
-        met += centers[place][2] > 0;
+        hits += centers[place][2] > 0;
         followed += image[place][2] > 255 / 8;
     }
-    CHECK((0 < met && met < 64));
+    CHECK((0 < hits && hits < 64));
     CHECK(followed == 64);
 }
 

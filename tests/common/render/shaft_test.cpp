@@ -57,7 +57,7 @@ Verdict is_left_alone(Random& random) {
         const Ray ray{.origin = point, .direction = light.position + light.radius * way - point};
         if (occludes(ray, spot.shape, {.min = 0, .max = 1}))
             return verdict(false, "the shaft does not contain " + code(spot.shape) +
-                                      " or its bounding sphere, and " + code(ray) + " meets it");
+                                      " or its bounding sphere, and " + code(ray) + " hits it");
     }
     return {};
 }

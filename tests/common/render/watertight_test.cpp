@@ -104,7 +104,7 @@ std::optional<Real> by_reference(const Ray& ray, const Triangle& triangle) {
 
 Verdict is_stopped(const AimedRay& shot) {
     return verdict(!leaks(shot, by_reference),
-                   code(shot.ray) + " meets none of the " + std::to_string(shot.around.size()) +
+                   code(shot.ray) + " hits none of the " + std::to_string(shot.around.size()) +
                        " triangles around the point it is aimed at; the first of them is " +
                        code(shot.around.front()));
 }

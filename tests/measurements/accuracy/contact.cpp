@@ -23,39 +23,39 @@ namespace {
 
 constexpr int rays = 30'000;  // per shape and size
 
-/// A method of leaving a surface; `met` is o + t d, before its projection to surface.point.
+/// A method of leaving a surface; `hit` is o + t d, before its projection to surface.point.
 struct Policy {
     const char* name;
-    ShadowRay (*way)(const ShadingPoint& surface, Vec3 met, Vec3 light);
+    ShadowRay (*way)(const ShadingPoint& surface, Vec3 hit, Vec3 light);
 };
 
-ShadowRay off_by(Real distance, const ShadingPoint& surface, Vec3 met, Vec3 light) {
-    const Vec3 origin = met + distance * surface.geometric_normal;
+ShadowRay off_by(Real distance, const ShadingPoint& surface, Vec3 hit, Vec3 light) {
+    const Vec3 origin = hit + distance * surface.geometric_normal;
     return {.ray = {.origin = origin, .direction = light - origin},
             .interval = {.min = 0, .max = Real(0.999)}};
 }
 
 constexpr std::array policies = {
-    Policy{"reference", [](const ShadingPoint& surface, Vec3 /*met*/,
+    Policy{"reference", [](const ShadingPoint& surface, Vec3 /*hit*/,
                            Vec3 light) { return shadow_ray(surface, light); }},
-    Policy{"no epsilon", [](const ShadingPoint& surface, Vec3 met,
-                            Vec3 light) { return off_by(0, surface, met, light); }},
+    Policy{"no epsilon", [](const ShadingPoint& surface, Vec3 hit,
+                            Vec3 light) { return off_by(0, surface, hit, light); }},
     Policy{"1e-6 along the normal",
-           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
-               return off_by(Real(1e-6), surface, met, light);
+           [](const ShadingPoint& surface, Vec3 hit, Vec3 light) {
+               return off_by(Real(1e-6), surface, hit, light);
            }},
     Policy{"1e-3 along the normal",
-           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
-               return off_by(Real(1e-3), surface, met, light);
+           [](const ShadingPoint& surface, Vec3 hit, Vec3 light) {
+               return off_by(Real(1e-3), surface, hit, light);
            }},
     Policy{"CR §3.2: t > 0.001",
-           [](const ShadingPoint& /*surface*/, Vec3 met, Vec3 light) -> ShadowRay {
-               return {.ray = {.origin = met, .direction = unit(light - met)},
-                       .interval = {.min = Real(0.001), .max = distance(light, met)}};
+           [](const ShadingPoint& /*surface*/, Vec3 hit, Vec3 light) -> ShadowRay {
+               return {.ray = {.origin = hit, .direction = unit(light - hit)},
+                       .interval = {.min = Real(0.001), .max = distance(light, hit)}};
            }},
     Policy{"1e-4 of the coordinates",
-           [](const ShadingPoint& surface, Vec3 met, Vec3 light) {
-               return off_by(Real(1e-4) * largest_component(met), surface, met, light);
+           [](const ShadingPoint& surface, Vec3 hit, Vec3 light) {
+               return off_by(Real(1e-4) * largest_component(hit), surface, hit, light);
            }},
 };
 
@@ -88,9 +88,9 @@ void ask(Random& random, Real size, std::array<Tally, policies.size()>& tallies)
     const Case<Shape> seen = of_size<Shape>(random, size);
     const auto t = intersect(seen.ray, seen.shape, {});
     if (!t) return;
-    const Vec3 met = at(seen.ray, *t);
-    if (largest_component(met) > 10 * size) return;  // a plane's, no longer of the scene
-    const auto [point, error] = snapped_to(seen.shape, met);
+    const Vec3 hit = at(seen.ray, *t);
+    if (largest_component(hit) > 10 * size) return;  // a plane's, no longer of the scene
+    const auto [point, error] = snapped_to(seen.shape, hit);
     Vec3 side = normal(seen.shape, point);
     // From inside, the shape itself may block the light.
     if (dot(side, seen.ray.direction) > 0) return;
@@ -101,7 +101,7 @@ void ask(Random& random, Real size, std::array<Tally, policies.size()>& tallies)
     const ShadingPoint surface{
         .point = point, .normal = side, .geometric_normal = side, .error = error};
     for (std::size_t i = 0; i < policies.size(); ++i) {
-        const ShadowRay shadow = policies[i].way(surface, met, light);
+        const ShadowRay shadow = policies[i].way(surface, hit, light);
         ++tallies[i].asked;
         tallies[i].self_hits += intersect(shadow.ray, seen.shape, shadow.interval).has_value();
         tallies[i].missed += !intersect(shadow.ray, occluder, shadow.interval).has_value();

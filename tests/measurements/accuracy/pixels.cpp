@@ -1,4 +1,4 @@
-// One to 256 rays through each pixel, at regular, jittered and evenly spread points, and adaptive
+// One to 256 rays through each pixel, at regular, jittered and well-spread points, and adaptive
 // numbers of rays: how far the picture is from one of 1,024 rays, and how long it takes.
 #include "common/program/load_meshes.hpp"
 #include "common/render/pixel_samples.hpp"

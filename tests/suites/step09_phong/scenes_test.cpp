@@ -31,7 +31,7 @@ const Ray from_behind{.origin = {0, 0, -3}, .direction = {0, 0, 1}};
 
 }  // namespace
 
-TEST_CASE("ambient light is added once, however many lights there are (erratum 14, CR §3.1)") {
+TEST_CASE("ambient light in a scene with no light, two and three (erratum 14, CR §3.1)") {
     Scene scene = wall();
     CHECK(gives("no light", seen(scene, from_before), Color(Real(0.125))));
     scene.lights = {{.position = {0, 0, -5}}, {.position = {3, 0, -4}}};  // behind the wall
@@ -42,7 +42,7 @@ TEST_CASE("ambient light is added once, however many lights there are (erratum 1
     CHECK(gives("and one before it, ambient", seen(scene, from_before, PhongTerm::ambient),
                 Color(Real(0.125))));
     const Ray away{.origin = {0, 0, 3}, .direction = {0, 0, 1}};
-    CHECK(gives("a ray that meets nothing", seen(scene, away), Color(0)));
+    CHECK(gives("a ray that misses everything", seen(scene, away), Color(0)));
 }
 
 TEST_CASE("several lights add up (CR §3.1)") {

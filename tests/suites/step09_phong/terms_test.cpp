@@ -213,7 +213,7 @@ TEST_CASE("L leads from the point to the light, wherever both are (CR §3.1)") {
     CHECK(diffuse_is(surface, light_at({4, 0, 8}), Color(Real(0.8))));
 }
 
-TEST_CASE("how far away the light is does not matter (CR §3.1)") {
+TEST_CASE("diffuse light of lights near and far away (CR §3.1)") {
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, Real(0.125)}), Color(1)));
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, 512}), Color(1)));
     CHECK(for_all([](Random& random) {
@@ -242,7 +242,7 @@ TEST_CASE("diffuse light does not depend on the eye or on the highlight (CR §3.
     CHECK(diffuse_is(matt, light_along(slanting), Color(Real(0.8))));
 }
 
-TEST_CASE("a light behind the surface takes nothing away and adds nothing (erratum 27, M1)") {
+TEST_CASE("the diffuse term of a light behind the surface is black (erratum 27, M1)") {
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({0, 0, -5}), Color(0)));
     CHECK(diffuse_is(facing_z({0, 0, 1}), light_at({3, 0, -4}), Color(0)));
     CHECK(for_all([](Random& random) {
@@ -295,8 +295,7 @@ TEST_CASE("beside R the highlight is ⟨R, V⟩ to the power of the shininess (C
     }));
 }
 
-TEST_CASE(
-    "for the highlight too L leads from the point, and its length does not matter (CR §3.1)") {
+TEST_CASE("the highlight of lights near and far away, at points other than the origin (CR §3.1)") {
     ShadingPoint surface = facing_z(mirrored);
     surface.point = {10, 0, 0};
     CHECK(specular_is(surface, light_at({13, 0, 4}), Color(1)));
@@ -306,7 +305,7 @@ TEST_CASE(
     }));
 }
 
-TEST_CASE("the shininess need not be a whole number, nor small (CR §3.1)", "[exact]") {
+TEST_CASE("highlights of fractional and of large shininess (CR §3.1)", "[exact]") {
     const Vec3 at_30_degrees(Real(0.5), 0, std::sqrt(Real(0.75)));
     CHECK(specular_is(facing_z(at_30_degrees, 4), white, Color(Real(0.5625))));
     CHECK(specular_is(facing_z(at_30_degrees, Real(0.5)), white,
@@ -335,7 +334,7 @@ TEST_CASE("the highlight moves with the eye (CR §3.1)") {
     CHECK(specular_is(facing_z({0, 1, 0}, 2), light, Color(0)));
 }
 
-TEST_CASE("the highlight has the light's color, not the surface's (CR §3.1)") {
+TEST_CASE("the highlight of a colored light on a blue surface has the light's color (CR §3.1)") {
     ShadingPoint blue = facing_z({0, 0, 1});
     blue.material.color = {0, 0, 1};
     const Light warm{.position = {0, 0, 5}, .color = {1, Real(0.5), 0}};
@@ -346,7 +345,7 @@ TEST_CASE("the highlight has the light's color, not the surface's (CR §3.1)") {
     CHECK(specular_is(facing_z({0, 0, 1}), off, Color(0)));
 }
 
-TEST_CASE("where R points away from the eye, there is no highlight (CR §3.1)") {
+TEST_CASE("the highlight is black where R points away from the eye (CR §3.1)") {
     // ⟨R, V⟩ = -0.352, whose square is positive, its cube negative, and its root not a number.
     const Vec3 low(Real(0.96), 0, Real(0.28));
     for (const Real shininess : {Real(2), Real(3), Real(2.5)})
@@ -360,7 +359,8 @@ TEST_CASE("where R points away from the eye, there is no highlight (CR §3.1)") 
     }));
 }
 
-TEST_CASE("without light there is no highlight, though ⟨R, V⟩ > 0 (erratum 14, CR §3.1)") {
+TEST_CASE(
+    "the highlight of a light behind the surface is black, with ⟨R, V⟩ > 0 (erratum 14, CR §3.1)") {
     // The numbers of docs/errata.md: printed, the highlight is 0.28.
     const Vec3 behind(Real(0.8), 0, Real(-0.6));
     CHECK(dark(facing_z({Real(-0.8), 0, Real(0.6)}, 1), light_along(behind)));
@@ -379,7 +379,7 @@ TEST_CASE("a surface without a specular part has no highlight (CR §3.1)") {
     CHECK(specular_is(matt, white, Color(0)));
 }
 
-TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)", "[part together]") {
+TEST_CASE("the terms of a light at the point itself are black (contract)", "[part together]") {
     CHECK(dark(facing_z({0, 0, 1}), light_at({0, 0, 0})));
     CHECK(for_all([](Random& random) {
         const ShadingPoint surface = draw_surface(random, random.point(3));
@@ -387,7 +387,7 @@ TEST_CASE("a light at the point itself shows nothing, and no NaN (contract)", "[
     }));
 }
 
-TEST_CASE("NaN is dark: it is not positive (contract)") {
+TEST_CASE("the terms of a light with NaN are black (contract)") {
     CHECK(for_all([](Random& random) {
         Lit lit = draw(random);
         Vec3* const parts[] = {&lit.surface.point, &lit.surface.normal, &lit.light.position,

@@ -28,7 +28,7 @@ const Ray to_the_origin{.origin = {4, 1, 1}, .direction = {-4, -1, -1}};
 
 }  // namespace
 
-TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)", "[part together]") {
+TEST_CASE("a point in shadow has its ambient term (erratum 15, CR §3.2)", "[part together]") {
     Scene scene = ball_above_floor();
     scene.lights = {Light{.position = {0, 8, 0}, .brightness = Real(0.5)}};
     CHECK(gives("the color under the ball", color_along(scene, to_the_origin), Color(Real(0.25))));
@@ -48,7 +48,7 @@ TEST_CASE("a point in shadow keeps its ambient term (erratum 15, CR §3.2)", "[p
     }));
 }
 
-TEST_CASE("of two lights, one is kept off and the other is not (CR §3.2, M1)") {
+TEST_CASE("two lights, of which one is occluded (CR §3.2, M1)") {
     Scene scene = ball_above_floor();
     const Light above{.position = {0, 8, 0}, .brightness = Real(0.5)};
     const Light aside{.position = {-3, 4, 0}, .brightness = Real(0.5)};  // ⟨L, N⟩ = 0.8

@@ -25,20 +25,20 @@ std::string call(const ShadingPoint& surface, Vec3 light) {
     return "shadow_ray(" + code(surface) + ", " + code(light) + ")";
 }
 
-std::string told(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
+std::string ray_report(const ShadingPoint& surface, Vec3 light, const ShadowRay& way) {
     return call(surface, light) + "\n  got:      " + code(way.ray) + ", " + code(way.interval);
 }
 
 /// Tests that the shape is hit on the way or not, as expected, and that the shadow ray is valid.
 template <class Shape>
-Verdict met(const ShadingPoint& surface, Vec3 light, const Shape& shape, bool expected) {
+Verdict occluded(const ShadingPoint& surface, Vec3 light, const Shape& shape, bool expected) {
     const ShadowRay way = shadow_ray(surface, light);
     const std::optional<Real> t = intersect(way.ray, shape, way.interval);
     const std::string name = expected ? "in_the_way" : "not_in_the_way";
     const bool is_way = way.interval.min < way.interval.max && way.ray.direction != Vec3(0);
     return verdict(
         is_way && t.has_value() == expected,
-        told(surface, light, way) + "\n  which has " + got_text(t) + " with " + code(shape) +
+        ray_report(surface, light, way) + "\n  which has " + got_text(t) + " with " + code(shape) +
             "\n  expected: " +
             (expected ? "a hit" : "no hit, min < max, and a direction that is not zero") +
             "\n  paste:    CHECK(" + name + "(" + code(surface) + ", Vec3" + code(light) + ", " +
@@ -48,13 +48,13 @@ Verdict met(const ShadingPoint& surface, Vec3 light, const Shape& shape, bool ex
 /// The shape throws its shadow on the surface.
 template <class Shape>
 Verdict in_the_way(const ShadingPoint& surface, Vec3 light, const Shape& shape) {
-    return met(surface, light, shape, true);
+    return occluded(surface, light, shape, true);
 }
 
 /// It does not.
 template <class Shape>
 Verdict not_in_the_way(const ShadingPoint& surface, Vec3 light, const Shape& shape) {
-    return met(surface, light, shape, false);
+    return occluded(surface, light, shape, false);
 }
 
 /// The points at both ends of the interval are the surface's and the light's, within a hundredth of
@@ -65,9 +65,9 @@ Verdict leads_there(const ShadingPoint& surface, Vec3 light) {
     const Vec3 end = at(ray, interval.max);
     const Real slack = distance(surface.point, light) / 100;
     return verdict(distance(begin, surface.point) <= slack && distance(end, light) <= slack,
-                   told(surface, light, {ray, interval}) + "\n  which is  from " + text(begin) +
-                       " to " + text(end) + "\n  expected: from " + text(surface.point) + " to " +
-                       text(light));
+                   ray_report(surface, light, {ray, interval}) + "\n  which is  from " +
+                       text(begin) + " to " + text(end) + "\n  expected: from " +
+                       text(surface.point) + " to " + text(light));
 }
 
 /// The surface of the shape at `aim`, as seen from `eye`.
@@ -149,7 +149,7 @@ Verdict starts_off(const ShadingPoint& surface, Vec3 light) {
     const Vec3 away = way.ray.origin - surface.point;
     const Real above = dot(away, surface.geometric_normal);
     return verdict(above >= Real(0.9999) * surface.error && length(away) <= 10 * surface.error,
-                   told(surface, light, way) + "\n  which starts " + text(above) +
+                   ray_report(surface, light, way) + "\n  which starts " + text(above) +
                        " above the face\n  expected: above by surface.error = " +
                        text(surface.error) + " or a little more");
 }
@@ -220,7 +220,7 @@ TEST_CASE("a shape behind the point casts no shadow (PHY, t positive)") {
     }));
 }
 
-TEST_CASE("a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.2)") {
+TEST_CASE("a lamp in the plane of the ceiling lights the room (CR §2.4, §3.2)") {
     const Square ceiling{
         .center = {0, 1, 0}, .basis = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, .side = 2};
     CHECK(not_in_the_way(on_floor, Vec3(0, 1, 0), ceiling));
@@ -246,7 +246,9 @@ TEST_CASE("a lamp that lies in the ceiling is not shadowed by it (CR §2.4, §3.
     }));
 }
 
-TEST_CASE("a surface does not shadow itself at any scale: no acne (CR §3.2, erratum 31)") {
+TEST_CASE(
+    "shadow rays from surfaces of any scale to a light that they do not occlude (CR §3.2, erratum "
+    "31)") {
     constexpr int cases = 2000;
     CHECK(for_all(
         [](Random& random) {
@@ -288,7 +290,7 @@ TEST_CASE("a surface does not shadow itself at any scale: no acne (CR §3.2, err
         cases));
 }
 
-TEST_CASE("an open tube throws a shadow into itself (CR §3.2)") {
+TEST_CASE("an open tube casts a shadow on its inside (CR §3.2)") {
     const Cylinder tube{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 4};
     const std::optional<ShadingPoint> wall = seen(Vec3(0), Vec3(1, 0, 0), tube);
     REQUIRE(wall);
@@ -321,7 +323,7 @@ TEST_CASE("a point that is off its surface by its error still sees the light (co
         2000));
 }
 
-TEST_CASE("the offset is along the flat face, wherever an interpolated normal points (CR §6)") {
+TEST_CASE("shadow rays from points with an interpolated normal (CR §6)") {
     CHECK(for_all(
         [](Random& random) {
             auto [surface, plane] = draw_off_surface(random, Real(0.98));
@@ -364,7 +366,7 @@ TEST_CASE("a shape close to the light casts a shadow at any scale (CR §3.2, err
     }));
 }
 
-TEST_CASE("the offset is no more than a little: ten errors above, all is met (contract)") {
+TEST_CASE("a plane ten errors above the surface casts a shadow (contract)") {
     CHECK(for_all([](Random& random) {
         const auto [surface, plane] = draw_off_surface(random, 0);
         const Vec3 way = draw_leaving(random, surface.geometric_normal, Real(0.1));
@@ -374,7 +376,7 @@ TEST_CASE("the offset is no more than a little: ten errors above, all is met (co
     }));
 }
 
-TEST_CASE("the offset does not grow with the distance of the light (contract)") {
+TEST_CASE("a plane ten errors above the surface casts a shadow, for lights far away (contract)") {
     CHECK(for_all([](Random& random) {
         auto [surface, plane] = draw_off_surface(random, 0);
         if (random.coin()) surface.error *= sizeof(Real) == sizeof(float) ? Real(0x1p-16) : hair;

@@ -75,11 +75,11 @@ Seen seen(const Light& light, Vec3 from, Vec3 point) {
     return {.ring = dot(aside, aside) / 2 / largest, .turn = angle / (2 * exact_pi) + 0.5};
 }
 
-/// For 4096 evenly spread samples, each of 8 rings and 8 sectors of equal solid angle contains 64
+/// For 4096 well-spread samples, each of 8 rings and 8 sectors of equal solid angle contains 64
 /// points, within 16: 4 standard deviations of points that are twice as uneven as the samples. And
 /// each of 128 rings, and of 128 sectors, contains a point: of independent points, 32 are in each,
 /// and none with a probability of 10^-14.
-Verdict points_are_even(const Light& light, Vec3 from, std::uint32_t seed) {
+Verdict points_are_uniform(const Light& light, Vec3 from, std::uint32_t seed) {
     constexpr int samples = 4096;
     std::array<std::array<int, 8>, 8> counts{};
     std::array<bool, 128> is_ring_hit{};
@@ -99,7 +99,7 @@ Verdict points_are_even(const Light& light, Vec3 from, std::uint32_t seed) {
     const std::string asked = "sample_light(" + code(light) + ",\n              Vec3" + code(from) +
                               ", sample) for " + std::to_string(samples) +
                               " samples: the light as seen from there, cut into ";
-    const std::string paste = "\n  paste:    CHECK(points_are_even(" + code(light) + ", Vec3" +
+    const std::string paste = "\n  paste:    CHECK(points_are_uniform(" + code(light) + ", Vec3" +
                               code(from) + ", " + std::to_string(seed) + "));";
     for (std::size_t ring = 0; ring < 8; ++ring)
         for (const int count : counts[ring])
@@ -138,7 +138,7 @@ const Light above{.position = {0, 4, 0}, .radius = 2};
 
 }  // namespace
 
-TEST_CASE("they are spread around the light's center, not beside it (CR §3.3, erratum 16)",
+TEST_CASE("the mean of the points is on the line to the light's center (CR §3.3, erratum 16)",
           "[part sample_light, CR's cube]") {
     CHECK(verdict(sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.1)}) !=
                       sample_light(above, {0, 0, 0}, {Real(0.9), Real(0.6)}),
@@ -233,10 +233,10 @@ TEST_CASE("just outside the light, the point is still on it (contract)",
     }));
 }
 
-TEST_CASE("a light far away is sampled evenly over its disc (CR §3.3)") {
-    CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, 100, 0}, 8));
-    CHECK(points_are_even({.position = {1, 2, 3}, .radius = 2}, {121, 2, 163}, 9));
-    CHECK(points_are_even({.position = {3, 2, 1}, .radius = Real(0.5)}, {123, 162, 1}, 10));
+TEST_CASE("the points on a light far away are uniform over its disc (CR §3.3)") {
+    CHECK(points_are_uniform({.position = {0, 0, 0}, .radius = 1}, {0, 100, 0}, 8));
+    CHECK(points_are_uniform({.position = {1, 2, 3}, .radius = 2}, {121, 2, 163}, 9));
+    CHECK(points_are_uniform({.position = {3, 2, 1}, .radius = Real(0.5)}, {123, 162, 1}, 10));
 }
 
 TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratum 16)",
@@ -265,25 +265,25 @@ TEST_CASE("the point is on the light, on the side that is seen (CR §3.3, erratu
         1000));
 }
 
-TEST_CASE("the points are spread evenly over the solid angle that the light fills (CR §3.3)") {
-    CHECK(points_are_even(above, {0, 0, 0}, 1));          // cos θ_max = √3 / 2
-    CHECK(points_are_even(above, {0, Real(1.9), 0}, 2));  // almost touching
-    CHECK(points_are_even({.position = {3, 4, 0}, .radius = 4}, {0, 0, 0}, 3));  // sin θ_max = 0.8
-    CHECK(points_are_even({.position = {0, 0, 100}, .radius = 1}, {0, 0, 0}, 4));
+TEST_CASE("the points are uniform over the light's solid angle (CR §3.3)") {
+    CHECK(points_are_uniform(above, {0, 0, 0}, 1));          // cos θ_max = √3 / 2
+    CHECK(points_are_uniform(above, {0, Real(1.9), 0}, 2));  // almost touching
+    CHECK(
+        points_are_uniform({.position = {3, 4, 0}, .radius = 4}, {0, 0, 0}, 3));  // sin θ_max = 0.8
+    CHECK(points_are_uniform({.position = {0, 0, 100}, .radius = 1}, {0, 0, 0}, 4));
     const auto property = [](Random& random) {
         const Vec3 from = random.point(5);
         const Light light = draw_light(random, from);
-        return points_are_even(light, from, draw_seed(random));
+        return points_are_uniform(light, from, draw_seed(random));
     };
     CHECK(for_all(property, 40));
 }
 
-TEST_CASE("a light so small that sin² is less than a rounding is sampled all over (contract)",
-          "[exact]") {
+TEST_CASE("the points on a light with a very small solid angle are uniform (contract)", "[exact]") {
     // 1 − sin² rounds to 1: with a cosine computed from it, 1 − cos is 0, and all points are one.
     const Real distance = 2 / std::sqrt(unit_roundoff);
-    CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, distance, 0}, 6));
-    CHECK(points_are_even({.position = {0, 0, 0}, .radius = 1}, {0, 0, distance}, 7));
+    CHECK(points_are_uniform({.position = {0, 0, 0}, .radius = 1}, {0, distance, 0}, 6));
+    CHECK(points_are_uniform({.position = {0, 0, 0}, .radius = 1}, {0, 0, distance}, 7));
 }
 
 TEST_CASE("a light very far, or very small, is aimed at (contract)", "[exact]") {

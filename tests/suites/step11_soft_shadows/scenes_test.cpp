@@ -126,7 +126,7 @@ Verdict picture_matches_on_average(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should be (erratum 16)",
+TEST_CASE("the penumbra's place and darkness on both sides of the shadow's edge (erratum 16)",
           "[part together]") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
     for (const Real x : {Real(0.5), Real(1), Real(1.5), Real(2), Real(3)}) {
@@ -142,7 +142,7 @@ TEST_CASE("the penumbra lies evenly on both sides, and is as dark as it should b
     }
 }
 
-TEST_CASE("the umbra has ambient light only, and full light is not darkened (CR §3.3)") {
+TEST_CASE("the colors in the umbra and in full light (CR §3.3)") {
     // Radius 0.5: from the middle it fills 7 degrees, and the strip 26.
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:0.5\n");
     for (const Real x : {Real(0), Real(0.75), Real(-0.75), Real(1.25)}) {
@@ -168,7 +168,7 @@ TEST_CASE("lights add up, in any order (CR §3.3, erratum 16)") {
                 Color(Real(0.5))));
 }
 
-TEST_CASE("a tolerance stops the sampling, and its error is kept (contract)") {
+TEST_CASE("a tolerance stops the sampling within its error (contract)") {
     const Scene scene = scene_of("L 0,4,0 0.5 255,255,255 radius:2\n");
     CHECK(lit(scene, 9, {.shadow_samples = 100}).rays == 100);
     CHECK(lit(scene, 9, {.shadow_samples = 100, .shadow_error = 1e-9}).rays == 100);

@@ -45,9 +45,9 @@ inline std::uint32_t draw_seed(Random& random) {
     return std::uint32_t(random.choice() * 4294967295.0);
 }
 
-/// 64 means of 256 even points: the edge of a shadow crosses fewer than 48 of 256 boxes, each wrong
-/// by at most 1 / 256 with even odds, so that the standard error is at most √48 / 2 / 256 / 8. Six
-/// of them.
+/// 64 means of 256 well-spread points: the edge of a shadow crosses fewer than 48 of 256 boxes,
+/// each wrong by at most 1 / 256 with even odds, so that the standard error is at most √48 / 2 /
+/// 256 / 8. Six of them.
 inline constexpr double share_bound = 6 * 0.0017;
 
 }  // namespace rt

@@ -31,10 +31,11 @@ Verdict share_is(const ShadowRays& rays, Real expected) {
               "share_is(" + code(rays) + ", " + rt::code(expected) + ")");
 }
 
-/// Points of a disc, evenly spread, and straight edges: the root mean square of the error of the
+/// Points of a disc, well spread, and straight edges: the root mean square of the error of the
 /// visible share over its estimate. The points are the suite's own, so that visibility_error alone
-/// is tested. They are as even for any count as the stage's are for powers of two: the true error
-/// is 0.51 to 0.84 times the reference's estimate, for 12 counts of each octave from 8 to 2048.
+/// is tested. They are as well spread for any count as the stage's are for powers of two: the true
+/// error is 0.51 to 0.84 times the reference's estimate, for 12 counts of each octave from 8 to
+/// 2048.
 struct Honesty {
     double squares = 0;
     std::map<int, double> estimates;  ///< by the number of free rays: computed once
@@ -44,7 +45,7 @@ double unit_interval(std::mt19937_64& engine) {
     return double(engine() >> 11) * 0x1p-53;
 }
 
-std::vector<glm::dvec2> even_points(int count, std::mt19937_64& engine) {
+std::vector<glm::dvec2> well_spread_points(int count, std::mt19937_64& engine) {
     const auto seed = std::uint32_t(engine());
     std::vector<glm::dvec2> points;
     for (int i = 0; i < count; ++i) {
@@ -81,7 +82,7 @@ Verdict honest(double from, double to) {
             const int sent = octave + int(engine() % std::uint64_t(octave));
             Honesty honesty;
             for (int i = 0; i < edges; i += edges_of_points) {
-                const std::vector<glm::dvec2> points = even_points(sent, engine);
+                const std::vector<glm::dvec2> points = well_spread_points(sent, engine);
                 for (int j = 0; j < edges_of_points; ++j) {
                     const double edge = from + (to - from) * unit_interval(engine);
                     measure(honesty, edge, points, engine);
@@ -103,8 +104,7 @@ Verdict honest(double from, double to) {
 
 }  // namespace
 
-TEST_CASE("the share is that of the rays that reach the light, not of the blocked ones (CR §3.3)",
-          "[part visibility]") {
+TEST_CASE("the share is that of the rays that reach the light (CR §3.3)", "[part visibility]") {
     CHECK(share_is({.sent = 4, .reached = 3}, Real(0.75)));
     CHECK(share_is({.sent = 16, .reached = 1}, Real(0.0625)));
     CHECK(share_is({.sent = 16, .reached = 0}, 0));
@@ -177,10 +177,11 @@ TEST_CASE("four times the rays halve the error at least, or nearly (contract)") 
     CHECK(for_all([](Random& random) { return halves(8 + 4 * random.below(127)); }));
 }
 
-TEST_CASE("the estimate is honest: the true error is about as large, and no larger (contract)") {
+TEST_CASE("the estimated error and the true error (contract)") {
     CHECK(honest(-1, 1));
 }
 
-TEST_CASE("it is honest too where little of the light is hidden (contract)") {
+TEST_CASE(
+    "the estimated error and the true error, where little of the light is hidden (contract)") {
     CHECK(honest(0.8, 1));
 }

@@ -225,7 +225,9 @@ TEST_CASE("the reflected ray, sent back, is reflected along the first one (CR §
     }));
 }
 
-TEST_CASE("it starts off the surface, by its error or a little more (contract, erratum 31)") {
+TEST_CASE(
+    "the reflected ray starts above the surface by its error or a little more (contract, erratum "
+    "31)") {
     const Ray down{.origin = {1, 5, 0}, .direction = {3, -4, 0}};
     CHECK(starts_off(down, flat(down, {0, 1, 0}, Real(0.125))));
     CHECK(starts_off(down, flat(down, unit(Vec3(-1, 1, 1)), Real(0.125))));
@@ -262,7 +264,7 @@ TEST_CASE("an interpolated normal is the one that reflects (CR §6)") {
     }));
 }
 
-TEST_CASE("an interpolated normal never sends the ray below the flat face (CR §6)") {
+TEST_CASE("rays reflected by an interpolated normal leave above the flat face (CR §6)") {
     // The eye is 80° from the face's normal. The interpolated one leans away from it, by 8° or 30°:
     // with the first the ray would go 6° into the face, and the second faces away from the eye.
     const auto towards = [](Real degrees) {

@@ -119,7 +119,7 @@ TEST_CASE("the surface's own part and the reflected part sum to one (contract)",
     }));
 }
 
-TEST_CASE("a mirror in a room of its own color is not seen: the shares add up (contract)") {
+TEST_CASE("a mirror in a room of its own color has that color (contract)") {
     CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));  // and has another one in the mirror
     CHECK(for_all([](Random& random) {
         const Color color = abs(random.point(1));
@@ -127,12 +127,12 @@ TEST_CASE("a mirror in a room of its own color is not seen: the shares add up (c
     }));
 }
 
-TEST_CASE("colors brighter than white are reflected unclamped (contract)") {
+TEST_CASE("reflections of colors brighter than white (contract)") {
     CHECK(mixes(Color(0), Color(4), Real(0.25), Color(1)));
     CHECK(mixes(Color(8), Color(0), Real(0.75), Color(2)));
 }
 
-TEST_CASE("no more reflections than the depth: there is a bound (contract)",
+TEST_CASE("reflections stop at a depth of 0, 1, 2, 8 and 1000 (contract)",
           "[part worth_reflecting]") {
     for (const int depth : {0, 1, 2, 8, 1000}) CHECK(stops_at(depth));
 }
@@ -196,7 +196,8 @@ TEST_CASE("two facing mirrors show the geometric sum of their shares (CR §5.1)"
                {Real(0.625), Real(0.21875), Real(0.25)}, 2));
 }
 
-TEST_CASE("shares of 0.1 stop after two reflections: 0.001 would not show (contract)") {
+TEST_CASE(
+    "the number of reflections between mirrors with shares of 0.1, 0.125 and 0.5 (contract)") {
     // A power of two equals the bound exactly: (1/8)³ is 1/512, and (1/2)⁹ too.
     CHECK(reflections("two mirrors", facing_walls(Real(0.1)), across, 2));
     CHECK(reflections("two mirrors", facing_walls(Real(0.1)), across, 2, 1000));
@@ -205,18 +206,18 @@ TEST_CASE("shares of 0.1 stop after two reflections: 0.001 would not show (contr
     CHECK(sees("two mirrors", facing_walls(Real(0.1)), across, facing_sum(Real(0.1), 2), 1000));
 }
 
-TEST_CASE("a surface without a mirror part reflects no ray (contract)") {
+TEST_CASE("the number of reflected rays of a surface without a mirror part is 0 (contract)") {
     CHECK(reflections("two walls", facing_walls(0), across, 0));
     CHECK(sees("two walls", facing_walls(0), across, red));
 }
 
-TEST_CASE("a perfect mirror has no share to light: it sends no shadow rays (contract)") {
+TEST_CASE("the number of shadow rays of a perfect mirror is 0 (contract)") {
     Scene scene = facing_walls(1);
     scene.lights.push_back({.position = {0, 0, 1}});
     CHECK(reflections("two mirrors and a light", scene, across, 3, 3));
 }
 
-TEST_CASE("a mirror that sees nothing shows its own share (CR §5.1)") {
+TEST_CASE("a mirror whose reflected ray misses has its own share of color (CR §5.1)") {
     Scene scene;
     scene.ambient = everywhere;
     scene.planes.push_back({.shape = {.point = {2, 0, 0}, .normal = {-1, 0, 0}},

@@ -1,4 +1,4 @@
-// The reflected ray does not meet the surface that it leaves (erratum 31).
+// The reflected ray misses the surface that it leaves (erratum 31).
 #include "steps/step12_mirror/mirror.hpp"
 
 #include "common/render/closest_hit.hpp"
@@ -94,16 +94,16 @@ Verdict leaves(const Scene& scene, const Ray& ray, Real size) {
     return verdict(way > size / 100 * std::abs(dot(unit(ray.direction), surface.geometric_normal)),
                    question(ray, surface) + ",\n           which it sends on from " +
                        code_of_shape(scene) + "\n  got:      " + code(sent) +
-                       ", which meets it again after " + text(way) +
-                       "\n  expected: it leaves the surface, and does not meet it there");
+                       ", which hits it again after " + text(way) +
+                       "\n  expected: it leaves the surface, and misses it there");
 }
 
 }  // namespace
 
-TEST_CASE("it does not meet the surface that it leaves, however large or small (erratum 31)") {
+TEST_CASE("the reflected ray misses the surface that it leaves, at any scale (erratum 31)") {
     // Sizes from 1e-6 to 1e6. The sphere is seen from inside, where a constant offset is past the
     // other side of a small one and lost in the rounding of a large one.
-    const auto other_side_is_met = [](Real size, Vec3 center, Vec3 direction) {
+    const auto other_side_is_hit = [](Real size, Vec3 center, Vec3 direction) {
         const Sphere sphere{.center = size * center, .radius = size};
         const Ray ray{.origin = sphere.center, .direction = direction};
         Scene scene;
@@ -118,12 +118,12 @@ TEST_CASE("it does not meet the surface that it leaves, however large or small (
     };
     Verdict across_it;
     for (int exponent = -6; across_it && exponent <= 6; ++exponent)
-        across_it = other_side_is_met(std::pow(Real(10), Real(exponent)), {3, 2, 0}, {3, 4, 0});
+        across_it = other_side_is_hit(std::pow(Real(10), Real(exponent)), {3, 2, 0}, {3, 4, 0});
     CHECK(across_it);
-    CHECK(for_all([other_side_is_met](Random& random) {
+    CHECK(for_all([other_side_is_hit](Random& random) {
         const Real size = std::pow(Real(10), Real(random.below(13) - 6));
         const Vec3 center = random.point(3);
-        return other_side_is_met(size, center, random.between(1, 5) * random.direction());
+        return other_side_is_hit(size, center, random.between(1, 5) * random.direction());
     }));
     CHECK(for_all(
         [](Random& random) {

@@ -12,12 +12,12 @@ using namespace rt;
 
 namespace {
 
-std::string mesh_told(const Ray& ray, const Mesh& mesh, Interval interval,
-                      const std::optional<MeshHit>& got, const std::optional<MeshHit>& expected) {
+std::string mesh_report(const Ray& ray, const Mesh& mesh, Interval interval,
+                        const std::optional<MeshHit>& got, const std::optional<MeshHit>& expected) {
     const bool whole = interval.min == 0 && interval.max == infinity;
     const std::string last = whole ? "));" : ", " + code(interval) + "));";
     const std::string asked = code(ray) + ", " + mesh_code(mesh);
-    const std::string paste = expected ? "meets(" + asked + ", {.t = " + code(expected->t) +
+    const std::string paste = expected ? "hits_mesh(" + asked + ", {.t = " + code(expected->t) +
                                              ", .triangle = " + std::to_string(expected->triangle) +
                                              ", .weights = " + code(expected->weights) + "}"
                                        : "misses_mesh(" + asked;
@@ -26,17 +26,18 @@ std::string mesh_told(const Ray& ray, const Mesh& mesh, Interval interval,
            "\n  expected: " + got_text(expected) + "\n  paste:    CHECK(" + paste + last;
 }
 
-/// The ray first meets this triangle of the mesh there.
-Verdict meets(const Ray& ray, const Mesh& mesh, const MeshHit& expected, Interval interval = {}) {
+/// The ray first hits this triangle of the mesh there.
+Verdict hits_mesh(const Ray& ray, const Mesh& mesh, const MeshHit& expected,
+                  Interval interval = {}) {
     const auto got = intersect(ray, mesh, interval);
     const bool same = got && close(got->t, expected.t, 0) && got->triangle == expected.triangle &&
                       close(got->weights, expected.weights);
-    return verdict(same, mesh_told(ray, mesh, interval, got, expected));
+    return verdict(same, mesh_report(ray, mesh, interval, got, expected));
 }
 
 Verdict misses_mesh(const Ray& ray, const Mesh& mesh, Interval interval = {}) {
     const auto got = intersect(ray, mesh, interval);
-    return verdict(!got, mesh_told(ray, mesh, interval, got, std::nullopt));
+    return verdict(!got, mesh_report(ray, mesh, interval, got, std::nullopt));
 }
 
 /// Two triangles one before the other, the closer one second, of five vertices one of which is
@@ -128,11 +129,11 @@ Stack draw_stack(Random& random) {
 
 TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (CR §4.2)",
           "[part meshes (intersect with a mesh)]") {
-    CHECK(meets(down_z, layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
-    CHECK(meets({.origin = {0, 0, 1}, .direction = {0, 0, -1}}, layers,
-                {.t = 1, .triangle = 0, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh({.origin = {0, 0, 1}, .direction = {0, 0, -1}}, layers,
+                    {.t = 1, .triangle = 0, .weights = half_and_quarters}));
     const Mesh one{.vertices = {{0, 1, 0}, {-1, -1, 0}, {1, -1, 0}}, .triangles = {{0, 1, 2}}};
-    CHECK(meets(down_z, one, {.t = 5, .triangle = 0, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, one, {.t = 5, .triangle = 0, .weights = half_and_quarters}));
     CHECK(misses_mesh({.origin = {0, 2, 5}, .direction = {0, 0, -1}}, one));
     // The same in long lists.
     CHECK(is_found_in_list(300, 299, 3));
@@ -148,10 +149,10 @@ TEST_CASE("a mesh's triangles have the vertices that they name, counted from 0 (
 TEST_CASE("the closest triangle is hit, for any order of the triangles (M1, CR §4.2)") {
     Mesh reversed = layers;
     std::swap(reversed.triangles[0], reversed.triangles[1]);
-    CHECK(meets(down_z, reversed, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, reversed, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
     const Ray up_z{.origin = {0, 0, -5}, .direction = {0, 0, 1}};
-    CHECK(meets(up_z, layers, {.t = 5, .triangle = 0, .weights = half_and_quarters}));
-    CHECK(meets(up_z, reversed, {.t = 5, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh(up_z, layers, {.t = 5, .triangle = 0, .weights = half_and_quarters}));
+    CHECK(hits_mesh(up_z, reversed, {.t = 5, .triangle = 1, .weights = half_and_quarters}));
     CHECK(for_all([](Random& random) {
         const Stack stack = draw_stack(random);
         const Real length = random.power_of_two();
@@ -159,21 +160,21 @@ TEST_CASE("the closest triangle is hit, for any order of the triangles (M1, CR �
         if (stack.crossed.empty()) return misses_mesh(ray, stack.mesh);
         MeshHit expected = stack.crossed.front();
         expected.t /= length;
-        return meets(ray, stack.mesh, expected);
+        return hits_mesh(ray, stack.mesh, expected);
     }));
     // However close they are.
     const Real gap = std::ldexp(Real(1), sizeof(Real) == sizeof(float) ? -10 : -30);
     Mesh close_layers = layers;
     for (const int vertex : {1, 2, 3}) close_layers.vertices[std::size_t(vertex)].z = 2 - gap;
-    CHECK(meets(down_z, close_layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, close_layers, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
     std::swap(close_layers.triangles[0], close_layers.triangles[1]);
-    CHECK(meets(down_z, close_layers, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, close_layers, {.t = 3, .triangle = 0, .weights = half_and_quarters}));
     // A triangle that has a vertex twice is not hit, and does not end the search. However the mesh
     // is moved, its area is exactly 0.
     Mesh with_flat = layers;
     with_flat.triangles.insert(with_flat.triangles.begin(), {4, 4, 5});
-    CHECK(meets(down_z, with_flat, {.t = 3, .triangle = 2, .weights = half_and_quarters}));
-    CHECK(meets(up_z, with_flat, {.t = 5, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh(down_z, with_flat, {.t = 3, .triangle = 2, .weights = half_and_quarters}));
+    CHECK(hits_mesh(up_z, with_flat, {.t = 5, .triangle = 1, .weights = half_and_quarters}));
 }
 
 TEST_CASE("the weights are those of the vertices in their order, and sum to 1 (CR §4.1, M1)") {
@@ -184,13 +185,14 @@ TEST_CASE("the weights are those of the vertices in their order, and sum to 1 (C
     const auto weights = [](Real a, Real b, Real c) {
         return MeshHit{.t = 5, .triangle = 0, .weights = {a, b, c}};
     };
-    CHECK(meets(above(Real(0.5), Real(0.5)), one, weights(Real(0.75), Real(0.125), Real(0.125))));
-    CHECK(meets(above(3, Real(0.5)), one, weights(Real(0.125), Real(0.75), Real(0.125))));
-    CHECK(meets(above(Real(0.5), 3), one, weights(Real(0.125), Real(0.125), Real(0.75))));
+    CHECK(
+        hits_mesh(above(Real(0.5), Real(0.5)), one, weights(Real(0.75), Real(0.125), Real(0.125))));
+    CHECK(hits_mesh(above(3, Real(0.5)), one, weights(Real(0.125), Real(0.75), Real(0.125))));
+    CHECK(hits_mesh(above(Real(0.5), 3), one, weights(Real(0.125), Real(0.125), Real(0.75))));
     // The same triangle named from its second vertex on.
     Mesh rotated = one;
     rotated.triangles = {{1, 2, 0}};
-    CHECK(meets(above(3, Real(0.5)), rotated, weights(Real(0.75), Real(0.125), Real(0.125))));
+    CHECK(hits_mesh(above(3, Real(0.5)), rotated, weights(Real(0.75), Real(0.125), Real(0.125))));
 }
 
 TEST_CASE("a ray through the mesh's box misses where no triangle is (CR §4.2)") {
@@ -198,62 +200,65 @@ TEST_CASE("a ray through the mesh's box misses where no triangle is (CR §4.2)")
     const Ray past{.origin = {Real(0.7), Real(0.7), 5}, .direction = {0, 0, -1}};
     CHECK(misses_mesh(past, octahedron()));
     const Ray through{.origin = {Real(0.25), Real(0.25), 5}, .direction = {0, 0, -1}};
-    CHECK(meets(through, octahedron(),
-                {.t = Real(4.5), .triangle = 0, .weights = {Real(0.25), Real(0.25), Real(0.5)}}));
+    CHECK(
+        hits_mesh(through, octahedron(),
+                  {.t = Real(4.5), .triangle = 0, .weights = {Real(0.25), Real(0.25), Real(0.5)}}));
     CHECK(misses_mesh(through, Mesh{}));
 }
 
-TEST_CASE("from inside, a mesh is met from its inside (CR §4.2)") {
+TEST_CASE("a ray from inside a mesh hits its inside (CR §4.2)") {
     const Ray out{.origin = {0, 0, 0}, .direction = {1, 1, 2}};
-    CHECK(meets(out, octahedron(),
-                {.t = Real(0.25), .triangle = 0, .weights = {Real(0.25), Real(0.25), Real(0.5)}}));
+    CHECK(hits_mesh(
+        out, octahedron(),
+        {.t = Real(0.25), .triangle = 0, .weights = {Real(0.25), Real(0.25), Real(0.5)}}));
     const Ray behind{.origin = {0, 0, 5}, .direction = {0, 0, 1}};
     CHECK(misses_mesh(behind, octahedron()));
 }
 
-TEST_CASE("the vertices are where they are, not ten thousand times nearer (erratum 28, CR §4.2)") {
+TEST_CASE("hits of triangles whose vertices have large coordinates (erratum 28, CR §4.2)") {
     // The listing makes it 0.0002 wide: a ray half a unit from its middle would miss.
     const Mesh one{.vertices = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
-    CHECK(meets({.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}}, one,
-                {.t = 5, .triangle = 0, .weights = {Real(0.375), Real(0.375), Real(0.25)}}));
+    CHECK(hits_mesh({.origin = {0, Real(-0.5), 5}, .direction = {0, 0, -1}}, one,
+                    {.t = 5, .triangle = 0, .weights = {Real(0.375), Real(0.375), Real(0.25)}}));
 }
 
-TEST_CASE("small triangles are met: there is no epsilon on their area (contract)", "[exact]") {
+TEST_CASE("very small triangles of a mesh are hit (contract)", "[exact]") {
     for (const int power : {-4, -12, -20}) {
         const Real size = std::ldexp(Real(1), power);
         Mesh small = layers;
         for (Vec3& vertex : small.vertices) vertex *= size;
         const Ray ray{.origin = size * down_z.origin, .direction = size * down_z.direction};
-        CHECK(meets(ray, small, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
+        CHECK(hits_mesh(ray, small, {.t = 3, .triangle = 1, .weights = half_and_quarters}));
     }
     CHECK(for_all([](Random& random) {
         auto [mesh, line, crossed] = draw_stack(random);
         const Real size = std::ldexp(Real(1), -4 - random.below(17));
         for (Vec3& vertex : mesh.vertices) vertex *= size;
         const Ray ray{.origin = size * line.origin, .direction = size * line.direction};
-        return crossed.empty() ? misses_mesh(ray, mesh) : meets(ray, mesh, crossed.front());
+        return crossed.empty() ? misses_mesh(ray, mesh) : hits_mesh(ray, mesh, crossed.front());
     }));
 }
 
-TEST_CASE("a triangle is met however near it is (erratum 31, CR §4.2)", "[exact]") {
+TEST_CASE("a triangle of a mesh is hit at very small t (erratum 31, CR §4.2)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);  // the listing requires t > 0.001
-    CHECK(meets({.origin = {0, 0, 2 + near}, .direction = {0, 0, -1}}, layers,
-                {.t = near, .triangle = 1, .weights = half_and_quarters}));
-    CHECK(meets({.origin = {0, 0, 5}, .direction = {0, 0, -3 / near}}, layers,
-                {.t = near, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh({.origin = {0, 0, 2 + near}, .direction = {0, 0, -1}}, layers,
+                    {.t = near, .triangle = 1, .weights = half_and_quarters}));
+    CHECK(hits_mesh({.origin = {0, 0, 5}, .direction = {0, 0, -3 / near}}, layers,
+                    {.t = near, .triangle = 1, .weights = half_and_quarters}));
     CHECK(for_all([near](Random& random) {
         const auto [mesh, line, crossed] = draw_stack(random);
         if (crossed.empty()) return misses_mesh(line, mesh);
         MeshHit first = crossed.front();
         const Real length = first.t / near;
         first.t = near;
-        return meets({.origin = line.origin, .direction = length * line.direction}, mesh, first);
+        return hits_mesh({.origin = line.origin, .direction = length * line.direction}, mesh,
+                         first);
     }));
 }
 
-TEST_CASE("only triangles strictly inside the interval are met (contract)", "[exact]") {
-    CHECK(meets(down_z, layers, {.t = 5, .triangle = 0, .weights = half_and_quarters},
-                Interval{.min = 3, .max = infinity}));
+TEST_CASE("only triangles strictly inside the interval are hit (contract)", "[exact]") {
+    CHECK(hits_mesh(down_z, layers, {.t = 5, .triangle = 0, .weights = half_and_quarters},
+                    Interval{.min = 3, .max = infinity}));
     CHECK(misses_mesh(down_z, layers, Interval{.min = 3, .max = 5}));
     CHECK(misses_mesh(down_z, layers, Interval{.min = 0, .max = 3}));
     CHECK(for_all([](Random& random) {
@@ -263,7 +268,7 @@ TEST_CASE("only triangles strictly inside the interval are met (contract)", "[ex
         const auto first = std::ranges::find_if(
             crossed, [&](const MeshHit& hit) { return interval.contains(hit.t); });
         if (first == crossed.end()) return misses_mesh(line, mesh, interval);
-        return meets(line, mesh, *first, interval);
+        return hits_mesh(line, mesh, *first, interval);
     }));
 }
 

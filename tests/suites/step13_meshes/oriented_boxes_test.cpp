@@ -52,7 +52,7 @@ OrientedBox draw_box_in_eighths(Random& random) {
 
 }  // namespace
 
-TEST_CASE("a ray meets the near face of an oriented box, half a size from its center (M1)",
+TEST_CASE("a ray hits the near face of an oriented box (M1)",
           "[part oriented boxes (intersect with an oriented box, normal)]") {
     CHECK(hits(Ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {5, 0, -5}, .direction = {-1, 0, 0}}, upright, 4));
@@ -80,7 +80,7 @@ TEST_CASE("an oriented box turns with its basis (M1)") {
     CHECK(misses(Ray{.origin = past_corner, .direction = {0, 0, -1}}, rotated));
 }
 
-TEST_CASE("rays aimed at a point of an oriented box meet it there (M1)") {
+TEST_CASE("rays aimed at a point of an oriented box hit it there (M1)") {
     CHECK(aimed_rays_hit(draw_box));
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("rays aimed past an oriented box miss (M1)") {
     }));
 }
 
-TEST_CASE("from inside, an oriented box is met where the ray leaves it (M1)") {
+TEST_CASE("a ray from inside an oriented box hits it where it leaves (M1)") {
     CHECK(hits(Ray{.origin = {0, 0, -5}, .direction = {0, 0, -1}}, upright, 3));
     CHECK(hits(Ray{.origin = {0, 1, -5}, .direction = {0, 1, 0}}, upright, 1));
     CHECK(for_all([](Random& random) {
@@ -111,8 +111,7 @@ TEST_CASE("an oriented box behind the eye is missed (erratum 8, M1)") {
     CHECK(nothing_behind_is_hit(draw_box));
 }
 
-TEST_CASE("a ray along a face, into an edge or past an edge that it touches meets the box (M1)",
-          "[exact]") {
+TEST_CASE("a ray along a face, into an edge or touching an edge hits the box (M1)", "[exact]") {
     CHECK(hits(Ray{.origin = {1, 0, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {0, -2, 0}, .direction = {0, 0, -1}}, upright, 2));
     CHECK(hits(Ray{.origin = {3, 0, 0}, .direction = {-1, 0, -1}}, upright, 2));
@@ -129,25 +128,27 @@ TEST_CASE("a ray along a face, into an edge or past an edge that it touches meet
     }));
 }
 
-TEST_CASE("an oriented box is met however near it is (erratum 31, contract)", "[exact]") {
+TEST_CASE("an oriented box is hit at very small t (erratum 31, contract)", "[exact]") {
     const Real near = std::ldexp(Real(1), -20);
     CHECK(hits(Ray{.origin = {0, 0, near - 2}, .direction = {0, 0, -1}}, upright, near));
     CHECK(hits(Ray{.origin = {0, 0, 1}, .direction = {0, 0, -3 / near}}, upright, near));
     CHECK(for_all([near](Random& random) {
         const OrientedBox box = draw_box_in_eighths(random);
         const auto& [x, y, z] = box.basis;
-        const Vec3 met = box.center + random.eighths(-1, 1) * x + box.half_size.z * z;
+        const Vec3 point = box.center + random.eighths(-1, 1) * x + box.half_size.z * z;
         const Real t = random.eighths(1, 32);
-        return hits({.origin = met + t * z, .direction = -t / near * z}, box, near);
+        return hits({.origin = point + t * z, .direction = -t / near * z}, box, near);
     }));
     // Boxes and directions of any size.
     CHECK(hits_in(tiny_t, draw_box));
     CHECK(hits_in(tiny_shape, draw_box));
     CHECK(hits_in(short_direction, draw_box));
-    CHECK(close_surfaces_are_met(draw_box));
+    CHECK(close_surfaces_are_hit(draw_box));
 }
 
-TEST_CASE("a ray that leaves a face does not meet it at once (PHY, t > 0)", "[exact]") {
+TEST_CASE(
+    "a ray from a point of a face: out of it a miss, into it a hit of the far side (PHY, t > 0)",
+    "[exact]") {
     CHECK(misses(Ray{.origin = {0, 0, -2}, .direction = {0, 0, 1}}, upright));
     CHECK(hits(Ray{.origin = {0, 0, -2}, .direction = {0, 0, -1}}, upright, 6));
     CHECK(for_all([](Random& random) {
@@ -159,7 +160,7 @@ TEST_CASE("a ray that leaves a face does not meet it at once (PHY, t > 0)", "[ex
     }));
 }
 
-TEST_CASE("only faces strictly inside the interval are met (contract)", "[exact]") {
+TEST_CASE("only faces strictly inside the interval are hit (contract)", "[exact]") {
     const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0, -1}};
     CHECK(hits(ray, upright, 8, Interval{.min = 3, .max = infinity}));
     CHECK(misses(ray, upright, Interval{.min = 3, .max = 7}));
@@ -171,7 +172,7 @@ TEST_CASE("only faces strictly inside the interval are met (contract)", "[exact]
     CHECK(interval_is_kept(draw_box));
 }
 
-TEST_CASE("the normal is that of the face, not of the largest coordinate (M1)") {
+TEST_CASE("the normal of each face of boxes of any sizes (M1)") {
     CHECK(normal_is(upright, {1, Real(1.5), -5}, {1, 0, 0}));
     CHECK(normal_is(upright, {-1, Real(1.5), Real(-7.5)}, {-1, 0, 0}));
     CHECK(normal_is(upright, {Real(0.5), 2, Real(-7.5)}, {0, 1, 0}));

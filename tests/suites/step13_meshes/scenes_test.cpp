@@ -71,8 +71,8 @@ std::string placed_code(const MeshInstance& instance) {
            code(instance.placement);
 }
 
-/// The nearest triangle of a placed mesh is met at t, at this point of the scene.
-Verdict meets_placed(const Ray& ray, const MeshInstance& instance, Real t, Vec3 point) {
+/// The nearest triangle of a placed mesh is hit at t, at this point of the scene.
+Verdict hits_placed(const Ray& ray, const MeshInstance& instance, Real t, Vec3 point) {
     const auto got = intersect(ray, instance, {});
     const Real size = instance.placement.scale;
     const bool same =
@@ -112,8 +112,8 @@ Verdict none_lost(const Mesh& mesh, Asked asked) {
         [model](Random& random) {
             const Ray shot = draw_shot(random, model->mesh);
             const MeshInstance instance{.model = model, .placement = random_motion(random)};
-            return meets_placed(transformed(shot, instance.placement), instance, 1,
-                                transformed(at(shot, 1), instance.placement));
+            return hits_placed(transformed(shot, instance.placement), instance, 1,
+                               transformed(at(shot, 1), instance.placement));
         },
         2000);
     if (!lost)
@@ -136,27 +136,26 @@ Verdict sees(const std::string& what, const Scene& scene, const Ray& ray, Color 
 
 }  // namespace
 
-TEST_CASE("a placed mesh is met where it has been moved to (HAI, CR §4.2)", "[part together]") {
+TEST_CASE("a placed mesh is hit where it has been moved to (HAI, CR §4.2)", "[part together]") {
     // The cube, twice as large, a quarter turn round z, at 0,0,-10: it reaches from -12 to -8.
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
     const MeshInstance instance{
         .model = model_of(cube()),
         .placement = {.rotation = quarter, .scale = 2, .translation = {0, 0, -10}}};
-    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -1}}, instance, 8,
-                       {1, Real(0.5), -8}));
-    CHECK(meets_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -4}}, instance, 2,
-                       {1, Real(0.5), -8}));
-    CHECK(meets_placed({.origin = {1, Real(0.5), -10}, .direction = {0, 0, -1}}, instance, 2,
-                       {1, Real(0.5), -12}));
+    CHECK(hits_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -1}}, instance, 8,
+                      {1, Real(0.5), -8}));
+    CHECK(hits_placed({.origin = {1, Real(0.5), 0}, .direction = {0, 0, -4}}, instance, 2,
+                      {1, Real(0.5), -8}));
+    CHECK(hits_placed({.origin = {1, Real(0.5), -10}, .direction = {0, 0, -1}}, instance, 2,
+                      {1, Real(0.5), -12}));
 }
 
-TEST_CASE(
-    "no ray at an edge or a vertex of a closed mesh is lost, for triangles one by one (contract)") {
+TEST_CASE("rays to edges and vertices of a closed mesh hit, for triangles one by one (contract)") {
     CHECK(none_lost(cube(), Asked::one_by_one));
     CHECK(none_lost(octahedron(), Asked::one_by_one));
 }
 
-TEST_CASE("no ray at an edge or a vertex of a closed mesh is lost, packed (contract)") {
+TEST_CASE("rays to edges and vertices of a closed mesh hit, packed (contract)") {
     CHECK(none_lost(cube(), Asked::packed));
     CHECK(none_lost(ball(), Asked::packed));
 }
@@ -224,7 +223,7 @@ TEST_CASE("a mirror shows a mesh (CR §5.1)") {
                Ray{.origin = {0, 0, 0}, .direction = {Real(0.5), Real(0.1), -1}}, Color(0)));
 }
 
-TEST_CASE("a mesh casts a shadow, a box too, and neither on itself (CR §3.2)") {
+TEST_CASE("the shadows of a mesh and of a box, on others and on themselves (CR §3.2)") {
     // White ground at y = -1, a light above it, and half-way a cube and a box, side by side.
     Scene scene;
     scene.ambient = Ambient{.ratio = Real(0.25)};

@@ -74,7 +74,7 @@ ProcessResult run_asking(const Grading& grading, int stage, const Command& progr
     go_on(grading.workshop);
     if (ending.out_of_time && ending.processor_seconds < most_processor_seconds)
         throw ProgramError(program.front() + ended_by_the_clock(ending));
-    if (!ending.out_of_time && !ending.crash.empty() && is_told_to_stop(ending.status))
+    if (!ending.out_of_time && !ending.crash.empty() && is_stopped(ending.status))
         throw Interrupted();
     return ending;
 }

@@ -24,8 +24,8 @@ constexpr int deepest = 60;
 constexpr int most_archives = 10;
 constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
 constexpr int deepest_archive = 3;
-constexpr std::size_t most_told = 6;
-constexpr std::size_t longest_told = 200;  // of a name
+constexpr std::size_t most_named = 6;
+constexpr std::size_t longest_name = 200;  // of a name
 constexpr int most_problems = 20;
 constexpr std::size_t most_useless = 10000;
 
@@ -68,20 +68,20 @@ auto rank(const Found& found) {
 }
 
 /// The name as the student reads it; of a very long one, as archives may contain, the end.
-std::string told(const fs::path& file) {
+std::string shortened(const fs::path& file) {
     const std::string name = file.string();
-    if (name.size() <= longest_told) return name;
-    std::size_t start = name.size() - longest_told;
+    if (name.size() <= longest_name) return name;
+    std::size_t start = name.size() - longest_name;
     while (start < name.size() && (static_cast<unsigned char>(name[start]) & 0xc0) == 0x80) ++start;
     return "…" + name.substr(start);
 }
 
 std::string enumerated(const std::vector<std::string>& names) {
     std::string all;
-    for (std::size_t i = 0; i < std::min(names.size(), most_told); ++i)
+    for (std::size_t i = 0; i < std::min(names.size(), most_named); ++i)
         all += (i == 0 ? "" : ", ") + names[i];
-    if (names.size() > most_told)
-        all += " and " + std::to_string(names.size() - most_told) + " more";
+    if (names.size() > most_named)
+        all += " and " + std::to_string(names.size() - most_named) + " more";
     return all;
 }
 
@@ -139,7 +139,7 @@ private:
             if (is_folder && (litter || each.depth() >= deepest)) each.disable_recursion_pending();
             if (is_folder && each.depth() >= deepest) problem("Folders are too deep.");
             if (is_folder && !litter && access(each->path().c_str(), R_OK | X_OK) != 0) {
-                problem("The folder " + told(name / each->path().lexically_relative(folder)) +
+                problem("The folder " + shortened(name / each->path().lexically_relative(folder)) +
                         " cannot be read.");
                 each.disable_recursion_pending();  // the others are
             }
@@ -155,7 +155,7 @@ private:
     }
 
     void add_archive(const fs::path& archive, const fs::path& name, int depth) {
-        const std::string called = told(name);
+        const std::string called = shortened(name);
         // One that takes too long is enough.
         if (depth == deepest_archive || ++archives_ > most_archives || !all_whole_) {
             return problem(called + " was not opened: too many archives, or one too large.");
@@ -199,7 +199,7 @@ private:
             case Entry::Kind::damaged:
                 return add_file(name, {}, "damaged");
             case Entry::Kind::nameless:
-                return problem("The archive " + told(archive) +
+                return problem("The archive " + shortened(archive) +
                                " contains a file whose name cannot be read.");
         }
     }
@@ -211,11 +211,11 @@ private:
         if (is_trace && stage != 0 && !has_trace(stage)) return;
         if (stage == 0) {
             if (!why_not.empty() && is_archive(file))
-                problem("The archive " + told(name) + " was not opened: " + why_not + ".");
+                problem("The archive " + shortened(name) + " was not opened: " + why_not + ".");
             else if (is_source(file))
-                others_.push_back(told(name));
+                others_.push_back(shortened(name));
             else if (useless_.size() < most_useless)
-                useless_.push_back(told(name));
+                useless_.push_back(shortened(name));
             if (is_trace && text)
                 mains_.emplace_back(name.parent_path(),
                                     Found{.path = name, .fit = fit, .text = std::move(text)});
@@ -256,13 +256,13 @@ private:
         if (stages.size() == 1) found_[{stages[0], true}].push_back(main);
         const bool is_of_project = is_below(main.path, "common") || is_below(main.path, "tests");
         if (stages.empty() && !is_of_project)
-            problem(told(main.path) +
+            problem(shortened(main.path) +
                     " is not used: no folder of it, and no file beside it, has a stage's name. A "
                     "name for that of stage 3 is " +
                     submitted_name({3, true}) + ".");
         if (stages.size() < 2) return;
         for (const int stage : stages)
-            handed_in.words[{stage, true}] = told(main.path) +
+            handed_in.words[{stage, true}] = shortened(main.path) +
                                              " is beside the files of several stages: a name for "
                                              "this one would be " +
                                              submitted_name({stage, true}) + ".\n";
@@ -285,19 +285,20 @@ private:
         if (best == found.end()) {
             std::vector<std::string> not_taken;
             for (const Found& each : found)
-                not_taken.push_back(told(each.path) + " (" + each.why_not + ")");
+                not_taken.push_back(shortened(each.path) + " (" + each.why_not + ")");
             handed_in.words[graded] =
                 "There is no " + name + ". Found, but not used: " + enumerated(not_taken) + ".\n";
             return;
         }
         handed_in.files[graded] = *best->text;
-        if (best->fit != Fit::exact) words += told(best->path) + " was used as " + name + ".\n";
+        if (best->fit != Fit::exact)
+            words += shortened(best->path) + " was used as " + name + ".\n";
         std::vector<std::string> differ;
         for (const Found& each : found)
-            if (each.text && each.text != best->text) differ.push_back(told(each.path));
+            if (each.text && each.text != best->text) differ.push_back(shortened(each.path));
         if (!differ.empty())
             words += "There are " + std::to_string(differ.size() + 1) + " files for " + name +
-                     " that differ; " + told(best->path) + " was used, and not " +
+                     " that differ; " + shortened(best->path) + " was used, and not " +
                      enumerated(differ) + ".\n";
         if (!words.empty()) handed_in.words[graded] = words;
     }

@@ -30,11 +30,11 @@ std::vector<CaseMark> retell(std::vector<CaseMark>& cases, const Grading& gradin
     if (std::any_of(cases.begin(), cases.end(), was_waited_for)) return cases;  // it would be again
     std::vector<CaseMark> as_written =
         ask_suite(grading, graded, worker, {"RAYSTEPS_AS_WRITTEN=1"});
-    for (const CaseMark& told : as_written)
+    for (const CaseMark& marked : as_written)
         for (CaseMark& each : cases)
-            if (!each.passed && !told.passed && each.name == told.name) {
-                each.place = told.place;
-                each.words = told.words;
+            if (!each.passed && !marked.passed && each.name == marked.name) {
+                each.place = marked.place;
+                each.words = marked.words;
             }
     return as_written;
 }

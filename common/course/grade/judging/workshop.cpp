@@ -112,8 +112,9 @@ bool is_bomb(const ProcessResult& ending) {
 }
 
 /// The message about a failed tool: its own output, identical in every run.
-std::string told(const ProcessResult& ending, const BuildDirectory& workshop, GradedFile graded,
-                 const TemporaryFolder& scratch, const std::string& otherwise) {
+std::string tool_message(const ProcessResult& ending, const BuildDirectory& workshop,
+                         GradedFile graded, const TemporaryFolder& scratch,
+                         const std::string& otherwise) {
     if (is_bomb(ending)) return otherwise + " took too much time or memory.";
     std::string words =
         repeatable(ending.output, {scratch.path(), headers_of(workshop, graded), workshop.folder});
@@ -194,9 +195,9 @@ std::string refused_header(const std::string& words) {
     return "";
 }
 
-std::string told_of_compile(const ProcessResult& ending, const BuildDirectory& workshop,
+std::string compile_message(const ProcessResult& ending, const BuildDirectory& workshop,
                             GradedFile graded, const TemporaryFolder& scratch) {
-    const std::string words = told(ending, workshop, graded, scratch, "The compile");
+    const std::string words = tool_message(ending, workshop, graded, scratch, "The compile");
     const std::string header = refused_header(words);
     if (header.empty()) return words;
     return "Your file includes " + header + ", which this stage must not include: docs/" +
@@ -328,7 +329,7 @@ ProcessResult run_sealed(const BuildDirectory& workshop, const fs::path& writabl
     go_on(workshop);
     // Slurm signals all processes of a task, possibly the grader last; what it did to the others is
     // no submission's mark.
-    if (!ending.out_of_time && is_told_to_stop(ending.status)) throw Interrupted();
+    if (!ending.out_of_time && is_stopped(ending.status)) throw Interrupted();
     if (ending.status == not_sealed) throw ProgramError(ending.output);
     const bool by_a_limit = ending.out_of_time || ending.status == 128 + SIGXCPU;
     if (ending.processor_seconds < limits.processor_seconds / 2.0) {
@@ -379,7 +380,7 @@ Build compile_submission(const BuildDirectory& workshop, GradedFile graded, cons
         if (!is_bomb(unchanged)) compiled = unchanged;
     }
     if (compiled.status != 0)
-        return {.words = told_of_compile(compiled, workshop, graded, scratch)};
+        return {.words = compile_message(compiled, workshop, graded, scratch)};
 
     take(made, object, fs::perms(0644));
     const std::optional<ObjectFile> parsed = parse_object(read_text(object));
@@ -429,7 +430,8 @@ Build link_worker(const BuildDirectory& workshop, int stage,
     link.insert(link.end(), {"-o", made});
     append(link, options, "library");
     const ProcessResult linked = run_compiler(workshop, scratch.path(), parts, link);
-    if (linked.status != 0) return {.words = told(linked, workshop, stage, scratch, "The link")};
+    if (linked.status != 0)
+        return {.words = tool_message(linked, workshop, stage, scratch, "The link")};
     take(made, worker, fs::perms(0755));
     return {.succeeded = true};
 }

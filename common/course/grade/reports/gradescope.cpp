@@ -21,7 +21,7 @@ Json test(const std::string& name, bool passed, int points, const std::string& o
             {"visibility", "visible"}};
 }
 
-std::string told(const CaseMark& each) {
+std::string failure_text(const CaseMark& each) {
     return each.passed ? "" : each.place + "\n" + each.words;
 }
 
@@ -38,7 +38,7 @@ void append_tests(Json& tests, const Mark& mark) {
                              "again, and inform your instructor if this repeats."));
     for (const CaseMark& each : mark.cases) {
         tests.push_back(test(file_title({mark.stage, each.of_trace}) + ": " + each.name,
-                             each.passed, each.points, told(each)));
+                             each.passed, each.points, failure_text(each)));
         if (mark.points(each.of_trace) == 0)
             tests.back()["score"] = 0;  // cases that the starter passes too
     }

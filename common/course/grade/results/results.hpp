@@ -22,7 +22,7 @@ struct CaseMark {
     std::string name;  ///< as in the suite: "edges belong to the triangle (MRT §5)"
     int points = 1;    ///< its points if it passes
     bool passed = false;
-    bool given = false;     ///< the starter passes it: "behind the origin, nothing is met"
+    bool given = false;     ///< the starter passes it: "a shape behind the origin is a miss"
     bool of_trace = false;  ///< a case of `trace`, not of the stage's functions
     std::string
         place;  ///< the place of its first failure: "tests/suites/step05_triangle_test.cpp:61"

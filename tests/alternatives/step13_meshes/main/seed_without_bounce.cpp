@@ -1,4 +1,4 @@
-// right: the seed of the samples does not depend on the bounce; shadow rays meet meshes in their
+// right: the seed of the samples does not depend on the bounce; shadow rays hit meshes in their
 // own frames
 #include "common/math/vector.hpp"
 #include "common/render/sampling.hpp"
