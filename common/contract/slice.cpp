@@ -2,6 +2,7 @@
 
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"
+#include "common/scene/scene.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -27,33 +28,35 @@ Vec3 part3(const Value& value, const char* name) {
     return found == nullptr ? Vec3(0) : vec3(*found);
 }
 
-Real part1(const Value& value, const char* name) {
-    const Value* const found = find(value, name);
-    return found == nullptr ? Real(0) : Real(found->number);
+/// Nothing if the value is no Shape.
+template <class Shape>
+std::optional<Shape> shape_of(const Value& value) {
+    if (value.type != &type_of<Shape>()) return std::nullopt;
+    Writer bytes;
+    put_value(bytes, value);
+    Reader reader(bytes.bytes());
+    return get<Shape>(reader);
 }
 
-Size size_of(const Value& shape, const Ray& ray) {
-    const std::string kind = shape.type->name;
-    if (kind == "Triangle") {
-        const Vec3 a = part3(shape, "a");
-        const Vec3 b = part3(shape, "b");
-        const Vec3 c = part3(shape, "c");
-        const Vec3 middle = (a + b + c) / Real(3);
-        return {middle, std::max({length(a - middle), length(b - middle), length(c - middle)})};
-    }
-    if (kind == "Cone") {
-        const Real half = part1(shape, "height") / 2;
-        return {part3(shape, "apex") + half * part3(shape, "axis"),
-                length(Vec3(half, part1(shape, "radius"), 0))};
-    }
-    if (kind == "Plane") {
-        const Vec3 n = unit(part3(shape, "normal"));
-        const Vec3 below = ray.origin - dot(ray.origin - part3(shape, "point"), n) * n;
-        return {below, std::max(Real(1), length(ray.origin - below))};
-    }
-    const Real reach = part1(shape, "radius") + part1(shape, "height") / 2 +
-                       Real(0.71) * part1(shape, "side") + length(part3(shape, "half_size"));
-    return {part3(shape, "center"), reach > 0 ? reach : Real(2)};
+Size size_of(const Plane& plane, const Ray& ray) {
+    const Vec3 n = unit(plane.normal);
+    const Vec3 below = ray.origin - dot(ray.origin - plane.point, n) * n;
+    return {below, std::max(Real(1), length(ray.origin - below))};
+}
+
+template <BoundedKindOfShape Shape>
+Size size_of(const Shape& shape, const Ray& /*ray*/) {
+    const auto& [center, radius] = bounding_sphere(shape);
+    return {center, radius};
+}
+
+Size size_of(const Value& value, const Ray& ray) {
+    Size size{.middle = Vec3(0), .reach = 2};  // of a mesh
+    const auto look_for = [&]<class Shape>(const ShapeKind<Shape>& /*kind*/) {
+        if (const auto shape = shape_of<Shape>(value)) size = size_of(*shape, ray);
+    };
+    std::apply([&](const auto&... kind) { (look_for(kind), ...); }, shape_kinds);
+    return size;
 }
 
 /// A direction of the shape's own, for a ray through its middle: that of its axis, or any.

@@ -62,8 +62,9 @@ std::vector<std::string> stage_words() {
 int parse_stage(const std::string& text) {
     const std::optional<int> stage = text.empty() ? rt::current_stage() : rt::find_stage(text);
     if (!stage)
-        throw rt::InputError({}, "no stage \"" + text +
-                                     "\": give a number 1 to 13 or a name like step05_triangle." +
+        throw rt::InputError({}, "no stage \"" + text + "\": give a number 1 to " +
+                                     std::to_string(rt::stage_names.size()) +
+                                     " or a name like step05_triangle." +
                                      rt::suggestion(text, stage_words()));
     return *stage;
 }

@@ -54,7 +54,7 @@ std::vector<Requirement> requirements(const Scene& scene, int stage) {
     }
     const auto reflects = [](const Material& material) { return material.mirror > 0; };
     require(materials(scene, reflects), mirror_stage, "mirror", "mirrors");
-    require_shapes(light_stage, mesh_stage + 1);
+    require_shapes(light_stage, int(stage_names.size()) + 1);
     require(scene.mesh_requests.size(), mesh_stage, "mesh", "meshes");
     return found;
 }

@@ -172,13 +172,7 @@ Numbers checked_numbers(const Scene& scene) {
         add(numbers, bottom);
         add(numbers, top);
     }
-    add(numbers, scene.spheres);
-    add(numbers, scene.planes);
-    add(numbers, scene.triangles);
-    add(numbers, scene.squares);
-    add(numbers, scene.cylinders);
-    add(numbers, scene.cones);
-    add(numbers, scene.boxes);
+    for_each_kind(scene, [&numbers](const auto& primitives) { add(numbers, primitives); });
     require(scene.meshes.empty(), "reading loads no mesh");
     numbers.push_back(Real(scene.mesh_requests.size()));
     for (const MeshRequest& mesh : scene.mesh_requests) add(numbers, mesh);

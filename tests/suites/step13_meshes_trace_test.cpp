@@ -46,6 +46,7 @@ Verdict triangle_is_hit(int triangle) {
 }  // namespace
 
 TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace]") {
+    REQUIRE(all_kinds.size() == list_count);  // tests/suites/kinds.hpp has a line of each
     for (const Kind& kind : kinds_until(13)) {
         CHECK(shows(bright + kind.line(5, "0,255,0"), {0, 255, 0}));
         CHECK(shows("L 0,0,0 1 255,255,255\n" + kind.other_side(5, "0,255,0"),

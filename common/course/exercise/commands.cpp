@@ -32,6 +32,7 @@ constexpr std::array<const char*, stage_names.size()> brings = {
     "mirrors",
     "meshes of a million triangles",
 };
+static_assert(brings.back() != nullptr, "a stage has no line here");
 
 /// The ASCII text, cut to that many columns, if the standard output is a terminal.
 std::string cut(const std::string& text, int columns) {
