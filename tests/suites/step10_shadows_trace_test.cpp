@@ -35,12 +35,12 @@ Verdict slanted_walls_are_lit() {
 
 }  // namespace
 
-TEST_CASE("without an occluder, all lights add up (CR §3.1)", "[part trace]") {
+TEST_CASE("without anything in the way, all lights add up (CR §3.1)", "[part trace]") {
     CHECK(shows(red_right + white_wall, {102, 0, 0}));
     CHECK(shows(red_right + green_left + white_wall, {102, 102, 0}));
 }
 
-TEST_CASE("a light with a shape in front of it, of several sizes and in several places (CR §3.2)") {
+TEST_CASE("a light with a shape in the way gives nothing (CR §3.2)") {
     CHECK(shows(red_right + white_wall + ball_on_the_right, {0, 0, 0}));
     CHECK(shows(green_left + ball_on_the_left + white_wall, {0, 0, 0}));
     // Of any size: a thousandth, and a thousand times.
@@ -60,7 +60,7 @@ TEST_CASE("a light with a shape in front of it, of several sizes and in several 
     CHECK(shadows_at_both_ends());
 }
 
-TEST_CASE("two lights, of which one is blocked, or both (CR §3.2)") {
+TEST_CASE("a light that is blocked takes no other light away (CR §3.2)") {
     for (const std::string& lights : {red_right + green_left, green_left + red_right}) {
         CHECK(shows(lights + white_wall + ball_on_the_right, {0, 102, 0}));
         CHECK(shows(lights + white_wall + ball_on_the_left, {102, 0, 0}));
@@ -69,7 +69,7 @@ TEST_CASE("two lights, of which one is blocked, or both (CR §3.2)") {
     CHECK(random_lights_are_blocked(""));
 }
 
-TEST_CASE("a dim light, and many dim ones, with a shape in front of them (CR §3.2)") {
+TEST_CASE("a dim light is blocked as a bright one is (CR §3.2)") {
     for (const std::string light : {"L 3,0,0 0.05 255,0,0\n", "L 3,0,0 0.5 25,0,0\n"}) {
         CHECK(shows(light + white_wall, {10, 0, 0}));
         CHECK(shows(light + white_wall + ball_on_the_right, {0, 0, 0}));
@@ -79,7 +79,7 @@ TEST_CASE("a dim light, and many dim ones, with a shape in front of them (CR §3
     CHECK(shows(many + white_wall + ball_on_the_right, {0, 0, 0}));
 }
 
-TEST_CASE("ambient light, and each of the terms, in a shadow (CR §3.2)") {
+TEST_CASE("ambient light reaches a shadow, and counts once (CR §3.2)") {
     const std::string ambient = "A 0.2 255,255,255\n";
     CHECK(shows(ambient + red_right + white_wall + ball_on_the_right, {51, 51, 51}));
     CHECK(shows(ambient + red_right + green_left + white_wall + ball_on_the_right, {51, 153, 51}));
@@ -119,12 +119,12 @@ TEST_CASE("each ray of a picture has its own shadows (CR §3.2)") {
         2));
 }
 
-TEST_CASE("two shapes in front of one of two lights (CR §3.2)") {
+TEST_CASE("two shapes in one light's way take away no more than one (CR §3.2)") {
     const std::string second = "sp 2.25,0,-1 0.2 9,9,9\n";
     CHECK(shows(red_right + green_left + white_wall + ball_on_the_right + second, {0, 102, 0}));
 }
 
-TEST_CASE("the highlight in a shadow is black (CR §3.2)") {
+TEST_CASE("there is no highlight in a shadow (CR §3.2)") {
     // The eye is at 0.8 of the direction of reflection.
     const std::string shining = "pl 0,0,-4 0,0,1 0,0,255 spec:0.5 shin:1\n";
     const std::string light = "L 3,0,0 0.5 255,255,255\n";
@@ -132,13 +132,13 @@ TEST_CASE("the highlight in a shadow is black (CR §3.2)") {
     CHECK(shows(light + shining + ball_on_the_right, {0, 0, 0}));
 }
 
-TEST_CASE("surfaces in front of the eye, lit from the eye (CR §3.2)") {
+TEST_CASE("the surface that is seen casts no shadow on itself (CR §3.2)") {
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,-5 2 255,255,255\n", {102, 102, 102}));
     CHECK(shows("L 0,0,0 0.4 255,255,255\nsp 0,0,0 8 255,255,255\n", {102, 102, 102}));
     CHECK(slanted_walls_are_lit());
 }
 
-TEST_CASE("a lamp in the plane of a ceiling lights the wall (CR §2.4, §3.2)") {
+TEST_CASE("a lamp that lies in a ceiling is not shadowed by it (CR §2.4, §3.2)") {
     CHECK(ceilings_leave_their_lamp());
 }
 
@@ -151,7 +151,7 @@ TEST_CASE("the terms of all lights add up, from any eye, and --term selects one 
 TEST_CASE("the picture of the stage, by this trace (CR §3.2)") {
     CHECK(picture_matches("step10_shadows"));
 }
-TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 

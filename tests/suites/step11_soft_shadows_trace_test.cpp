@@ -23,7 +23,7 @@ const RenderSettings many_samples{.shadow_samples = 256};
 
 }  // namespace
 
-TEST_CASE("area lights without an occluder, with several numbers of samples (CR §3.3)",
+TEST_CASE("an area light without anything in the way counts whole, once (CR §3.3)",
           "[part trace]") {
     for (const int samples : {1, 2, 16, 100}) {
         const RenderSettings settings{.shadow_samples = samples};
@@ -32,7 +32,7 @@ TEST_CASE("area lights without an occluder, with several numbers of samples (CR 
     }
 }
 
-TEST_CASE("an area light that is hidden completely, alone and beside another (CR §3.3)") {
+TEST_CASE("an area light that is hidden altogether gives nothing (CR §3.3)") {
     CHECK(shows(red_right + white_wall + whole_card, {0, 0, 0}));
     CHECK(shows(red_right + green_left + white_wall + whole_card, {0, 102, 0}));
     CHECK(shows(green_left + red_right + white_wall + whole_card, {0, 102, 0}));
@@ -72,7 +72,7 @@ TEST_CASE("each light has samples of its own (CR §3.3)") {
     CHECK(samples_are_well_spread());
 }
 
-TEST_CASE("ambient light with half, none and all of an area light hidden (CR §3.3)") {
+TEST_CASE("ambient light is neither shared nor counted again (CR §3.3)") {
     const std::string ambient = "A 0.2 0,0,255\n";
     CHECK(shows(ambient + red_right + white_wall + half_card, {51, 0, 51}, many_samples, spread));
     CHECK(shows(ambient + red_right + green_left + white_wall, {102, 102, 51}));
@@ -96,7 +96,7 @@ TEST_CASE("the shadow of a point light is as in stage 10 (CR §3.2)") {
     CHECK(shows(green_left + red_point + white_wall + whole_card, {0, 102, 0}));
 }
 
-TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(shade_normal_shows_the_normal(11));
 }
 
-TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)") {
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(11, "A 1 255,255,255\n", false));
 }
 

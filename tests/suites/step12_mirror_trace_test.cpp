@@ -44,7 +44,8 @@ Verdict random_shares_are_mixed() {
 
 }  // namespace
 
-TEST_CASE("a perfect mirror shows what it faces (CR §5.1)", "[part trace]") {
+TEST_CASE("a perfect mirror shows what it faces, and nothing of its own (CR §5.1)",
+          "[part trace]") {
     CHECK(shows(bright + mirror("1") + red_wall_behind, {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + red_wall_behind + "sp 0,0,-8 2 0,255,0\n", {255, 0, 0}));
     CHECK(shows(bright + mirror("1") + "sp 0,0,6 2 0,255,0\n", {0, 255, 0}));
@@ -126,7 +127,7 @@ TEST_CASE("what a mirror shows is lit, and in shadow, as if it were seen (CR §5
     CHECK(mirrors_show_soft_shadows());
 }
 
-TEST_CASE("a mirror under a sky shows the sky (CR §5.1)") {
+TEST_CASE("a mirror does not show itself (CR §5.1)") {
     CHECK(mirrors_do_not_show_themselves());
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("a mirror shows what another mirror shows (CR §5.1)") {
     CHECK(mirrors_show_mirrors(12));
 }
 
-TEST_CASE("two mirrors that face each other (CR §5.1)") {
+TEST_CASE("two mirrors that face each other end, and give no more light than there is (CR §5.1)") {
     const std::string second = "pl 0,0,6 0,0,-1 255,0,0 mirror:0.5\n";
     // 1/2 + 1/8 + 1/32 + … = 2/3 is blue, 1/4 + 1/16 + … = 1/3 is red.
     CHECK(shows(bright + mirror("0.5", "0,0,255") + second, {85, 0, 170}, {}, 2));
@@ -159,7 +160,7 @@ TEST_CASE(
     CHECK(weak_reflections_are_black());
 }
 
-TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -168,7 +169,7 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(reflects("0,0.70710678,0.70710678", "", {0, 180, 180}, {.shading = Shading::normal}));
 }
 
-TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)") {
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(12, bright, false));
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("every kind of shape is seen (M1, \"plusieurs objets\")", "[part trace
     }
 }
 
-TEST_CASE("a ray that misses all shapes gives black, or the color of the sky (stage 3)") {
+TEST_CASE("without a hit the pixel is black, or the color of the sky (stage 3)") {
     CHECK(nothing_is_black_or_sky());
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(shade_normal_shows_the_normal(13));
 }
 
-TEST_CASE("the closest of two kinds of shapes is seen, in any order of the file (CR §2.1)") {
+TEST_CASE("each kind of shape hides what is farther away, in any order of the file (CR §2.1)") {
     CHECK(nearest_of_each_pair_is_seen(13, bright, false));
 }
 
