@@ -2,6 +2,8 @@
 #include "tests/suites/lights.hpp"
 #include "tests/suites/mirrors.hpp"
 
+#include "common/scene/scene.hpp"
+
 #include <array>
 
 using namespace rt;
