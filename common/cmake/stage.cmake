@@ -5,7 +5,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 # targets of the stage in the current folder: its reference, the student's file if there is one, and
 # the executable with the stage's name, built from every stage up to this one.
 #
-# MESHES             this stage and later ones read meshes
+# MESHES             this stage and later ones need OpenMesh
 # SHARES_ANEW        its files replace those that earlier stages share with later ones
 # OWN_LOOP           its main.cpp has a loop over the shapes, and calls no query
 # WHOLE_KERNEL       its certified kernel includes the rest of the reference
@@ -114,6 +114,10 @@ function(raysteps_stage)
     set(meshes raysteps_without_meshes)
     get_property(with_meshes GLOBAL PROPERTY RAYSTEPS_MESHES)
     if(with_meshes)
+        if(NOT TARGET raysteps_mesh_file)
+            message(STATUS "No ${name}, and no picture of a mesh: libopenmesh-dev provides OpenMesh")
+            return()
+        endif()
         set(meshes raysteps_meshes)
     endif()
     get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)

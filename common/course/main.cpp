@@ -66,6 +66,10 @@ int parse_stage(const std::string& text) {
                                      std::to_string(rt::stage_names.size()) +
                                      " or a name like step05_triangle." +
                                      rt::suggestion(text, stage_words()));
+    if (*stage == rt::mesh_stage && !rt::has_meshes)
+        throw rt::InputError({}, std::string(rt::stage_name(*stage)) +
+                                     " needs OpenMesh: libopenmesh-dev, or what your system "
+                                     "calls it");
     return *stage;
 }
 

@@ -10,7 +10,7 @@ namespace rt {
 /// Loads the scene's named meshes, each file once, and adds an instance for each. Throws InputError
 /// for a file that is wrong; the error and each warning include the line of the scene that names
 /// the file. Only the program of a stage with meshes has this function: in the others
-/// no_meshes.cpp takes its place.
+/// no_meshes.cpp takes its place, so that they do not need OpenMesh.
 void load_meshes(Scene& scene, const Warn& warn = nullptr);
 
 /// "the mesh of scene.rt:4:1", for messages about the file that is named there.
@@ -21,7 +21,7 @@ void load_meshes(Scene& scene, const Warn& warn = nullptr);
 }
 
 /// Returns the lines about the meshes' files that `--requirements` prints: what their triangles
-/// form (common/mesh_file/mesh_form.hpp), and their box. Throws InputError as load_meshes does.
+/// form (common/mesh_file/half_edges.hpp), and their box. Throws InputError as load_meshes does.
 [[nodiscard]] std::string mesh_forms(const Scene& scene);
 
 }  // namespace rt

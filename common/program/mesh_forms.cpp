@@ -1,6 +1,6 @@
 #include "common/geometry/bounding_box.hpp"
+#include "common/mesh_file/half_edges.hpp"
 #include "common/mesh_file/load_mesh.hpp"
-#include "common/mesh_file/mesh_form.hpp"
 #include "common/mesh_file/welder.hpp"
 #include "common/program/load_meshes.hpp"
 #include "common/system/readable.hpp"

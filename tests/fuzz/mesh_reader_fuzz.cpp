@@ -1,7 +1,7 @@
 // libFuzzer's entry into the mesh reader, for each of the four formats. docs/reference/meshes.md
 // explains how to run it.
 
-#include "common/mesh_file/mesh_form.hpp"
+#include "common/mesh_file/half_edges.hpp"
 #include "common/mesh_file/mesh_file.hpp"
 #include "common/system/input_error.hpp"
 

@@ -37,20 +37,21 @@ headers() {
     unpack libglm-dev libcli11-dev catch2
     options="$options -Dglm_DIR=$tools/usr/share/cmake/glm -DCLI11_DIR=$tools/usr/share/cmake/CLI11
         -DCatch2_DIR=$tools/usr/lib/cmake/Catch2 -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON
-        -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON -DRAYSTEPS_ANY_PROCESSOR=ON"
+        -DRAYSTEPS_ANY_PROCESSOR=ON"
 }
 
-# from_packages ARCHITECTURE TRIPLE: libpng and zlib, as Debian compiled them
+# from_packages ARCHITECTURE TRIPLE: libpng, zlib and OpenMesh, as Debian compiled them
 from_packages() {
     folder=$tools/$1
     if [ ! -e "$folder/unpacked" ]; then
         mkdir -p "$folder/packages"
         apt "$1" update
-        (cd "$folder/packages" && apt "$1" download libpng-dev zlib1g-dev)
+        (cd "$folder/packages" && apt "$1" download libpng-dev zlib1g-dev libopenmesh-dev libopenmesh1)
         for package in "$folder"/packages/*.deb; do dpkg -x "$package" "$folder"; done
         : > "$folder/unpacked"
     fi
     png "$folder/usr/include" "$folder/usr/lib/$2"
+    options="$options -DOpenMesh_DIR=$folder/usr/lib/$2/cmake/OpenMesh"
 }
 
 # png INCLUDES LIBRARIES
@@ -91,6 +92,40 @@ png_from_source() {
         cd "$root"
     fi
     png "$folder/include" "$folder/lib"
+}
+
+# openmesh_from_source FOLDER COMPILER: without what writes meshes, or reads OpenMesh's own format.
+# Most of it as one; BaseWriter.cc, which the readers need, defines a function that they define, too.
+openmesh_from_source() {
+    folder=$tools/$1
+    if [ ! -e "$folder/lib/libOpenMeshCore.a" ]; then
+        source_of openmesh
+        mkdir -p "$folder/lib" "$folder/openmesh"
+        cd "$tools"/source/OpenMesh-*/src
+        find OpenMesh/Core -name '*.cc' | grep -vE '/writer/|/Templates/|/OMReader' | sort | sed 's/.*/#include "&"/' \
+            > "$folder/openmesh/core.cc"
+        for source in "$folder/openmesh/core.cc" OpenMesh/Core/IO/writer/BaseWriter.cc; do
+            "$2" -O1 -w -I. -c "$source" -o "$folder/openmesh/$(basename "$source").o"
+        done
+        ar rcs "$folder/lib/libOpenMeshCore.a" "$folder"/openmesh/*.o
+        cat > "$folder/openmesh/OpenMeshConfig.cmake" << END
+add_library(OpenMeshCore STATIC IMPORTED GLOBAL)
+set_target_properties(OpenMeshCore PROPERTIES
+    IMPORTED_LOCATION $folder/lib/libOpenMeshCore.a INTERFACE_INCLUDE_DIRECTORIES $PWD)
+add_library(OpenMeshTools INTERFACE IMPORTED GLOBAL)
+target_link_libraries(OpenMeshTools INTERFACE OpenMeshCore)
+END
+        cd "$root"
+    fi
+    options="$options -DOpenMesh_DIR=$folder/openmesh -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=OFF"
+}
+
+# openmesh_if_needed FOLDER COMPILER TARGET…: from its source, if a target reads meshes
+openmesh_if_needed() {
+    case " $* " in
+        *mesh*) openmesh_from_source "$1" "$2" ;;
+        *) options="$options -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON" ;;
+    esac
 }
 
 # wine_folder DLLS: what wine would write at its first start, which takes 16 s and 695 MB: the

@@ -175,7 +175,8 @@ END
         # Debian's Boost is too old for libc++ in C++20.
         options="$options -DCMAKE_CXX_COMPILER=$tools/clang++ -DRAYSTEPS_ANY_PROCESSOR=ON
             -DCMAKE_CXX_FLAGS=-DRAYSTEPS_SHORT_LONG_DOUBLE
-            -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenMesh=ON"
+            -DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"
+        openmesh_if_needed libcxx "$tools/clang++" "$@"
         ;;
     oldest)
         unpack g++-11 gcc-11 gcc-11-base cpp-11 libstdc++-11-dev libstdc++6 libgcc-11-dev
@@ -205,6 +206,7 @@ END
         wine_folder /usr/lib/x86_64-linux-gnu/wine/x86_64-windows
         headers
         png_from_source x86_64-w64-mingw32
+        openmesh_if_needed x86_64-w64-mingw32 x86_64-w64-mingw32-g++-posix "$@"
         ;;
     *) fail "expected libcxx, oldest, aarch64 or windows, not \"$platform\"" 2 ;;
 esac

@@ -16,7 +16,7 @@ try() {
     [ $# -gt 0 ] || return 1
     printf '%s\n' "$@" | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' sh -c '
         $1 -std=c++20 -I. -DGLM_FORCE_CTOR_INIT -DRAYSTEPS_ROOT=\"\" -DRAYSTEPS_BUILD=\"\" -DRAYSTEPS_VERSION=\"\" \
-            -DRAYSTEPS_OPENMESH=1 -DRAYSTEPS_ORACLE=1 -DRAYSTEPS_STAGE=13 $2 -Wall -Wextra -Werror \
+            -DRAYSTEPS_MESHES=1 -DRAYSTEPS_ORACLE=1 -DRAYSTEPS_STAGE=13 $2 -Wall -Wextra -Werror \
             -fsyntax-only "$3"' sh "$compiler" "$flags" '{}'
 }
 

@@ -177,6 +177,7 @@ int audit() {
     std::vector<int> stages;
     std::vector<std::string> targets;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        if (stage == mesh_stage && !has_meshes) continue;
         stages.push_back(stage);
         for (const char* suffix :
              {"", "_test_float", "_test_double", "_starter_test_float", "_starter_test_double"})
@@ -201,6 +202,7 @@ int audit() {
         look_at_mistakes(stage, findings);
         whole = findings.explain() && whole;
     }
+    if (!has_meshes) std::puts("step13_meshes was left out: it needs OpenMesh");
     return whole ? 0 : 1;
 }
 

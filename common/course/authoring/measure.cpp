@@ -21,8 +21,9 @@ struct File {
     std::string study;
     std::string name;
     std::vector<std::string> programs;
-    int turns;       ///< more than one, where time is measured
-    double seconds;  ///< of one turn, on the machine of docs/reference/accuracy.md
+    int turns;            ///< more than one, where time is measured
+    double seconds;       ///< of one turn, on the machine of docs/reference/accuracy.md
+    bool meshes = false;  ///< true if it needs OpenMesh
 };
 
 const std::vector<File> files = {
@@ -31,19 +32,16 @@ const std::vector<File> files = {
     {"contact", "contact", {"contact_float", "contact_double"}, 1, 2},
     {"penumbra", "penumbra", {"penumbra"}, 3, 9},
     {"hierarchy", "hierarchy", {"hierarchy"}, 3, 1},
-    {"mirrors", "mirrors", {"mirrors"}, 3, 8},
-    {"meshes", "decimation", {"decimation"}, 3, 4},
-    {"pixels", "pixels", {"pixels"}, 1, 80},
-    {"front", "front", {"front"}, 1, 180},
-    {"sources", "sources", {"sources"}, 1, 60},
-    {"pictures", "pictures", {"pictures"}, 3, 18},
-    {"memory", "memory", {"memory_float", "memory_double"}, 1, 1},
-    {"rounding", "input_rounding", {"input_rounding"}, 1, 25},
+    {"mirrors", "mirrors", {"mirrors"}, 3, 8, true},
+    {"meshes", "decimation", {"decimation"}, 3, 4, true},
+    {"pixels", "pixels", {"pixels"}, 1, 80, true},
+    {"front", "front", {"front"}, 1, 180, true},
+    {"sources", "sources", {"sources"}, 1, 60, true},
+    {"pictures", "pictures", {"pictures"}, 3, 18, true},
+    {"memory", "memory", {"memory_float", "memory_double"}, 1, 1, true},
+    {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"analytic", "analytic", {"analytic"}, 1, 5},
 };
-
-/// The one study that needs OpenMesh. Without OpenMesh, it is not one of all.
-const std::string decimates = "meshes";
 
 /// "measuring: 45 %, 80 s left"
 class Meter {
@@ -107,9 +105,7 @@ std::string measured(const File& file, Meter& meter) {
 std::vector<File> chosen(const std::vector<std::string>& names) {
     std::vector<File> found;
     for (const File& file : files)
-        if (names.empty() ? file.study != decimates || has_open_mesh
-                          : std::ranges::count(names, file.study) > 0)
-            found.push_back(file);
+        if (names.empty() || std::ranges::count(names, file.study) > 0) found.push_back(file);
     for (const std::string& name : names)
         if (std::ranges::none_of(files, [&](const File& file) { return file.study == name; })) {
             std::string all;
@@ -135,11 +131,13 @@ bool can_run(const Command& command) {
 int measure(const std::vector<std::string>& names) {
     const std::vector<File> studied = chosen(names);
     const std::filesystem::path docs = project_folder / "docs";
+    const auto needs_meshes = [](const File& file) { return file.meshes; };
     if (!has_oracle)
         throw InputError({}, "measure needs Boost: libboost-dev, or what your system calls it");
-    if (!has_open_mesh && std::ranges::count(names, decimates) > 0)
-        throw InputError({}, "measure " + decimates +
-                                 " needs OpenMesh: libopenmesh-dev, or what your system calls it");
+    if (!has_meshes && std::ranges::any_of(studied, needs_meshes))
+        throw InputError({},
+                         "measure needs OpenMesh: libopenmesh-dev; without it there are shapes, "
+                         "contact, penumbra and hierarchy");
     const std::string draw = (docs / "accuracy/plots/draw.py").string();
     if (!can_run({"python3", draw, "ready"}))
         throw InputError(

@@ -4,7 +4,7 @@ namespace rt {
 
 const std::filesystem::path project_folder = RAYSTEPS_ROOT;
 const std::filesystem::path build_folder = RAYSTEPS_BUILD;
-const bool has_open_mesh = RAYSTEPS_OPENMESH;
+const bool has_meshes = RAYSTEPS_MESHES;
 const bool has_oracle = RAYSTEPS_ORACLE;
 
 }  // namespace rt

@@ -11,8 +11,8 @@ namespace rt {
 extern const std::filesystem::path project_folder;
 extern const std::filesystem::path build_folder;
 
-/// True if OpenMesh is installed; without it, no mesh is decimated for a measurement.
-extern const bool has_open_mesh;
+/// True if OpenMesh is installed; without it, stage 13 is left out of the build.
+extern const bool has_meshes;
 
 /// True if Boost is installed; without it, nothing is measured against exact arithmetic.
 extern const bool has_oracle;

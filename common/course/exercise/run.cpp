@@ -78,6 +78,8 @@ int run_tests(std::optional<int> stage, const Command& words) {
     choose_reference("");
     build(targets);
     const int status = run_process(command);
+    if (!stage && !has_meshes)
+        std::puts("step13_meshes was left out: ./course test 13 installs OpenMesh");
     std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
     return status;
 }

@@ -20,7 +20,7 @@ constexpr const char* setup = R"sh(#!/bin/sh
 set -eu
 export DEBIAN_FRONTEND=noninteractive
 root=${AUTOGRADER:-/autograder}
-packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev
+packages="cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
     nlohmann-json3-dev libarchive-dev libseccomp-dev libutf8proc-dev"
 dpkg-query -W $packages > /dev/null 2>&1 || {
     apt-get update
@@ -84,7 +84,7 @@ on:
   workflow_dispatch:
 env:
   PACKAGES: >-
-    cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev
+    cmake ninja-build g++ mold catch2 libcli11-dev libglm-dev libpng-dev libopenmesh-dev
     nlohmann-json3-dev libarchive-dev libseccomp-dev libutf8proc-dev
 jobs:
   grade:

@@ -1,6 +1,6 @@
 // The parts, holes, crowded edges and turned triangles of meshes.
 
-#include "common/mesh_file/mesh_form.hpp"
+#include "common/mesh_file/half_edges.hpp"
 
 #include "common/program/load_meshes.hpp"
 #include "tests/common/mesh_file/reading.hpp"

@@ -1,4 +1,4 @@
-// The form of a mesh: what its triangles are together.
+// The form of a mesh, found on the half-edges of OpenMesh.
 #pragma once
 
 #include "common/geometry/mesh_edges.hpp"
@@ -12,9 +12,9 @@ struct MeshForm {
     std::size_t parts = 0;          ///< not connected by a vertex
     std::size_t holes = 0;          ///< closed ways along edges of one triangle
     std::size_t longest_hole = 0;   ///< edges
-    std::size_t crowded_edges = 0;  ///< of three triangles or more
+    std::size_t crowded_edges = 0;  ///< of three triangles or more, which half-edges cannot have
     std::size_t turned = 0;         ///< triangles that are turned over, compared to their neighbors
-    std::size_t one_sided = 0;      ///< triangles of parts with one side
+    std::size_t one_sided = 0;  ///< triangles of parts with one side, which half-edges cannot have
 };
 
 /// Returns the form of the triangles; vertices in the same place must be one.

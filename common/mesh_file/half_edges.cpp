@@ -1,31 +1,45 @@
-#include "common/mesh_file/mesh_form.hpp"
+#include "common/mesh_file/half_edges.hpp"
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace rt {
 
 namespace {
 
-/// Counts the closed ways along open sides, of triangles of which none is turned over; what has one
-/// side is cut open. A corner group is a fan: an open one has one open side that starts there, and
-/// one that ends there. So two fans that touch in a vertex, and crowded edges, are cut open too.
-void count_holes(const Triangles& triangles, const std::vector<std::uint32_t>& others,
-                 MeshForm& form) {
-    const auto is_open = [&](std::uint32_t side) {
-        return others[side] >= crowded || !is_consistent(triangles, side, others[side]);
-    };
-    const auto fans = corner_groups(triangles, others, [](auto, auto) { return true; });
-    std::vector<std::uint32_t> open_side(fans.size());  // the one that starts at the fan
-    for (std::uint32_t side = 0; side < fans.size(); ++side)
-        if (is_open(side)) open_side[fans[side]] = side;
-    std::vector<bool> is_seen(fans.size());
-    for (std::uint32_t start = 0; start < fans.size(); ++start) {
-        if (!is_open(start) || is_seen[start]) continue;
+using HalfEdges = OpenMesh::TriMesh_ArrayKernelT<>;
+
+/// The half-edges of triangles of which none is turned over; what has one side is cut open.
+/// Half-edges need a vertex for each fan of triangles: where two fans touch in a vertex, and at
+/// crowded edges, it is one for each.
+HalfEdges half_edges(const Triangles& triangles, const std::vector<std::uint32_t>& others) {
+    const auto groups = corner_groups(triangles, others, [](auto, auto) { return true; });
+    std::vector<HalfEdges::VertexHandle> vertices(groups.size());
+    HalfEdges mesh;
+    mesh.reserve(groups.size() / 6, groups.size() / 2, triangles.size());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        auto& vertex = vertices[groups[i]];
+        if (!vertex.is_valid()) vertex = mesh.add_vertex({0, 0, 0});
+    }
+    for (std::size_t i = 0; i < groups.size(); i += 3) {
+        mesh.add_face(vertices[groups[i]], vertices[groups[i + 1]], vertices[groups[i + 2]]);
+    }
+    return mesh;
+}
+
+/// Counts the closed ways along half-edges without a face.
+void count_holes(const HalfEdges& mesh, MeshForm& form) {
+    std::vector<bool> is_seen(mesh.n_halfedges());
+    for (const auto start : mesh.halfedges()) {
+        if (!mesh.is_boundary(start) || is_seen[std::size_t(start.idx())]) continue;
         std::size_t length = 0;
-        for (std::uint32_t at = start; !is_seen[at]; at = open_side[fans[end_of(at)]], ++length)
-            is_seen[at] = true;
+        for (HalfEdges::HalfedgeHandle at = start; !is_seen[std::size_t(at.idx())];
+             at = mesh.next_halfedge_handle(at), ++length)
+            is_seen[std::size_t(at.idx())] = true;
         ++form.holes;
         form.longest_hole = std::max(form.longest_hole, length);
     }
@@ -76,7 +90,7 @@ MeshForm form_of(const Triangles& triangles, std::size_t vertices) {
     for (std::size_t i = 0; i < is_turned.size(); ++i)
         if (is_turned[i]) std::swap(consistent[i][1], consistent[i][2]);
     if (!is_turned.empty()) others = other_sides(consistent, vertices);
-    count_holes(consistent, others, form);
+    count_holes(half_edges(consistent, others), form);
     return form;
 }
 
