@@ -25,7 +25,7 @@ constexpr int most_archives = 10;
 constexpr int most_megabytes = 32;  // total size of the files unpacked from an archive
 constexpr int deepest_archive = 3;
 constexpr std::size_t most_named = 6;
-constexpr std::size_t longest_name = 200;  // of a name
+constexpr std::size_t longest_path_shown = 200;  // of a name
 constexpr int most_problems = 20;
 constexpr std::size_t most_useless = 10000;
 
@@ -70,8 +70,8 @@ auto rank(const Found& found) {
 /// The name as the student reads it; of a very long one, as archives may contain, the end.
 std::string shortened(const fs::path& file) {
     const std::string name = file.string();
-    if (name.size() <= longest_name) return name;
-    std::size_t start = name.size() - longest_name;
+    if (name.size() <= longest_path_shown) return name;
+    std::size_t start = name.size() - longest_path_shown;
     while (start < name.size() && (static_cast<unsigned char>(name[start]) & 0xc0) == 0x80) ++start;
     return "…" + name.substr(start);
 }

@@ -236,6 +236,23 @@ void take(const fs::path& made, const fs::path& to, fs::perms permissions) {
     fs::permissions(to, permissions);
 }
 
+/// True if SIGKILL ended the tool or a program that it started, as the last lines of g++ say. Of
+/// the sandbox's limits only that of processor time sends it; the system does when its memory is
+/// full.
+bool is_killed(const ProcessResult& ending) {
+    constexpr std::string_view words = "fatal error: Killed signal terminated program ";
+    const std::string& output = ending.output;
+    const std::size_t at = output.rfind(words);
+    return ending.status == 128 + SIGKILL ||
+           (at != std::string::npos &&
+            output.substr(std::min(output.find('\n', at), output.size())) ==
+                "\ncompilation terminated.\n");
+}
+
+constexpr const char* short_of_memory =
+    " was killed, through no limit of the sandbox: this machine has too little memory left. The "
+    "same command judges it again\n";
+
 }  // namespace
 
 void check_executable(const fs::path& folder) {
@@ -282,23 +299,6 @@ BuildDirectory open_workshop(const fs::path& project, const fs::path& build,
 void go_on(const BuildDirectory& workshop) {
     if (workshop.stop != nullptr && *workshop.stop) throw Interrupted();
 }
-
-/// True if SIGKILL ended the tool or a program that it started, as the last lines of g++ say. Of
-/// the sandbox's limits only that of processor time sends it; the system does when its memory is
-/// full.
-bool is_killed(const ProcessResult& ending) {
-    constexpr std::string_view words = "fatal error: Killed signal terminated program ";
-    const std::string& output = ending.output;
-    const std::size_t at = output.rfind(words);
-    return ending.status == 128 + SIGKILL ||
-           (at != std::string::npos &&
-            output.substr(std::min(output.find('\n', at), output.size())) ==
-                "\ncompilation terminated.\n");
-}
-
-constexpr const char* short_of_memory =
-    " was killed, through no limit of the sandbox: this machine has too little memory left. The "
-    "same command judges it again\n";
 
 std::string ended_by_the_clock(const ProcessResult& ending) {
     char seconds[32];
