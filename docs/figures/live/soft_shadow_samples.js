@@ -25,7 +25,7 @@ define("soft_shadow_samples", class extends Figure {
       sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });
       let reached = 0;
       for (let i = 0; i < count; ++i) {
-        const sample = await this.ask(0, `${kind}_sample`, i, this.seed.value);
+        const sample = await this.ask(0, `${kind.replace(" ", "_")}_sample`, i, this.seed.value);
         const point = await this.ask(11, "sample_light", light, from.point, sample);
         const way = await this.ask(10, "shadow_ray", from, point);
         const blocked = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
