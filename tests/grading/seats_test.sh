@@ -24,7 +24,10 @@ starts_of() {
         while read -r at; do cut -c "$at-$((at + 127))" "$folder/code"; done
 }
 
-objects() { find "$build" -path "*$1*" -name '*.cpp.o' -o -path "*$1*" -name '*.cxx.o'; }
+# In the build's own folders: beside them, there may be a sanitized build.
+objects() {
+    find "$build/common" "$build/steps" -path "*$1*" \( -name '*.cpp.o' -o -name '*.cxx.o' \)
+}
 bvh=$(objects /raysteps_common_f64.dir/bvh/mesh_bvh)
 for object in $(objects /raysteps_common_f64.dir/ | grep 'stories\|/story\|pixel_log_parts'); do
     starts_of "$object"
