@@ -1,8 +1,8 @@
 // Texts that `./course` prints: suggestions, long lines, errors of the linker.
 #include "common/course/build/compiler_errors.hpp"
-#include "common/system/wrap.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/wrap.hpp"
 
 #include "tests/kit/catch.hpp"
 
