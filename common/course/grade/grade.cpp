@@ -21,6 +21,7 @@
 #include "common/system/parallel_for.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/version.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -325,18 +326,9 @@ Outcome grade(const Order& order) {
 
 namespace {
 
-/// The project's commit, if it is a git clone, and git is there.
-std::string version_of(const fs::path& project) {
-    const ProcessResult printed =
-        run_captured({"env", "git", "-c", "safe.directory=" + project.string(), "-C",
-                      project.string(), "rev-parse", "--short=10", "HEAD"},
-                     std::chrono::seconds(10));
-    return printed.status == 0 ? lines_of(printed.output).at(0) : "unknown commit";
-}
-
 std::string edition_of(const fs::path& results, const fs::path& project) {
     const bool seeded = fs::exists(seed_file(results));
-    return today() + ", Raysteps " + version_of(project) +
+    return today() + ", Raysteps " + version(project) +
            (seeded ? ", seed " + seed_identifier(read_seed(seed_file(results))) : "");
 }
 
