@@ -11,22 +11,19 @@ cd "$1" || exit 2
 # Prints what is wrong in lines "FILE INCLUDED", and nothing for those that are right.
 judge() {
     awk '
+        # Reads pairs "room=layer".
+        function read_order(order, layers,    pairs, pair, i) {
+            for (i = split(order, pairs, " "); i > 0; --i) {
+                split(pairs[i], pair, "=")
+                layers[pair[1]] = pair[2]
+            }
+        }
         BEGIN {
-            order = "math=0 stages=0 system=0 geometry=1 image=1 bvh=2 mesh_file=2 scene=3 " \
-                "exact=4 explain=4 scene_file=4 render=5 steps=6 tuning=6 contract=7 program=7"
-            count = split(order, pairs, " ")
-            for (i = 1; i <= count; ++i) {
-                split(pairs[i], pair, "=")
-                layer[pair[1]] = pair[2]
-            }
+            read_order("math=0 stages=0 system=0 geometry=1 image=1 bvh=2 mesh_file=2 scene=3 " \
+                "exact=4 explain=4 scene_file=4 render=5 steps=6 tuning=6 contract=7 program=7", layer)
             course["course"] = course["system"] = course["stages"] = course["image"] = 1
-            order = "build=0 grade/sandbox=0 exercise=1 authoring=2 grade/results=2 own=2 view=2 " \
-                "book=3 grade/judging=3 grade/reports=3 handout=4 grade=5 course=6"
-            count = split(order, pairs, " ")
-            for (i = 1; i <= count; ++i) {
-                split(pairs[i], pair, "=")
-                floor[pair[1]] = pair[2]
-            }
+            read_order("build=0 grade/sandbox=0 exercise=1 authoring=2 grade/results=2 own=2 view=2 " \
+                "book=3 grade/judging=3 grade/reports=3 handout=4 grade=5 course=6", floor)
         }
         function folder(path) {
             sub("^common/", "", path)
