@@ -41,7 +41,7 @@ inline constexpr std::uint32_t crowded = 0xfffffffe;
     const Triangles& triangles, const std::vector<std::uint32_t>& others,
     const std::function<bool(std::uint32_t, std::uint32_t)>& is_joined);
 
-/// What must be turned over so that all neighbors are consistent.
+/// The triangles to turn over so that all neighbors are consistent.
 struct Orientation {
     std::vector<bool> is_turned;  ///< for each triangle; empty if none must be
     std::size_t turned = 0;       ///< triangles of parts that have two sides

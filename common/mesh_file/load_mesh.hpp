@@ -23,8 +23,8 @@ inline namespace RT_PRECISION {
 [[nodiscard]] std::string loss_in_float(glm::dvec3 low, glm::dvec3 high);
 
 /// Warns of triangles whose corners run around the other way than those of their neighbors, and of
-/// surfaces with only one side, where that cannot be mended. Call it
-/// before the normals are computed: load_mesh does where they are its own, in STL.
+/// surfaces with only one side, where that cannot be mended. Call it before the normals are
+/// computed: load_mesh does where they are its own, in STL.
 void warn_of_turned_triangles(const Mesh& mesh, const std::string& file, const Warn& warn);
 
 }  // namespace RT_PRECISION

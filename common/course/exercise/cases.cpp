@@ -1,7 +1,7 @@
 #include "common/course/exercise/cases.hpp"
 
-#include "common/system/wrap.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <cstdio>

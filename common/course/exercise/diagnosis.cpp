@@ -2,12 +2,11 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
-#include "common/system/status_line.hpp"
-#include "common/system/wrap.hpp"
-
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
+#include "common/system/wrap.hpp"
 
 #include <cstdio>
 

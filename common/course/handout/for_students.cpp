@@ -43,8 +43,8 @@ constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 
 /// The files of the other folders. Left out are tests/mistakes and tests/alternatives, which
 /// include references; tests/mutation, which quotes them; tests/oracle, tests/stability,
-/// steps/…/exact and story.cpp, which contain their formulas; and tests/contract, with which a
-/// grader's suites ask.
+/// steps/…/exact and story.cpp, which contain their formulas; and tests/contract, by which the
+/// grader's suites query a submission.
 const std::regex of_other_folders(  //
     R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|\.gitattributes|\.devcontainer/devcontainer\.json)"
