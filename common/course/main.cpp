@@ -44,6 +44,7 @@ struct Words {
     std::optional<std::string> out;
     std::string source;
     std::vector<std::string> also;
+    rt::Selection selection;
     std::optional<int> level;
     bool check = false;
     int seconds = 60;
@@ -66,6 +67,9 @@ int parse_stage(const std::string& text) {
                                      std::to_string(rt::stage_names.size()) +
                                      " or a name like step05_triangle." +
                                      rt::suggestion(text, stage_words()));
+    if (!rt::is_here(*stage))
+        throw rt::InputError({},
+                             std::string(rt::stage_name(*stage)) + " is not part of this hand-out");
     if (*stage == rt::mesh_stage && !rt::has_meshes)
         throw rt::InputError({}, std::string(rt::stage_name(*stage)) +
                                      " needs OpenMesh: libopenmesh-dev, or what your system "
@@ -337,7 +341,7 @@ void Commands::add_author_commands() {
         ->set_help_flag();
     CLI::App* handout_command =
         add("handout DIR", "write a copy without the solutions, for students; or DIR.tar.gz",
-            [this](Rest) { return rt::hand_out(words_.place, words_.also); });
+            [this](Rest) { return rt::hand_out(words_.place, words_.also, words_.selection); });
     handout_command->group(authors);
     handout_command->add_option("DIR", words_.place, "a new folder or archive")
         ->required()
@@ -346,6 +350,18 @@ void Commands::add_author_commands() {
         ->add_option("--also", words_.also,
                      "another processor that it is for, too: aarch64 or x86_64")
         ->type_name("PROCESSOR");
+    handout_command
+        ->add_option_function<std::string>(
+            "--stages",
+            [this](const std::string& stages) { rt::select_stages(words_.selection, stages); },
+            "those whose pages, hints and starters students get: 1-8")
+        ->type_name("A-B");
+    handout_command->add_option("--hints", words_.selection.hints, "levels of hints, 0 to 3")
+        ->check(CLI::Range(0, rt::hint_levels).description(""))
+        ->type_name("LEVELS");
+    handout_command->add_flag_callback(
+        "--without-answers", [this] { words_.selection.answers = false; },
+        "without the answers to the pages' questions");
 }
 
 void Commands::print_summary() const {

@@ -22,6 +22,11 @@ extern const bool has_oracle;
     return "steps/" + name_of(stage) + "/" + rest;
 }
 
+/// False if this is a hand-out that leaves out the stage: it has no starter.
+[[nodiscard]] inline bool is_here(int stage) {
+    return std::filesystem::exists(project_folder / step_path(stage, "starter"));
+}
+
 /// A program or test of the stage: "step05_triangle" + suffix.
 [[nodiscard]] inline std::string stage_target(int stage, const std::string& suffix = "") {
     return name_of(stage) + suffix;

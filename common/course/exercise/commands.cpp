@@ -46,6 +46,7 @@ std::string cut(const std::string& text, int columns) {
 void show_progress() {
     const int current = current_stage();
     for (int stage = 1; stage <= int(brings.size()); ++stage) {
+        if (!is_here(stage)) continue;
         const Workbook workbook(stage);
         const char* mark = stage == current ? "▸" : " ";
         if (workbook.state() == State::done) mark = "✓";
@@ -84,16 +85,20 @@ void reset(int stage) {
 }
 
 void show_hint(int stage, std::optional<int> level) {
+    const int levels = hint_count(stage);
+    if (levels == 0) throw InputError({}, "the hints are not part of this hand-out");
+    if (level.value_or(1) > levels)
+        throw InputError({}, "this hand-out has hints up to level " + std::to_string(levels));
     Workbook workbook(stage);
     Record record = workbook.record();
     if (record.hint_part != record.part) record.hint_level = 0;
     record.hint_part = record.part;
-    const int shown = level.value_or(std::min(record.hint_level + 1, hint_levels));
+    const int shown = level.value_or(std::min(record.hint_level + 1, levels));
     record.hints += std::max(0, shown - record.hint_level);
     record.hint_level = std::max(record.hint_level, shown);
     const std::string part = record.part.empty() ? "" : ", " + record.part;
     std::printf("%s%s, hint %d of %d\n\n%s", stage_name(stage).data(), part.c_str(), shown,
-                hint_levels, hint_text(stage, shown, record.part).c_str());
+                levels, hint_text(stage, shown, record.part).c_str());
     if (shown > 1) std::printf("\nAn earlier hint again: ./course hint %d 1\n", stage);
     workbook.remember(record);
 }

@@ -24,6 +24,12 @@ std::string hint_text(int stage, int level) {
     return first == std::string::npos ? "" : text.substr(first);
 }
 
+int hint_count(int stage) {
+    int count = 0;
+    while (count < hint_levels && !hint_text(stage, count + 1).empty()) ++count;
+    return count;
+}
+
 namespace {
 
 /// The words that stand before ": ", or before ", ", at the start of a paragraph.

@@ -167,12 +167,15 @@ fs::path Workbook::fresh_start(const fs::path& workshop) const {
 
 int current_stage() {
     std::optional<int> untouched;
+    int last = 1;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage) {
+        if (!is_here(stage)) continue;
+        last = stage;
         const State state = Workbook(stage).state();
         if (state == State::started) return stage;
         if (state == State::untouched && !untouched) untouched = stage;
     }
-    return untouched.value_or(int(stage_names.size()));
+    return untouched.value_or(last);
 }
 
 std::vector<int> started_before(int stage) {

@@ -233,7 +233,8 @@ fs::path build_archives(const std::string& processor) {
 }
 
 /// Returns how many files it consists of.
-std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines) {
+std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
+                 const Selection& selection) {
     build({"archives"});
     for (const Machine& machine : machines) {
         const bool is_this = &machine == machines.data();
@@ -244,11 +245,12 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines) {
                 copy_whole(archives / path, folder / path);
     }
     for (const std::string& path : files_for_students())
-        copy_whole(project_folder / path, folder / path);
+        if (is_selected(selection, path)) copy_whole(project_folder / path, folder / path);
     for (const std::string& path : all_files(folder))
         if (path.ends_with(".md"))
             write_text(folder / path,
-                       with_live_links(read_text(folder / path), (folder / path).parent_path()));
+                       with_live_links(selected_text(selection, path, read_text(folder / path)),
+                                       (folder / path).parent_path()));
     write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);
     Manifest manifest{.title = "Raysteps, version " + version(project_folder) + ", handed out on " +
@@ -279,7 +281,8 @@ void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
 
 }  // namespace
 
-int hand_out(const fs::path& destination, const std::vector<std::string>& also) {
+int hand_out(const fs::path& destination, const std::vector<std::string>& also,
+             const Selection& selection) {
     std::vector<Machine> machines{this_machine()};
     if (macro_of(machines[0].processor).empty())
         throw InputError({}, "hand-outs are made on x86_64 and aarch64");
@@ -301,7 +304,7 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also) 
     // Beside it until it is whole.
     fs::create_directories(target.parent_path());
     const TemporaryFolder workshop(target.parent_path());
-    const std::size_t files = fill(workshop.path() / name, machines);
+    const std::size_t files = fill(workshop.path() / name, machines, selection);
     if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);

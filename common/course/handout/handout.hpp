@@ -1,6 +1,8 @@
 // `./course handout`: the students' copy of the project.
 #pragma once
 
+#include "common/course/handout/selection.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@ namespace rt {
 /// answers, no tests of the project itself. The destination is a folder, or an archive if the name
 /// ends in .tar.gz; it is written whole or not at all. Returns 0. Throws InputError on failure, or
 /// if the destination exists.
-int hand_out(const std::filesystem::path& destination, const std::vector<std::string>& also);
+int hand_out(const std::filesystem::path& destination, const std::vector<std::string>& also,
+             const Selection& selection);
 
 }  // namespace rt

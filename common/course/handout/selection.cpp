@@ -1,0 +1,63 @@
+#include "common/course/handout/selection.hpp"
+
+#include "common/course/exercise/hints.hpp"
+#include "common/stages/stages.hpp"
+#include "common/system/input_error.hpp"
+
+#include <regex>
+
+namespace rt {
+
+namespace {
+
+/// The text before the heading of the first level that is left out.
+std::string with_hints(const std::string& text, int levels) {
+    if (levels >= hint_levels) return text;
+    return text.substr(0, text.find("\n## " + std::to_string(levels + 1) + "\n"));
+}
+
+/// The text without its fold of answers.
+std::string without_answers(const std::string& text) {
+    const std::string start = "<details><summary>Answers</summary>";
+    const std::string end = "</details>\n";
+    const std::size_t from = text.find(start);
+    if (from == std::string::npos) return text;
+    const std::size_t to = text.find(end, from);
+    if (to == std::string::npos) return text;
+    const std::size_t next = text.find_first_not_of('\n', to + end.size());
+    return text.substr(0, from) + (next == std::string::npos ? "" : text.substr(next));
+}
+
+}  // namespace
+
+void select_stages(Selection& selection, const std::string& stages) {
+    std::smatch match;
+    if (std::regex_match(stages, match, std::regex(R"((\d{1,2})(?:-(\d{1,2}))?)"))) {
+        const int first = std::stoi(match[1]);
+        const int last = match[2].matched ? std::stoi(match[2]) : first;
+        if (first >= 1 && first <= last && last <= int(stage_names.size())) {
+            selection.first_stage = first;
+            selection.last_stage = last;
+            return;
+        }
+    }
+    throw InputError(
+        {}, "handout: --stages: expected two stages in order, such as 1-8, not \"" + stages + "\"");
+}
+
+bool is_selected(const Selection& selection, const std::string& path) {
+    std::smatch stage;
+    const std::regex of_stage(
+        R"((?:docs/step(\d\d)_\w+\.md|steps/step(\d\d)_\w+/(?:starter/.*|hints\.md)))");
+    if (!std::regex_match(path, stage, of_stage)) return true;
+    const int number = std::stoi(stage[1].matched ? stage[1] : stage[2]);
+    return number >= selection.first_stage && number <= selection.last_stage;
+}
+
+std::string selected_text(const Selection& selection, const std::string& path,
+                          const std::string& text) {
+    if (path.ends_with("/hints.md")) return with_hints(text, selection.hints);
+    return selection.answers ? text : without_answers(text);
+}
+
+}  // namespace rt

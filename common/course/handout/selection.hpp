@@ -1,0 +1,27 @@
+// What a lecturer leaves out of a hand-out.
+#pragma once
+
+#include <string>
+
+namespace rt {
+
+/// How much of the help, and which of the stages, students get.
+struct Selection {
+    int first_stage = 1;
+    int last_stage = 13;
+    int hints = 3;        ///< levels of hints: 0 to 3
+    bool answers = true;  ///< to the questions of the pages
+};
+
+/// Reads "1-8" or "3" into the selection. Throws InputError if these are not stages, in order.
+void select_stages(Selection& selection, const std::string& stages);
+
+/// False for the page, the hints and the starter of a stage that is left out. Its program, scene
+/// and suite stay: they are made of references.
+[[nodiscard]] bool is_selected(const Selection& selection, const std::string& path);
+
+/// The text of a page or of hints, without what is left out.
+[[nodiscard]] std::string selected_text(const Selection& selection, const std::string& path,
+                                        const std::string& text);
+
+}  // namespace rt

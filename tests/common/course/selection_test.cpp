@@ -1,0 +1,53 @@
+// What a lecturer leaves out of a hand-out.
+#include "common/course/handout/selection.hpp"
+
+#include "common/system/input_error.hpp"
+
+#include "tests/kit/catch.hpp"
+
+using namespace rt;
+
+TEST_CASE("a hand-out may have a part of the stages, whose programs all stay") {
+    Selection selection;
+    CHECK(is_selected(selection, "docs/step13_meshes.md"));
+    select_stages(selection, "2-8");
+    for (const char* path :
+         {"docs/step01_ray_generation.md", "docs/step09_phong.md", "steps/step13_meshes/hints.md",
+          "steps/step10_shadows/starter/main.cpp"}) {
+        INFO(path);
+        CHECK_FALSE(is_selected(selection, path));
+    }
+    for (const char* path : {"docs/step02_camera_basis.md", "steps/step08_cone/hints.md",
+                             "steps/step03_sphere/starter/sphere.cpp", "docs/errata.md",
+                             "steps/step13_meshes/main.cpp", "steps/step09_phong/phong.hpp",
+                             "scenes/step09_phong.rt", "docs/gallery/step09_phong.png"}) {
+        INFO(path);
+        CHECK(is_selected(selection, path));
+    }
+    select_stages(selection, "5");
+    CHECK(selection.first_stage == 5);
+    CHECK(selection.last_stage == 5);
+    for (const char* wrong : {"", "8-1", "0-3", "1-14", "1-", "-3", "1-8-9", "a", "1..8"}) {
+        INFO(wrong);
+        CHECK_THROWS_AS(select_stages(selection, wrong), InputError);
+    }
+}
+
+TEST_CASE("a hand-out may have a part of the hints, and no answers") {
+    const std::string hints = "# Hints\n\n## 1\n\nA.\n\n## 2\n\nB.\n\n## 3\n\nC.\n";
+    const std::string file = "steps/step03_sphere/hints.md";
+    const auto with = [&](int levels) { return selected_text({.hints = levels}, file, hints); };
+    CHECK(with(3) == hints);
+    CHECK(with(2) == "# Hints\n\n## 1\n\nA.\n\n## 2\n\nB.\n");
+    CHECK(with(1) == "# Hints\n\n## 1\n\nA.\n");
+    CHECK(with(0) == "# Hints\n");
+    const std::string page =
+        "## Questions\n\n1. Why?\n\n<details><summary>Answers</summary>\n\n1. So.\n\n</details>\n"
+        "\n<details><summary>For the curious</summary>\n\nMore.\n\n</details>\n";
+    const std::string docs = "docs/step03_sphere.md";
+    CHECK(selected_text({}, docs, page) == page);
+    CHECK(selected_text({.answers = false}, docs, page) ==
+          "## Questions\n\n1. Why?\n\n<details><summary>For the curious</summary>\n\nMore.\n\n"
+          "</details>\n");
+    CHECK(selected_text({.hints = 0}, docs, page) == page);
+}
