@@ -159,7 +159,7 @@ case $parts in
 esac
 mkdir -p "$out/slurm"
 out=$(CDPATH='' cd -- "$out" && pwd)
-# Built once, before many tasks use it. For nodes whose processors differ, see docs/reference/instructors.md.
+# Built once, before many tasks use it. For nodes whose processors differ, see docs/reference/grading.md.
 sh @PROJECT@/course grade --help > /dev/null
 job=$(sbatch --parsable --array="${tasks:-1-$parts}" --output="$out/slurm/%A_%a.log" \
     "$here/grade.sbatch" "$class" "$out" "$parts" "$@")

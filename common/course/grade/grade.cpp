@@ -47,7 +47,7 @@ void check_seal() {
     std::fputs(text_of(all).c_str(), stderr);
     if (!hold(all))
         throw ProgramError(
-            "error: submissions are not run without these. docs/reference/instructors.md\n");
+            "error: submissions are not run without these. docs/reference/grading.md\n");
 }
 
 /// Prints a line that may contain names by students.

@@ -1,4 +1,4 @@
-// A sealed process: it can compute and answer, and do nothing else. docs/reference/instructors.md
+// A sealed process: it can compute and answer, and do nothing else. docs/reference/grading.md
 // lists the guarantees.
 #pragma once
 
