@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The tables of accuracy.md and the plots beside them, from the CSV of `./course measure`.
+"""The tables of accuracy*.md and the plots beside them, from the CSV of `./course measure`.
 
 draw.py                writes them
 draw.py ready          fails if matplotlib is missing
@@ -23,18 +23,21 @@ PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hiera
 MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
 
 
-def page():
-    """Wherever among the pages it is."""
-    return next(FOLDER.parent.rglob("accuracy.md"))
+def pages():
+    """The text of each page that has tables, wherever among the pages it is."""
+    return {file: file.read_text("utf-8") for file in sorted(FOLDER.parent.rglob("accuracy*.md"))}
 
 
-def page_with_tables(text):
+def pages_with_tables(texts):
+    texts = dict(texts)
     for name, table in tables().items():
         begin, end = f"<!-- table {name} -->\n", f"<!-- end of {name} -->\n"
-        if begin not in text or end not in text:
-            sys.exit(f"error: accuracy.md has no place for the table {name}")
-        text = text[:text.index(begin) + len(begin)] + table + text[text.index(end):]
-    return text
+        places = [file for file, text in texts.items() if begin in text and end in text]
+        if len(places) != 1:
+            sys.exit(f"error: expected one place for the table {name}, not {len(places)}")
+        text = texts[places[0]]
+        texts[places[0]] = text[:text.index(begin) + len(begin)] + table + text[text.index(end):]
+    return texts
 
 
 def plots():
@@ -48,16 +51,18 @@ def content_of(source):
 
 
 def write():
-    page().write_text(page_with_tables(page().read_text("utf-8")), "utf-8")
+    for file, text in pages_with_tables(pages()).items():
+        file.write_text(text, "utf-8")
     from style import svg
     for name, title, figure in plots():
         (FOLDER / f"{name}.svg").write_text(svg(title, figure), "utf-8")
 
 
 def check_tables():
-    text = page().read_text("utf-8")
-    if page_with_tables(text) != text:
-        sys.exit(f"{page()} has other tables than the CSV files give: run {__file__}")
+    texts = pages()
+    stale = [file.name for file, text in pages_with_tables(texts).items() if text != texts[file]]
+    if stale:
+        sys.exit(f"other tables than the CSV files give: {', '.join(stale)}: run {__file__}")
 
 
 def check_plots():

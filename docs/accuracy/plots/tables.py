@@ -1,4 +1,4 @@
-"""The tables of accuracy.md, in Markdown."""
+"""The tables of accuracy*.md, in Markdown."""
 import math
 
 from data import (CHANGES, STAGES, decade, different, front, middle, nanoseconds, number, quartiles,
