@@ -1,6 +1,7 @@
 #!/bin/sh
-# tests/mistakes/<stage>/trace.txt: the cases that known mistakes of a stage's `trace` fail, each with
-# the digest of its failures, by which `./course check` and `grade` name a mistake. A suite that does not end is stopped.
+# tests/mistakes/<stage>/trace.txt: what known mistakes of a stage's `trace` fail: of each failure, the
+# digest of the question and of the wrong answer, by which `./course check` and `grade` name a mistake.
+# A suite that does not end is stopped.
 #
 #     sh tests/trace_mistakes.sh write BUILD PROJECT STAGE…    after a change of a suite or a mistake
 #     sh tests/trace_mistakes.sh check BUILD PROJECT STAGE…    they are current
@@ -10,18 +11,12 @@ project=$(cd "$3" && pwd)
 shift 3
 . "$project/tests/lib.sh"
 
-# The lines of one mistake's report.
-lines_of() {
-    sed -n -e 's/^case //; t name' -e 's/^failures //; t failures' -e d -e ':name' -e h -e d \
-        -e ':failures' -e G -e 's/\n/ /p' "$1"
-}
-
 # Without the mistakes that fail in all like one with another sentence.
 distinguished() {
     awk '
-        /^mistake / { ++count; head[count] = $0; next }
+        /^mistake / { head[++count] = $0; next }
         count == 0 { print; next }
-        { failures[count] = failures[count] "\n" $0 }
+        { failures[count] = $0 }
         END {
             for (i = 1; i <= count; ++i) {
                 sentence = substr(head[i], index(head[i], ": "))
@@ -30,7 +25,7 @@ distinguished() {
             }
             for (i = 1; i <= count; ++i)
                 if (failures[i] != "" && !(failures[i] in unclear) && !(failures[i] in done)) {
-                    print head[i] failures[i]
+                    print head[i] "\n" failures[i]
                     done[failures[i]] = 1
                 }
         }'
@@ -38,7 +33,7 @@ distinguished() {
 
 for stage in "$@"; do
     {
-        echo "# Known mistakes of trace: the cases that each fails, and the digest of the failures in each."
+        echo "# Known mistakes of trace, each with the digests of its failures."
         echo "# Made by tests/trace_mistakes.sh, not by hand."
         sed -n -e 's/^mistake \([a-z0-9_]*\) .*/\1/p' -e 's/^sentence: //p' \
             "$project/tests/mistakes/${stage}_trace.txt" |
@@ -47,7 +42,8 @@ for stage in "$@"; do
                 RAYSTEPS_REPORT=$folder/report RAYSTEPS_ANSWER=$name \
                     timeout 300 "$build/${stage}_trace_answers_test_double" '~the picture*' > /dev/null
                 echo "mistake $name: $sentence"
-                lines_of "$folder/report"
+                sed -n 's/^failures //p' "$folder/report" | tr ' ' '\n' | sort -u | tr '\n' ' ' | sed 's/ $//'
+                echo
             done
     } | distinguished > "$folder/$stage"
     text=$project/tests/mistakes/$stage/trace.txt

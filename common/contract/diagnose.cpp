@@ -1,14 +1,15 @@
-// diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg]
+// diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg [UNWRITTEN...]]
 //
 // Diagnoses the functions of WORKER, whose suite has written REPORT: prints the known mistakes that
 // they show, or the smallest call with an answer that differs from the reference's. Exit status 0
 // if nothing is found, 1 if something is, 2 if the worker could not be queried.
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
-#include "common/contract/probes.hpp"
+#include "common/contract/recognition.hpp"
 #include "common/contract/slice.hpp"
 #include "common/contract/smallest.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <set>
@@ -25,44 +26,43 @@ void explain(const Difference& difference) {
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
 
-/// A function with constant answers is not written yet; a mistake with a sentence of its own may be
-/// constant too. Returns true if all functions of the stage are constant: then nothing is written.
-bool tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
-    bool all_do = true;
+/// A function with constant answers is not written yet, or one early return hides everything else.
+void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
     for (const Callee& callee : callees()) {
-        std::set<std::string> right;
-        std::set<std::string> got;
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            if (probes.probes[i].call.callee != &callee) continue;
-            if (!answers[i].value) return false;
-            right.insert(code(probes.probes[i].right));
-            got.insert(code(answers[i]));
-        }
-        if (right.size() > 1 && got.size() == 1)
-            std::cout << "always: " << callee.name << " answers " << *got.begin()
-                      << ", for all arguments\n";
-        else if (right.size() > 1)
-            all_do = false;
+        if (!is_constant(probes, answers, callee)) continue;
+        const auto first = std::ranges::find(probes.probes, &callee,
+                                             [](const Probe& probe) { return probe.call.callee; });
+        std::cout << "always: " << callee.name << " answers "
+                  << code(answers[std::size_t(first - probes.probes.begin())])
+                  << " to every call that was tried\n";
     }
-    return all_do;
+}
+
+/// Leaves out the probes of functions with these names, and the cases that call them.
+void leave_out(const std::set<std::string>& names, Probes& probes, CaseResults& results) {
+    const auto is_out = [&](const Callee* callee) { return names.contains(callee->name); };
+    std::erase_if(probes.probes, [&](const Probe& probe) { return is_out(probe.call.callee); });
+    for (const SuiteCase& each : probes.cases)
+        if (std::ranges::any_of(each.calls, is_out)) results.erase(each.name);
 }
 
 int diagnose(const std::vector<std::string>& words) {
     if (words.size() < 4)
-        throw std::runtime_error("diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg]");
-    const Probes probes = read_probes(content_of(words[0]));
+        throw std::runtime_error(
+            "diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg [UNWRITTEN...]]");
+    Probes probes = read_probes(content_of(words[0]));
+    CaseResults results = read_case_results(content_of(words[3]));
+    if (words.size() > 5) leave_out({words.begin() + 5, words.end()}, probes, results);
     constexpr int crashes = 200;  // the search for the smallest call that crashes needs some
     Asked student(words[1], crashes);
     std::vector<Call> calls;
     for (const Probe& probe : probes.probes) calls.push_back(probe.call);
     const std::vector<Answer> answers = student(calls);
-    const bool nothing_is_written = tell_what_never_changes(probes, answers);
-    const std::vector<Mistake> mistakes =
-        nothing_is_written ? std::vector<Mistake>{}
-                           : recognized(probes, answers, read_case_results(content_of(words[3])));
-    for (const Mistake& mistake : mistakes)
+    tell_what_never_changes(probes, answers);
+    const std::vector<Recognized> mistakes = recognized(probes, answers, results);
+    for (const auto& [mistake, is_certain] : mistakes)
         std::cout << (mistake.is_earlier_part() ? "" : "mistake: " + mistake.name + ": ")
-                  << mistake.sentence << '\n';
+                  << (is_certain ? "" : "Probably: ") << mistake.sentence << '\n';
     if (!mistakes.empty()) return 1;
 
     Asked reference(words[2]);

@@ -107,4 +107,9 @@ bool same_kind(const Call& call, const Answer& got, const Answer& expected) {
     return std::ranges::equal(all, measures(call, *expected.value), close_measures);
 }
 
+bool is_compared_by_kind(const Callee& callee) {
+    return callee.name == "shadow_ray" || callee.name == "mirrored" ||
+           callee.name == "sample_light";
+}
+
 }  // namespace rt::contract

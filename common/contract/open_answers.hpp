@@ -12,4 +12,7 @@ namespace rt::contract {
 /// true.
 [[nodiscard]] bool same_kind(const Call& call, const Answer& got, const Answer& expected);
 
+/// True if same_kind compares the function's answers.
+[[nodiscard]] bool is_compared_by_kind(const Callee& callee);
+
 }  // namespace rt::contract

@@ -1,10 +1,7 @@
 #include "common/contract/probes.hpp"
 
-#include "common/contract/open_answers.hpp"
-
 #include <algorithm>
 #include <iterator>
-#include <set>
 #include <sstream>
 
 namespace rt::contract {
@@ -93,132 +90,6 @@ std::string cases_text(const Probes& probes) {
     return text.empty() ? "" : "\n" + text;
 }
 
-bool differs(const Probes& probes, const Probe& probe, const Answer& answer) {
-    return is_open(probes, *probe.call.callee) ? !same_kind(probe.call, answer, probe.right)
-                                               : !same(answer, probe.right, right_tolerance);
-}
-
-/// The functions in which a mistake differs from the reference. Other functions may have other
-/// mistakes.
-bool errs_in(const Probes& probes, std::size_t mistake, const Callee& callee) {
-    return std::ranges::any_of(probes.probes, [&](const Probe& probe) {
-        return probe.call.callee == &callee &&
-               !same(probe.mistaken[mistake], probe.right, tolerance_of(probes, probe.call));
-    });
-}
-
-bool errs_in_open(const Probes& probes, std::size_t mistake) {
-    return std::ranges::any_of(callees(), [&](const Callee& callee) {
-        return callee.stage == probes.stage && is_open(probes, callee) &&
-               errs_in(probes, mistake, callee);
-    });
-}
-
-using Functions = std::set<const Callee*>;
-
-/// True if the answers of the function are the mistake's. In an open function, most must be of the
-/// mistake's kind: where a formula cancels, other answers are of another kind.
-bool has_answers_of(const Probes& probes, std::size_t mistake, const Callee& callee,
-                    const std::vector<Answer>& answers) {
-    constexpr double most = 0.7;
-    const bool open = is_open(probes, callee);
-    double count = 0;
-    double alike = 0;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        const Probe& probe = probes.probes[i];
-        if (probe.call.callee != &callee) continue;
-        const Answer& expected = probe.mistaken[mistake];
-        ++count;
-        if (open ? same_kind(probe.call, answers[i], expected)
-                 : same(answers[i], expected, mistake_tolerance))
-            ++alike;
-    }
-    return alike >= (open ? most : 1) * count;
-}
-
-/// The functions with a wrong answer.
-Functions wrong_functions(const Probes& probes, const std::vector<Answer>& answers) {
-    Functions wrong;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        if (differs(probes, probes.probes[i], answers[i]))
-            wrong.insert(probes.probes[i].call.callee);
-    return wrong;
-}
-
-bool calls_any(const SuiteCase& each, const Functions& functions) {
-    return std::ranges::any_of(each.calls,
-                               [&](const Callee* callee) { return functions.contains(callee); });
-}
-
-/// True if the failing cases are those that the mistake fails. Others may fail because of `also`,
-/// and fewer if the mistake is not made in `spared`. Cases that were not run, or not known, do not
-/// count.
-bool fails_like(const Probes& probes, std::size_t mistake, const Functions& also,
-                const Functions& spared, const CaseResults& results) {
-    const std::vector<bool>& fails = probes.mistakes[mistake].fails;
-    for (std::size_t i = 0; i < fails.size(); ++i) {
-        const auto found = results.find(probes.cases[i].name);
-        if (found == results.end() || found->second == !fails[i]) continue;
-        const bool failed = !found->second;
-        if (!calls_any(probes.cases[i], failed ? also : spared)) return false;
-    }
-    return true;
-}
-
-/// The functions whose wrong answers are the mistake's.
-Functions explained(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers) {
-    Functions functions;
-    for (const Callee* const callee : wrong_functions(probes, answers))
-        if (errs_in(probes, mistake, *callee) && has_answers_of(probes, mistake, *callee, answers))
-            functions.insert(callee);
-    return functions;
-}
-
-/// The mistakes without those that explain the answers of only some of the functions that another
-/// one explains: the same answers can come from the function itself, or from one that it calls.
-std::vector<std::size_t> widest(const Probes& probes, const std::vector<Answer>& answers,
-                                const std::vector<std::size_t>& mistakes) {
-    std::vector<Functions> functions;
-    for (const std::size_t mistake : mistakes)
-        functions.push_back(explained(probes, mistake, answers));
-    std::vector<std::size_t> kept;
-    for (std::size_t i = 0; i < mistakes.size(); ++i) {
-        const bool is_within_another =
-            std::ranges::any_of(functions, [&own = functions[i]](const Functions& other) {
-                return other.size() > own.size() && std::ranges::includes(other, own);
-            });
-        if (!is_within_another) kept.push_back(mistakes[i]);
-    }
-    return kept;
-}
-
-/// The mistake may be made in one of the functions where it can be made, and not in the others.
-bool is_recognized(const Probes& probes, std::size_t mistake, const std::vector<Answer>& answers,
-                   const CaseResults& results) {
-    const Functions wrong = wrong_functions(probes, answers);
-    Functions made;
-    Functions spared;
-    Functions also = wrong;
-    for (const Callee& callee : callees()) {
-        if (callee.stage != probes.stage || !errs_in(probes, mistake, callee)) continue;
-        also.erase(&callee);
-        if (has_answers_of(probes, mistake, callee, answers))
-            made.insert(&callee);
-        else if (!wrong.contains(&callee))
-            spared.insert(&callee);
-        else
-            return false;
-    }
-    if (!results.empty() && !fails_like(probes, mistake, also, spared, results)) return false;
-    if (std::ranges::any_of(made, [&](const Callee* callee) { return wrong.contains(callee); }))
-        return true;
-    // The answers of an open function may be of a right kind.
-    const std::vector<bool>& fails = probes.mistakes[mistake].fails;
-    return !results.empty() && std::ranges::find(fails, true) != fails.end() &&
-           std::ranges::any_of(made,
-                               [&](const Callee* callee) { return is_open(probes, *callee); });
-}
-
 }  // namespace
 
 CaseResults read_case_results(const std::string& report) {
@@ -300,23 +171,6 @@ bool is_recognisable(const Probes& probes, const std::string& mistake) {
     return std::ranges::any_of(probes.probes, [&](const Probe& probe) {
         return !same(probe.mistaken[place], probe.right, tolerance_of(probes, probe.call));
     });
-}
-
-std::vector<Mistake> recognized(const Probes& probes, const std::vector<Answer>& answers,
-                                const CaseResults& results) {
-    std::vector<std::size_t> candidates;
-    for (std::size_t i = 0; i < probes.mistakes.size(); ++i)
-        if (is_recognized(probes, i, answers, results)) candidates.push_back(i);
-    std::vector<Mistake> found;
-    std::set<std::string> sentences;
-    bool open = false;
-    for (const std::size_t i : widest(probes, answers, candidates)) {
-        open = open || errs_in_open(probes, i);
-        if (sentences.insert(probes.mistakes[i].sentence).second)
-            found.push_back(probes.mistakes[i]);
-    }
-    if (open && found.size() > 1) return {};
-    return found;
 }
 
 }  // namespace rt::contract

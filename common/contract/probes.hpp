@@ -60,18 +60,6 @@ struct Probes {
 /// differ by less than right answers do.
 [[nodiscard]] bool is_recognisable(const Probes& probes, const std::string& mistake);
 
-/// The mistakes that the answers to all probes, in their order, and the results of the suite show.
-/// The answers equal the mistake's for every probe of a function in which it differs from the
-/// reference; other such functions are right. The failing cases are the mistake's: others only if
-/// they call another wrong function, and fewer only if they call one that is right. Of two
-/// mistakes, one of which explains the wrong answers of the other's functions and of more, the
-/// wider is recognized. A mistake in an open function must be the only one with these failing
-/// cases. Without results, the answers alone decide, and no mistake of an open function is
-/// recognized.
-[[nodiscard]] std::vector<Mistake> recognized(const Probes& probes,
-                                              const std::vector<Answer>& answers,
-                                              const CaseResults& results);
-
 /// A mistake is computed in many ways, and then rounded otherwise.
 inline constexpr double mistake_tolerance = 1e-9;
 

@@ -1,12 +1,13 @@
 // check_probes PROBES PROJECT STAGE REFERENCE ANSWERS < CASES
 //
 // Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
-// with the same answers and failing cases, and the reference and the other right answers are not
-// recognized as a mistake. The cases of the suite, one a line, are those of probes.txt. Prints the
-// recognized mistakes.
+// with the same answers and failing cases; without its own sentence, none is certainly another one
+// with the same answers; and the reference and the other right answers are not recognized as a
+// mistake. The cases of the suite, one a line, are those of probes.txt. Prints the recognized
+// mistakes.
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
-#include "common/contract/probes.hpp"
+#include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 
 #include "tests/contract/answers.hpp"
@@ -27,7 +28,7 @@ public:
 
     void right(const std::string& name, Asked asked) {
         const std::vector<Answer> answers = asked(calls_);
-        for (const Mistake& mistake : recognized(probes_, answers, {}))
+        for (const auto& [mistake, is_certain] : recognized(probes_, answers, {}))
             complain(name + " is right, but recognized as " + mistake.name);
         Asked reference(reference_);
         if (const auto found = smallest_difference(probes_, answers, asked, reference))
@@ -47,13 +48,22 @@ public:
         }
         bool as_itself = false;
         std::string names;
-        for (const Mistake& mistake : recognized(probes_, asked(calls_), results_of(*known))) {
+        const std::vector<Answer> answers = asked(calls_);
+        for (const auto& [mistake, is_certain] : recognized(probes_, answers, results_of(*known))) {
             as_itself = as_itself || mistake.sentence == sentence;
             names += " " + mistake.name;
         }
         std::cout << name << ":" << names << '\n';
+        for (const auto& [other, is_certain] :
+             recognized(without(sentence), answers, results_of(*known)))
+            if (is_certain && answers_are_of(other.name, answers))
+                complain(name + " would have the name of " + other.name);
         // In an open function, several may have the same failing cases: then none is named.
-        if (!as_itself && !(names.empty() && !probes_.open.empty()))
+        // A constant function, and two mistakes with the same answers but other cases, have none.
+        const bool is_constant_there = std::ranges::any_of(callees(), [&](const Callee& callee) {
+            return callee.stage == probes_.stage && is_constant(probes_, answers, callee);
+        });
+        if (!as_itself && !(names.empty() && (!probes_.open.empty() || is_constant_there)))
             complain(name + " is not recognized");
     }
 
@@ -79,6 +89,29 @@ private:
         for (std::size_t i = 0; i < mistake.fails.size(); ++i)
             results[probes_.cases[i].name] = !mistake.fails[i];
         return results;
+    }
+
+    [[nodiscard]] bool answers_are_of(const std::string& mistake,
+                                      const std::vector<Answer>& answers) const {
+        const auto place =
+            std::ranges::find(probes_.mistakes, mistake, &Mistake::name) - probes_.mistakes.begin();
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (!same(answers[i], probes_.probes[i].mistaken[std::size_t(place)],
+                      mistake_tolerance))
+                return false;
+        return true;
+    }
+
+    /// Without the mistakes that have this sentence.
+    [[nodiscard]] Probes without(const std::string& sentence) const {
+        Probes others = probes_;
+        for (std::size_t i = others.mistakes.size(); i-- > 0;) {
+            if (others.mistakes[i].sentence != sentence) continue;
+            others.mistakes.erase(others.mistakes.begin() + std::ptrdiff_t(i));
+            for (Probe& probe : others.probes)
+                probe.mistaken.erase(probe.mistaken.begin() + std::ptrdiff_t(i));
+        }
+        return others;
     }
 
     void complain(const std::string& what) {

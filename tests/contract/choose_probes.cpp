@@ -25,9 +25,9 @@ namespace rt::contract {
 
 namespace {
 
-constexpr std::size_t most_probes = 64;
-constexpr int times_separated = 3;        ///< each mistake from the reference
-constexpr int calls_of_each = 6;          ///< per function, at least
+constexpr std::size_t most_probes = 96;
+constexpr int times_separated = 5;        ///< each mistake from the reference
+constexpr int calls_of_each = 16;         ///< per function, at least
 constexpr int calls_of_open = 16;         ///< per open function: not all have to match
 constexpr int most_of_case = 2000;        ///< of one test case, per function
 constexpr int most_plain = 300;           ///< of these, the plainest
@@ -125,7 +125,7 @@ std::vector<std::string> take_out_open(Table& table, const Answers& known) {
                 ++count;
                 if (!same(answers[i], table.right[i], right_tolerance)) otherwise.push_back(i);
             }
-            if (double(otherwise.size()) > open_share * count)
+            if (is_compared_by_kind(callee) || double(otherwise.size()) > open_share * count)
                 open.insert(&callee);
             else
                 out.insert(otherwise.begin(), otherwise.end());
@@ -137,7 +137,10 @@ std::vector<std::string> take_out_open(Table& table, const Answers& known) {
         table.right.erase(table.right.begin() + std::ptrdiff_t(*i));
     }
     std::set<std::string> names;
-    for (const Callee* const callee : open) names.insert(callee->name);
+    for (const Callee* const callee : open)
+        if (std::ranges::any_of(table.calls,
+                                [&](const Call& call) { return call.callee == callee; }))
+            names.insert(callee->name);
     return {names.begin(), names.end()};
 }
 
@@ -160,8 +163,7 @@ std::set<std::size_t> chosen(const Table& table, const Probes& probes_of_stage) 
     const std::size_t count = table.mistaken.size();
     std::vector<std::vector<int>> kinds;
     for (std::size_t i = 0; i < table.calls.size(); ++i)
-        kinds.push_back(
-            kinds_of_answers(table, i, is_open(probes_of_stage, *table.calls[i].callee)));
+        kinds.push_back(kinds_of_answers(table, i, is_compared_by_kind(*table.calls[i].callee)));
     std::vector<int> wanted(count, times_separated);
     std::vector<std::vector<bool>> apart(count, std::vector<bool>(count));
     std::set<std::size_t> probes;

@@ -4,6 +4,7 @@
 #include "common/contract/frame.hpp"
 #include "common/contract/paste.hpp"
 #include "common/contract/slice.hpp"
+#include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 
 #include "tests/kit/catch.hpp"
@@ -114,7 +115,7 @@ const Sphere unit_sphere{.center = {0, 0, 0}, .radius = 1};
 
 /// The diagnosis of a program in wrong/.
 struct Diagnosis {
-    std::vector<Mistake> mistakes;
+    std::vector<Recognized> mistakes;
     std::optional<Difference> smallest;
 };
 

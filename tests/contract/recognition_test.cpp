@@ -1,5 +1,5 @@
 // Known mistakes, recognized by their answers and by the cases that fail.
-#include "common/contract/probes.hpp"
+#include "common/contract/recognition.hpp"
 
 #include "tests/kit/catch.hpp"
 
@@ -82,10 +82,10 @@ TEST_CASE("of two mistakes that explain one function, the one that explains more
     const auto both =
         recognized(probes, {turned, black}, {{"reflected", false}, {"specular", false}});
     REQUIRE(both.size() == 1);
-    CHECK(both.front().name == "reflected_sign");
+    CHECK(both.front().mistake.name == "reflected_sign");
     const auto one = recognized(probes, {right, black}, {{"reflected", true}, {"specular", false}});
     REQUIRE(!one.empty());
-    CHECK(one.front().name == "eye_reversed");
+    CHECK(one.front().mistake.name == "eye_reversed");
 }
 
 TEST_CASE("the right answer of an earlier part is no mistake") {
@@ -123,7 +123,7 @@ struct OpenFunction {
         Reader reader(writer.bytes());
         const std::vector<Answer> answers = {{.value = get_value(type_of<Vec3>(), reader)}};
         std::string names;
-        for (const Mistake& mistake :
+        for (const auto& [mistake, is_certain] :
              recognized(probes, answers, {{"even", false}, {"seen", !both_fail}}))
             names += mistake.name;
         return names;
@@ -139,4 +139,68 @@ TEST_CASE("a mistake in an open function is recognized by the cases and the kind
     CHECK(function.names({0, 4, 1}, true) == "disc");
     CHECK(function.names({0, 4, 1}, false).empty());
     CHECK(function.names({0, 2, 0}, true).empty());
+}
+
+namespace {
+
+/// Two mistakes of the plane's t on the plane z = −k for k = 1, 2, …: twice the t of the first six,
+/// and t of the last four, which are behind.
+struct Planes {
+    Probes probes;
+    std::vector<Answer> answers;  ///< right ones
+
+    Planes() {
+        std::string text = "stage 4\nmistake doubled: Twice.\nmistake behind: Behind.\n";
+        for (int k = 1; k <= 10; ++k) {
+            const std::string t = std::to_string(k + 2);
+            text +=
+                "call intersect(Ray{{0, 0, 0}, {0, 0, -1}}, Plane{{0, 0, -" + t +
+                "}, {0, 0, 1}}, Interval{0, infinity})\n" +
+                (k <= 6 ? "right " + t + "\nwrong " + std::to_string(2 * (k + 2)) + " | doubled\n"
+                        : "right std::nullopt\nwrong -" + t + " | behind\n");
+        }
+        probes = read_probes(text);
+        for (const Probe& probe : probes.probes) answers.push_back(probe.right);
+    }
+
+    void answer_as(std::size_t mistake, std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) answers[i] = probes.probes[i].mistaken[mistake];
+    }
+
+    [[nodiscard]] std::string names() const {
+        std::string all;
+        for (const auto& [mistake, is_certain] : recognized(probes, answers, {}))
+            all += mistake.name + (is_certain ? " " : "? ");
+        return all;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a mistake that explains every wrong answer is probable where some answers are right") {
+    Planes planes;
+    planes.answer_as(0, 0, 6);
+    CHECK(planes.names() == "doubled ");
+    planes.answers[0] = planes.probes.probes[0].right;
+    CHECK(planes.names() == "doubled? ");
+    for (std::size_t i = 0; i < 4; ++i) planes.answers[i] = planes.probes.probes[i].right;
+    CHECK(planes.names().empty());
+}
+
+TEST_CASE("two mistakes in one function are both probable if they explain all wrong answers") {
+    Planes planes;
+    planes.answer_as(0, 0, 6);
+    planes.answer_as(1, 6, 10);
+    CHECK(planes.names() == "doubled? behind? ");
+    planes.answers[9] = planes.probes.probes[0].right;
+    CHECK(planes.names().empty());
+}
+
+TEST_CASE("a constant function identifies nothing") {
+    Planes planes;
+    for (Answer& answer : planes.answers) answer = planes.probes.probes[9].right;
+    CHECK(is_constant(planes.probes, planes.answers, *planes.probes.probes[0].call.callee));
+    CHECK(planes.names().empty());
+    for (Probe& probe : planes.probes.probes) probe.mistaken[0] = planes.answers[0];
+    CHECK(planes.names().empty());
 }

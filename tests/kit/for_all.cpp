@@ -61,14 +61,17 @@ bool is_drawn() {
 
 Verdict for_all(const Property& property, int cases) {
     const DrawingInputs until_the_end;
+    const Failures failures_before = failures_of_case;
     for (int i = 0; i < cases; ++i) {
         Random random(draw_number(std::uint64_t(i)));
         if (property(random).holds) continue;
         std::vector<double> choices = random.choices();
         shrink(property, choices);
+        const std::string sentence = replay(property, choices).sentence;
+        failures_of_case = failures_before;  // without those of the search
         const std::string which =
             seed().secret ? "" : "RAYSTEPS_SEED=" + std::to_string(seed().number) + ", ";
-        return verdict(false, replay(property, choices).sentence + "\n  random:   " + which +
+        return verdict(false, sentence + "\n  random:   " + which +
                                   "case " + std::to_string(i + 1) + " of " + std::to_string(cases));
     }
     return {};

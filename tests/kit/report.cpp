@@ -6,7 +6,7 @@
 //   points 2                                   if its tag contains them: [2 points]; default 1
 //   at tests/suites/step05_triangle_test.cpp:61       only for a failed case: its first failure
 //   | intersect(Ray{…                          its lines
-//   failures 1f00aa64e1b2c3d4                  the digest of all its failures
+//   failures 1f00aa64e1b2 …                    the digests of all its failures
 //   failed                                     or passed
 #include "tests/kit/report.hpp"
 
@@ -26,7 +26,6 @@ using Answer = bool;
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iomanip>
 #include <sstream>
 
 namespace {
@@ -107,9 +106,7 @@ public:
     void testCaseEnded(const Catch::TestCaseStats& stats) override {
         Listener::testCaseEnded(stats);
         const bool passed = stats.totals.assertions.failed == 0;
-        if (!passed)
-            out_ << "failures " << std::hex << std::setw(16) << std::setfill('0')
-                 << rt::failures_of_case.value() << std::dec << std::endl;
+        if (!passed) out_ << "failures " << rt::failures_of_case.text() << std::endl;
         out_ << (passed ? "passed" : "failed") << std::endl;
     }
 

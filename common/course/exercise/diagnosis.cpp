@@ -27,7 +27,8 @@ ProcessResult diagnosed(const Command& command) {
 
 }  // namespace
 
-void show_diagnosis(int stage, const std::filesystem::path& report) {
+void show_diagnosis(int stage, const std::filesystem::path& report,
+                    const std::set<std::string>& unwritten) {
     const std::string student = stage_target(stage, "_worker_double");
     const std::string reference = stage_target(stage, "_reference_worker");
     if (!try_build({"diagnose", student, reference}).succeeded) return;  // not on this system
@@ -35,10 +36,15 @@ void show_diagnosis(int stage, const std::filesystem::path& report) {
     const std::filesystem::path drawing = project_folder / slice;
     std::error_code none;
     std::filesystem::remove(drawing, none);
-    const ProcessResult ending =
-        diagnosed({program("diagnose"),
-                   (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
-                   program(student), program(reference), report.string(), drawing.string()});
+    Command command = {
+        program("diagnose"),
+        (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
+        program(student),
+        program(reference),
+        report.string(),
+        drawing.string()};
+    command.insert(command.end(), unwritten.begin(), unwritten.end());
+    const ProcessResult ending = diagnosed(command);
     if (ending.out_of_time || ending.status != 1) return;
     std::puts("");
     for (const std::string& line : lines_of(ending.output)) {

@@ -2,45 +2,84 @@
 
 #include "common/system/files.hpp"
 
+#include <algorithm>
 #include <map>
+#include <sstream>
 
 namespace rt {
 
 namespace {
 
-/// By the name of a failing case: the digest of all its failures.
+/// By the digest of a question that was answered wrongly: the digest of the answer.
 using Failures = std::map<std::string, std::string>;
 
-Failures failures_in(const std::vector<CaseResult>& cases) {
+void add_failures(const std::string& digests, Failures& failures) {
+    constexpr std::size_t digits = 8;
+    std::istringstream words(digests);
+    for (std::string each; words >> each;) failures[each.substr(0, digits)] = each.substr(digits);
+}
+
+struct KnownTrace {
+    std::string name;
+    std::string sentence;
     Failures failures;
-    for (const CaseResult& each : cases)
-        if (!each.passed && !each.name.starts_with("the picture"))
-            failures[each.name] = each.failures;
-    return failures;
+};
+
+/// A mistake's lines: "mistake name: sentence", then the digests of its failures.
+std::vector<KnownTrace> known_in(const std::string& text) {
+    std::vector<KnownTrace> known;
+    for (const std::string& line : lines_of(text)) {
+        if (line.starts_with("#")) continue;
+        if (!line.starts_with("mistake ")) {
+            if (!known.empty()) add_failures(line, known.back().failures);
+            continue;
+        }
+        const std::size_t colon = line.find(": ");
+        known.push_back({line.substr(8, colon - 8), line.substr(colon + 2), {}});
+    }
+    return known;
+}
+
+/// The number of questions that both fail, with the same wrong answer.
+std::size_t in_common(const Failures& a, const Failures& b) {
+    return std::size_t(std::count_if(a.begin(), a.end(), [&](const auto& failure) {
+        const auto found = b.find(failure.first);
+        return found != b.end() && found->second == failure.second;
+    }));
+}
+
+/// A mistake is likely if it explains all failures, or causes them and some others besides, which
+/// come from an independent detail: few are left on either side.
+bool is_likely(std::size_t common, std::size_t failures, std::size_t of_mistake) {
+    constexpr std::size_t least = 5;
+    constexpr double most_left = 0.25;
+    return common >= least && (common == failures || common == of_mistake) &&
+           double(failures + of_mistake - 2 * common) <= most_left * double(common);
 }
 
 }  // namespace
 
 std::optional<TraceMistake> recognized_trace_mistake(const std::filesystem::path& file,
                                                      const std::vector<CaseResult>& cases) {
-    const Failures failures = failures_in(cases);
+    Failures failures;
+    for (const CaseResult& each : cases)
+        if (!each.passed && !each.name.starts_with("the picture"))
+            add_failures(each.failures, failures);
     if (failures.empty() || !std::filesystem::exists(file)) return std::nullopt;
-    // A mistake's lines: "mistake name: sentence", then "digest case" for each failing case.
-    constexpr std::size_t digits = 16;
-    std::optional<TraceMistake> mistake;
-    Failures of_mistake;
-    for (const std::string& line : lines_of(read_text(file))) {
-        if (line.starts_with("#")) continue;
-        if (!line.starts_with("mistake ")) {
-            of_mistake[line.substr(digits + 1)] = line.substr(0, digits);
-            continue;
-        }
-        if (of_mistake == failures) return mistake;
-        const std::size_t colon = line.find(": ");
-        mistake = {.name = line.substr(8, colon - 8), .sentence = line.substr(colon + 2)};
-        of_mistake.clear();
+    const std::vector<KnownTrace> known = known_in(read_text(file));
+    const KnownTrace* best = nullptr;
+    std::size_t least_left = 0;
+    for (const KnownTrace& each : known) {
+        const std::size_t common = in_common(failures, each.failures);
+        const std::size_t left = failures.size() + each.failures.size() - 2 * common;
+        if (left != 0 && !is_likely(common, failures.size(), each.failures.size())) continue;
+        if (best != nullptr && left >= least_left) continue;
+        best = &each;
+        least_left = left;
     }
-    return of_mistake == failures ? mistake : std::nullopt;
+    if (best == nullptr) return std::nullopt;
+    return TraceMistake{
+        .name = best->name, .sentence = best->sentence, .is_certain = least_left == 0};
 }
 
 }  // namespace rt
