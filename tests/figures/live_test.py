@@ -78,7 +78,7 @@ state = """(async () => {
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
   const hex = (bytes) => Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  return { table: figure.table.innerText, shapes: figure.back.querySelectorAll("*").length,
+  return { table: figure.table.textContent, shapes: figure.back.querySelectorAll("*").length,
            asked: figure.asked.map(({ precision, question, answer, name }) => [precision, hex(question), hex(answer), name]) };
 })()"""
 
@@ -207,7 +207,7 @@ def check_own_answers(browser, origin):
     Site.worker = "step03_sphere_reference_worker"
     try:
         browser.run("""(async () => {
-          for (let i = 0; document.querySelector("rt-sphere_roots").table.innerText.includes("≠"); ++i) {
+          for (let i = 0; document.querySelector("rt-sphere_roots").table.textContent.includes("≠"); ++i) {
             if (i === 400) throw Error("a saved file is not drawn");
             await new Promise((resolve) => setTimeout(resolve, 20));
           }

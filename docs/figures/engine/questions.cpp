@@ -4,6 +4,7 @@
 
 #include "common/bvh/bvh.hpp"
 #include "common/explain/pixel_log.hpp"
+#include "common/image/to_rgb.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/closest_hit.hpp"
 #include "common/render/sampling.hpp"
@@ -105,6 +106,53 @@ Vec2 well_spread_sample(std::uint32_t index, std::uint32_t seed) {
 Vec2 independent_sample(std::uint32_t index, std::uint32_t seed) {
     // Each point is the first one of a sequence of its own.
     return spread_sample(0, sample_seed({.row = int(index), .column = int(seed)}, 1, 0));
+}
+
+std::vector<std::uint8_t> lit_ball(const Light& light, const Ambient& ambient,
+                                   const Material& material, Vec3 to_eye, std::uint32_t side) {
+    const Sphere ball{.center = Vec3(0), .radius = 1};
+    const Vec3 up(-to_eye.y, to_eye.x, 0);
+    const Vec3 right = cross(up, to_eye);
+    std::vector<std::uint8_t> pixels;
+    for (std::uint32_t row = 0; row < side; ++row)
+        for (std::uint32_t column = 0; column < side; ++column) {
+            const Real x = (Real(2 * column + 1) - Real(side)) / Real(side);
+            const Real y = (Real(side) - Real(2 * row + 1)) / Real(side);
+            auto surface = shade(
+                Ray{.origin = x * right + y * up + Real(3) * to_eye, .direction = -to_eye}, ball);
+            Color color(0);
+            if (surface) {
+                surface->material = material;
+                color = ambient_term(*surface, ambient) + diffuse_term(*surface, light) +
+                        specular_term(*surface, light);
+            }
+            const auto [red, green, blue] = to_rgb(color);
+            pixels.insert(pixels.end(), {red, green, blue, std::uint8_t(surface ? 255 : 0)});
+        }
+    return pixels;
+}
+
+Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count) {
+    const Vec3 up(0, 1, 0);
+    const ShadingPoint from{
+        .point = Vec3(0), .normal = up, .geometric_normal = up, .to_eye = up, .material = {}};
+    const auto seen = [&](auto sample, std::uint32_t seed, std::uint32_t sent) {
+        ShadowRays rays{.sent = int(sent)};
+        for (std::uint32_t i = 0; i < sent; ++i) {
+            const ShadowRay way =
+                shadow_ray(from, sample_light(light, from.point, sample(i, seed)));
+            if (!intersect(way.ray, ball, way.interval)) ++rays.reached;
+        }
+        return visibility(rays);
+    };
+    const Real share = seen(well_spread_sample, 0, 1U << 13);
+    Vec2 sums(0);
+    for (std::uint32_t seed = 1; seed <= 32; ++seed) {
+        const Vec2 off(seen(well_spread_sample, seed, count) - share,
+                       seen(independent_sample, seed, count) - share);
+        sums += off * off;
+    }
+    return {std::sqrt(sums.x / 32), std::sqrt(sums.y / 32)};
 }
 
 Mesh owl() {

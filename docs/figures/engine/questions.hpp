@@ -41,6 +41,16 @@ template <class Shape>
 [[nodiscard]] Vec2 well_spread_sample(std::uint32_t index, std::uint32_t seed);
 [[nodiscard]] Vec2 independent_sample(std::uint32_t index, std::uint32_t seed);
 
+/// A ball of radius 1 around the origin, seen along −to_eye from far away: side × side pixels in
+/// red, green, blue and opacity. `to_eye` is in the plane z = 0, which is upright in the picture.
+[[nodiscard]] std::vector<std::uint8_t> lit_ball(const Light& light, const Ambient& ambient,
+                                                 const Material& material, Vec3 to_eye,
+                                                 std::uint32_t side);
+
+/// How far the share of the light that is seen from the origin, behind the ball, is off with this
+/// many samples, well-spread and independent: root mean squares of 32 seeds.
+[[nodiscard]] Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count);
+
 /// The owl of paper: that of scenes/meshes/owl_cage.obj, in triangles.
 [[nodiscard]] Mesh owl();
 
@@ -72,26 +82,26 @@ struct Contract<0> {
     template <class Shape>
     using Shade = std::optional<ShadingPoint> (*)(const Ray&, const Shape&);
 
-    using Functions =
-        std::tuple<Function<"explain", Explain<Sphere>(book::explain_shape)>,
-                   Function<"explain", Explain<Plane>(book::explain_shape)>,
-                   Function<"explain", Explain<Triangle>(book::explain_shape)>,
-                   Function<"explain", Explain<Square>(book::explain_shape)>,
-                   Function<"explain", Explain<Cylinder>(book::explain_shape)>,
-                   Function<"explain", Explain<Cone>(book::explain_shape)>,
-                   Function<"explain", Explain<OrientedBox>(book::explain_shape)>,
-                   Function<"explain_screen", book::explain_screen>,
-                   Function<"explain_light", book::explain_light>,
-                   Function<"image_to_world", book::image_to_world>,
-                   Function<"printed_basis", book::printed_basis>,
-                   Function<"intersect_with_epsilon", book::intersect_with_epsilon>,
-                   Function<"shade", Shade<Sphere>(book::shade)>,
-                   Function<"shade", Shade<Plane>(book::shade)>,
-                   Function<"shade", Shade<Triangle>(book::shade)>,
-                   Function<"printed_shadow_ray", book::printed_shadow_ray>,
-                   Function<"well_spread_sample", book::well_spread_sample>,
-                   Function<"independent_sample", book::independent_sample>,
-                   Function<"owl", book::owl>, Function<"owl_hierarchy", book::owl_hierarchy>>;
+    using Functions = std::tuple<
+        Function<"explain", Explain<Sphere>(book::explain_shape)>,
+        Function<"explain", Explain<Plane>(book::explain_shape)>,
+        Function<"explain", Explain<Triangle>(book::explain_shape)>,
+        Function<"explain", Explain<Square>(book::explain_shape)>,
+        Function<"explain", Explain<Cylinder>(book::explain_shape)>,
+        Function<"explain", Explain<Cone>(book::explain_shape)>,
+        Function<"explain", Explain<OrientedBox>(book::explain_shape)>,
+        Function<"explain_screen", book::explain_screen>,
+        Function<"explain_light", book::explain_light>,
+        Function<"image_to_world", book::image_to_world>,
+        Function<"printed_basis", book::printed_basis>,
+        Function<"intersect_with_epsilon", book::intersect_with_epsilon>,
+        Function<"shade", Shade<Sphere>(book::shade)>, Function<"shade", Shade<Plane>(book::shade)>,
+        Function<"shade", Shade<Triangle>(book::shade)>,
+        Function<"printed_shadow_ray", book::printed_shadow_ray>,
+        Function<"well_spread_sample", book::well_spread_sample>,
+        Function<"independent_sample", book::independent_sample>,
+        Function<"lit_ball", book::lit_ball>, Function<"sampling_errors", book::sampling_errors>,
+        Function<"owl", book::owl>, Function<"owl_hierarchy", book::owl_hierarchy>>;
 };
 
 }  // namespace rt::contract

@@ -1,17 +1,18 @@
 // Stage 13: a box as the common part of its slabs. Drag the ray: it is inside where all intervals are.
-import { Figure, add, ahead, at, color, define, minus, times } from "./drawing.js";
+import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
 
 const box = { min: [-1.2, -0.8, -1], max: [1.2, 0.8, 1] };
 const oriented = { center: [0, 0, 0], basis: { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }, half_size: [1.2, 0.8, 1] };
 
 define("box_slabs", class extends Figure {
-  static title = "A box between two pairs of planes, and a ray: drag its origin, or its direction";
   view = { place: [320, 150], scale: 80 };
   static height = 366;
 
   setup() {
-    this.origin = this.handle("origin", [-2.6, -0.9, 0]);
-    this.tip = this.handle("direction", [-1.5, -0.45, 0], { fill: color.blue });
+    this.origin = this.handle("origin");
+    this.tip = this.handle("direction", undefined, { fill: color.blue });
+    const ray = (origin, direction) => ({ origin, tip: add(origin, direction) });
+    this.cases({ "A: in the box": ray([-2.6, -0.9, 0], [1.1, 0.45, 0]), "B: no common t": ray([-2.4, 0.35, 0], [1.1, 1.1, 0]), "C: behind": ray([1.7, -0.95, 0], [0.7, -0.5, 0]) });
   }
 
   async draw(sketch) {
@@ -28,6 +29,7 @@ define("box_slabs", class extends Figure {
     if (t !== null) {
       sketch.arrow(at(ray, t), add(at(ray, t), times(0.5, n)), { stroke: color.green, width: 2 });
       sketch.mark(at(ray, t), "hit");
+      sketch.label(at(ray, t), [12, 22], `$t$ = ${short(t)}`, color.red, "start");
     }
     // The intervals of t, below one another; t = 0 and 1 are the ray's origin and its direction's tip.
     const number = (text) => Number(text.replace("inf", "Infinity"));
@@ -37,12 +39,13 @@ define("box_slabs", class extends Figure {
     limits.slice(0, 2).forEach(([name, min, max], i) => {
       const y = 283 + 24 * i;
       if (min <= max) sketch.pixels("line", { x1: place(min), x2: place(max), y1: y, y2: y }, { stroke: i ? color.green : color.blue, width: 7 });
-      sketch.shape("text", { x: 22, y: y + 5 }, `between the planes of ${name}`);
+      sketch.shape("text", { x: 22, y: y + 5 }, `between the planes of $${name}$`);
     });
     if (inside !== null) sketch.pixels("line", { x1: place(inside.min), x2: place(inside.max), y1: 331, y2: 331 }, { stroke: color.red, width: 7 });
+    sketch.shape("text", { x: 620, y: 361, text_anchor: "end", style: `fill: ${color.red}` }, inside === null ? "no common part" : `${short(inside.min)} ≤ $t$ ≤ ${short(inside.max)}`);
     sketch.shape("text", { x: 22, y: 336 }, "in the box");
     sketch.pixels("line", { x1: place(0), x2: place(0), y1: 275, y2: 345 }, { stroke: color.gray, dashes: "3 3" });
-    sketch.shape("text", { x: place(0), y: 361, text_anchor: "middle" }, "t = 0");
+    sketch.shape("text", { x: place(0), y: 361, text_anchor: "middle" }, "$t$ = 0");
     return [explanation, ["overlap", inside], ["intersect", t], ["normal", n]];
   }
 });

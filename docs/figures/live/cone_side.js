@@ -1,41 +1,51 @@
-// Stage 8: the hourglass of the equation, the sign of A, and the nappe that is the cone. Drag the ray.
-import { Figure, ahead, at, color, define, minus } from "./drawing.js";
+// Stage 8: the hourglass of the equation, the sign of a, and the nappe that is the cone. Drag the ray.
+import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+
+const ray = (origin, direction) => ({ origin, tip: add(origin, direction), radius: 1, height: 1.7 });
 
 define("cone_side", class extends Figure {
-  static title = "A cone cut along its axis, with its second nappe, and a ray: drag the origin, or the direction";
-  view = { place: [320, 170], scale: 75 };
+  static height = 380;
+  view = { place: [320, 252], scale: 94 };
 
   setup() {
-    this.origin = this.handle("origin", [-2.8, -0.6, 0]);
-    this.tip = this.handle("direction", [-1.7, -0.5, 0], { fill: color.blue });
+    this.origin = this.handle("origin");
+    this.tip = this.handle("direction", undefined, { fill: color.blue });
     this.radius = this.slider("radius r", { min: 0.2, max: 2, step: 0.1, value: 1 });
-    this.height = this.slider("height h", { min: 0.3, max: 2, step: 0.1, value: 1.8 });
+    this.height = this.slider("height h", { min: 0.3, max: 2, step: 0.1, value: 1.7 });
+    this.cases({
+      "A: t₁ is hit": ray([-1.8, 0.62, 0], [1, -0.1, 0]), "B: z < 0 at t₁": ray([-0.085, -0.95, 0], [0.15, 0.5, 0]),
+      "C: z > h at t₁": ray([-1.8, 2.15, 0], [1, -0.309, 0]), "D: a = 0": ray([1.376, -0.3, 0], [-0.4, 0.68, 0]),
+    }, "B: z < 0 at t₁");
   }
 
   async draw(sketch) {
     const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
     const [r, h] = [this.radius.value, this.height.value];
-    const cone = { apex: [0, 0, 0], axis: [0, -1, 0], radius: r, height: h };
-    sketch.polygon([[0, 0, 0], [r, -h, 0], [-r, -h, 0]], { fill: color.tint });
+    const cone = { apex: [0, 0, 0], axis: [0, 1, 0], radius: r, height: h };
+    sketch.polygon([[0, 0, 0], [r, h, 0], [-r, h, 0]], { fill: color.tint });
     for (const x of [-r, r]) {
-      sketch.line([2 * x, -2 * h, 0], [-2 * x, 2 * h, 0], { stroke: color.gray, width: 1, dashes: "4 4" });
-      sketch.line([0, 0, 0], [x, -h, 0], { width: 3 });
+      sketch.line([-2 * x, -2 * h, 0], [2 * x, 2 * h, 0], { stroke: color.gray, width: 1, dashes: "4 4" });
+      sketch.line([0, 0, 0], [x, h, 0], { width: 3 });
     }
-    sketch.arrow([0, 0, 0], [0, -h / 2, 0], { stroke: color.green, width: 2 });
-    sketch.label([0, -h / 2, 0], [12, 0], "Z", color.green);
-    sketch.label([0, 1, 0], [0, 0], "the second nappe: z_p < 0", color.gray);
+    sketch.arrow([0, 0, 0], [0, 2.3, 0], { stroke: color.green, width: 2 });
+    sketch.label([0, 2.3, 0], [14, 8], "$Z$", color.green);
+    sketch.label([0, 0, 0], [-14, 8], "$o$");
+    sketch.label([-1, -1.2, 0], [0, 0], "$z_p$ < 0", color.gray);
+    sketch.label([-r, h, 0], [-10, 5], "$z_p$ = $h$", color.gray, "end");
     sketch.ray(ray);
     const t = await this.ask(8, "intersect", ray, cone, ahead);
-    // The roots of the equation that the cone refuses: those of two longer cones, apex to apex.
-    for (const axis of [[0, -1, 0], [0, 1, 0]])
-      for (const root of await this.roots(8, ray, { ...cone, axis, radius: 500 * r, height: 500 * h })) if (root !== t) sketch.mark(at(ray, root), "refused");
     if (t !== null) {
       const p = at(ray, t), n = await this.ask(8, "normal", cone, p);
-      sketch.arrow(p, p.map((x, i) => x + n[i] / 2), { stroke: color.green });
-      sketch.mark(p, "hit");
+      sketch.arrow(p, add(p, times(0.5, n)), { stroke: color.green });
     }
+    // The roots of the equation that the cone refuses: those of two longer cones, apex to apex.
+    const roots = [];
+    for (const axis of [[0, 1, 0], [0, -1, 0]]) roots.push(...await this.roots(8, ray, { ...cone, axis, radius: 512 * r, height: 512 * h }));
+    sketch.roots(ray, roots, t, (root) => `, $z_p$ = ${short(at(ray, root)[1])}`);
     const explanation = await this.ask(0, "explain", ray, cone, ahead);
     const a = Number(/A, B, C = ([^,]*),/.exec(explanation)?.[1]);
-    return [explanation, ["A", a > 0 ? "positive: the ray is flatter than the surface" : a < 0 ? "negative: it is steeper, and each nappe is hit once" : "0: parallel to the surface, one root"], ["intersect", t]];
+    sketch.shape("text", { x: 20, y: 342 }, `$a$ = ${short(a)}`);
+    sketch.shape("text", { x: 20, y: 366 }, Math.abs(a) < 1e-9 ? "parallel to the side" : a > 0 ? "flatter than the side" : "steeper than the side");
+    return [explanation, ["intersect", t]];
   }
 });

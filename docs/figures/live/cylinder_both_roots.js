@@ -1,14 +1,20 @@
 // Stage 7: the tube cut along its axis, and both roots with their z. Drag the ray.
-import { Figure, ahead, at, color, define, minus } from "./drawing.js";
+import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+
+const ray = (origin, direction) => ({ origin, tip: add(origin, direction), height: 2 });
 
 define("cylinder_both_roots", class extends Figure {
-  static title = "A tube cut along its axis, and a ray: drag the origin, or the direction";
-  view = { place: [320, 170], scale: 80 };
+  static height = 376;
+  view = { place: [320, 188], scale: 78 };
 
   setup() {
-    this.origin = this.handle("origin", [-2.6, 1.9, 0]);
-    this.tip = this.handle("direction", [-1.6, 1.3, 0], { fill: color.blue });
+    this.origin = this.handle("origin");
+    this.tip = this.handle("direction", undefined, { fill: color.blue });
     this.height = this.slider("height h", { min: 0.2, max: 3.6, step: 0.1, value: 2 });
+    this.cases({
+      "A: t₁ is hit": ray([-2, -0.4, 0], [1, 0.1, 0]), "B: t₂ is hit": ray([-2, 2, 0], [1, -0.55, 0]), "C: the rim": ray([-2, -1, 0], [1, 0, 0]),
+      "D: no hit": ray([1.32, 2.1, 0], [-0.5, -0.825, 0]), "E: along the axis": ray([0, 2.1, 0], [0, -1, 0]),
+    }, "B: t₂ is hit");
   }
 
   async draw(sketch) {
@@ -23,15 +29,19 @@ define("cylinder_both_roots", class extends Figure {
     sketch.line([0, -2, 0], [0, 2, 0], { stroke: color.green, width: 1, dashes: "8 4" });
     sketch.ray(ray);
     const t = await this.ask(7, "intersect", ray, cylinder, ahead);
-    // The roots that the height refuses: those of a longer tube.
-    for (const root of await this.roots(7, ray, { ...cylinder, height: 1e3 })) if (root !== t) sketch.mark(at(ray, root), "refused");
     if (t !== null) {
       const p = at(ray, t), n = await this.ask(7, "normal", cylinder, p);
-      sketch.arrow(p, p.map((x, i) => x + n[i] / 2), { stroke: color.green });
-      sketch.mark(p, "hit");
+      sketch.arrow(p, add(p, times(0.5, n)), { stroke: color.green });
     }
-    sketch.label([1, h, 0], [30, 4], "h / 2");
-    sketch.label([0, -2, 0], [12, 0], "Z", color.green);
+    // The roots that the height refuses: those of a longer tube.
+    const roots = await this.roots(7, ray, { ...cylinder, height: 1e3 });
+    sketch.roots(ray, roots, t, (root) => `, $z_p$ = ${short(at(ray, root)[1])}`);
+    for (const [y, text] of [[h, "$z_p$ = $h$ / 2"], [-h, "$z_p$ = −$h$ / 2"]]) {
+      sketch.line([1, y, 0], [1.3, y, 0], { stroke: color.gray, width: 1 });
+      sketch.label([1.3, y, 0], [6, 5], text, color.ink, "start");
+    }
+    sketch.label([0, -2, 0], [12, 0], "$Z$", color.green);
+    sketch.shape("text", { x: 20, y: 360 }, t === null ? "no hit" : `hit: $t$ = ${short(t)}`);
     return [await this.ask(0, "explain", ray, cylinder, ahead), ["intersect", t]];
   }
 });

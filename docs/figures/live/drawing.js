@@ -11,12 +11,19 @@ export const color = {
   pale_green: pair("#d9ebdf", "#1f4229"), pale_amber: pair("#f8e3b8", "#54400f"),
 };
 
+const words = { digits: "All digits" };
+
 const style = `
   :host { display: block; margin: 1em 0; }
-  svg { width: 100%; max-width: 640px; display: block; touch-action: none; background: ${color.white}; font: 14px sans-serif; }
-  svg text { fill: ${color.ink}; stroke: ${color.white}; stroke-width: 3; stroke-linejoin: round; paint-order: stroke; }
-  .handle { cursor: grab; outline: none; }
-  .handle:focus { stroke: ${color.amber}; stroke-width: 5; }
+  svg { width: 100%; max-width: 640px; display: block; background: ${color.white}; font: 14px sans-serif; }
+  svg text { fill: ${color.ink}; stroke: ${color.white}; stroke-width: 4; stroke-linejoin: round; paint-order: stroke; }
+  .handle { cursor: grab; outline: none; touch-action: none; stroke: ${pair("#24292f40", "#e6edf350")}; stroke-width: 8; paint-order: stroke; }
+  .handle:hover { stroke: ${pair("#24292f70", "#e6edf380")}; }
+  .handle:active { cursor: grabbing; }
+  .handle:focus { stroke: ${color.amber}; }
+  button { font: inherit; color: inherit; background: ${color.tint}; border: 1px solid ${color.gray}; border-radius: 5px; padding: .2em .7em; min-height: 26px; cursor: pointer; }
+  button[aria-pressed=true] { background: ${color.pale_blue}; border-color: ${color.blue}; }
+  summary { font: 14px sans-serif; color: ${color.ink}; cursor: pointer; width: max-content; min-height: 24px; }
   form { font: 14px sans-serif; display: flex; flex-wrap: wrap; gap: .3em 1.2em; align-items: center; margin: .5em 0; color: ${color.ink}; }
   label, fieldset { display: inline-flex; flex-wrap: wrap; align-items: center; gap: .4em; min-height: 24px; }
   fieldset { border: 0; padding: 0; margin: 0; }
@@ -28,9 +35,9 @@ const style = `
   td:first-child:not([colspan]) { white-space: nowrap; }
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
-  @media (max-width: 500px) { svg { font-size: 19px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke: transparent; stroke-width: 16; } }
+  @media (max-width: 500px) { svg { font-size: 19px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 18; } }
   slot { display: none; }
-  @media print { slot { display: block; } svg, form, table { display: none; } }`;  // the drawn figure
+  @media print { slot { display: block; } svg, form, details { display: none; } }`;  // the drawn figure
 
 export const add = (a, b) => a.map((x, i) => x + b[i]);
 export const minus = (a, b) => a.map((x, i) => x - b[i]);
@@ -39,6 +46,20 @@ export const at = (ray, t) => add(ray.origin, times(t, ray.direction));
 export const ahead = { min: 0, max: Infinity };
 const along = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const plain = (x) => Number(x.toPrecision(4));
+/// A number as it stands in a drawing: four digits. All are in the table.
+export const short = (x) => String(plain(x)).replace("-", "−");
+
+/// Between two $, as svg.hpp says: "_" lowers the next letter, and a letter is italic.
+function typeset(made, text) {
+  let low = 0;
+  text.split("$").forEach((part, i) => {
+    for (const [, lowered, letter, other] of part.matchAll(i % 2 ? /_(.)|(\p{L})|([^_\p{L}]+)/gu : /()()([^]+)/g)) {
+      const dy = lowered ? 4 : 0, style = lowered || letter ? `font-style: italic; font-size: ${lowered ? "75%" : "inherit"}` : "";
+      made.append(element("tspan", { dy: dy - low, style }, lowered || letter || other));
+      low = dy;
+    }
+  });
+}
 
 function element(name, attributes, text = "") {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -61,8 +82,9 @@ export class Sketch {
     const { place, scale, right, up } = this.view;
     return add(times(plain((x - place[0]) / scale), right), times(plain((place[1] - y) / scale), up));
   }
-  shape(name, attributes, text) {
-    const made = element(name, attributes, text);
+  shape(name, attributes, text = "") {
+    const made = element(name, attributes);
+    typeset(made, text);
     this.group.append(made);
     return made;
   }
@@ -102,15 +124,24 @@ export class Sketch {
     const [x, y] = add(this.screen(point), offset);
     this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}` }, text);
   }
-  ray(ray, end = 9) {
+  /// Roots with their t, and `told` of each: the first is labeled above, the last below.
+  roots(ray, roots, hit, told = () => "") {
+    [...roots].sort((a, b) => a - b).forEach((t, i) => {
+      const steep = Math.abs(ray.direction[1]) > 2 * Math.abs(ray.direction[0]), up = ray.direction[1] > 0.05 * Math.abs(ray.direction[0]);
+      this.mark(at(ray, t), t === hit ? "hit" : "refused");
+      const name = roots.length > 1 ? `$t_${i + 1}$` : "$t$", left = !steep && (i === 0);
+      this.label(at(ray, t), steep ? [12, 5] : [left ? -10 : 10, left === up ? -10 : 20], `${name} = ${short(t)}${told(t)}`, t === hit ? color.red : color.gray, left ? "end" : "start");
+    });
+  }
+  ray(ray, end = 9, back = end) {
     const length = Math.hypot(...ray.direction) || 1;
-    this.line(at(ray, -end / length), ray.origin, { stroke: color.blue, width: 1.2, dashes: "4 4" });
+    this.line(at(ray, -back / length), ray.origin, { stroke: color.blue, width: 1.2, dashes: "4 4" });
     this.line(ray.origin, at(ray, end / length), { stroke: color.blue });
     this.arrow(ray.origin, at(ray, 1), { stroke: color.blue, width: 3 });
   }
 }
 
-/// The base of all figures. A figure has `static title`, `view`, `setup()` and `draw(sketch)`.
+/// The base of all figures. A figure has `view`, `setup()` and `draw(sketch)`.
 export class Figure extends HTMLElement {
   static height = 340;
   static most_of_mine = 40;  // calls of the student's file, each by another process
@@ -120,9 +151,9 @@ export class Figure extends HTMLElement {
   async connectedCallback() {
     this.engine = await open("double");  // without it, the drawn figure stays
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<style>${style}</style><slot></slot><form></form><table></table>`;
+    root.innerHTML = `<style>${style}</style><slot></slot><form></form><details><summary>${words.digits}</summary><table></table></details>`;
     [this.form, this.table] = [root.querySelector("form"), root.querySelector("table")];
-    this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.constructor.title });
+    this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.querySelector("img")?.alt ?? this.localName });
     [this.back, this.front] = [element("g", {}), element("g", {})];
     this.svg.append(this.back, this.front);
     this.form.before(this.svg);
@@ -139,13 +170,13 @@ export class Figure extends HTMLElement {
 
   /// A point that is dragged, or moved with the arrow keys by `step` pixels, and with Shift by one.
   /// `keep` returns the nearest allowed point.
-  handle(name, place, { fill = color.ink, keep = (point) => point, step: pixels = 6 } = {}) {
+  handle(name, place = [0, 0, 0], { fill = color.ink, keep = (point) => point, step: pixels = 6 } = {}) {
     const knob = element("circle", { class: "handle", r: 8, fill, tabindex: 0, role: "slider", "aria-label": name });
-    const handle = { name, place, knob, get value() { return this.place; } };
+    const handle = { name, place, knob, get value() { return this.place; }, set value(point) { this.place = point; } };
     const within = (x, most) => Math.min(Math.max(x, 10), most - 10);
     const move = (x, y) => {
       handle.place = keep(this.sketch.world([within(x, 640), within(y, this.constructor.height)])).map(plain);
-      this.redraw();
+      this.#moved();
     };
     handle.show = () => {
       const [cx, cy] = this.sketch.screen(handle.place);
@@ -175,10 +206,30 @@ export class Figure extends HTMLElement {
     const read = () => (power ? Number((10 ** Number(input.value)).toPrecision(2)) : Number(input.value));
     const output = document.createElement("output");
     const show = () => { output.textContent = (power ? read().toExponential() : read()) + unit; input.setAttribute("aria-valuetext", output.textContent); };
-    input.addEventListener("input", () => (show(), this.redraw()));
+    input.addEventListener("input", () => (show(), this.#moved()));
     show();
     this.#labeled(name, input, output);
-    return { get value() { return read(); } };
+    return { get value() { return read(); }, set value(x) { input.value = power ? Math.log10(x) : x; show(); } };
+  }
+
+  /// A button for each case, which sets handles and sliders by their names; the figure starts with one.
+  cases(all, start = Object.keys(all)[0]) {
+    const buttons = Object.entries(all).map(([name, values]) => {
+      const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
+      button.choose = () => {
+        for (const [part, value] of Object.entries(values)) this[part].value = value;
+        this.#moved(button);
+      };
+      button.addEventListener("click", button.choose);
+      return button;
+    });
+    this.form.prepend(...buttons);
+    this.buttons = buttons;
+    buttons[Object.keys(all).indexOf(start)].choose();
+  }
+  #moved(button = null) {
+    for (const each of this.buttons ?? []) each.setAttribute("aria-pressed", each === button);
+    if (this.precision) this.redraw();
   }
 
   check(name, checked = false) {
@@ -268,6 +319,7 @@ export class Figure extends HTMLElement {
       tr.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: text, ...(cells.length === 1 && { colSpan: 2 }) })));
       return tr;
     };
+    if (this.differences.size) this.table.parentElement.open = true;
     this.table.replaceChildren(...rows.flatMap((row) => {
       if (typeof row !== "string") return [line([row[0], typeof row[1] === "string" ? row[1] : said(row[1], this.engine.precision)], row[2])];
       return row.trimEnd().split("\n").map((text) => {

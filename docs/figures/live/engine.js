@@ -32,6 +32,7 @@ function get(from, type) {
   }
   if (type.parts) return Array.from({ length: type.parts[0] }, () => get(from, type.parts[1]));
   if (type.record) return Object.fromEntries(type.record.map(([name, part]) => [name, get(from, part)]));
+  if (type.list === "u8") return new Uint8Array(from.view.buffer, (from.place += 4) + from.view.byteOffset);  // up to the end: a picture
   if (type.list) return Array.from({ length: get(from, "u32") }, () => get(from, type.list));
   return get(from, "bool") ? get(from, type.optional) : null;
 }

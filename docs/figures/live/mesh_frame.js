@@ -1,5 +1,5 @@
 // Stage 13: the ray goes to the mesh, not the mesh to the ray: the same t in both frames. Drag the ray.
-import { Figure, add, ahead, at, color, define, minus, times } from "./drawing.js";
+import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
 
 const outline = [[-0.8, -0.6, 0], [0.9, -0.5, 0], [0, 0.9, 0]];  // of the mesh, in its own frame
 const middle = [1 / 30, -1 / 15, 0];
@@ -13,7 +13,6 @@ const mesh = { vertices: walls.flat(), normals: [], triangles: [[0, 1, 2], [3, 4
 const normals = walls.map((corners) => corners.map(([x, y]) => outward([x, y, 0])));
 
 define("mesh_frame", class extends Figure {
-  static title = "A ray in the scene and in the frame of a mesh: drag its origin, or its direction; turn and scale the mesh";
   view = { place: [165, 175], scale: 60 };
   static height = 340;
 
@@ -35,11 +34,14 @@ define("mesh_frame", class extends Figure {
     sketch.polygon(outline.map(placed), { fill: color.tint, stroke: color.ink });
     sketch.polygon(outline.map((p) => add(p, right)), { fill: color.tint, stroke: color.ink });
     sketch.ray(ray, 4);
-    sketch.ray({ ...own, origin: add(own.origin, right) }, 4);
+    sketch.ray({ ...own, origin: add(own.origin, right) }, 3, 0.5);
     // The nearest triangle, and then those behind it.
     const rows = [], nearest = await this.ask(13, "intersect", own, mesh, ahead);
     for (let hit = nearest; hit !== null && rows.length < 4;) {
-      for (const p of [at(ray, hit.t), add(at(own, hit.t), right)]) sketch.mark(p, hit === nearest ? "hit" : "refused");
+      for (const p of [at(ray, hit.t), add(at(own, hit.t), right)]) {
+        sketch.mark(p, hit === nearest ? "hit" : "refused");
+        sketch.label(p, hit === nearest ? [-8, -12] : [8, 22], `$t$ = ${short(hit.t)}`, hit === nearest ? color.red : color.gray, hit === nearest ? "end" : "start");
+      }
       rows.push([hit === nearest ? "intersect: the nearest triangle" : "behind it", hit]);
       hit = await this.ask(13, "intersect", own, mesh, { min: hit.t, max: Infinity });
     }
@@ -51,6 +53,8 @@ define("mesh_frame", class extends Figure {
     }
     sketch.label([0, 0, 0], [0, -150], "in the scene");
     sketch.label(right, [0, -150], "in the mesh's frame");
+    sketch.shape("text", { x: 20, y: 325, style: `fill: ${color.blue}` }, `‖$d_r$‖ = ${short(Math.hypot(...ray.direction))}`);
+    sketch.shape("text", { x: 620, y: 325, text_anchor: "end", style: `fill: ${color.blue}` }, `‖$d_r$‖ = ${short(Math.hypot(...own.direction))}`);
     return [["o_r in the mesh's frame", own.origin], ["d_r in the mesh's frame", own.direction], ...rows];
   }
 });

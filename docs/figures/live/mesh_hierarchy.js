@@ -10,8 +10,7 @@ const pens = {
 };
 
 define("mesh_hierarchy", class extends Figure {
-  static title = "An owl of paper from the front and from the side, the boxes around it, and a ray: drag its origin, or the point to which it goes";
-  static height = 380;
+  static height = 395;
   static most_of_mine = 200;
   view = { place: [185, 300], scale: 104 };
   side = { place: [492, 300], scale: 104, right: [0, 0, 1] };
@@ -77,10 +76,11 @@ define("mesh_hierarchy", class extends Figure {
       view.ray(ray, 3);
       if (this.hit !== null) view.mark(ray.origin.map((x, i) => x + this.t * ray.direction[i]), "hit");
     }
+    sketch.shape("text", { x: 338, y: 320, text_anchor: "middle" }, `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles`);
     sketch.shape("text", { x: 185, y: 24, text_anchor: "middle" }, "from the front");
     sketch.shape("text", { x: 492, y: 24, text_anchor: "middle" }, "from the side");
     Object.values(pens).forEach(([pen, text], i) => {
-      const x = i % 2 ? 330 : 20, y = 336 + 26 * (i >> 1);
+      const x = i % 2 ? 330 : 20, y = 342 + 26 * (i >> 1);
       sketch.pixels("rect", { x, y, width: 26, height: 14 }, pen);
       sketch.shape("text", { x: x + 36, y: y + 13 }, text);
     });

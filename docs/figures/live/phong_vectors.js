@@ -1,63 +1,79 @@
-// Stage 9: Phong's three terms on a ball. Drag the light and the point; change the shares.
-import { Figure, add, color, define, times } from "./drawing.js";
+// Stage 9: the four vectors at a point of a ball, and the ball as the eye sees it. Drag the light, the
+// eye and the point; change the shares.
+import { Figure, add, color, define, minus, short, times } from "./drawing.js";
 
-const ball = { center: [0, 0, 0], radius: 1 };
-const cells = 26;
-// Seen from the front, by parallel rays.
-const seen = (x, y) => ({ origin: [x, y, 3], direction: [0, 0, -1] });
-const paint = (value) => `rgb(${value.map((x) => Math.round(255 * Math.min(1, Math.max(0, x)))).join(" ")})`;
+const unit = (v) => times(1 / (Math.hypot(...v) || 1), v);
+const [middle, radius] = [[515, 100], 90];  // of the ball as the eye sees it
+const outside = (p) => times(Math.max(1.15, Math.hypot(...p)) / (Math.hypot(...p) || 1), p);
+const parts = { all: [1, 1, 1], ambient: [1, 0, 0], diffuse: [0, 1, 0], specular: [0, 0, 1] };
 
 define("phong_vectors", class extends Figure {
-  static title = "A ball and a light: drag the light, or the point on the ball";
-  static height = 330;
-  view = { place: [200, 165], scale: 130 };
+  static height = 350;
+  view = { place: [205, 255], scale: 105 };  // a slice through the ball, the light and the eye
 
   setup() {
-    this.light = this.handle("light", [1.1, 1, 0], { fill: color.amber });
-    this.point = this.handle("point", [0.3, 0.35, 0], { fill: color.red, keep: ([x, y]) => times(Math.min(1, 0.97 / (Math.hypot(x, y) || 1)), [x, y, 0]) });
-    this.ambient = this.slider("ambient", { min: 0, max: 1, step: 0.05, value: 0.15 });
+    this.light = this.handle("light", undefined, { fill: color.amber, keep: outside });
+    this.eye = this.handle("eye", undefined, { fill: color.blue, keep: outside });
+    this.point = this.handle("point", undefined, { fill: color.red, keep: unit });
+    this.ambient = this.slider("ambient", { min: 0, max: 1, step: 0.05, value: 0.25 });
     this.specular = this.slider("k_s", { min: 0, max: 1, step: 0.05, value: 0.6 });
-    this.shininess = this.slider("n", { min: 1, max: 256, step: 1, value: 32 });
-    this.depth = this.slider("light's z", { min: -2, max: 4, step: 0.1, value: 2 });
-    this.term = this.choice("term", ["all", "ambient", "diffuse", "specular"]);
+    this.shininess = this.slider("n", { min: 1, max: 256, step: 1, value: 8 });
+    const places = (light, eye) => ({ light, eye, point: [0, 1, 0] });
+    this.cases({ "α > 0": places([-0.75, 2.2, 0], [1.5, 2, 0]), "α = 0": places([-1, 2, 0], [1, 2, 0]), "θ > 90°": places([-1.6, 0.6, 0], [1.5, 2, 0]) });
+    this.term = this.choice("term", Object.keys(parts));
   }
 
-  async terms(x, y) {
-    const surface = await this.ask(0, "shade", seen(x, y), ball);
-    if (surface === null) return null;
-    surface.material = { color: [0.35, 0.55, 0.85], specular: this.specular.value, shininess: this.shininess.value, mirror: 0 };
-    const light = { position: [...this.light.place.slice(0, 2), this.depth.value], brightness: 0.9, color: [1, 1, 1], radius: 0 };
-    return {
-      surface, light,
-      ambient: await this.ask(9, "ambient_term", surface, { ratio: this.ambient.value, color: [1, 1, 1] }),
-      diffuse: await this.ask(9, "diffuse_term", surface, light),
-      specular: await this.ask(9, "specular_term", surface, light),
-    };
+  angle(sketch, p, from, to, size, name, stroke) {
+    const start = Math.atan2(from[1], from[0]), turn = Math.atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+    const on = (share, r) => add(p, [r * Math.cos(start + share * turn), r * Math.sin(start + share * turn), 0]);
+    sketch.polyline(Array.from({ length: 17 }, (_, i) => on(i / 16, size)), { stroke, width: 1 });
+    sketch.label(on(0.5, size + 0.12), [0, 5], `$${name}$`, stroke);
+  }
+
+  /// The ball in the screen's own pixels.
+  async draw_ball(sketch, light, ambient, material, to_eye) {
+    const side = Math.min(512, Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640));
+    const canvas = Object.assign(document.createElement("canvas"), { width: side, height: side });
+    const pixels = await this.ask(0, "lit_ball", light, ambient, material, to_eye, side);
+    canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels), side), 0, 0);
+    const [cx, cy] = middle;
+    sketch.shape("image", { href: canvas.toDataURL(), x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius });
+    sketch.pixels("circle", { cx, cy, r: radius }, { stroke: color.gray });
+    // The point as the eye sees it, if it does.
+    const p = this.point.place;
+    if (p[0] * to_eye[0] + p[1] * to_eye[1] > 0) sketch.pixels("circle", { cx, cy: cy - radius * (p[1] * to_eye[0] - p[0] * to_eye[1]), r: 5 }, { fill: color.red, stroke: color.white });
   }
 
   async draw(sketch) {
-    const sum = ({ ambient, diffuse, specular }) => add(ambient, add(diffuse, specular));
-    const shown = (terms) => (this.term.value === "all" ? sum(terms) : terms[this.term.value]);
-    const width = 2 / cells;
-    for (let row = 0; row < cells; ++row)
-      for (let column = 0; column < cells; ++column) {
-        const [x, y] = [(column + 0.5) * width - 1, 1 - (row + 0.5) * width];
-        const terms = await this.terms(x, y);
-        if (terms === null) continue;
-        const [left, top] = sketch.screen([x - width / 2, y + width / 2, 0]);
-        sketch.pixels("rect", { x: left, y: top, width: width * 130 + 0.4, height: width * 130 + 0.4 }, { fill: paint(shown(terms)) });
-      }
-    const [x, y] = this.point.place, terms = await this.terms(x, y), { surface, light } = terms;
-    sketch.arrow(surface.point, add(surface.point, times(0.6, surface.normal)), { stroke: color.green, width: 2 });
-    sketch.label(add(surface.point, times(0.6, surface.normal)), [0, -6], "N", color.green);
-    sketch.line(surface.point, light.position, { stroke: color.amber, dashes: "5 4" });
-    sketch.label(this.light.place, [0, -14], "light");
-    const bars = [["ambient", color.gray], ["diffuse", color.blue], ["specular", color.amber]];
-    bars.forEach(([name, fill], i) => {
-      sketch.pixels("rect", { x: 430, y: 110 + 34 * i, width: 190 * Math.min(1, terms[name][2]), height: 16 }, { fill });
-      sketch.shape("text", { x: 430, y: 106 + 34 * i }, name);
+    const p = this.point.place, to_eye = unit(minus(this.eye.place, p));
+    const [ratio, brightness, highlight] = parts[this.term.value];
+    const material = { color: [0.35, 0.55, 0.85], specular: this.specular.value, shininess: this.shininess.value, mirror: 0 };
+    const light = { position: this.light.place, brightness: 0.9, color: [1, 1, 1], radius: 0 }, ambient = { ratio: this.ambient.value, color: [1, 1, 1] };
+    sketch.circle([0, 0, 0], 1);
+    const N = p[0] * to_eye[0] + p[1] * to_eye[1] < 0 ? times(-1, p) : p;  // on the side of the eye
+    const surface = { point: p, normal: N, geometric_normal: N, to_eye, error: 0, material };
+    const L = unit(minus(this.light.place, p)), R = await this.ask(9, "reflected", L, N);
+    const terms = { ambient: await this.ask(9, "ambient_term", surface, ambient), diffuse: await this.ask(9, "diffuse_term", surface, light), specular: await this.ask(9, "specular_term", surface, light) };
+    sketch.line(p, this.light.place, { stroke: color.amber, width: 1, dashes: "4 4" });
+    sketch.line(p, this.eye.place, { stroke: color.blue, width: 1, dashes: "4 4" });
+    for (const [name, v, stroke] of [["N", N, color.green], ["L", L, color.amber], ["R", R, color.red], ["V", to_eye, color.blue]]) {
+      sketch.arrow(p, add(p, v), { stroke, width: 2.2 });
+      sketch.label(add(p, times(1.13, v)), [0, 5], `$${name}$`, stroke);
+    }
+    this.angle(sketch, p, N, L, 0.36, "θ", color.ink);
+    this.angle(sketch, p, N, R, 0.42, "θ", color.ink);
+    this.angle(sketch, p, R, to_eye, 0.62, "α", color.red);
+    sketch.label(p, [0, 26], "$p$", color.red);
+    sketch.label(this.light.place, [-16, 5], "light", color.ink, "end");
+    sketch.label(this.eye.place, [16, 5], "eye", color.ink, "start");
+    const shown = { ...material, color: times(Math.max(ratio, brightness), material.color), specular: highlight * material.specular };
+    await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
+    sketch.shape("text", { x: middle[0], y: 210, text_anchor: "middle" }, "what the eye sees");
+    [["ambient", color.gray], ["diffuse", color.amber], ["specular", color.red]].forEach(([term, fill], i) => {
+      const y = 242 + 36 * i;
+      sketch.pixels("rect", { x: 430, y: y + 6, width: 170 * Math.min(1, terms[term][2]), height: 12 }, { fill });
+      sketch.shape("text", { x: 430, y }, `${term}: ${short(terms[term][2])}`);
     });
-    sketch.shape("text", { x: 430, y: 76 }, "blue at the point:");
-    return [await this.ask(0, "explain_light", surface, light), ...bars.map(([name]) => [name, terms[name]])];
+    return [await this.ask(0, "explain_light", surface, light), ...Object.entries(terms)];
   }
 });

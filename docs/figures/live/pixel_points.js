@@ -7,8 +7,7 @@ const many = 1024;
 const within = (x, least, most) => Math.min(Math.max(x, least), most);
 
 define("pixel_points", class extends Figure {
-  static title = "An edge through a pixel, and the share of its rays that hit what is beyond: drag the ends of the edge";
-  static height = 280;
+  static height = 300;
   view = { place: [22, 212], scale: 180 };  // the first pixel is (0, 1)²
 
   setup() {
@@ -44,7 +43,7 @@ define("pixel_points", class extends Figure {
         sketch.pixels("circle", { cx: left + 180 * point[0], cy: bottom - 180 * point[1], r: side > 8 ? 2 : 4 }, { fill: hit ? color.blue : color.white, stroke: color.blue });
       }
       sketch.label(shift, [90, -192], kind);
-      sketch.label(shift, [90, 24], `${hits} of ${side * side}`);
+      sketch.label(shift, [90, 24], `${hits} of ${side * side}: ${((100 * hits) / side ** 2).toFixed(1)} %`);
       // The pixel's color, from black to white.
       const gray = Math.round((255 * hits) / side ** 2);
       sketch.pixels("rect", { x: left + 60, y: bottom + 34, width: 60, height: 24 }, { fill: `rgb(${gray}, ${gray}, ${gray})`, stroke: color.gray });
@@ -52,6 +51,7 @@ define("pixel_points", class extends Figure {
     }
     let hits = 0;
     for (let i = 0; i < many; ++i) hits += await this.hits(triangle, await this.point("spread", i));
+    sketch.shape("text", { x: 320, y: 294, text_anchor: "middle" }, `${many} spread: ${((100 * hits) / many).toFixed(1)} %`);
     return [...rows, [`${many} spread rays`, `${((100 * hits) / many).toFixed(1)} %`]];
   }
 });

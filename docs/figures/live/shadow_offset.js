@@ -5,14 +5,15 @@ import { Figure, color, define, times } from "./drawing.js";
 const shown = 90;  // points of each kind
 
 define("shadow_offset", class extends Figure {
-  static title = "A ball on the ground, and its shadow with a fixed epsilon and with the stage's shadow ray; drag the light";
   static height = 350;
   view = { place: [165, 245], scale: 52 };
 
   setup() {
-    this.light = this.handle("light", [-2, 3.6, 0], { fill: color.amber, keep: ([x, y]) => [x, Math.max(y, 2.2), 0] });
+    this.light = this.handle("light", undefined, { fill: color.amber, keep: ([x, y]) => [x, Math.max(y, 2.2), 0] });
     this.epsilon = this.slider("epsilon", { min: -12, max: 0, step: 0.5, value: -3, power: true });
     this.size = this.slider("size of the scene", { min: -6, max: 6, step: 0.5, value: -3, power: true });
+    const light = [-2, 3.6, 0];
+    this.cases({ "ε too large": { light, epsilon: 1e-3, size: 10 ** -3.5 }, "ε too small": { light, epsilon: 1e-10, size: 1e6 }, "ε right": { light, epsilon: 1e-3, size: 1 } });
   }
 
   /// What is seen of a point: "lit" or "dark", by the ball; or "acne", blocked by its own shape.
@@ -54,6 +55,8 @@ define("shadow_offset", class extends Figure {
         else sketch.pixels("circle", { cx, cy, r: 3 }, { fill: fates[kind] === "lit" ? color.pale_amber : color.gray, stroke: color.gray, width: 0.5 });
       }
     }
+    // Within this distance of a point, hits do not count.
+    sketch.circle([x_of.printed + 1.6, 0, 0], Math.min(99, this.epsilon.value / size), { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
     for (const [kind, title] of [["ours", "shadow_ray"], ["printed", `fixed ε = ${this.epsilon.value.toExponential()}`]])
       sketch.label([x_of[kind] + 0.1, 0, 0], [0, 34], title);
     sketch.shape("text", { x: 320, y: 312, text_anchor: "middle", style: `fill: ${color.red}` }, "red squares: acne, a point shadows itself");

@@ -1,10 +1,9 @@
 // Stage 11: samples on a light, well spread and independent, and the share of it that is seen. Drag the ball.
-import { Figure, color, define } from "./drawing.js";
+import { Figure, color, define, short } from "./drawing.js";
 
 const from = { point: [0, 0, 0], normal: [0, 1, 0], geometric_normal: [0, 1, 0], to_eye: [0, 1, 0], error: 0, material: { color: [1, 1, 1], specular: 0, shininess: 32, mirror: 0 } };
 
 define("soft_shadow_samples", class extends Figure {
-  static title = "A light with a size, seen from below behind a ball: drag the ball";
   static height = 330;
   view = { place: [115, 175], scale: 80 };  // the light seen from below: x to the right, z down
 
@@ -19,7 +18,8 @@ define("soft_shadow_samples", class extends Figure {
     const light = { position: [0, 4, 0], brightness: 1, color: [1, 1, 1], radius: this.radius.value };
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
-    for (const [kind, shift, square] of [["well spread", 0, 430], ["independent", 2.45, 544]]) {
+    const errors = await this.ask(0, "sampling_errors", light, ball, count);
+    for (const [i, [kind, shift, square]] of [["well spread", 0, 430], ["independent", 2.45, 544]].entries()) {
       sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
       sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
       sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });
@@ -37,11 +37,15 @@ define("soft_shadow_samples", class extends Figure {
           else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });
       }
       const rays = { sent: count, reached };
+      const share = await this.ask(11, "visibility", rays);
       sketch.label([shift, 0, 0], [0, -130], kind);
+      sketch.label([shift, 0, 0], [0, 128], `${short(share)} is seen`);
+      sketch.label([shift, 0, 0], [0, 150], `error ${errors[i].toFixed(4)}`, color.red);
       sketch.shape("text", { x: shift ? 634 : square + 44, y: 122, text_anchor: shift ? "end" : "middle" }, kind);
-      rows.push([`${kind}: visibility`, await this.ask(11, "visibility", rays)], [`${kind}: visibility_error`, await this.ask(11, "visibility_error", rays)]);
+      rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 32 seeds)`, errors[i]]);
+      if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
-    sketch.shape("text", { x: 634, y: 250, text_anchor: "end" }, "dots arrive, crosses do not");
+    sketch.shape("text", { x: 634, y: 245, text_anchor: "end" }, "dots are seen, crosses not");
     return rows;
   }
 });

@@ -1,14 +1,16 @@
 // Stage 3: where a line hits a sphere. Drag the ray's origin, and the tip of its direction.
-import { Figure, ahead, at, color, define, minus, times } from "./drawing.js";
+import { Figure, ahead, at, color, define, minus } from "./drawing.js";
+
+const from = (...origin) => ({ origin: [...origin, 0], tip: [origin[0] + 1, origin[1], 0] });
 
 define("sphere_roots", class extends Figure {
-  static title = "A ray and a sphere: drag the origin of the ray, or the tip of its direction";
-  view = { place: [350, 170], scale: 95 };
+  view = { place: [390, 165], scale: 106 };
   sphere = { center: [0, 0, 0], radius: 1 };
 
   setup() {
-    this.origin = this.handle("origin", [-2.6, 0.5, 0]);
-    this.tip = this.handle("direction", [-1.6, 0.5, 0], { fill: color.blue });
+    this.origin = this.handle("origin");
+    this.tip = this.handle("direction", undefined, { fill: color.blue });
+    this.cases({ "Δ < 0": from(-2.9, 1.3), "Δ = 0": from(-2.9, 1), "0 < t₁ < t₂": from(-2.9, 0.5), "t₁ < 0 < t₂": from(-0.25, -0.05), "t₁ < t₂ < 0": from(1.35, -0.6) }, "0 < t₁ < t₂");
     this.far = this.check("a thousand times further away");
   }
 
@@ -20,16 +22,18 @@ define("sphere_roots", class extends Figure {
     const t = await this.ask(3, "intersect", ray, sphere, ahead);
     sketch.circle(sphere.center, sphere.radius);
     sketch.ray(near);
-    for (const root of await this.roots(3, ray, sphere)) if (root !== t) sketch.mark(at(ray, root), "refused");
+    const roots = await this.roots(3, ray, sphere);
     const shown = [];
     if (t !== null) {
       const p = at(ray, t), n = await this.ask(3, "normal", sphere, p);
       shown.push(["normal", n], ["color_from_normal", await this.ask(3, "color_from_normal", n)], ["torch at the ray's origin", await this.ask(3, "torch", p, n, ray.origin)]);
       sketch.arrow(p, [0, 1, 2].map((i) => p[i] + n[i] / 2), { stroke: color.green });
-      sketch.mark(p, "hit");
+      sketch.label([0, 1, 2].map((i) => p[i] + n[i] / 2), [0, -6], "$n$", color.green);
     }
-    sketch.label(near.origin, [0, -14], "o_r");
-    sketch.label(at(near, 0.5), [0, -10], "d_r", color.blue);
+    sketch.roots(ray, roots, t);
+    if (t === null) sketch.shape("text", { x: 390, y: 325, text_anchor: "middle" }, "no hit");
+    sketch.label(near.origin, [0, -14], "$o_r$");
+    sketch.label(at(near, 0.5), [0, -10], "$d_r$", color.blue);
     return [await this.ask(0, "explain", ray, sphere, ahead), ["intersect", t], ...shown];
   }
 });

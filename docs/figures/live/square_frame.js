@@ -1,13 +1,12 @@
 // Stage 6: a square in its own frame: x, y against h / 2, and HAI's u and v. Drag the ray's end.
-import { Figure, add, ahead, color, define, times } from "./drawing.js";
+import { Figure, add, ahead, color, define, short, times } from "./drawing.js";
 
 define("square_frame", class extends Figure {
-  static title = "A square and a point in its plane: drag the point, turn the square";
-  view = { place: [320, 170], scale: 85 };
+  view = { place: [320, 170], scale: 105 };
 
   setup() {
-    this.center = this.handle("center", [0.2, 0.1, 0]);
-    this.p = this.handle("p", [0.8, 0.5, 0], { fill: color.red });
+    this.center = this.handle("center", [0, 0, 0]);
+    this.p = this.handle("p", [0.33304, 0.54689, 0], { fill: color.red });
     this.angle = this.slider("turned by", { min: -90, max: 90, step: 5, value: 20, unit: "°" });
     this.side = this.slider("side h", { min: 0.2, max: 3, step: 0.1, value: 2 });
     this.one_sided = this.check("one-sided");
@@ -29,15 +28,24 @@ define("square_frame", class extends Figure {
     sketch.polygon([corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)], { fill: color.tint, stroke: color.ink, width: 2 });
     sketch.arrow(o, add(o, basis.x), { stroke: color.green, width: 2 });
     sketch.arrow(o, add(o, basis.y), { stroke: color.green, width: 2 });
-    sketch.label(add(o, basis.x), [14, 5], "X", color.green);
-    sketch.label(add(o, basis.y), [0, -10], "Y", color.green);
-    sketch.label(corner(-1, -1), [-14, 16], "C: u = v = 0");
+    sketch.label(add(o, basis.x), [14, 5], "$X$", color.green);
+    sketch.label(add(o, basis.y), [0, -10], "$Y$", color.green);
+    sketch.label(o, [-12, 16], "$o$");
+    sketch.label(corner(-1, -1), [-12, 16], "$C$");
+    sketch.line(corner(0, 1), corner(1, 1), { width: 5 });
+    sketch.label(corner(0.5, 1), [0, -10], "$h$ / 2");
     // The two coordinates of p: along X from C, then along Y.
     const along = add(corner(-1, -1), times(uv[0] * h, basis.x));
     sketch.line(corner(-1, -1), along, { stroke: color.amber, width: 2 });
     sketch.line(along, p, { stroke: color.amber, width: 2, dashes: "5 4" });
+    sketch.label(along, [0, 20], `$u$ = ${short(uv[0])}`, color.amber);
+        const [x, y] = uv.map((share) => (share - 0.5) * h), beside = add(o, times(x, basis.x));
+    sketch.line(o, beside, { stroke: color.blue, width: 2 });
+    sketch.line(beside, p, { stroke: color.blue, width: 2 });
+    sketch.label(times(0.5, add(along, beside)), [-8, 5], `$v$ = ${short(uv[1])}`, color.amber, "end");
+    ["x", "y"].forEach((name, i) => sketch.shape("text", { x: 20, y: 290 + 24 * i, style: `fill: ${color.blue}` }, `$${name}$ = ${short([x, y][i])}`));
     sketch.mark(p, t === null ? "refused" : "hit");
-    sketch.label(p, [14, -8], t === null ? "missed" : "hit", t === null ? color.gray : color.red, "start");
+    sketch.label(p, [16, -10], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, "start");
     return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["intersect from t = 3 on", beyond], ["intersect of the ray away from it", away], ["normal", await this.ask(6, "normal", square, p)]];
   }
 });

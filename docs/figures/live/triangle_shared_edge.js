@@ -5,7 +5,6 @@ import { Figure, ahead, color, define } from "./drawing.js";
 const reach = 8;
 
 define("triangle_shared_edge", class extends Figure {
-  static title = "Rays at an edge that two triangles share, one unit in the last place apart: drag the ends of the edge";
   static height = 330;
   view = { place: [160, 165], scale: 95 };
 
@@ -46,11 +45,13 @@ define("triangle_shared_edge", class extends Figure {
           if (!pair[0] && !pair[1]) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
         });
       }
-    sketch.shape("text", { x: 403, y: 60, text_anchor: "middle" }, "intersect");
-    sketch.shape("text", { x: 558, y: 60, text_anchor: "middle" }, "three half-planes");
+    const all = (2 * reach + 1) ** 2;
+    [[403, "the reference", lost], [558, "three half-planes", cracks]].forEach(([x, name, count]) => {
+      sketch.shape("text", { x, y: 38, text_anchor: "middle" }, name);
+      sketch.shape("text", { x, y: 60, text_anchor: "middle", style: `fill: ${count ? color.red : color.ink}` }, `${count} of ${all}`);
+    });
     ["blue, green: one triangle", "amber: both"].forEach((text, i) => sketch.shape("text", { x: 480, y: 232 + 22 * i, text_anchor: "middle" }, text));
     sketch.shape("text", { x: 480, y: 276, text_anchor: "middle", style: `fill: ${color.red}` }, "red with a cross: neither, a crack");
-    const all = (2 * reach + 1) ** 2;
     return [["cracks with intersect", `${lost} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${cracks} of ${all} rays`]];
   }
 });

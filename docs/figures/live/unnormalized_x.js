@@ -1,16 +1,15 @@
 // Stage 2: the camera's basis. Turn the view through the vertical: X as printed shrinks, and jumps.
-import { Figure, color, define, times } from "./drawing.js";
+import { Figure, color, define, short, times } from "./drawing.js";
 
 const onto_circle = ([, y, z]) => times(1 / (Math.hypot(y, z) || 1), [0, y, z]);
 const size = (v) => Math.hypot(...v);
 
 define("unnormalized_x", class extends Figure {
-  static title = "The basis of a camera: drag its direction through the vertical";
-  static height = 320;
+  static height = 425;
   view = { place: [170, 165], scale: 115, right: [0.45, 0, -1], up: [-0.3, 1, 0] };
 
   setup() {
-    this.direction = this.handle("direction", onto_circle([0, -1, -0.577]), { fill: color.blue, keep: onto_circle });
+    this.direction = this.handle("direction", onto_circle([0, -1, -0.57735]), { fill: color.blue, keep: onto_circle });
     this.away = this.slider("to the side", { min: -0.5, max: 0.5, step: 0.05, value: 0 });
   }
 
@@ -28,10 +27,10 @@ define("unnormalized_x", class extends Figure {
     sketch.arrow(origin, direction, { stroke: color.blue, width: 2.5 });
     for (const axis of ["x", "y", "z"]) {
       sketch.arrow(origin, basis[axis], { stroke: color.green, width: 2 });
-      sketch.label(basis[axis], [10, -6], axis.toUpperCase(), color.green);
+      sketch.label(basis[axis], [10, -6], `$${axis.toUpperCase()}$`, color.green);
       if (axis !== "z") sketch.arrow(origin, printed[axis], { stroke: color.amber, width: 3, dashes: "6 3" });
     }
-    sketch.label(direction, [-16, 16], "c", color.blue);
+    sketch.label(direction, [-16, 16], "$c$", color.blue);
     // The length of X over the pitch, as printed and normalized.
     const place = (degrees, length) => [475 + degrees * 1.45, 240 - 150 * length];
     const plot = { printed_basis: color.amber, camera_basis: color.green };
@@ -49,8 +48,14 @@ define("unnormalized_x", class extends Figure {
     sketch.pixels("circle", { cx, cy, r: 5 }, { fill: color.amber, stroke: color.white });
     for (const pitch of [-90, -45, 0, 45, 90]) sketch.shape("text", { x: place(pitch, 0)[0], y: 258, text_anchor: "middle" }, `${pitch}°`);
     sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
-    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖X‖, normalized (solid)");
-    sketch.shape("text", { x: 475, y: 225, text_anchor: "middle", style: `fill: ${color.amber}` }, "as printed (dashed)");
+    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖$X$‖, normalized");
+    sketch.shape("text", { x: cx + 12, y: cy + 18, style: `fill: ${color.amber}` }, `as printed: ${short(size(printed.x))}`);
+    // The screen in both bases: as printed X and Y shrink, and all that is seen grows.
+    const shrunk = size(printed.x), [middle, wide, high] = [[475, 348], 160, 100];
+    for (const [share, pen] of [[1, { stroke: color.green, fill: color.tint, width: 2 }], [shrunk, { stroke: color.amber, width: 3, dashes: "6 3" }]])
+      sketch.pixels("rect", { x: middle[0] - (share * wide) / 2, y: middle[1] - (share * high) / 2, width: share * wide, height: share * high }, pen);
+    sketch.shape("text", { x: 380, y: 353, text_anchor: "end" }, "the screen");
+    sketch.shape("text", { x: 475, y: 418, text_anchor: "middle", style: `fill: ${color.amber}` }, `as printed: all looks ${short(1 / shrunk)} times as large`);
     return [
       ["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y],
       [`to_world: from (0.5, 0, 0) along −z; camera at (${position.join(", ")})`, in_world],
