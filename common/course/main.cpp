@@ -42,6 +42,7 @@ struct Words {
     std::string reference;
     std::string place;
     std::optional<std::string> out;
+    std::optional<std::string> pdf;
     std::string source;
     std::vector<std::string> also;
     rt::Selection selection;
@@ -298,8 +299,10 @@ void Commands::add_student_commands() {
         ->type_name("S");
     CLI::App* book_command =
         add("book", "read the pages in a browser, with search, hints and contracts", [this](Rest) {
-            return rt::book(
-                {.project = rt::project_folder, .out = words_.out, .source = words_.source});
+            return rt::book({.project = rt::project_folder,
+                             .out = words_.out,
+                             .pdf = words_.pdf,
+                             .source = words_.source});
         });
     book_command->add_option("--out", words_.out, "write the site to this folder instead")
         ->type_name("DIR");
@@ -308,6 +311,10 @@ void Commands::add_student_commands() {
                      "where its links to files lead: https://github.com/NAME/raysteps/blob/main")
         ->needs("--out")
         ->type_name("URL");
+    book_command
+        ->add_option("--pdf", words_.pdf, "print the stages' pages into this folder instead")
+        ->excludes("--out")
+        ->type_name("DIR");
     // The arguments, also options, are ctest's.
     add("test [N] [options of ctest]", "run the stage's suite, or all tests",
         [this](Rest rest) {

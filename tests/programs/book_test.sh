@@ -44,6 +44,8 @@ refused "a source that is no address" "expected an address" --out new --source m
 refused "a source with a quote" "expected an address" --out new --source 'https://x.org/"'
 refused "a source without a folder" "--out" --source https://example.org
 refused "a word" "book" new
+refused "a folder of the user's for PDFs" "exists already" --pdf other
+refused "a site and PDFs" "--pdf" --out new --pdf other
 (
     PATH=/nowhere
     "$build/course" book --out new 2> err

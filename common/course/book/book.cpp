@@ -1,6 +1,7 @@
 #include "common/course/book/book.hpp"
 
 #include "common/course/book/own_answers.hpp"
+#include "common/course/book/pdf.hpp"
 #include "common/course/book/site.hpp"
 #include "common/course/build/manifest.hpp"
 #include "common/course/view/host.hpp"
@@ -105,6 +106,11 @@ int book(const BookSettings& settings) {
     }
     if (!fs::exists(settings.project / site))
         throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
+    if (settings.pdf) {
+        print_pages(settings.project / site, *settings.pdf);
+        std::printf("%s: a PDF for each stage, and course.pdf\n", settings.pdf->c_str());
+        return 0;
+    }
     Host host(0);
     std::atomic<bool> over = false;
     host.serve(

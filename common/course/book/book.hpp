@@ -10,6 +10,7 @@ namespace rt {
 struct BookSettings {
     std::filesystem::path project;
     std::optional<std::string> out;  ///< the folder for the site; without it, it is served
+    std::optional<std::string> pdf;  ///< the folder for the printed pages; nothing is served then
     std::string source;              ///< where links to the project's files lead; empty: to GitHub,
                                      ///< if the project is a clone from there
 };
