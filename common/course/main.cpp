@@ -11,6 +11,7 @@
 #include "common/course/exercise/compare.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/run.hpp"
+#include "common/course/exercise/watch.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/course/handout/handout.hpp"
 #include "common/course/handout/update.hpp"
@@ -49,6 +50,7 @@ struct Words {
     std::optional<int> level;
     bool check = false;
     int seconds = 60;
+    bool all = false;
 };
 
 /// "triangle" and "step05_triangle", for each stage.
@@ -256,10 +258,13 @@ void Commands::add_student_commands() {
         rt::start(stage());
         return 0;
     });
-    add_of_stage("check N", "test it, explain the first failure, compare the pictures",
-                 [this](Rest) { return rt::check(stage()); });
-    add_of_stage("watch N", "check again whenever you save",
-                 [this](Rest) -> int { rt::watch(stage()); });
+    add_of_stage("check N", "test it, explain a failure, compare the pictures; --all: everything",
+                 [this](Rest) { return rt::check(stage(), words_.all); })
+        ->add_flag("--all", words_.all, "print every case, and lines to paste into a test");
+    add_of_stage("watch N", "check again whenever you save", [this](Rest) {
+        rt::watch(stage());
+        return 0;
+    });
     add_of_stage("hint N [LEVEL]", "show the next of three hints, or 1, 2 or 3 again",
                  [this](Rest) {
                      rt::show_hint(stage(), words_.level);

@@ -6,6 +6,7 @@
 #include "common/render/stage.hpp"
 #include "common/scene/box_of_shapes.hpp"
 #include "common/stages/stages.hpp"
+#include "common/stages/todo.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ std::string why_blank(const Scene& scene, const RenderSettings& settings, int st
                       const Image& image) {
     const std::vector<Rgb>& pixels = image.pixels;
     const auto differs = [&pixels](Rgb pixel) { return pixel != pixels.front(); };
-    if (stage < shapes_stage || pixels.size() < least_pixels) return "";
+    if (stage < shapes_stage || pixels.size() < least_pixels || has_said_todo()) return "";
     if (std::any_of(pixels.begin(), pixels.end(), differs)) return "";
     const std::string start = "all pixels have one color: ";
     if (count_shapes(scene) == 0)

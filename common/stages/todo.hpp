@@ -8,6 +8,9 @@ namespace rt {
 /// Prints "steps/…/sphere.cpp:12: intersect is not written yet" on the standard error stream.
 void say_todo(const char* file, int line, const char* function);
 
+/// True if a function that is not written yet has been called.
+[[nodiscard]] bool has_said_todo();
+
 /// Uses its arguments, so that the compiler does not warn that they are unused.
 template <class... Values>
 void ignore(const Values&... /*values*/) {}

@@ -10,10 +10,17 @@ namespace rt {
 namespace {
 
 constexpr int narrowest = 40;
+constexpr int widest = 120;
 constexpr std::size_t deeper = 4;
 
 bool begins_character(char byte) {  // in UTF-8
     return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+/// Whether the braces that open there contain numbers only: "{0, 0, 1}".
+bool opens_numbers(const std::string& line, std::size_t brace) {
+    const std::size_t end = line.find_first_of("{}=", brace + 1);
+    return line[brace] == '{' && end != std::string::npos && line[end] == '}';
 }
 
 }  // namespace
@@ -28,6 +35,7 @@ std::string wrapped(const std::string& line, int columns, std::size_t indent) {
     std::size_t column = 0;  // of its start
     std::size_t width = 0;   // of the part
     bool in_quotes = false;
+    bool in_numbers = false;
     const auto place = [&] {
         if (column > indent && column + width > std::size_t(columns)) {
             text.resize(text.find_last_not_of(' ') + 1);
@@ -43,7 +51,10 @@ std::string wrapped(const std::string& line, int columns, std::size_t indent) {
         part += line[i];
         width += begins_character(line[i]) ? 1 : 0;
         if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) in_quotes = !in_quotes;
-        if (!in_quotes && line[i] == ' ') place();
+        if (line[i] == '{') in_numbers = opens_numbers(line, i);
+        if (line[i] == '}') in_numbers = false;
+        const bool at_sign = (i > 0 && line[i - 1] == '=') || line[i + 1] == '=';
+        if (!in_quotes && !in_numbers && !at_sign && line[i] == ' ') place();
     }
     place();
     return text;
@@ -51,6 +62,15 @@ std::string wrapped(const std::string& line, int columns, std::size_t indent) {
 
 std::string wrapped(const std::string& line) {
     return output_on_terminal() ? wrapped(line, std::max(terminal_columns(), narrowest)) : line;
+}
+
+std::string wrapped_prose(const std::string& line) {
+    return output_on_terminal() ? wrapped(line, std::max(terminal_columns(), narrowest), 0) : line;
+}
+
+std::string wrapped_code(const std::string& line) {
+    return wrapped(
+        line, output_on_terminal() ? std::clamp(terminal_columns(), narrowest, widest) : widest);
 }
 
 std::string wrapped_page(const std::string& text, std::size_t column) {

@@ -6,8 +6,9 @@
 
 namespace rt {
 
-/// The line, broken at spaces outside of quoted texts, so that a line of C++ can be pasted still.
-/// Continued lines are indented by four more. A part without such a space stays longer.
+/// The line, broken at spaces outside of quoted texts, so that a line of C++ can be pasted still;
+/// not among the numbers of a vector nor beside "=". Continued lines are indented by four more. A
+/// part without such a space stays longer.
 [[nodiscard]] std::string wrapped(const std::string& line, int columns);
 
 /// The same, with continued lines indented by that many characters.
@@ -15,6 +16,12 @@ namespace rt {
 
 /// The same for the width of the terminal; the line itself if the standard output is none.
 [[nodiscard]] std::string wrapped(const std::string& line);
+
+/// The same, with continued lines at the left.
+[[nodiscard]] std::string wrapped_prose(const std::string& line);
+
+/// A line of C++ for a file of the student's, broken for the width of the terminal, at most 120.
+[[nodiscard]] std::string wrapped_code(const std::string& line);
 
 /// A page of help with each line broken for the width of the terminal, 80 if it is none. The lines
 /// that begin with a blank describe options, and go on in that column.

@@ -73,6 +73,7 @@ std::string complaint(std::vector<std::string> words) {
         words.erase(words.begin());
     }
     if (command == "test") return "";  // the rest is ctest's
+    if (command == "check") std::erase(words, "--all");
     if (draw.count(command) == 0) return words.empty() ? "" : "it does not take this argument";
     std::vector<const char*> arguments = {"program"};
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -156,14 +156,6 @@ Knowledge debugging() {
                      {"β + γ", weights.y + weights.z},
                      {"t of the random case, where z is 2.25", 2.25 / (18 / 17.0)}};
 
-    const Triangle round{.a = {0, 0, 0}, .b = {3, 0, 17}, .c = {1, 0, 0}};
-    const Ray from_above{.origin = {0, 31, -24}, .direction = {Real(0.375), -8, 8}};
-    const double t = *intersect(from_above, round, {});
-    const double too_long = 1.01;
-    all.push_back({"too long", 100 * (too_long - 1), "%"});
-    all.push_back({"t", t});
-    all.push_back({"t, too long", t * too_long});
-
     const Scene scene = load_scene(project_file("scenes/step05_triangle.rt"), orthonormal_basis);
     const Ray ray = pixel_rays(scene.cameras.front(), scene.resolution)({231, 398});
     const Triangle& seen = (scene.triangles.begin() + 4)->shape;

@@ -1,6 +1,7 @@
 // Reports the result of each case immediately, so that a crash loses no earlier result. The
 // environment variable RAYSTEPS_REPORT names the file; without it nothing is reported.
 //
+//   cases 21                                   of the suite
 //   case edges belong to the triangle (MRT §5)
 //   part normal                                of the stage, at its first case: [part normal]
 //   points 2                                   if its tag contains them: [2 points]; default 1
@@ -85,6 +86,8 @@ public:
         if (file == nullptr) return;
         out_.open(file);
         std::setvbuf(stdout, nullptr, _IOLBF, 4096);  // output before a crash is kept
+        out_ << "cases " << Catch::getRegistryHub().getTestCaseRegistry().getAllTests().size()
+             << std::endl;
     }
 
     void testCaseStarting(const Catch::TestCaseInfo& info) override {

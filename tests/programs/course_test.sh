@@ -44,12 +44,16 @@ cmp -s $stage/starter/main.cpp $trace || fail "the starter's trace is there"
 course 2 start sphere
 says "./course reset 3"
 course 1 check
-says "intersect is not written yet"
-says "trace is not written yet"
+says "Not written yet: intersect, normal, color_from_normal, torch, trace."
+says "✗ the unit sphere five ahead"
+says "Write next: intersect, in $mine:"
+says "Stuck? ./course hint 3"
+[ "$(grep -c '✗' out)" = 1 ] || fail "one failing case"
+course 1 check 3 --all
 says "  ✗ 1 intersect: "
 says "      ✗ the unit sphere five ahead"
-says "Write next: intersect. Stuck? ./course hint 3"
-says_not "      ✗ a sphere that is alone"
+says "      ✗ a sphere that is alone"
+says "  · passes unwritten too"
 course 0 hint 3
 says "step03_sphere, intersect, hint 1 of 3"
 says_not "torch"
@@ -61,8 +65,7 @@ says "▸  3  step03_sphere"
 cp $stage/reference/sphere.cpp $mine
 course 1 check 3
 says "✗ a sphere that is alone is seen in its color"
-says "  ✓ 1 intersect: "
-says "  ✗ 7 trace: "
+says "Write next: trace, in $trace:"
 says_not "✗ the normal points away"
 course 0 hint 3
 says "step03_sphere, trace, hint 1 of 3"
@@ -86,7 +89,7 @@ if [ "$(nproc)" -gt 1 ]; then
         if (std::this_thread::get_id() != first) return {1, 0, 0};' \
         tests/alternatives/step03_sphere/main/sorted.cpp > $trace
     course 1 check 3
-    says "With one thread your picture is another one"
+    says "Drawn again with one thread, your picture is another one."
     says "not the picture"
     says_not "Next: "
     cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
@@ -217,9 +220,18 @@ rm -r $other/student "my scene.rt" picture.png
 # A wrong answer: the case, the call, the line to paste, and the pixels.
 mistaken step03_sphere near_root_only $mine
 course 1 check 3
-says "inside"
+says "You try the smaller root only."
+says_not "near_root_only"
+says "✗ a ray from inside hits the far side"
+says_not "paste: "
+says_not "✓"
+says "Look at intersect. Stuck? ./course hint 3"
+[ "$(wc -l < out)" -lt 24 ] || fail "one screen"
+course 1 check 3 --all
+says "mistake: near_root_only"
 says "paste:    CHECK(hits("
 says "asked:    tests/suites/step03_sphere_test.cpp:"
+! LC_ALL=C.UTF-8 grep -A 9 'paste: ' out | grep -E '^.{121}' || fail "what to paste fits in 120 columns"
 mistaken step03_sphere subtracts_r_squared $mine
 course 1 compare 3
 says "pixels differ"
@@ -252,10 +264,9 @@ says_not "in float"
 in_intersect='s/^std::optional<Real> intersect(.*/&\n    if (sizeof(Real) == 4 \&\& ray.origin.z == 5)'
 sed "$in_intersect return std::nullopt;/" $stage/reference/sphere.cpp > $mine
 course 1 check 3
-says "  ✓ 1 intersect: "
-says "  ✗ the unit sphere five ahead is hit at t = 4 (MRT §3)  (in float only)"
+says "✗ the unit sphere five ahead is hit at t = 4 (MRT §3)  (in float only)"
 says "      got:      no hit"
-says "Write next: intersect."
+says "Look at intersect."
 sed "$in_intersect __builtin_trap();/" $stage/reference/sphere.cpp > $mine
 course 1 check 3
 says "your code crashed: "
@@ -312,6 +323,8 @@ printf '#include "%s/sphere.hpp"\n#include <csignal>\nnamespace rt {\n%s\n%s\n%s
     'Real torch(Vec3, Vec3, Vec3) { return 1; }' > $mine
 course 1 check 3
 says "your code crashed: Segmentation fault"
+says ": 0 of 20 cases pass, in double"
+says "The 19 cases after this one were not run."
 sed -i 's/std::raise(SIGSEGV);/for (volatile bool on = true; on;) continue;/' $mine
 course 1 check 3
 says "your code does not end"

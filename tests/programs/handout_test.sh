@@ -58,11 +58,12 @@ cp -r old mine
 cd mine || exit 1
 course 0 start 3
 course 1 check 3
-says "intersect is not written yet"
+says "Not written yet: intersect"
 cmake --build "$project/build" --target known_mistakes > log 2>&1 || fail "known_mistakes is built"
 "$project/build/known_mistakes" "$project" step03_sphere subtracts_r_squared > $stage/student/sphere.cpp
 course 1 check 3
-says "mistake: "
+says "Your discriminant subtracts r²."
+says "✗ the unit sphere five ahead is hit at t = 4"
 cp "$project/$stage/reference/sphere.cpp" $stage/student/sphere.cpp
 rm $stage/student/main.cpp
 course 0 check 3

@@ -96,9 +96,11 @@ TEST_CASE("pixels are equal squares around the middle, in any picture (MRT §1)"
 
 TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)",
           "[part camera_ray]") {
+    const std::string asked =
+        "camera_ray({.row = 0, .column = 0}, {.width = 4, .height = 2}, pi / 2)";
     const Ray ray = camera_ray({.row = 0, .column = 0}, {.width = 4, .height = 2}, right_angle);
-    CHECK(gives("its origin", ray.origin, Vec3(0)));
-    CHECK(gives("its direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
+    CHECK(gives(asked + ".origin", ray.origin, Vec3(0)));
+    CHECK(gives(asked + ".direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
     CHECK(for_all([](Random& random) {
         const Perspective perspective = random_perspective(random);
         const Pixel pixel = random_pixel(perspective.resolution, random);
@@ -116,22 +118,27 @@ TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §
 TEST_CASE("by inverse matrices the ray starts at the camera and ends on the far plane (M1)",
           "[part unprojected_ray]") {
     const auto& [camera, image] = of_nine_pixels;
+    const std::string asked = "unprojected_ray({.row = 0, .column = 2}, camera, image)";
     const Ray ray = unprojected_ray({.row = 0, .column = 2}, camera, image);
-    CHECK(gives("its origin", ray.origin, Vec3(1, 2, 3)));
-    CHECK(gives("its direction", ray.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
+    CHECK(gives(asked + ".origin", ray.origin, Vec3(1, 2, 3)));
+    CHECK(gives(asked + ".direction", ray.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
     const Ray lower = unprojected_ray({.row = 2, .column = 1}, camera, image);
-    CHECK(gives("the direction in row 2, column 1", lower.direction, Vec3(0, Real(-32) / 3, -16)));
+    CHECK(gives("unprojected_ray({.row = 2, .column = 1}, camera, image).direction",
+                lower.direction, Vec3(0, Real(-32) / 3, -16)));
 }
 
 TEST_CASE("inverse matrices multiplied by a number give the same ray (M1)") {
     // All the same points, in homogeneous coordinates twice and four times as large.
     const auto& [camera, image] = of_nine_pixels;
+    const std::string asked = "unprojected_ray({.row = 0, .column = 2}, ";
     const Ray ray = unprojected_ray({.row = 0, .column = 2}, Real(2) * camera, Real(4) * image);
-    CHECK(gives("its origin", ray.origin, Vec3(1, 2, 3)));
-    CHECK(gives("its direction", ray.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
+    CHECK(gives(asked + "2 * camera, 4 * image).origin", ray.origin, Vec3(1, 2, 3)));
+    CHECK(gives(asked + "2 * camera, 4 * image).direction", ray.direction,
+                Vec3(Real(32) / 3, Real(32) / 3, -16)));
     const Ray same = unprojected_ray({.row = 0, .column = 2}, Real(-2) * camera, Real(-4) * image);
-    CHECK(gives("its origin, with a negative w", same.origin, Vec3(1, 2, 3)));
-    CHECK(gives("its direction", same.direction, Vec3(Real(32) / 3, Real(32) / 3, -16)));
+    CHECK(gives(asked + "-2 * camera, -4 * image).origin", same.origin, Vec3(1, 2, 3)));
+    CHECK(gives(asked + "-2 * camera, -4 * image).direction", same.direction,
+                Vec3(Real(32) / 3, Real(32) / 3, -16)));
 }
 
 TEST_CASE("both ways give the same ray, to 64 s f^2/n u (MRT §1, M1)") {

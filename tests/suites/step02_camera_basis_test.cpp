@@ -150,13 +150,16 @@ TEST_CASE("a ray of the camera's frame is carried into the world (MRT §2)", "[p
     const Basis pitched{
         .x = {1, 0, 0}, .y = {0, Real(0.8), Real(-0.6)}, .z = {0, Real(0.6), Real(0.8)}};
     const Ray ray = to_world({.origin = {0, 0, 0}, .direction = {2, 5, -10}}, pitched, {7, 8, 9});
-    CHECK(gives("its origin", ray.origin, Vec3(7, 8, 9)));
-    CHECK(gives("its direction", ray.direction, Vec3(2, -2, -11)));
+    const std::string asked = "to_world({.origin = {0, 0, 0}, .direction = {2, 5, -10}}, " +
+                              code(pitched) + ", {7, 8, 9})";
+    CHECK(gives(asked + ".origin", ray.origin, Vec3(7, 8, 9)));
+    CHECK(gives(asked + ".direction", ray.direction, Vec3(2, -2, -11)));
     const Ray other = to_world({.origin = {1, 5, 10}, .direction = {0, 0, -1}}, pitched, {7, 8, 9});
-    CHECK(gives("an origin that is not 0", other.origin, Vec3(8, 18, 14)));
+    CHECK(gives("the same .origin for the ray's origin {1, 5, 10}", other.origin, Vec3(8, 18, 14)));
     const Ray longer =
         to_world({.origin = {1, 5, 10}, .direction = {0, 0, -3}}, pitched, {7, 8, 9});
-    CHECK(gives("the same, for a longer direction", longer.origin, Vec3(8, 18, 14)));
+    CHECK(gives("the same .origin for {1, 5, 10} and a longer direction", longer.origin,
+                Vec3(8, 18, 14)));
 }
 
 TEST_CASE("the direction has the same length in the world (MRT §2)") {

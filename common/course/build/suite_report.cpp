@@ -35,4 +35,9 @@ std::vector<CaseResult> read_report(const std::string& text) {
     return cases;
 }
 
+int cases_in_suite(const std::string& report) {
+    std::string count;
+    return starts_with(report, "cases ", count) ? std::atoi(count.c_str()) : 0;
+}
+
 }  // namespace rt

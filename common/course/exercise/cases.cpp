@@ -34,7 +34,9 @@ std::vector<Part> parts_of(const std::vector<Outcome>& all) {
 
 void show(const Outcome& outcome, const std::string& indent, bool is_given) {
     const char* mark = !outcome.passed() ? "✗ " : is_given ? "· " : "✓ ";
-    const std::string line = wrapped(indent + mark + outcome.in_double.name);
+    const bool in_float_only = outcome.in_double.passed && !outcome.passed();
+    const std::string line = wrapped(indent + mark + outcome.in_double.name +
+                                     (in_float_only ? "  (in float only)" : ""));
     std::printf("%s\n", styled(line, outcome.passed() ? Style::dim : Style::bad).c_str());
 }
 
@@ -42,7 +44,6 @@ void show(const Outcome& outcome, const std::string& indent, bool is_given) {
 
 void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given) {
     const std::vector<Part> parts = parts_of(all);
-    bool is_first_wrong = true;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = parts[i];
         const std::string line = (part.right() ? "  ✓ " : "  ✗ ") + std::to_string(i + 1) + " " +
@@ -50,20 +51,11 @@ void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& gi
                                  std::to_string(part.cases.size());
         if (parts.size() > 1)
             std::printf("%s\n", styled(line, part.right() ? Style::dim : Style::bad).c_str());
-        const bool is_listed = parts.size() == 1 || (!part.right() && is_first_wrong);
-        is_first_wrong = is_first_wrong && part.right();
-        if (!is_listed) continue;
         for (const Outcome* each : part.cases)
             show(*each, parts.size() == 1 ? "  " : "      ",
                  each->passed() && given.count(each->in_double.name) == 1);
     }
     if (!given.empty()) std::printf("%s\n", styled("  · passes unwritten too", Style::dim).c_str());
-}
-
-std::string first_wrong_part(const std::vector<Outcome>& all) {
-    const auto wrong =
-        std::find_if(all.begin(), all.end(), [](const Outcome& each) { return !each.passed(); });
-    return wrong == all.end() ? "" : wrong->part();
 }
 
 }  // namespace rt

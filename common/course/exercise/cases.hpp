@@ -20,11 +20,7 @@ struct Outcome {
     }
 };
 
-/// Prints one line for each part, and the cases of the first part that is not right. The cases in
-/// `given` pass unwritten.
+/// Prints every case below the line of its part. The cases in `given` pass unwritten.
 void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& given);
-
-/// The first part that is not right; empty if all are right.
-[[nodiscard]] std::string first_wrong_part(const std::vector<Outcome>& all);
 
 }  // namespace rt

@@ -2,13 +2,12 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/exercise/telling_case.hpp"
 #include "common/system/files.hpp"
-#include "common/system/paint.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
-#include "common/system/wrap.hpp"
 
-#include <cstdio>
+#include <chrono>
 
 namespace rt {
 
@@ -25,34 +24,51 @@ ProcessResult diagnosed(const Command& command) {
     return run_captured(command, time_limit);
 }
 
+/// The output of `diagnose`: "mistake: name: sentence" and other sentences, then "smallest: call"
+/// and its indented lines.
+Diagnosis read_diagnosis(const std::string& output) {
+    const std::string mistake = "mistake: ";
+    const std::string smallest = "smallest: ";
+    Diagnosis diagnosis;
+    for (const std::string& line : lines_of(output)) {
+        if (line.starts_with(smallest))
+            diagnosis.smallest = line.substr(smallest.size()) + "\n";
+        else if (!diagnosis.smallest.empty())
+            diagnosis.smallest += line + "\n";
+        else if (const std::size_t colon = line.find(": ", mistake.size());
+                 line.starts_with(mistake) && colon != std::string::npos) {
+            diagnosis.names.push_back(line.substr(mistake.size(), colon - mistake.size()));
+            diagnosis.sentences.push_back(line.substr(colon + 2));
+        } else if (!line.empty())
+            diagnosis.sentences.push_back(line);
+    }
+    return diagnosis;
+}
+
 }  // namespace
 
-void show_diagnosis(int stage, const std::filesystem::path& report,
-                    const std::set<std::string>& unwritten) {
+Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
+                       const std::vector<std::string>& unwritten) {
     const std::string student = stage_target(stage, "_worker_double");
     const std::string reference = stage_target(stage, "_reference_worker");
-    if (!try_build({"diagnose", student, reference}).succeeded) return;  // not on this system
+    if (!try_build({"diagnose", student, reference}).succeeded) return {};  // not on this system
     const std::string slice = "renders/" + stage_target(stage, "_slice.svg");
     const std::filesystem::path drawing = project_folder / slice;
     std::error_code none;
     std::filesystem::remove(drawing, none);
     Command command = {
         program("diagnose"),
-        (project_folder / "tests/mistakes" / stage_name(stage) / "probes.txt").string(),
+        (project_folder / mistakes_folder / stage_name(stage) / "probes.txt").string(),
         program(student),
         program(reference),
         report.string(),
         drawing.string()};
     command.insert(command.end(), unwritten.begin(), unwritten.end());
     const ProcessResult ending = diagnosed(command);
-    if (ending.out_of_time || ending.status != 1) return;
-    std::puts("");
-    for (const std::string& line : lines_of(ending.output)) {
-        const bool mistake = line.rfind("mistake: ", 0) == 0;
-        const std::string shown = wrapped(line);
-        std::printf("%s\n", mistake ? styled(shown, Style::bold).c_str() : shown.c_str());
-    }
-    if (std::filesystem::exists(drawing)) std::printf("drawn:     %s\n", slice.c_str());
+    if (ending.out_of_time || ending.status != 1) return {};
+    Diagnosis diagnosis = read_diagnosis(ending.output);
+    if (std::filesystem::exists(drawing)) diagnosis.drawing = slice;
+    return diagnosis;
 }
 
 }  // namespace rt

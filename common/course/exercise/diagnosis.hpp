@@ -1,19 +1,27 @@
-// The diagnosis of a wrong answer: a known mistake, or else the smallest input that shows the
-// error.
+// Known mistakes in a student's functions, by the program `diagnose`.
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
+#include <vector>
 
 namespace rt {
 
-/// Runs the student's file of the stage on the inputs in tests/mistakes/<stage>/probes.txt. Prints
-/// the sentences of the known mistakes that give the wrong answers, by these and by the report of
-/// the suite; if no mistake does, the simplest input with a wrong answer, drawn in
-/// renders/ if possible. Prints nothing if no answer is wrong.
-/// The functions named in `unwritten` are left out.
-void show_diagnosis(int stage, const std::filesystem::path& report,
-                    const std::set<std::string>& unwritten);
+struct Diagnosis {
+    std::vector<std::string> sentences;  ///< of known mistakes, and what answers never change
+    std::vector<std::string> names;      ///< of the known mistakes
+    /// The smallest call with a wrong answer, with its answers and the lines to paste, in the form
+    /// of a suite's failure; empty if there is none.
+    std::string smallest;
+    std::string
+        drawing;  ///< the path of a drawing of that call, from the project's folder; or empty
+};
+
+/// Asks the student's functions what distinguishes known mistakes: those that are recognized, or
+/// the smallest call with a wrong answer. `report` is that of the stage's suite in double. Builds
+/// the programs for that; the diagnosis is empty on systems without them. The functions named in
+/// `unwritten` are left out.
+[[nodiscard]] Diagnosis diagnosis_of(int stage, const std::filesystem::path& report,
+                                     const std::vector<std::string>& unwritten);
 
 }  // namespace rt

@@ -49,7 +49,8 @@ std::vector<std::string> labels_of(int stage) {
     return labels;
 }
 
-/// True if the part's name contains the label as whole words.
+}  // namespace
+
 bool names(const std::string& part, const std::string& label) {
     const auto is_letter = [&part](std::size_t i) {
         return i < part.size() &&
@@ -59,8 +60,6 @@ bool names(const std::string& part, const std::string& label) {
         if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + label.size())) return true;
     return false;
 }
-
-}  // namespace
 
 std::string hint_text(int stage, int level, const std::string& part) {
     const std::string whole = hint_text(stage, level);

@@ -17,4 +17,7 @@ inline constexpr int hint_levels = 3;
 /// it. A paragraph about a function begins with its name, and a colon or a comma.
 [[nodiscard]] std::string hint_text(int stage, int level, const std::string& part);
 
+/// True if the part's name contains the function's, or another label, as whole words.
+[[nodiscard]] bool names(const std::string& part, const std::string& label);
+
 }  // namespace rt

@@ -3,7 +3,10 @@
 #include "common/system/input_error.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <map>
 
 namespace rt {
 
@@ -85,7 +88,42 @@ std::optional<Pixel> center_of_largest(std::vector<bool> set, Resolution size) {
     return middle(largest);
 }
 
+/// The sum of the differences of some pixels, and that of their squares.
+struct Moments {
+    double sum = 0;
+    double squares = 0;
+
+    void add(double difference) {
+        sum += difference;
+        squares += difference * difference;
+    }
+    /// Of n independent differences of either sign, the sum is about as large as the root of the
+    /// sum of squares; of n differences of one sign, √n times as large.
+    [[nodiscard]] bool is_random() const {
+        constexpr double deviations = 4.5;
+        return std::abs(sum) <= deviations * std::sqrt(squares);
+    }
+};
+
 }  // namespace
+
+bool is_noise(const Image& mine, const Image& reference) {
+    constexpr int side = 16;
+    constexpr std::size_t channels = 3;
+    const Resolution size = reference.resolution;
+    std::map<std::array<int, 3>, Moments> of_squares;
+    std::array<Moments, channels> of_all;
+    for (Pixel pixel; pixel.row < size.height; ++pixel.row)
+        for (pixel.column = 0; pixel.column < size.width; ++pixel.column)
+            for (std::size_t i = 0; i < channels; ++i) {
+                const double difference = double(mine[pixel][i]) - double(reference[pixel][i]);
+                of_squares[{pixel.row / side, pixel.column / side, int(i)}].add(difference);
+                of_all[i].add(difference);
+            }
+    return mine.pixels != reference.pixels && std::ranges::all_of(of_all, &Moments::is_random) &&
+           std::ranges::all_of(of_squares,
+                               [](const auto& each) { return each.second.is_random(); });
+}
 
 Comparison compare(const Image& mine, const Image& reference, int tolerated) {
     const Resolution size = reference.resolution;
@@ -125,8 +163,8 @@ std::string summary(const Comparison& comparison) {
     return std::to_string(comparison.different) + " of " +
            std::to_string((comparison.side_by_side.resolution.width - 2 * gap) / 3 *
                           comparison.side_by_side.resolution.height) +
-           " pixels differ from the reference's, most around row,column " + std::to_string(row) +
-           "," + std::to_string(column);
+           " pixels differ, most around row,column " + std::to_string(row) + "," +
+           std::to_string(column);
 }
 
 }  // namespace rt

@@ -24,10 +24,15 @@ inline constexpr int one_rounding = 1;
 [[nodiscard]] Comparison compare(const Image& mine, const Image& reference,
                                  int tolerated = one_rounding);
 
+/// True if two pictures differ, and as two pictures of the same scene do whose random samples
+/// differ: in the whole and in each square of 16 x 16 pixels, the differences of either sign
+/// balance.
+[[nodiscard]] bool is_noise(const Image& mine, const Image& reference);
+
 /// Each pixel as a square of `times` by `times`.
 [[nodiscard]] Image magnified(const Image& image, int times);
 
-/// "1234 of 307200 pixels differ from the reference's, most around row,column 12,34", or a sentence
+/// "1234 of 307200 pixels differ, most around row,column 12,34", or a sentence
 /// that none differs.
 [[nodiscard]] std::string summary(const Comparison& comparison);
 

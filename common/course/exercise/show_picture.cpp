@@ -7,6 +7,7 @@
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/wrap.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -19,6 +20,8 @@ namespace rt {
 namespace {
 
 constexpr std::chrono::seconds picture_limit{20};
+constexpr int first_with_samples =
+    11;  // the stage from which on colors are means of random samples
 
 /// Draws the picture with that many threads; 0 for one of each core.
 ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
@@ -41,15 +44,17 @@ bool differs_with_one_thread(const Image& mine, const std::string& program,
     const ProcessResult ending = drawn(program, file, mine.resolution, 1);
     if (ending.out_of_time || ending.status != 0) return false;
     if (read_png(file.string()).pixels == mine.pixels) return false;
-    std::printf(
-        "\nWith one thread your picture is another one: pixels are drawn by several threads at a\n"
-        "time, and what one keeps in a static or global variable, another overwrites.\n");
+    const char* const cause =
+        "Drawn again with one thread, your picture is another one. Look for a static or global "
+        "variable, which several threads write at a time, for a variable without a value, for an "
+        "index out of range, and for a reference to what is gone.";
+    std::printf("%s\n", wrapped_prose(cause).c_str());
     return true;
 }
 
 }  // namespace
 
-bool show_picture(int stage) {
+bool show_picture(int stage, bool is_wrong) {
     constexpr int apart = 5;  // a pixel is the middle one of 5 x 5 in the whole picture
     constexpr int magnification = 3;
     const std::string name(stage_name(stage));
@@ -73,8 +78,15 @@ bool show_picture(int stage) {
     const std::string shown = "renders/" + name + "_compare.png";
     write_png((project_folder / shown).string(), magnified(comparison.side_by_side, magnification),
               {});
-    std::printf("\nYour picture, the reference's and the difference, small: %s\n  %s\n",
-                shown.c_str(), summary(comparison).c_str());
+    const bool has_noise = stage >= first_with_samples && is_noise(mine, reference);
+    const std::string result = comparison.different == 0 && is_wrong
+                                   ? "the same picture: this scene does not show what is wrong"
+                               : has_noise ? summary(comparison) +
+                                                 ", as with another order of the "
+                                                 "samples: the means agree"
+                                           : summary(comparison);
+    std::printf("\nPicture: %s, beside the reference's\n%s\n", shown.c_str(),
+                wrapped("  " + result).c_str());
     return comparison.different == 0 || !differs_with_one_thread(mine, name + "_checked", file);
 }
 

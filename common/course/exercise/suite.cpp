@@ -6,6 +6,8 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 
+#include <algorithm>
+
 namespace rt {
 
 namespace {
@@ -27,7 +29,8 @@ std::string meaning_of(const std::string& crash) {
 
 void SuiteResult::add(const SuiteResult& later) {
     cases.insert(cases.end(), later.cases.begin(), later.cases.end());
-    ended = later.ended;
+    if (ended.empty()) ended = later.ended;
+    not_reached += later.not_reached;
     output += later.output;
 }
 
@@ -46,12 +49,17 @@ SuiteResult run_suite(const std::string& program) {
         throw InputError({}, program + " was told to stop before its end (" + ending.crash +
                                  "), which says nothing about your code: check it again");
     SuiteResult result{.output = ending.output};
-    if (std::filesystem::exists(report)) result.cases = read_report(read_text(report));
+    if (std::filesystem::exists(report)) {
+        const std::string text = read_text(report);
+        result.cases = read_report(text);
+        result.not_reached = std::max(cases_in_suite(text) - int(result.cases.size()), 0);
+    }
     if (ending.out_of_time)
         result.ended =
             "does not end: it was stopped after " + std::to_string(suite_time_limit.count()) + " s";
     else if (!ending.crash.empty())
         result.ended = "crashed: " + ending.crash + meaning_of(ending.crash);
+    if (!result.cases.empty()) result.cases.back().ended = result.ended;
     return result;
 }
 

@@ -9,8 +9,9 @@ namespace rt {
 
 struct SuiteResult {
     std::vector<CaseResult> cases;
-    std::string ended;   ///< the reason for an early end, a crash or a timeout; else empty
-    std::string output;  ///< the output of the student's own code
+    std::string ended;    ///< the reason for an early end, a crash or a timeout; else empty
+    std::string output;   ///< the output of the student's own code
+    int not_reached = 0;  ///< cases after the one in which it ended
 
     /// Adds the result of a suite that was run after this one.
     void add(const SuiteResult& later);

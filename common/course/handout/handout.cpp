@@ -4,6 +4,7 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/exercise/telling_case.hpp"
 #include "common/course/handout/for_students.hpp"
 #include "common/course/handout/live_links.hpp"
 #include "common/system/ending_of.hpp"
@@ -232,6 +233,15 @@ fs::path build_archives(const std::string& processor) {
     return folder / "archives";
 }
 
+/// The catalogues of known mistakes without their changes: which case catches each
+/// (telling_case.hpp).
+void add_authors_cases(const fs::path& folder) {
+    const fs::path target = folder / in_handout(mistakes_folder);
+    fs::create_directories(target);
+    for (const fs::path& catalogue : files_in(project_folder / mistakes_folder, ".txt"))
+        write_text(target / catalogue.filename(), authors_cases(read_text(catalogue)));
+}
+
 /// Returns how many files it consists of.
 std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
                  const Selection& selection) {
@@ -251,6 +261,7 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
             write_text(folder / path,
                        with_live_links(selected_text(selection, path, read_text(folder / path)),
                                        (folder / path).parent_path()));
+    add_authors_cases(folder);
     write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);
     Manifest manifest{.title = "Raysteps, version " + version(project_folder) + ", handed out on " +

@@ -1,6 +1,6 @@
 // The parts of a stage: their cases, and their hints.
 #include "common/course/build/project.hpp"
-#include "common/course/exercise/cases.hpp"
+#include "common/course/build/suite_report.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/system/files.hpp"
 
@@ -27,11 +27,6 @@ std::set<std::string> parts_of(int stage) {
             parts.insert(it->str(1));
     }
     return parts;
-}
-
-Outcome outcome(const std::string& part, bool passed) {
-    const CaseResult result{.name = "a case", .part = part, .passed = passed};
-    return {.in_double = result, .in_float = result};
 }
 
 }  // namespace
@@ -70,11 +65,4 @@ TEST_CASE("a case belongs to the last part that the report names") {
     CHECK(cases[1].part == "normal");
     CHECK(cases[2].part == "torch");
     CHECK(cases[2].points == 2);
-}
-
-TEST_CASE("the first part with a failing case is the first that is not right") {
-    CHECK(first_wrong_part({}).empty());
-    CHECK(first_wrong_part({outcome("normal", true), outcome("torch", true)}).empty());
-    CHECK(first_wrong_part({outcome("intersect", true), outcome("normal", true),
-                            outcome("normal", false), outcome("torch", false)}) == "normal");
 }

@@ -9,14 +9,17 @@ TEST_CASE("a mesh that is moved: the ray is moved the other way (HAI, translate)
           "[part frames (to_object_space)]") {
     const Ray seen =
         to_object_space({.origin = {1, 2, 8}, .direction = {0, 1, -1}}, {.translation = {1, 2, 3}});
-    CHECK(gives("the origin, 1,2,8 with the mesh at 1,2,3", seen.origin, Vec3(0, 0, 5)));
-    CHECK(gives("the direction, which moving leaves alone", seen.direction, Vec3(0, 1, -1)));
+    CHECK(gives("to_object_space(…).origin of 1,2,8, with the mesh at 1,2,3", seen.origin,
+                Vec3(0, 0, 5)));
+    CHECK(gives("to_object_space(…).direction of 0,1,-1, with the mesh at 1,2,3", seen.direction,
+                Vec3(0, 1, -1)));
 }
 
 TEST_CASE("a mesh twice as large: the ray and its direction are halved (HAI, scale)") {
     const Ray seen = to_object_space({.origin = {2, 0, 8}, .direction = {0, 1, -1}}, {.scale = 2});
-    CHECK(gives("the origin, 2,0,8 with the mesh scaled by 2", seen.origin, Vec3(1, 0, 4)));
-    CHECK(gives("the direction, not made unit length", seen.direction,
+    CHECK(gives("to_object_space(…).origin of 2,0,8, with the mesh scaled by 2", seen.origin,
+                Vec3(1, 0, 4)));
+    CHECK(gives("to_object_space(…).direction of 0,1,-1, with the mesh scaled by 2", seen.direction,
                 Vec3(0, Real(0.5), Real(-0.5))));
 }
 
@@ -25,16 +28,20 @@ TEST_CASE("a mesh that is turned: the ray is turned the other way (HAI, rotate)"
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
     const Ray seen =
         to_object_space({.origin = {0, 5, 1}, .direction = {1, 0, 0}}, {.rotation = quarter});
-    CHECK(gives("the origin, 0,5,1 on the turned x axis", seen.origin, Vec3(5, 0, 1)));
-    CHECK(gives("the direction 1,0,0, against the turned y axis", seen.direction, Vec3(0, -1, 0)));
+    CHECK(gives("to_object_space(…).origin of 0,5,1, with x turned to y", seen.origin,
+                Vec3(5, 0, 1)));
+    CHECK(gives("to_object_space(…).direction of 1,0,0, with x turned to y", seen.direction,
+                Vec3(0, -1, 0)));
 }
 
 TEST_CASE("a mesh is scaled, then turned, then moved, and the ray all that backwards (HAI)") {
     const Basis quarter{.x = {0, 1, 0}, .y = {-1, 0, 0}, .z = {0, 0, 1}};
     const Transform placement{.rotation = quarter, .scale = 2, .translation = {1, 2, 3}};
     const Ray seen = to_object_space({.origin = {1, 12, 5}, .direction = {0, -4, 0}}, placement);
-    CHECK(gives("the origin", seen.origin, Vec3(5, 0, 1)));
-    CHECK(gives("the direction", seen.direction, Vec3(-2, 0, 0)));
+    CHECK(gives("to_object_space(…).origin of 1,12,5, for " + code(placement), seen.origin,
+                Vec3(5, 0, 1)));
+    CHECK(gives("to_object_space(…).direction of 0,-4,0, for " + code(placement), seen.direction,
+                Vec3(-2, 0, 0)));
 }
 
 TEST_CASE("every point of the ray keeps its t in the mesh's frame (M1, change of frame)") {

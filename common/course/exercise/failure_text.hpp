@@ -1,0 +1,21 @@
+// A suite's sentence on a failure, as a student reads it on a terminal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rt {
+
+/// C++ of a call without what it does not show: fields with their default values, and digits of
+/// numbers that are rounded. It is to be read: a line to paste is kept as it is.
+[[nodiscard]] std::string brief_code(const std::string& code);
+
+/// The lines of a failure. The call is brief; the numbers of the answer that came and of the one
+/// expected have six digits, or as many as it takes to tell them apart. Unless `complete`, the
+/// lines to paste and the seed are left out.
+[[nodiscard]] std::vector<std::string> failure_lines(const std::string& failure, bool complete);
+
+/// The number of characters of the call, which comes before what it answered.
+[[nodiscard]] std::size_t length_of_call(const std::string& failure);
+
+}  // namespace rt

@@ -1,0 +1,28 @@
+// What `./course check` prints: one screen, or with --all everything.
+#pragma once
+
+#include "common/course/exercise/diagnosis.hpp"
+#include "common/course/exercise/judgment.hpp"
+#include "common/course/exercise/telling_case.hpp"
+#include "common/course/exercise/workbook.hpp"
+
+namespace rt {
+
+/// What is known after a check.
+struct Findings {
+    Judgment judgment;
+    Diagnosis diagnosis;
+    KnownCases known;
+    std::string part;  ///< to write or to mend next; empty if all cases pass
+};
+
+[[nodiscard]] Findings findings_of(int stage, Judgment judgment, Diagnosis diagnosis);
+
+/// Prints the verdict in one line, the sentences on known mistakes, and the most telling failure.
+/// With `complete` also every case, the lines to paste, and the names of the mistakes.
+void show_result(int stage, const Findings& findings, bool complete);
+
+/// Prints what to do next. `draws` is false if all cases pass and the picture does not.
+void show_next_step(const Workbook& workbook, const Findings& findings, bool draws);
+
+}  // namespace rt

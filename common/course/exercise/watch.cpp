@@ -1,0 +1,95 @@
+#include "common/course/exercise/watch.hpp"
+
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/check.hpp"
+#include "common/course/exercise/commands.hpp"
+#include "common/course/exercise/workbook.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/keys.hpp"
+#include "common/system/process.hpp"
+#include "common/system/terminal.hpp"
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+namespace rt {
+
+namespace {
+
+/// The stage that is watched.
+class Watch {
+public:
+    explicit Watch(int stage) : stage_(stage) {}
+
+    /// Until q is pressed.
+    void run() {
+        using namespace std::chrono_literals;
+        for (char key = 0; key != 'q'; key = keys_.pressed(100ms)) {
+            const bool is_saved = Workbook(stage_).fingerprint() != checked_;
+            if (is_saved || key == 'r') {
+                show([this] { check_again(); });
+            } else if (key == 'h') {
+                show([this] { show_hint(stage_, std::nullopt); });
+            } else if (key == 'l') {
+                show(show_progress);
+            } else if (key == 'n') {
+                go_on();
+            }
+        }
+    }
+
+private:
+    /// Prints on a screen of its own, and below it the keys.
+    void show(const std::function<void()>& content) {
+        if (output_on_terminal() && terminal_is_capable())
+            std::fputs("\033[H\033[2J\033[3J", stdout);
+        else
+            std::puts("");
+        std::fflush(stdout);
+        try {
+            content();
+        } catch (const InputError& error) {
+            std::puts(error.what());
+        } catch (const ProgramError& error) {
+            std::fputs(error.what(), stdout);
+        }
+        if (keys_.are_read())
+            std::printf("\n%d: r check again, h hint, n next stage, l stages, q quit\n", stage_);
+        else
+            std::printf("\nwaiting for a change of %s; Ctrl-C ends\n",
+                        step_path(stage_, "student").c_str());
+        finish_output();
+    }
+
+    void check_again() {
+        checked_ = Workbook(stage_).fingerprint();
+        check(stage_);
+    }
+
+    /// To the next stage, which is started if it is not, and if this one passes.
+    void go_on() {
+        const bool is_last = stage_ == int(stage_names.size());
+        const bool is_done = Workbook(stage_).state() == State::done;
+        show([&] {
+            if (!is_done) throw InputError({}, name_of(stage_) + " does not pass yet");
+            if (is_last) throw InputError({}, "this is the last stage");
+            ++stage_;
+            if (Workbook(stage_).files().empty()) start(stage_);
+            check_again();
+        });
+    }
+
+    int stage_;
+    std::string checked_;  ///< the fingerprint of the files
+    Keys keys_;
+};
+
+}  // namespace
+
+void watch(int stage) {
+    Watch(stage).run();
+}
+
+}  // namespace rt
