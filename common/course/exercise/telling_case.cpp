@@ -172,15 +172,19 @@ std::string part_to_mend(const std::vector<CaseResult>& cases, const KnownCases&
 std::size_t most_telling(const std::vector<CaseResult>& cases, const std::string& part,
                          const std::vector<std::string>& recognized, const KnownCases& known) {
     std::set<std::string> failing;
+    std::map<std::string, std::set<std::string>> failures;  // by case
     for (const CaseResult& each : cases)
-        if (is_trace(each.part) == is_trace(part)) failing.merge(failures_of(each));
+        if (is_trace(each.part) == is_trace(part)) {
+            failures[each.name] = failures_of(each);
+            failing.insert(failures[each.name].begin(), failures[each.name].end());
+        }
     std::map<std::string, double> votes;
     std::map<std::string, int> mistakes;
     std::set<std::string> of_recognized;
     for (const KnownFailure& each : known.mistakes) {
         votes[each.caught_by] += likeness(failing, each.failures);
-        for (const CaseResult& result : cases)
-            if (share_any(failures_of(result), each.failures)) ++mistakes[result.name];
+        for (const auto& [name, of_case] : failures)
+            if (share_any(of_case, each.failures)) ++mistakes[name];
         if (std::find(recognized.begin(), recognized.end(), each.mistake) != recognized.end())
             of_recognized.insert(each.caught_by);
     }
