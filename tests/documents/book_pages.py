@@ -103,6 +103,13 @@ def check_stage(number, page):
             page.fail(f"erratum {row[0]} is {'' if is_named else 'not '}in its table")
 
 
+def check_captions(page):
+    """Each figure that runs has its question below it."""
+    for name, below in re.findall(r"</rt-(\w+)>\s*<script[^>]*></script>\s*(.*)", page.path.read_text(encoding="utf-8")):
+        if name != "picture" and not re.match(r"<p><em>[^?]*\?", below):
+            page.fail(f"the figure {name} has no caption with its question")
+
+
 def check_size():
     size = sum(path.stat().st_size for path in site.rglob("*") if path.is_file())
     if size > 9.6e6 and not any(site.rglob("gallery/*.png")):  # which Pillow would have compressed
@@ -112,6 +119,7 @@ def check_size():
 for page in pages.values():
     check_links(page)
     check_formulas(page)
+    check_captions(page)
 stages = sorted(path for path in pages if path.parent == site and re.match(r"step\d\d_", path.name))
 for number, path in enumerate(stages, 1):
     check_stage(number, pages[path])

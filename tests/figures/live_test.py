@@ -33,7 +33,7 @@ for needed in [chromium.program, build / "engine/engine_float.wasm", build / "ca
 
 page = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{0}</title><link rel="icon" href="data:,">
 <style>:root {{ color-scheme: light dark }} body {{ width: 660px; margin: 8px }}</style>
-<rt-{0}><p>the drawn figure</p></rt-{0}><script type="module" src="/figures/live/{0}.js"></script>"""
+<rt-{0}><p><img alt="what is drawn"></p></rt-{0}><script type="module" src="/figures/live/{0}.js"></script>"""
 
 
 class Site(http.server.BaseHTTPRequestHandler):
@@ -106,7 +106,7 @@ def press(browser, name, selector, key, times):
 
 
 def states_of(browser, name):
-    """The figure in six states, and in three in a second browser: as loaded, and after each change."""
+    """The figure in six states, with each of its other cases, and in three in a second browser: as loaded, and after each change."""
     has_slider = browser.run(f"{part(name, 'All')}('input[type=range]').length > 0")
     changes = [lambda: None,
                lambda: drag(browser, name, (31, -23)),
@@ -114,6 +114,8 @@ def states_of(browser, name):
                lambda: press(browser, name, "input[type=range]" if has_slider else ".handle", "ArrowRight", 3),
                lambda: press(browser, name, "input[value=double]", "ArrowRight", 1),
                lambda: drag(browser, name, (-17, 29))]
+    cases = browser.run(f"{part(name, 'All')}('button').length")
+    changes += [lambda case=case: browser.run(f"{part(name, 'All')}('button')[{case}].click()") for case in range(cases)]
     if not isinstance(browser, chromium.Chromium):
         changes = [changes[0], changes[1], changes[4]]  # which a second browser could do otherwise
     for change in changes:
@@ -164,6 +166,7 @@ def check(browser, origin, name):
     browser.open(f"{origin}/page/{name}")
     browser.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
     browser.run(state % name)
+    errors += check_look(browser, name)
     for number, shown in enumerate(states_of(browser, name)):
         if not shown["asked"] or shown["shapes"] < 3:
             errors.append(f"state {number} asks or draws nothing")
@@ -216,6 +219,30 @@ def check_own_answers(browser, origin):
         errors.append(str(error))
     Site.worker = None
     return errors
+
+
+# What the figure says as loaded, by hand: x = 2.9 − √(1 − 0.5²); the rim is passed at x = −1, and x = 1 is at t = 3 / 0.5; the
+# areas of (1.1, 0.72) against that of abc; 0.6¹³ < 1/512; √(p (1 − p) / 64) with p = 0.668 is 0.059.
+says = {"sphere_roots": ["t1 = 2.034", "t2 = 3.766"], "cylinder_both_roots": ["hit: t = 6", "t1 = 2, zp = 1.45"], "plane_horizon": ["t = 4", "lost"],
+        "cone_side": ["steeper than the side"], "triangle_areas": ["α = −0.46", "|α| + |β| + |γ| = 1.92"], "square_frame": ["x = 0.5", "u = 0.75"],
+        "phong_vectors": ["N", "L", "R", "V", "θ", "α"], "mirror_facing": ["0.0013 < 1/512"], "soft_shadow_samples": [re.compile("error 0.0(5[3-9]|6[0-5])$")],
+        "unnormalized_x": ["as printed: 0.5"], "screen_side_view": ["tan(FOV/2) = 0.5774"]}
+
+
+def check_look(browser, name):
+    """Errors of what a finger may do, of digits, and of names for a screen reader, in the figure as loaded."""
+    found = browser.run(f"""(() => {{
+      const figure = document.querySelector("rt-{name}"), action = (element) => getComputedStyle(element).touchAction;
+      return {{ page: action(figure.svg), handles: figure.handles.map(({{ knob }}) => action(knob)), name: figure.svg.getAttribute("aria-label"),
+               open: figure.table.parentElement?.open ?? true, texts: Array.from(figure.svg.querySelectorAll("text"), ({{ textContent }}) => textContent) }};
+    }})()""")
+    errors = [] if found["page"] == "auto" and set(found["handles"]) == {"none"} else ["a finger cannot scroll the page, or drags no handle"]
+    errors += [] if found["name"] == "what is drawn" else [f"its name is {found['name']}"]
+    errors += ["all digits are unfolded"] if found["open"] else []
+    for text in says.get(name, []):
+        if not any(text.search(shown) if isinstance(text, re.Pattern) else text == shown for shown in found["texts"]):
+            errors.append(f"it does not say {text}")
+    return errors + [f"more than four digits: {text}" for text in found["texts"] if re.search(r"\.0*[1-9]\d{4}", text)]
 
 
 def take_shots(browser, name):

@@ -147,12 +147,12 @@ Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count
     };
     const Real share = seen(well_spread_sample, 0, 1U << 13);
     Vec2 sums(0);
-    for (std::uint32_t seed = 1; seed <= 32; ++seed) {
+    for (std::uint32_t seed = 1; seed <= 64; ++seed) {
         const Vec2 off(seen(well_spread_sample, seed, count) - share,
                        seen(independent_sample, seed, count) - share);
         sums += off * off;
     }
-    return {std::sqrt(sums.x / 32), std::sqrt(sums.y / 32)};
+    return {std::sqrt(sums.x / 64), std::sqrt(sums.y / 64)};
 }
 
 Mesh owl() {

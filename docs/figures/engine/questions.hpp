@@ -48,7 +48,7 @@ template <class Shape>
                                                  std::uint32_t side);
 
 /// How far the share of the light that is seen from the origin, behind the ball, is off with this
-/// many samples, well-spread and independent: root mean squares of 32 seeds.
+/// many samples, well-spread and independent: root mean squares of 64 seeds.
 [[nodiscard]] Vec2 sampling_errors(const Light& light, const Sphere& ball, std::uint32_t count);
 
 /// The owl of paper: that of scenes/meshes/owl_cage.obj, in triangles.

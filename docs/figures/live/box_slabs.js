@@ -1,22 +1,20 @@
 // Stage 13: a box as the common part of its slabs. Drag the ray: it is inside where all intervals are.
-import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+import { RayFigure, ahead, at, color, define, short, toward } from "./drawing.js";
 
 const box = { min: [-1.2, -0.8, -1], max: [1.2, 0.8, 1] };
 const oriented = { center: [0, 0, 0], basis: { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }, half_size: [1.2, 0.8, 1] };
 
-define("box_slabs", class extends Figure {
+define("box_slabs", class extends RayFigure {
   view = { place: [320, 150], scale: 80 };
   static height = 366;
 
   setup() {
-    this.origin = this.handle("origin");
-    this.tip = this.handle("direction", undefined, { fill: color.blue });
-    const ray = (origin, direction) => ({ origin, tip: add(origin, direction) });
-    this.cases({ "A: in the box": ray([-2.6, -0.9, 0], [1.1, 0.45, 0]), "B: no common t": ray([-2.4, 0.35, 0], [1.1, 1.1, 0]), "C: behind": ray([1.7, -0.95, 0], [0.7, -0.5, 0]) });
+    super.setup();
+    this.cases({ "A: in the box": toward([-2.6, -0.9, 0], [1.1, 0.45, 0]), "B: no common t": toward([-2.4, 0.35, 0], [1.1, 1.1, 0]), "C: behind": toward([1.7, -0.95, 0], [0.7, -0.5, 0]) });
   }
 
   async draw(sketch) {
-    const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+    const { ray } = this;
     const explanation = await this.ask(0, "explain", ray, oriented, ahead);
     const inside = await this.ask(13, "overlap", ray, box, { min: -Infinity, max: Infinity });
     const t = await this.ask(13, "intersect", ray, oriented, ahead);
@@ -27,7 +25,7 @@ define("box_slabs", class extends Figure {
     if (inside !== null) sketch.line(at(ray, inside.min), at(ray, inside.max), { stroke: color.red, width: 4 });
     const n = t === null ? null : await this.ask(13, "normal", oriented, at(ray, t));
     if (t !== null) {
-      sketch.arrow(at(ray, t), add(at(ray, t), times(0.5, n)), { stroke: color.green, width: 2 });
+      this.normal(sketch, at(ray, t), n);
       sketch.mark(at(ray, t), "hit");
       sketch.label(at(ray, t), [12, 22], `$t$ = ${short(t)}`, color.red, "start");
     }

@@ -1,15 +1,14 @@
 // Stage 8: the hourglass of the equation, the sign of a, and the nappe that is the cone. Drag the ray.
-import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+import { RayFigure, ahead, at, color, define, short, toward } from "./drawing.js";
 
-const ray = (origin, direction) => ({ origin, tip: add(origin, direction), radius: 1, height: 1.7 });
+const ray = (origin, direction) => toward(origin, direction, { radius: 1, height: 1.7 });
 
-define("cone_side", class extends Figure {
+define("cone_side", class extends RayFigure {
   static height = 380;
   view = { place: [320, 252], scale: 94 };
 
   setup() {
-    this.origin = this.handle("origin");
-    this.tip = this.handle("direction", undefined, { fill: color.blue });
+    super.setup();
     this.radius = this.slider("radius r", { min: 0.2, max: 2, step: 0.1, value: 1 });
     this.height = this.slider("height h", { min: 0.3, max: 2, step: 0.1, value: 1.7 });
     this.cases({
@@ -19,7 +18,7 @@ define("cone_side", class extends Figure {
   }
 
   async draw(sketch) {
-    const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+    const { ray } = this;
     const [r, h] = [this.radius.value, this.height.value];
     const cone = { apex: [0, 0, 0], axis: [0, 1, 0], radius: r, height: h };
     sketch.polygon([[0, 0, 0], [r, h, 0], [-r, h, 0]], { fill: color.tint });
@@ -30,14 +29,11 @@ define("cone_side", class extends Figure {
     sketch.arrow([0, 0, 0], [0, 2.3, 0], { stroke: color.green, width: 2 });
     sketch.label([0, 2.3, 0], [14, 8], "$Z$", color.green);
     sketch.label([0, 0, 0], [-14, 8], "$o$");
-    sketch.label([-1, -1.2, 0], [0, 0], "$z_p$ < 0", color.gray);
-    sketch.label([-r, h, 0], [-10, 5], "$z_p$ = $h$", color.gray, "end");
+    sketch.label([0.8, -1.1, 0], [0, 0], "$z_p$ < 0", color.gray, "start");
+    sketch.label([r, h, 0], [14, 5], "$z_p$ = $h$", color.gray, "start");
     sketch.ray(ray);
     const t = await this.ask(8, "intersect", ray, cone, ahead);
-    if (t !== null) {
-      const p = at(ray, t), n = await this.ask(8, "normal", cone, p);
-      sketch.arrow(p, add(p, times(0.5, n)), { stroke: color.green });
-    }
+    if (t !== null) this.normal(sketch, at(ray, t), await this.ask(8, "normal", cone, at(ray, t)));
     // The roots of the equation that the cone refuses: those of two longer cones, apex to apex.
     const roots = [];
     for (const axis of [[0, 1, 0], [0, -1, 0]]) roots.push(...await this.roots(8, ray, { ...cone, axis, radius: 512 * r, height: 512 * h }));

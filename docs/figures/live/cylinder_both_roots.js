@@ -1,24 +1,23 @@
 // Stage 7: the tube cut along its axis, and both roots with their z. Drag the ray.
-import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+import { RayFigure, ahead, at, color, define, short, toward } from "./drawing.js";
 
-const ray = (origin, direction) => ({ origin, tip: add(origin, direction), height: 2 });
+const ray = (origin, direction) => toward(origin, direction, { height: 2 });
 
-define("cylinder_both_roots", class extends Figure {
+define("cylinder_both_roots", class extends RayFigure {
   static height = 376;
   view = { place: [320, 188], scale: 78 };
 
   setup() {
-    this.origin = this.handle("origin");
-    this.tip = this.handle("direction", undefined, { fill: color.blue });
+    super.setup();
     this.height = this.slider("height h", { min: 0.2, max: 3.6, step: 0.1, value: 2 });
     this.cases({
-      "A: t₁ is hit": ray([-2, -0.4, 0], [1, 0.1, 0]), "B: t₂ is hit": ray([-2, 2, 0], [1, -0.55, 0]), "C: the rim": ray([-2, -1, 0], [1, 0, 0]),
-      "D: no hit": ray([1.32, 2.1, 0], [-0.5, -0.825, 0]), "E: along the axis": ray([0, 2.1, 0], [0, -1, 0]),
+      "A: t₁ is hit": ray([-2, -0.4, 0], [0.5, 0.05, 0]), "B: t₂ is hit": ray([-2, 2, 0], [0.5, -0.275, 0]), "C: the rim": ray([-2, -1, 0], [0.5, 0, 0]),
+      "D: no hit": ray([1.32, 2.1, 0], [-0.5, -0.825, 0]), "E: along the axis": ray([0, 2.1, 0], [0, -0.6, 0]),
     }, "B: t₂ is hit");
   }
 
   async draw(sketch) {
-    const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+    const { ray } = this;
     const cylinder = { center: [0, 0, 0], axis: [0, 1, 0], radius: 1, height: this.height.value };
     const h = cylinder.height / 2;
     sketch.polygon([[-1, -h, 0], [1, -h, 0], [1, h, 0], [-1, h, 0]], { fill: color.tint });
@@ -29,10 +28,7 @@ define("cylinder_both_roots", class extends Figure {
     sketch.line([0, -2, 0], [0, 2, 0], { stroke: color.green, width: 1, dashes: "8 4" });
     sketch.ray(ray);
     const t = await this.ask(7, "intersect", ray, cylinder, ahead);
-    if (t !== null) {
-      const p = at(ray, t), n = await this.ask(7, "normal", cylinder, p);
-      sketch.arrow(p, add(p, times(0.5, n)), { stroke: color.green });
-    }
+    if (t !== null) this.normal(sketch, at(ray, t), await this.ask(7, "normal", cylinder, at(ray, t)));
     // The roots that the height refuses: those of a longer tube.
     const roots = await this.roots(7, ray, { ...cylinder, height: 1e3 });
     sketch.roots(ray, roots, t, (root) => `, $z_p$ = ${short(at(ray, root)[1])}`);

@@ -47,7 +47,7 @@ export const ahead = { min: 0, max: Infinity };
 const along = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 const plain = (x) => Number(x.toPrecision(4));
 /// A number as it stands in a drawing: four digits. All are in the table.
-export const short = (x) => String(plain(x)).replace("-", "−");
+export const short = (x, digits = 4) => String(Number(x.toPrecision(digits))).replace("-", "−");
 
 /// Between two $, as svg.hpp says: "_" lowers the next letter, and a letter is italic.
 function typeset(made, text) {
@@ -129,7 +129,7 @@ export class Sketch {
     [...roots].sort((a, b) => a - b).forEach((t, i) => {
       const steep = Math.abs(ray.direction[1]) > 2 * Math.abs(ray.direction[0]), up = ray.direction[1] > 0.05 * Math.abs(ray.direction[0]);
       this.mark(at(ray, t), t === hit ? "hit" : "refused");
-      const name = roots.length > 1 ? `$t_${i + 1}$` : "$t$", left = !steep && (i === 0);
+      const name = roots.length > 1 ? `$t_${i + 1}$` : "$t$", left = !steep && (i === 0 || t < 0);
       this.label(at(ray, t), steep ? [12, 5] : [left ? -10 : 10, left === up ? -10 : 20], `${name} = ${short(t)}${told(t)}`, t === hit ? color.red : color.gray, left ? "end" : "start");
     });
   }
@@ -183,6 +183,7 @@ export class Figure extends HTMLElement {
       for (const [key, value] of Object.entries({ cx, cy, "aria-valuenow": plain(cx), "aria-valuetext": `(${handle.place.map(plain).join(", ")})` })) knob.setAttribute(key, value);
     };
     knob.addEventListener("pointerdown", (event) => knob.setPointerCapture(event.pointerId));
+    knob.addEventListener("pointerup", () => this.redraw());
     knob.addEventListener("pointermove", (event) => {
       if (!knob.hasPointerCapture(event.pointerId)) return;
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
@@ -329,6 +330,23 @@ export class Figure extends HTMLElement {
     }));
   }
 }
+
+/// A figure of a ray: its origin and the tip of its direction are handles.
+export class RayFigure extends Figure {
+  setup() {
+    this.origin = this.handle("origin");
+    this.tip = this.handle("direction", undefined, { fill: color.blue });
+  }
+  get ray() {
+    return { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+  }
+  /// The normal of a hit, half a unit long, or shorter.
+  normal(sketch, p, n, length = 0.5) {
+    sketch.arrow(p, add(p, times(length, n)), { stroke: color.green, width: 2 });
+  }
+}
+/// A case of it.
+export const toward = (origin, direction, more) => ({ origin, tip: add(origin, direction), ...more });
 
 /// A value of an answer: a number as its shortest digits. In float, those of a float.
 export function said(value, precision = "double") {

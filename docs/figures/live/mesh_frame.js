@@ -1,5 +1,5 @@
 // Stage 13: the ray goes to the mesh, not the mesh to the ray: the same t in both frames. Drag the ray.
-import { Figure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
+import { RayFigure, add, ahead, at, color, define, minus, short, times } from "./drawing.js";
 
 const outline = [[-0.8, -0.6, 0], [0.9, -0.5, 0], [0, 0.9, 0]];  // of the mesh, in its own frame
 const middle = [1 / 30, -1 / 15, 0];
@@ -12,19 +12,19 @@ const walls = outline.map((from, i) => {
 const mesh = { vertices: walls.flat(), normals: [], triangles: [[0, 1, 2], [3, 4, 5], [6, 7, 8]] };
 const normals = walls.map((corners) => corners.map(([x, y]) => outward([x, y, 0])));
 
-define("mesh_frame", class extends Figure {
+define("mesh_frame", class extends RayFigure {
   view = { place: [165, 175], scale: 60 };
   static height = 340;
 
   setup() {
-    this.origin = this.handle("origin", [-2.2, -1.2, 0]);
-    this.tip = this.handle("direction", [-1.2, -0.7, 0], { fill: color.blue });
+    super.setup();
+    [this.origin.place, this.tip.place] = [[-2.2, -1.2, 0], [-1.2, -0.7, 0]];
     this.angle = this.slider("turned by", { min: -180, max: 180, step: 5, value: 30, unit: "°" });
     this.scale = this.slider("scale", { min: 0.3, max: 2.5, step: 0.1, value: 1.6 });
   }
 
   async draw(sketch) {
-    const ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+    const { ray } = this;
     const angle = (this.angle.value * Math.PI) / 180, [cos, sin] = [Math.cos(angle), Math.sin(angle)];
     const rotation = { x: [cos, sin, 0], y: [-sin, cos, 0], z: [0, 0, 1] };
     const placement = { rotation, scale: this.scale.value, translation: [0.3, 0.2, 0] };
@@ -48,7 +48,7 @@ define("mesh_frame", class extends Figure {
     for (const [i, corner] of outline.entries()) sketch.arrow(add(corner, right), add(add(corner, right), times(0.5, normals[i][0])), { stroke: color.gray });
     if (nearest !== null && nearest.triangle in normals) {
       const n = await this.ask(13, "interpolated_normal", normals[nearest.triangle], nearest.weights), p = add(at(own, nearest.t), right);
-      sketch.arrow(p, add(p, times(0.8, n)), { stroke: color.green, width: 2 });
+      this.normal(sketch, p, n, 0.8);
       rows.push(["interpolated_normal", n]);
     }
     sketch.label([0, 0, 0], [0, -150], "in the scene");

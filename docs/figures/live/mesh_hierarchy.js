@@ -4,7 +4,7 @@ import { Figure, Sketch, color, define, minus } from "./drawing.js";
 
 const pens = {
   opened: [{ stroke: color.blue, width: 2 }, "hit, opened"],
-  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "hit, but behind the closest hit"],
+  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "hit, behind the closest hit"],
   missed: [{ stroke: color.amber, width: 1.2, dashes: "3 3" }, "tested, missed"],
   untested: [{ stroke: color.gray, width: 0.6 }, "not tested"],
 };
@@ -80,7 +80,7 @@ define("mesh_hierarchy", class extends Figure {
     sketch.shape("text", { x: 185, y: 24, text_anchor: "middle" }, "from the front");
     sketch.shape("text", { x: 492, y: 24, text_anchor: "middle" }, "from the side");
     Object.values(pens).forEach(([pen, text], i) => {
-      const x = i % 2 ? 330 : 20, y = 342 + 26 * (i >> 1);
+      const x = i % 2 ? 320 : 20, y = 342 + 26 * (i >> 1);
       sketch.pixels("rect", { x, y, width: 26, height: 14 }, pen);
       sketch.shape("text", { x: x + 36, y: y + 13 }, text);
     });

@@ -1,25 +1,24 @@
 // Stage 12: a ray between two mirrors, and where the recursion ends. Drag the ray.
-import { Figure, color, define, minus, short } from "./drawing.js";
+import { RayFigure, color, define, short, toward } from "./drawing.js";
 
 const walls = [{ point: [-1.4, 0, 0], normal: [1, 0, 0] }, { point: [1.4, 0, 0], normal: [-1, 0, 0] }];
 
-define("mirror_facing", class extends Figure {
+define("mirror_facing", class extends RayFigure {
   view = { place: [320, 300], scale: 100 };
   static height = 330;
 
   setup() {
-    this.origin = this.handle("origin");
-    this.tip = this.handle("direction", undefined, { fill: color.blue });
+    super.setup();
     this.mirror = this.slider("mirror", { min: 0, max: 1, step: 0.05, value: 0.6 });
     this.depth = this.slider("depth", { min: 0, max: 24, step: 1, value: 16 });
-    const places = { origin: [-0.9, 0.1, 0], tip: [0, 0.165, 0] };
-    this.cases({ "weight < 1/512": { ...places, mirror: 0.6, depth: 16 }, "depth 8": { ...places, mirror: 0.9, depth: 8 } });
+    const between = (mirror, depth) => toward([-0.9, 0.1, 0], [0.9, 0.065, 0], { mirror, depth });
+    this.cases({ "weight < 1/512": between(0.6, 16), "depth 8": between(0.9, 8) });
   }
 
   async draw(sketch) {
     sketch.label([1.4, 0, 0], [12, 5], "weight", color.gray, "start");
     for (const { point: [x] } of walls) sketch.line([x, -0.2, 0], [x, 3, 0], { width: 4 });
-    let ray = { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
+    let { ray } = this;
     let [bounces, weight] = [0, 1], reason = "the ray leaves";
     const rows = [];
     const pen = () => ({ stroke: color.blue, width: 0.6 + 3 * weight });
@@ -35,12 +34,11 @@ define("mirror_facing", class extends Figure {
       sketch.line(ray.origin, surface.point, pen());
       sketch.mark(surface.point, bounces ? "foot" : "hit");
       weight *= this.mirror.value;
-      const beside = [surface.point, [surface.point[0] < 0 ? -12 : 12, 5], color.ink, surface.point[0] < 0 ? "end" : "start"];
-      const tell = (text, fill = beside[2]) => sketch.label(beside[0], beside[1], text, fill, beside[3]);
-      if (bounces < 14) tell(short(weight));
-      if (!(await this.ask(12, "worth_reflecting", bounces, this.depth.value, weight))) {
-        tell(`${short(weight)}: ${bounces >= this.depth.value ? "the depth" : "< 1/512"}`, color.red);
-        reason = bounces >= this.depth.value ? "the depth is reached" : "what is reflected is not visible: weight below 1/512";
+      const ends = !(await this.ask(12, "worth_reflecting", bounces, this.depth.value, weight)), too_deep = bounces >= this.depth.value;
+      const why = ends ? (too_deep ? ": the depth" : " < 1/512") : "", [x] = surface.point;
+      sketch.label(surface.point, [x < 0 ? -12 : 12, 5], short(weight, 2) + why, ends ? color.red : color.ink, x < 0 ? "end" : "start");
+      if (ends) {
+        reason = too_deep ? "the depth is reached" : "what is reflected is not visible: weight below 1/512";
         sketch.mark(surface.point, "refused");
         break;
       }

@@ -19,7 +19,7 @@ define("phong_vectors", class extends Figure {
     this.specular = this.slider("k_s", { min: 0, max: 1, step: 0.05, value: 0.6 });
     this.shininess = this.slider("n", { min: 1, max: 256, step: 1, value: 8 });
     const places = (light, eye) => ({ light, eye, point: [0, 1, 0] });
-    this.cases({ "α > 0": places([-0.75, 2.2, 0], [1.5, 2, 0]), "α = 0": places([-1, 2, 0], [1, 2, 0]), "θ > 90°": places([-1.6, 0.6, 0], [1.5, 2, 0]) });
+    this.cases({ "α > 0": places([-0.75, 2.2, 0], [1.5, 2, 0]), "α = 0": places([-1, 2, 0], [1, 2, 0]), "θ > 90°": places([-1.3, 0.75, 0], [1.5, 2, 0]) });
     this.term = this.choice("term", Object.keys(parts));
   }
 
@@ -32,7 +32,8 @@ define("phong_vectors", class extends Figure {
 
   /// The ball in the screen's own pixels.
   async draw_ball(sketch, light, ambient, material, to_eye) {
-    const side = Math.min(512, Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640));
+    const most = this.svg.querySelector(".handle:active") ? 200 : 600;  // so that dragging is smooth
+    const side = Math.min(most, Math.ceil((2 * radius * this.svg.getBoundingClientRect().width * devicePixelRatio) / 640));
     const canvas = Object.assign(document.createElement("canvas"), { width: side, height: side });
     const pixels = await this.ask(0, "lit_ball", light, ambient, material, to_eye, side);
     canvas.getContext("2d").putImageData(new ImageData(new Uint8ClampedArray(pixels), side), 0, 0);
@@ -64,8 +65,8 @@ define("phong_vectors", class extends Figure {
     this.angle(sketch, p, N, R, 0.42, "θ", color.ink);
     this.angle(sketch, p, R, to_eye, 0.62, "α", color.red);
     sketch.label(p, [0, 26], "$p$", color.red);
-    sketch.label(this.light.place, [-16, 5], "light", color.ink, "end");
-    sketch.label(this.eye.place, [16, 5], "eye", color.ink, "start");
+    sketch.label(this.light.place, [-20, 5], "light", color.ink, "end");
+    sketch.label(this.eye.place, [20, 5], "eye", color.ink, "start");
     const shown = { ...material, color: times(Math.max(ratio, brightness), material.color), specular: highlight * material.specular };
     await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
     sketch.shape("text", { x: middle[0], y: 210, text_anchor: "middle" }, "what the eye sees");

@@ -47,10 +47,10 @@ define("plane_horizon", class extends Figure {
         sketch.pixels("rect", { x, y: 40 + 2.5 * i, width: is_lost ? 18 : 36, height: 2.6 }, { fill: ground_is_seen ? color.green : is_lost ? color.red : color.pale_blue });
       });
     }
-    sketch.shape("text", { x: 570, y: 16, text_anchor: "middle" }, "a column of pixels");
+    sketch.shape("text", { x: 636, y: 16, text_anchor: "end" }, "a column of pixels");
     sketch.shape("text", { x: 564, y: 34, text_anchor: "end" }, "exact");
     sketch.shape("text", { x: 577, y: 34 }, "with ε");
-    [["sky", color.blue], ["ground", color.green], ["lost", color.red]].forEach(([text, fill], i) => sketch.shape("text", { x: 530 + [0, 28, 82][i], y: 262, style: `fill: ${fill}` }, text));
+    [["sky", color.blue, 62], ["lost", color.red, 88], ["ground", color.green, 150]].forEach(([text, fill, y]) => sketch.shape("text", { x: 522, y, text_anchor: "end", style: `fill: ${fill}` }, text));
     sketch.label([2.6, origin[1], 0], [0, -6], "the horizon: ⟨$d_r$, $n$⟩ = 0", color.gray);
     return [await this.ask(0, "explain", ray, ground, ahead), ["intersect", t], [`with |⟨d_r, n⟩| < ${epsilon.toExponential()} refused`, printed], ["intersect from t = 5 on", beyond], ["normal of a plane given as (0, 3, 4)", tilted]];
   }

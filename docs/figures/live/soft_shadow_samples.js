@@ -5,7 +5,7 @@ const from = { point: [0, 0, 0], normal: [0, 1, 0], geometric_normal: [0, 1, 0],
 
 define("soft_shadow_samples", class extends Figure {
   static height = 330;
-  view = { place: [115, 175], scale: 80 };  // the light seen from below: x to the right, z down
+  view = { place: [112, 160], scale: 80 };  // the light seen from below: x to the right, z down
 
   setup() {
     this.ball = this.handle("ball", [0.5, 0.1, 0]);
@@ -19,10 +19,10 @@ define("soft_shadow_samples", class extends Figure {
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
     const errors = await this.ask(0, "sampling_errors", light, ball, count);
-    for (const [i, [kind, shift, square]] of [["well spread", 0, 430], ["independent", 2.45, 544]].entries()) {
+    for (const [i, [kind, shift, square]] of [["well spread", 0, 226], ["independent", 4, 546]].entries()) {
       sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
       sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
-      sketch.pixels("rect", { x: square, y: 130, width: 88, height: 88 }, { stroke: color.gray });
+      sketch.pixels("rect", { x: square, y: 116, width: 88, height: 88 }, { stroke: color.gray });
       let reached = 0;
       for (let i = 0; i < count; ++i) {
         const sample = await this.ask(0, `${kind.replace(" ", "_")}_sample`, i, this.seed.value);
@@ -31,7 +31,7 @@ define("soft_shadow_samples", class extends Figure {
         const blocked = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
         if (!blocked) ++reached;
         // A blocked sample is a cross, one that arrives is a dot.
-        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + 88 * sample[0], 218 - 88 * sample[1]]];
+        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + 88 * sample[0], 204 - 88 * sample[1]]];
         for (const [u, v] of places)
           if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.red, width: 1 });
           else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });
@@ -40,12 +40,11 @@ define("soft_shadow_samples", class extends Figure {
       const share = await this.ask(11, "visibility", rays);
       sketch.label([shift, 0, 0], [0, -130], kind);
       sketch.label([shift, 0, 0], [0, 128], `${short(share)} is seen`);
-      sketch.label([shift, 0, 0], [0, 150], `error ${errors[i].toFixed(4)}`, color.red);
-      sketch.shape("text", { x: shift ? 634 : square + 44, y: 122, text_anchor: shift ? "end" : "middle" }, kind);
-      rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 32 seeds)`, errors[i]]);
+      sketch.label([shift, 0, 0], [0, 150], `error ${errors[i].toFixed(3)}`, color.red);
+      rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 64 seeds)`, errors[i]]);
       if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
-    sketch.shape("text", { x: 634, y: 245, text_anchor: "end" }, "dots are seen, crosses not");
+    sketch.shape("text", { x: 270, y: 236, text_anchor: "middle" }, "dots are seen, crosses not");
     return rows;
   }
 });

@@ -45,7 +45,7 @@ define("square_frame", class extends Figure {
     sketch.label(times(0.5, add(along, beside)), [-8, 5], `$v$ = ${short(uv[1])}`, color.amber, "end");
     ["x", "y"].forEach((name, i) => sketch.shape("text", { x: 20, y: 290 + 24 * i, style: `fill: ${color.blue}` }, `$${name}$ = ${short([x, y][i])}`));
     sketch.mark(p, t === null ? "refused" : "hit");
-    sketch.label(p, [16, -10], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, "start");
+    sketch.label(p, [20, -10], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, "start");
     return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["intersect from t = 3 on", beyond], ["intersect of the ray away from it", away], ["normal", await this.ask(6, "normal", square, p)]];
   }
 });

@@ -10,7 +10,7 @@ define("triangle_areas", class extends Figure {
   setup() {
     for (const name of ["a", "b", "c"]) this[name] = this.handle(name);
     this.p = this.handle("p", undefined, { fill: color.red });
-    this.cases({ "α < 0": { ...corners, p: [1.1, 0.72, 0] }, "α, β, γ > 0": { ...corners, p: [0, -0.2, 0] }, "α, β < 0": { ...corners, p: [-0.45, 1.15, 0] } });
+    this.cases({ "α < 0": { ...corners, p: [1.1, 0.72, 0] }, "α, β, γ > 0": { ...corners, p: [0, -0.2, 0] } });
   }
 
   async draw(sketch) {
@@ -29,7 +29,7 @@ define("triangle_areas", class extends Figure {
     }
     sketch.polygon([a, b, c], { stroke: color.ink, width: 2 });
     for (const [name, from, to, , weight] of parts)
-      sketch.label(times(1 / 3, add(add(from, to), p)), [0, 5], `$${name}$ = ${weight.toFixed(2).replace("-", "−")}`, weight < 0 ? color.red : color.ink);
+      sketch.label(times(1 / 3, add(add(from, to), p)), [0, 5], `$${name}$ = ${weight.toFixed(2).replace("-", "−")}`, weight < 0 ? `${color.red}; stroke-width: 10` : color.ink);
     [["a", a], ["b", b], ["c", c]].forEach(([name, corner]) => sketch.label(corner, [corner === b ? 20 : -20, 5], `$${name}$`));
     sketch.label(p, [14, -10], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, "start");
     const sum = weights.reduce((total, weight) => total + Math.abs(weight), 0);

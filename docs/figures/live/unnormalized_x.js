@@ -55,7 +55,7 @@ define("unnormalized_x", class extends Figure {
     for (const [share, pen] of [[1, { stroke: color.green, fill: color.tint, width: 2 }], [shrunk, { stroke: color.amber, width: 3, dashes: "6 3" }]])
       sketch.pixels("rect", { x: middle[0] - (share * wide) / 2, y: middle[1] - (share * high) / 2, width: share * wide, height: share * high }, pen);
     sketch.shape("text", { x: 380, y: 353, text_anchor: "end" }, "the screen");
-    sketch.shape("text", { x: 475, y: 418, text_anchor: "middle", style: `fill: ${color.amber}` }, `as printed: all looks ${short(1 / shrunk)} times as large`);
+    sketch.shape("text", { x: 636, y: 418, text_anchor: "end", style: `fill: ${color.amber}` }, `as printed: all looks ${short(1 / shrunk)} times as large`);
     return [
       ["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y],
       [`to_world: from (0.5, 0, 0) along −z; camera at (${position.join(", ")})`, in_world],
