@@ -61,6 +61,14 @@ target_compile_options(raysteps_options INTERFACE
     -Wno-missing-field-initializers
     # g++ 11 reports this one without reason in the standard library's headers.
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,12>>:-Wno-stringop-overread>)
+
+# For students' files, in `check` as in grading: a missing return is an error. In files of functions,
+# an index out of range and an empty optional end the program with a message, in libstdc++ and libc++;
+# a main.cpp, whose precompiled header is that of the project, has this with sanitizers only.
+set(students_errors -Werror=return-type)
+set(students_assertions _GLIBCXX_ASSERTIONS
+    _LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_EXTENSIVE)
+
 if(RAYSTEPS_SANITIZE)
     target_compile_options(raysteps_options INTERFACE
         -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer

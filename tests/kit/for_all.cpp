@@ -67,12 +67,16 @@ Verdict for_all(const Property& property, int cases) {
         if (property(random).holds) continue;
         std::vector<double> choices = random.choices();
         shrink(property, choices);
-        const std::string sentence = replay(property, choices).sentence;
+        const Verdict again = replay(property, choices);
+        const std::string sentence =
+            again.holds ? "the same call returned another result when it was repeated: your code "
+                          "keeps a value from one call to the next, or uses one that is not set"
+                        : again.sentence;
         failures_of_case = failures_before;  // without those of the search
         const std::string which =
             seed().secret ? "" : "RAYSTEPS_SEED=" + std::to_string(seed().number) + ", ";
-        return verdict(false, sentence + "\n  random:   " + which +
-                                  "case " + std::to_string(i + 1) + " of " + std::to_string(cases));
+        return verdict(false, sentence + "\n  random:   " + which + "case " +
+                                  std::to_string(i + 1) + " of " + std::to_string(cases));
     }
     return {};
 }

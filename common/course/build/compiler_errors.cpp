@@ -2,6 +2,7 @@
 
 #include "common/system/files.hpp"
 
+#include <algorithm>
 #include <regex>
 
 namespace rt {
@@ -16,10 +17,16 @@ const std::regex students_file(R"((?:^|.*/)(steps/step\w+/student/[^:]+))");
 const std::regex projects_file(R"((?:^|.*/)((?:steps|common)/[^:]+))");
 /// A place that the compiler lists in the context of an error: "in instantiation of …".
 const std::regex mention(R"((steps/step\w+/student/[^:/]+\.[a-z]+):(\d+))");
+/// The place where g++ inlined the function of a header to which a diagnostic belongs.
+const std::regex inlined(R"( +inlined from .* at (?:.*/)?(steps/step\w+/student/[^:]+:\d+:\d+).*)");
+/// A value that is not what it seems, which explains a wrong answer; other warnings can wait.
+const std::regex wrong_value(
+    R"(\[-W\S*(uninitialized|dangling|local-addr|stack-address|bounds|lifetime)\S*\])");
 const std::regex undefined(R"(undefined (?:reference to|symbol:) [`']?(.*?)'?$)");
-/// With ld and lld, the symbol comes first; with mold, two objects.
+/// With ld, gold, lld and Apple's, the symbol comes first; with mold, two objects, which may be an
+/// archive's.
 const std::regex duplicate(
-    R"((?:multiple definition of|duplicate symbol:) (?:\S+\.o: \S+\.o: )?[`']?([^`';]*))");
+    R"((?:multiple definition of|duplicate symbol:?) (?:\S+\.o\)?: \S+\.o\)?: )?[`']?([^`';]*))");
 /// A student's object, where CMake puts it.
 const std::regex students_object(
     R"((steps/step\w+)/CMakeFiles/\w+_student_(?:main_)?f\d+\.dir/(student/[^:]+)\.o\b)");
@@ -42,16 +49,41 @@ std::string diagnostic_at(std::size_t& i, const Lines& lines, const std::string&
     return text;
 }
 
-/// The first diagnostic of this kind in a student's file, with the first note that belongs to it:
+/// The diagnostics of this kind in a student's file, each with the first note that belongs to it:
 /// the header to include, or the function that was called.
-std::string first(const Lines& lines, const std::string& kind) {
+Lines in_students_files(const Lines& lines, const std::string& kind) {
+    Lines all;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::string found = diagnostic_at(i, lines, kind, students_file);
         if (found.empty()) continue;
         const std::string note = diagnostic_at(i, lines, "note", projects_file);
-        return found + (note.empty() ? "" : "\n" + note);
+        all.push_back(found + (note.empty() ? "" : "\n" + note));
+        --i;  // the next line may be a diagnostic
     }
-    return "";
+    return all;
+}
+
+/// The diagnostics of this kind about a header's function that was inlined into a student's, at the
+/// call, each with the student's declaration: "'t2' may be used uninitialized", of
+/// interval.contains(t2).
+Lines in_inlined_functions(const Lines& lines, const std::string& kind) {
+    Lines all;
+    std::smatch match;
+    std::string call;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (std::regex_match(lines[i], match, inlined)) call = match[1].str();
+        if (call.empty() || !std::regex_match(lines[i], match, diagnostic)) continue;
+        if (match[4] == kind && !std::regex_match(match[1].str(), students_file)) {
+            all.push_back(call + ": " + kind + ": " + match[5].str());
+            while (++i < lines.size() && (lines[i].starts_with(' ') || lines[i].ends_with(':')))
+                if (std::regex_match(lines[i], inlined)) break;
+            const std::string note = diagnostic_at(i, lines, "note", students_file);
+            if (!note.empty()) all.back() += "\n" + note;
+            --i;
+        }
+        call.clear();
+    }
+    return all;
 }
 
 /// An error in a header that a line of a student's file caused.
@@ -67,30 +99,40 @@ std::string led_to(const Lines& lines) {
     return "";
 }
 
-/// " in FILE and FILE", for the students' objects that the line names.
-std::string objects(const std::string& line) {
+/// " in FILE and FILE", for the students' objects that a linker's message names, in its first line,
+/// in one of those that follow, or before it: "FILE: in function `main':".
+std::string objects(const Lines& lines, std::size_t first) {
+    constexpr std::size_t longest_message = 5;
     std::string text;
-    for (std::sregex_iterator match(line.begin(), line.end(), students_object), end; match != end;
-         ++match) {
-        const std::string file = (*match)[1].str() + "/" + (*match)[2].str();
-        if (text.find(file) == std::string::npos) text += (text.empty() ? " in " : " and ") + file;
+    const bool has_head = first > 0 && lines[first - 1].find(": in function") != std::string::npos;
+    for (std::size_t i = has_head ? first - 1 : first;
+         i < std::min(first + longest_message, lines.size()); ++i) {
+        if (i > first && std::regex_search(lines[i], duplicate)) break;
+        for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), students_object), end;
+             match != end; ++match) {
+            const std::string file = (*match)[1].str() + "/" + (*match)[2].str();
+            if (text.find(file) == std::string::npos)
+                text += (text.empty() ? " in " : " and ") + file;
+        }
     }
     return text;
 }
 
 /// Errors of the linker: missing or duplicate symbols.
 std::string linker(const Lines& lines) {
-    for (const std::string& line : lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string& line = lines[i];
         std::smatch match;
         if (std::regex_search(line, match, undefined))
             return "error: nothing defines " + match[1].str() +
                    "\nIs it written, in namespace rt, with the parameters that the stage's header "
                    "has?";
-        if (std::regex_search(line, match, duplicate))
-            return "error: defined twice: " + match[1].str() + objects(line) +
-                   (match[1].str() == "main"
-                        ? "\nThe program has a main of its own: remove yours."
-                        : "\nPut helper functions into an anonymous namespace: namespace { … }");
+        if (!std::regex_search(line, match, duplicate)) continue;
+        const std::string symbol = match[1] == "_main" ? "main" : match[1].str();  // Apple's
+        return "error: defined twice: " + symbol + objects(lines, i) +
+               (symbol == "main"
+                    ? "\nThe program has a main of its own: remove yours."
+                    : "\nPut helper functions into an anonymous namespace: namespace { … }");
     }
     return "";
 }
@@ -107,14 +149,24 @@ Lines short_lines(const std::string& output) {
 
 std::string first_error(const std::string& output) {
     const Lines lines = short_lines(output);
-    for (const std::string& found : {first(lines, "error"), led_to(lines), linker(lines)})
+    for (const Lines& errors :
+         {in_students_files(lines, "error"), in_inlined_functions(lines, "error")})
+        if (!errors.empty()) return errors.front() + "\n";
+    for (const std::string& found : {led_to(lines), linker(lines)})
         if (!found.empty()) return found + "\n";
     return output;
 }
 
 std::string first_warning(const std::string& output) {
-    const std::string found = first(short_lines(output), "warning");
-    return found.empty() ? "" : found + "\n";
+    const Lines lines = short_lines(output);
+    Lines all = in_students_files(lines, "warning");
+    const Lines of_headers = in_inlined_functions(lines, "warning");
+    all.insert(all.end(), of_headers.begin(), of_headers.end());
+    if (all.empty()) return "";
+    const auto telling = std::find_if(all.begin(), all.end(), [](const std::string& warning) {
+        return std::regex_search(warning, wrong_value);
+    });
+    return (telling == all.end() ? all.front() : *telling) + "\n";
 }
 
 }  // namespace rt

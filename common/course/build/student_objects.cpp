@@ -37,24 +37,20 @@ bool is_newer(const fs::path& made, const fs::path& from) {
            fs::last_write_time(made, none) >= fs::last_write_time(from, none);
 }
 
-/// A student's file, compiled since it changed.
-struct CompiledFile {
-    int stage = 0;
-    fs::path file;
-    fs::path object;
+struct LinkedFile : CompiledFile {
     /// The functions and variables that other objects can see, without those that may be defined in
     /// several objects.
     std::set<std::string> symbols = {};
 };
 
 /// Reads the symbols of all files with one nm: to start it takes longer than to read an object.
-void read_symbols(std::vector<CompiledFile>& files) {
+void read_symbols(std::vector<LinkedFile>& files) {
     constexpr std::size_t most_output = 4'000'000;
     Command command = {"sh", "-c", "nm -gCA \"$@\" | grep ' [TDBR] '", "nm"};
-    for (const CompiledFile& each : files) command.push_back(each.object.string());
+    for (const LinkedFile& each : files) command.push_back(each.object.string());
     const ProcessResult listed = run_captured(command, time_limit, nullptr, most_output);
     for (const std::string& line : lines_of(listed.output))
-        for (CompiledFile& each : files) {
+        for (LinkedFile& each : files) {
             const std::string object = each.object.string() + ":";
             if (line.rfind(object, 0) != 0) continue;
             const std::size_t type = line.find_first_not_of(" 0123456789abcdef", object.size());
@@ -64,13 +60,10 @@ void read_symbols(std::vector<CompiledFile>& files) {
 }
 
 /// The student's files of all stages that were compiled since they changed.
-std::vector<CompiledFile> compiled_files() {
-    std::vector<CompiledFile> files;
+std::vector<LinkedFile> linked_files() {
+    std::vector<LinkedFile> files;
     for (int stage = 1; stage <= int(stage_names.size()); ++stage)
-        for (const fs::path& file : student_files(stage)) {
-            const fs::path object = object_of(stage, file, "f64");
-            if (is_newer(object, file)) files.push_back({stage, file, object});
-        }
+        for (CompiledFile& each : compiled_files(stage)) files.push_back({std::move(each)});
     if (files.size() > 1) read_symbols(files);
     return files;
 }
@@ -81,6 +74,15 @@ bool meet(const CompiledFile& earlier, const CompiledFile& later) {
 }
 
 }  // namespace
+
+std::vector<CompiledFile> compiled_files(int stage) {
+    std::vector<CompiledFile> files;
+    for (const fs::path& file : student_files(stage)) {
+        const fs::path object = object_of(stage, file, "f64");
+        if (is_newer(object, file)) files.push_back({stage, file, object});
+    }
+    return files;
+}
 
 bool is_student_object(const std::string& path) {
     return (path.find("_student_f") != std::string::npos ||
@@ -114,9 +116,9 @@ std::string kept_warnings(int stage) {
 
 std::vector<SharedSymbol> shared_symbols(int stage) {
     std::vector<SharedSymbol> shared;
-    const std::vector<CompiledFile> files = compiled_files();
-    for (const CompiledFile& mine : files)
-        for (const CompiledFile& other : files)
+    const std::vector<LinkedFile> files = linked_files();
+    for (const LinkedFile& mine : files)
+        for (const LinkedFile& other : files)
             if (mine.stage == stage && (meet(mine, other) || meet(other, mine)))
                 for (const std::string& name : mine.symbols)
                     if (other.symbols.contains(name))

@@ -7,6 +7,16 @@
 
 namespace rt {
 
+/// A student's file, compiled in double since it changed.
+struct CompiledFile {
+    int stage = 0;
+    std::filesystem::path file;
+    std::filesystem::path object;
+};
+
+/// These files of a stage.
+[[nodiscard]] std::vector<CompiledFile> compiled_files(int stage);
+
 /// True for the path of a student's object in the build folder.
 [[nodiscard]] bool is_student_object(const std::string& path);
 

@@ -1,6 +1,7 @@
 #include "common/course/exercise/show_picture.hpp"
 
 #include "common/course/build/project.hpp"
+#include "common/course/build/static_data.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/image/png.hpp"
 #include "common/stages/stages.hpp"
@@ -23,7 +24,10 @@ constexpr std::chrono::seconds picture_limit{20};
 constexpr int first_with_samples =
     11;  // the stage from which on colors are means of random samples
 
-/// Draws the picture with that many threads; 0 for one of each core.
+/// More than many machines have cores, so that threads take turns at any place of a pixel.
+constexpr int several_threads = 4;
+
+/// Draws the picture with that many threads.
 ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
                     int threads) {
     const StatusLine status("drawing your picture …");
@@ -33,21 +37,29 @@ ProcessResult drawn(const std::string& program, const std::filesystem::path& fil
         "-o",
         file.string(),
         "--size",
-        std::to_string(size.width) + "x" + std::to_string(size.height)};
-    if (threads > 0) command.insert(command.end(), {"--threads", std::to_string(threads)});
+        std::to_string(size.width) + "x" + std::to_string(size.height),
+        "--threads",
+        std::to_string(threads)};
     return run_captured(command, picture_limit);
 }
 
-/// Returns whether the program draws other pixels with one thread, and prints the usual cause.
-bool differs_with_one_thread(const Image& mine, const std::string& program,
-                             const std::filesystem::path& file) {
-    const ProcessResult ending = drawn(program, file, mine.resolution, 1);
+/// Returns whether the program draws other pixels with one thread, and prints the usual causes.
+bool differs_with_one_thread(const Image& mine, int stage, const std::filesystem::path& file) {
+    const ProcessResult ending = drawn(stage_target(stage, "_checked"), file, mine.resolution, 1);
     if (ending.out_of_time || ending.status != 0) return false;
     if (read_png(file.string()).pixels == mine.pixels) return false;
-    const char* const cause =
-        "Drawn again with one thread, your picture is another one. Look for a static or global "
-        "variable, which several threads write at a time, for a variable without a value, for an "
-        "index out of range, and for a reference to what is gone.";
+    std::string shared;
+    for (const StaticVariable& each : static_variables(stage))
+        if (!each.of_each_thread) shared += (shared.empty() ? "" : ", ") + each.name;
+    const std::string cause =
+        shared.empty()
+            ? "Drawn again with one thread, your picture is another one. Look for a variable "
+              "without a value, an index out of range, a reference to what is gone, or memory "
+              "that several threads write at a time. ./course check " +
+                  std::to_string(stage) + " --sanitize may find the line."
+            : "Drawn again with one thread, your picture is another one. Several threads write "
+              "this static or global variable at a time: " +
+                  shared;
     std::printf("%s\n", wrapped_prose(cause).c_str());
     return true;
 }
@@ -62,7 +74,8 @@ bool show_picture(int stage, bool is_wrong) {
         read_png((project_folder / "docs/pictures/small" / (name + ".png")).string());
     const TemporaryFolder folder(build_folder);
     const std::filesystem::path file = folder.path() / "mine.png";
-    const ProcessResult ending = drawn(name + "_checked", file, reference.resolution, 0);
+    const ProcessResult ending =
+        drawn(name + "_checked", file, reference.resolution, several_threads);
     if (ending.out_of_time || ending.status != 0) {
         std::printf("\nno picture: %s\n", ending.out_of_time ? "the program does not end"
                                           : ending.crash.empty()
@@ -87,7 +100,7 @@ bool show_picture(int stage, bool is_wrong) {
                                            : summary(comparison);
     std::printf("\nPicture: %s, beside the reference's\n%s\n", shown.c_str(),
                 wrapped("  " + result).c_str());
-    return comparison.different == 0 || !differs_with_one_thread(mine, name + "_checked", file);
+    return !differs_with_one_thread(mine, stage, file);
 }
 
 }  // namespace rt

@@ -7,6 +7,8 @@
 #include "common/system/process.hpp"
 
 #include <algorithm>
+#include <array>
+#include <regex>
 
 namespace rt {
 
@@ -26,6 +28,39 @@ std::string meaning_of(const std::string& crash) {
 }
 
 }  // namespace
+
+std::string take_assertion(std::string& output) {
+    struct Cause {
+        const char* condition;
+        const char* sentence;
+    };
+    constexpr std::array<Cause, 6> causes = {{
+        {"_M_is_engaged()", "A std::optional without a value was read, by * or ->"},
+        {"on a disengaged value", "A std::optional without a value was read, by * or ->"},
+        {"this->size()", "An index is out of range, as 2 is for two elements"},
+        {"out-of-bounds", "An index is out of range, as 2 is for two elements"},
+        {"out of bounds", "An index is out of range, as 2 is for two elements"},
+        {"", "An assertion failed"},
+    }};
+    static const std::regex assertion(
+        R"((?:\S+: )?(\S+:\d+): .*([Aa]ssertion ('.*'|`.*'|.*) failed.*))", std::regex::optimize);
+    std::smatch match;
+    std::string rest;
+    std::string sentence;
+    for (const std::string& line : lines_of(output)) {
+        if (line.size() > 2000 || !std::regex_match(line, match, assertion)) {
+            rest += line + "\n";
+            continue;
+        }
+        const auto* const cause = std::find_if(
+            causes.begin(), causes.end(),
+            [&](const Cause& each) { return line.find(each.condition) != std::string::npos; });
+        sentence =
+            std::string(cause->sentence) + " (" + match[1].str() + ": " + match[2].str() + ")";
+    }
+    output = rest;
+    return sentence;
+}
 
 void SuiteResult::add(const SuiteResult& later) {
     cases.insert(cases.end(), later.cases.begin(), later.cases.end());
@@ -57,8 +92,15 @@ SuiteResult run_suite(const std::string& program) {
     if (ending.out_of_time)
         result.ended =
             "does not end: it was stopped after " + std::to_string(suite_time_limit.count()) + " s";
-    else if (!ending.crash.empty())
-        result.ended = "crashed: " + ending.crash + meaning_of(ending.crash);
+    else if (!ending.crash.empty()) {
+        const std::string assertion = take_assertion(result.output);
+        result.ended = "crashed: " + ending.crash +
+                       (assertion.empty() ? meaning_of(ending.crash) : ". " + assertion);
+    } else if (!std::filesystem::exists(report)) {
+        result.ended =
+            "ended the program before the first case: remove a main function of yours, and "
+            "std::exit";
+    }
     if (!result.cases.empty()) result.cases.back().ended = result.ended;
     return result;
 }

@@ -20,6 +20,10 @@ struct SuiteResult {
 /// The report that `run_suite` leaves.
 [[nodiscard]] std::filesystem::path report_of(const std::string& program);
 
+/// The sentence for an assertion of the standard library, as g++'s and clang++'s print it, or of
+/// the student's own, with its place; empty without one. Its line is taken from the output.
+[[nodiscard]] std::string take_assertion(std::string& output);
+
 /// Runs a suite's program, for at most ten seconds.
 [[nodiscard]] SuiteResult run_suite(const std::string& program);
 

@@ -2,6 +2,7 @@
 
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/static_data.hpp"
 #include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/may_include.hpp"
 
@@ -58,10 +59,22 @@ void show_shared_symbols(int stage) {
             each.file.c_str(), each.name.c_str(), each.other_file.c_str(), advice);
 }
 
+/// Warns of variables that keep a value from one ray to the next.
+void show_static_variables(int stage) {
+    for (const StaticVariable& each : static_variables(stage))
+        std::printf(each.of_each_thread
+                        ? "%s:%d: warning: %s keeps its value from one ray to the next: make it a "
+                          "local variable, or const\n"
+                        : "%s:%d: warning: %s keeps its value from one ray to the next, and all "
+                          "threads share it: make it a local variable, or const\n",
+                    each.file.c_str(), each.line, each.name.c_str());
+}
+
 }  // namespace
 
 void show_warnings(const Workbook& workbook) {
     show_warning(workbook.stage());
+    show_static_variables(workbook.stage());
     show_shared_symbols(workbook.stage());
     show_refused_includes(workbook);
     show_ungraded_files(workbook);

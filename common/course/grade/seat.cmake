@@ -6,8 +6,8 @@
 # seats/graded/<file>.o       all of these but the graded file; it can call only the functions of
 #                             the headers in steps/may_include.txt
 # seats/graded/<file>.txt     the functions of all contracts, and their status for that file
-# seats/<stage>.txt           the options for compiling a file of the stage, and for linking all of
-#                             it, and with g++ the precompiled headers of its functions and of any
+# seats/<stage>.txt           the options for compiling a file of the stage, those for a file of its
+#                             functions only, and for linking all of it, and with g++ the precompiled headers of its functions and of any
 #                             main.cpp: one per line
 #
 # <stage>_seat is the target that makes them.
@@ -49,6 +49,9 @@ function(raysteps_seat stage)
         add_dependencies(${stage}_seat ${headers_of_functions}_f64 raysteps_common_f64)
     endif()
     set(fast_linker $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>)
+    # Warnings are for the author of the file, not for the grader. With -w, none is an error.
+    set(options
+        "$<FILTER:$<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>,EXCLUDE,^-W>")
     set(definitions $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_DEFINITIONS>)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
@@ -56,10 +59,10 @@ function(raysteps_seat stage)
     set(lines
         "compiler ${CMAKE_CXX_COMPILER}"
         "compile -std=c++20" "compile -O2"
-        "compile $<JOIN:$<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>,\ncompile >"
+        "compile $<JOIN:${options},\ncompile >" "compile ${students_errors}"
         "compile ${few_errors}"
-        "compile -w"  # warnings are for the author of the file, not for the grader
         "compile -D$<JOIN:${definitions},\ncompile -D>"
+        "function -D$<JOIN:${students_assertions},\nfunction -D>"
         ${headers} ${precompiled}
         "link -static"
         "link ${fast_linker}"

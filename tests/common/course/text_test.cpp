@@ -1,5 +1,6 @@
 // Texts that `./course` prints: suggestions, long lines, errors of the linker.
 #include "common/course/build/compiler_errors.hpp"
+#include "common/course/exercise/suite.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/wrap.hpp"
@@ -78,7 +79,76 @@ TEST_CASE("a symbol that is defined twice is named with its files") {
                       "cylinder.cpp:(.text+0x0): multiple definition of `rt::solve(float)'; " + a +
                       ":sphere.cpp:(.text+0x0): first defined here\n")
               .rfind("error: defined twice: rt::solve(float)", 0) == 0);
-    CHECK(first_error("mold: error: duplicate symbol: main.cpp.o: " + a + ": main\n") ==
-          "error: defined twice: main in steps/step03_sphere/student/sphere.cpp\n"
-          "The program has a main of its own: remove yours.\n");
+}
+
+TEST_CASE("a main of the student's is named with any linker") {
+    const std::string mine =
+        "steps/step03_sphere/CMakeFiles/step03_sphere_student_f64.dir/student/sphere.cpp.o";
+    const std::string twice =
+        "error: defined twice: main in steps/step03_sphere/student/sphere.cpp\n"
+        "The program has a main of its own: remove yours.\n";
+    for (const std::string& message : {
+             "mold: error: duplicate symbol: main.cpp.o: " + mine + ": main\n",
+             "mold: error: duplicate symbol: /usr/lib/libCatch2Main.a(catch_with_main.cpp.o): " +
+                 mine + ": main\n",
+             "/usr/bin/ld.bfd: " + mine +
+                 ": in function `main':\nsphere.cpp:(.text+0x0): multiple definition of `main'; "
+                 "main.cpp.o:main.cpp:(.text+0x0): first defined here\n",
+             "/usr/bin/ld.gold: error: " + mine +
+                 ": multiple definition of 'main'\n/usr/bin/ld.gold: main.cpp.o: previous "
+                 "definition here\n",
+             "ld.lld: error: duplicate symbol: main\n>>> defined at main.cpp\n>>>            "
+             "main.cpp.o:(main)\n>>> defined at sphere.cpp\n>>>            " +
+                 mine + ":(.text+0x0)\n",
+             "duplicate symbol '_main' in:\n    /x/main.cpp.o\n    /x/" + mine + "\n",
+         })
+        CHECK(first_error(message) == twice);
+}
+
+TEST_CASE(
+    "a warning about an inlined function of a header is at its call, and before lesser ones") {
+    const std::string mine = "steps/step03_sphere/student/sphere.cpp";
+    const std::string unused = mine + ":4:9: warning: unused variable 'x' [-Wunused-variable]\n";
+    const std::string note = mine +
+                             ":6:16: note: 't2' was declared here\n    6 |     Real t1, t2;\n"
+                             "      |              ^~\n";
+    const std::string header =
+        "In member function 'bool rt::Interval::contains(rt::Real) const',\n"
+        "    inlined from 'std::optional<double> rt::intersect(Real)' at /x/" +
+        mine +
+        ":14:19:\n/x/common/geometry/ray.hpp:27:83: warning: 't2' may be used uninitialized "
+        "[-Wmaybe-uninitialized]\n   27 |     return t > min;\n      |            ^~~~~~~\n";
+    const std::string shown =
+        mine + ":14:19: warning: 't2' may be used uninitialized [-Wmaybe-uninitialized]\n" + note;
+    CHECK(first_warning("/x/" + unused) == unused);
+    CHECK(first_warning("/x/" + unused + header + "/x/" + mine + ": In function 'f':\n/x/" + note +
+                        header) == shown);
+    CHECK(first_warning(header + header) == shown.substr(0, shown.find('\n') + 1));
+    const auto as_error = [](std::string text) {
+        return text.replace(text.find("warning: "), 9, "error: ");
+    };
+    CHECK(first_error(as_error(header) + "/x/" + note) == as_error(shown));
+    CHECK(first_warning("/x/common/geometry/ray.hpp:27:83: warning: 't2' [-Wuninitialized]\n") ==
+          "");
+}
+
+TEST_CASE("an assertion of the standard library is a sentence with its place") {
+    const auto sentence = [](std::string output) {
+        const std::string taken = take_assertion(output);
+        CHECK(output == "mine\n");
+        return taken;
+    };
+    CHECK(sentence(
+              "mine\n/usr/include/c++/12/optional:477: constexpr _Tp& std::_Optional_base_impl<"
+              "_Tp>::_M_get() [with _Tp = double]: Assertion 'this->_M_is_engaged()' failed.\n") ==
+          "A std::optional without a value was read, by * or -> "
+          "(/usr/include/c++/12/optional:477: Assertion 'this->_M_is_engaged()' failed.)");
+    CHECK(sentence("/usr/include/c++/v1/array:231: libc++ Hardening assertion __n < _Size failed: "
+                   "out-of-bounds access in std::array<T, N>\nmine\n")
+              .starts_with("An index is out of range"));
+    CHECK(
+        sentence("step03_sphere_test_double: /x/sphere.cpp:12: Real rt::f(Real): Assertion `t > 0' "
+                 "failed.\nmine\n") ==
+        "An assertion failed (/x/sphere.cpp:12: Assertion `t > 0' failed.)");
+    CHECK(sentence("mine\n").empty());
 }

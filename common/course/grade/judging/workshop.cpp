@@ -96,6 +96,7 @@ Command compiler(const BuildDirectory& workshop, GradedFile graded) {
     Command compile;
     append(compile, options, "compiler");
     append(compile, options, "compile");
+    if (!graded.is_trace) append(compile, options, "function");
     compile.push_back("-I" + headers_of(workshop, graded).string());
     return compile;
 }
