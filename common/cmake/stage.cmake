@@ -18,6 +18,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 # stepNN_name                    `run`'s program: the selected files of all stages. `check` draws with
 # stepNN_name_checked            the selected file of this stage and the references of the others, and
 # stepNN_name_reference_program  `compare`'s other picture comes from the references alone
+# stepNN_name_logging            is stepNN_name_checked with a student's main.cpp whose own calls of
+#                                `intersect` are logged by --pixel, for `explain`
 # stepNN_name_exact              from certified kernels: common/cmake/exact.cmake
 #
 # stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
@@ -148,6 +150,15 @@ function(raysteps_stage)
     raysteps_link_program(${name}_reference_program ${name} ${name}_picture ${references})
     raysteps_link_program(${name}_checked ${name} ${name}_chosen_picture ${name} ${others})
     set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
+    if(student_main)
+        raysteps_compile_twice(${name}_logging_main ${student_main})
+        raysteps_both(target_compile_definitions ${name}_logging_main_@
+            PRIVATE intersect=logged_intersect)
+        raysteps_collect(${name}_logging_picture ${name}_logging_main ${name}_picture_without_main)
+        raysteps_link_program(${name}_logging ${name} ${name}_logging_picture ${name} ${others})
+        set_target_properties(${name}_logging ${name}_logging_main_f32 ${name}_logging_main_f64
+            PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
 endfunction()
 
 # raysteps_headers_of(<stage> <variable>): the precompiled headers from which a student's file of the

@@ -9,6 +9,8 @@
 #include "common/course/exercise/check.hpp"
 #include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/compare.hpp"
+#include "common/course/exercise/debug.hpp"
+#include "common/course/exercise/explain.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/run.hpp"
 #include "common/course/exercise/watch.hpp"
@@ -51,6 +53,9 @@ struct Words {
     bool check = false;
     int seconds = 60;
     bool all = false;
+    bool sanitize = false;
+    bool prepare = false;
+    std::string case_name;
 };
 
 /// "triangle" and "step05_triangle", for each stage.
@@ -133,7 +138,8 @@ rt::ComparisonRequest comparison(const Words& words, const rt::Command& rest) {
     return {.stage = stage,
             .all_mine = words.mine || !references.empty(),
             .references = references,
-            .words = rest};
+            .words = rest,
+            .all = words.all};
 }
 
 int explain(const Words& words, rt::Command rest) {
@@ -203,7 +209,8 @@ private:
     CLI::App* add_of_stage(const std::string& usage, const std::string& description,
                            const Body& body);
     /// A command that hands words over to the stage's program, which answers --help.
-    void add_of_program(const std::string& usage, const std::string& description, const Body& body);
+    CLI::App* add_of_program(const std::string& usage, const std::string& description,
+                             const Body& body);
     void print_summary() const;
     void print_list() const;
     [[noreturn]] void refuse(const CLI::ParseError& error, const std::string& first) const;
@@ -230,8 +237,8 @@ CLI::App* Commands::add_of_stage(const std::string& usage, const std::string& de
     return command;
 }
 
-void Commands::add_of_program(const std::string& usage, const std::string& description,
-                              const Body& body) {
+CLI::App* Commands::add_of_program(const std::string& usage, const std::string& description,
+                                   const Body& body) {
     const auto answer = [this, body](const rt::Command& rest) {
         if (!wants_help(rest)) return body(rest);
         const CLI::App& command = *app_.get_subcommands()[0];
@@ -250,6 +257,7 @@ void Commands::add_of_program(const std::string& usage, const std::string& descr
     command->add_flag("--mine", words_.mine, "use all your stages");
     command->add_option("--reference", words_.reference, "use all your stages but these: 3,5")
         ->type_name("N,N");
+    return command;
 }
 
 void Commands::add_student_commands() {
@@ -258,9 +266,17 @@ void Commands::add_student_commands() {
         rt::start(stage());
         return 0;
     });
-    add_of_stage("check N", "test it, explain a failure, compare the pictures; --all: everything",
-                 [this](Rest) { return rt::check(stage(), words_.all); })
-        ->add_flag("--all", words_.all, "print every case, and lines to paste into a test");
+    CLI::App* check_command = add_of_stage(
+        "check N", "test it, explain a failure, compare the pictures; --all: everything",
+        [this](Rest) {
+            return words_.sanitize ? rt::check_with_sanitizers(stage())
+                                   : rt::check(stage(), words_.all);
+        });
+    check_command->add_flag("--all", words_.all,
+                            "print every case, and lines to paste into a test");
+    check_command->add_flag("--sanitize", words_.sanitize,
+                            "search for undefined behavior with AddressSanitizer and "
+                            "UndefinedBehaviorSanitizer");
     add_of_stage("watch N", "check again whenever you save", [this](Rest) {
         rt::watch(stage());
         return 0;
@@ -280,7 +296,17 @@ void Commands::add_student_commands() {
                    "your picture, the reference's, the difference",
                    [this](Rest rest) { return rt::compare_pictures(comparison(words_, rest)); });
     add_of_program("explain N [ROW,COLUMN]", "your numbers for a pixel beside the reference's",
-                   [this](Rest rest) { return explain(words_, rest); });
+                   [this](Rest rest) { return explain(words_, rest); })
+        ->add_flag("--all", words_.all, "every line that differs, not only the first");
+    CLI::App* debug_command = add_of_stage(
+        "debug N [CASE]", "start gdb or lldb at the call that fails",
+        [this](Rest) { return rt::debug(stage(), words_.case_name, !words_.prepare); });
+    debug_command
+        ->add_option("CASE", words_.case_name,
+                     "words of a case's name, in quotes; the first that fails if not given")
+        ->type_name("");
+    debug_command->add_flag("--prepare", words_.prepare,
+                            "start none: VS Code does, by .vscode/launch.json");
     add_of_stage("view [N]", "your picture and the reference's in a browser, with a movable camera",
                  [this](Rest) { return view(stage()); });
     add_of_stage("solution N", "show the reference, once you have passed or at the second call",

@@ -6,6 +6,7 @@
 #include "common/geometry/ray.hpp"
 #include "common/scene/scene.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -30,10 +31,23 @@ public:
     /// The number of misses that were omitted.
     [[nodiscard]] int misses_left_out() const;
 
+    /// A test of a shadow ray: of an area light, only the tests of a few rays are logged.
+    enum class ShadowTest { first_of_ray, later, left_out };
+    [[nodiscard]] ShadowTest shadow_test(std::int64_t ray);
+
+    /// The primitive of the latest closest hit, which may occlude its own light.
+    const void* surface = nullptr;
+
 private:
     std::ostream& out_;
     int misses_ = 0;
+    std::int64_t shadow_ray_ = 0;
+    int shadow_rays_ = 0;  ///< since the last heading
 };
+
+/// The log for calls of `intersect` from a student's own loop, which has no Context: null but for
+/// `--pixel` of a program that logs them (common/cmake/stage.cmake).
+inline PixelLog* log_of_own_loop = nullptr;
 
 // Each `explain` logs the quantities by which a document decides whether the ray hits a shape. The
 // shape's stage defines it (in its story.cpp) from the documents' formulas, independent of the
@@ -55,19 +69,24 @@ void explain_basis(PixelLog& log, const Camera& camera);
 void explain_hit(PixelLog& log, Vec3 point, Vec3 normal);
 
 /// Logs the result of `intersect` for one shape, after the quantities that explain it.
-template <class Shape>
+/// `without_end` repeats the call for an interval without an end, which tells a miss from a hit
+/// that is not nearer.
+template <class Shape, class Repeat>
 void explain_candidate(PixelLog& log, const Ray& ray, const Shape& shape, Interval interval,
-                       std::optional<Real> t) {
+                       std::optional<Real> t, const Repeat& without_end) {
     if (!t && !log.count_miss()) return;
     log.heading(code(shape));
+    if (interval.min != 0 || interval.max < infinity)
+        log.line("interval", "(" + text(interval.min) + ", " + text(interval.max) + ")");
     const std::string reason = explain(log, ray, shape);
     if (t)
         log.remark("hit at t = " + text(*t) +
                    (reason.empty() ? "" : " according to intersect, although " + reason));
     else if (!reason.empty())
         log.remark("missed: " + reason);
-    else if (interval.max < infinity)
-        log.remark("not nearer than the hit at t = " + text(interval.max));
+    else if (const std::optional<Real> farther = without_end(); farther && *farther >= interval.max)
+        log.remark("not nearer: a hit at t = " + text(*farther) +
+                   ", behind the end of the interval");
     else
         log.remark("missed according to intersect, although no condition above fails");
 }

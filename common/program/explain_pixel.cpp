@@ -45,8 +45,10 @@ void explain_pixel(const Program& program, const Options& options, const Scene& 
     log.line("o_r", text(ray.origin));
     log.line("d_r", text(ray.direction));
     const Watch watch{.log = &log};
+    log_of_own_loop = &log;
     Context context{.settings = options.settings, .pixel = pixel, .log = &log, .watch = &watch};
     const Color color = trace(scene, ray, context);
+    log_of_own_loop = nullptr;
     if (log.misses_left_out() > 0)
         log.remark(std::to_string(log.misses_left_out()) + " more shapes were missed");
     log.heading("The pixel");

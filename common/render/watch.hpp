@@ -21,7 +21,7 @@ template <class Shape>
 void watch_closest(const Watch& watch, const Ray& ray, Interval interval, ClosestPrimitive leader,
                    const PrimitiveList<Shape>& primitives);
 
-/// Starts the record of a shadow ray, the context's last ray, unless it is started.
+/// Logs a shadow ray, the context's last ray, or starts its record, unless that is done.
 void begin_shadow_ray(const Context& context, const Ray& ray, Interval interval);
 
 // Log or record the tests of an any-hit query, that of the context's last ray, on a list, or on

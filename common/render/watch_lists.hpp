@@ -36,6 +36,31 @@ std::int64_t test_count(const Ray& /*ray*/, const Shape& /*shape*/, Interval /*i
     return 1;
 }
 
+template <class Shape>
+void log_candidate(PixelLog& log, const Ray& ray, const Shape& shape, Interval interval,
+                   std::optional<Real> t) {
+    explain_candidate(log, ray, shape, interval, t, [&] {
+        return t_of(intersect(ray, shape, {.min = interval.min, .max = infinity}));
+    });
+}
+
+/// The answer of `intersect`, logged, for a student's own loop. The file queries.cpp of each kind
+/// of shape defines a function of this, in place of which the loop calls `intersect` otherwise.
+template <class Shape>
+[[nodiscard]] std::optional<Real> logged(const Ray& ray, const Shape& shape, Interval interval) {
+    const std::optional<Real> t = intersect(ray, shape, interval);
+    if (log_of_own_loop != nullptr) log_candidate(*log_of_own_loop, ray, shape, interval, t);
+    return t;
+}
+
+// These, with the name that stage.cmake gives to `intersect` for it.
+std::optional<Real> logged_intersect(const Ray& ray, const Sphere& sphere, Interval interval);
+std::optional<Real> logged_intersect(const Ray& ray, const Plane& plane, Interval interval);
+std::optional<Real> logged_intersect(const Ray& ray, const Triangle& triangle, Interval interval);
+std::optional<Real> logged_intersect(const Ray& ray, const Square& square, Interval interval);
+std::optional<Real> logged_intersect(const Ray& ray, const Cylinder& cylinder, Interval interval);
+std::optional<Real> logged_intersect(const Ray& ray, const Cone& cone, Interval interval);
+
 /// The log contains the misses too, which a hierarchy would skip.
 template <class Shape>
 [[gnu::noinline]] void watch_closest(const Watch& watch, const Ray& ray, Interval interval,
@@ -44,7 +69,7 @@ template <class Shape>
     const auto test = [&](const Primitive<Shape>& primitive) {
         const auto answer = intersect(ray, primitive.shape, interval);
         if (watch.log != nullptr)
-            explain_candidate(*watch.log, ray, primitive.shape, interval, t_of(answer));
+            log_candidate(*watch.log, ray, primitive.shape, interval, t_of(answer));
         else
             closest_record(*watch.records, ray).tests +=
                 test_count(ray, primitive.shape, interval, QueryKind::closest_hit);
@@ -65,7 +90,12 @@ template <class Shape>
     const auto& [log, records] = *context.watch;
     const Shape& shape = primitive.shape;
     const bool occluded = occludes(ray, shape, interval);
-    if (log != nullptr && occluded) log->remark("in the way: " + code(shape));
+    if (occluded && log != nullptr &&
+        log->shadow_test(context.rays) != PixelLog::ShadowTest::left_out) {
+        const auto t = t_of(intersect(ray, shape, interval));
+        log->remark("in the way at t = " + (t ? text(*t) : "?") + ": " +
+                    (&primitive == log->surface ? "this surface itself, " : "") + code(shape));
+    }
     if (records == nullptr) return occluded;
     RayRecord& record = records->rays.back();
     record.tests += test_count(ray, shape, interval, QueryKind::any_hit);

@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Sphere>&);
 template void PotentialOccluders::collect(const PrimitiveList<Sphere>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
+    return logged(ray, sphere, interval);
+}
+
 }  // namespace rt

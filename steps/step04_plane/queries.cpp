@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Plane>&);
 template void PotentialOccluders::collect(const PrimitiveList<Plane>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Plane& plane, Interval interval) {
+    return logged(ray, plane, interval);
+}
+
 }  // namespace rt

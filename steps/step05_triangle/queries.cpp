@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Triangle>&);
 template void PotentialOccluders::collect(const PrimitiveList<Triangle>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
+    return logged(ray, triangle, interval);
+}
+
 }  // namespace rt

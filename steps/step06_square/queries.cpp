@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Square>&);
 template void PotentialOccluders::collect(const PrimitiveList<Square>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Square& square, Interval interval) {
+    return logged(ray, square, interval);
+}
+
 }  // namespace rt

@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Cylinder>&);
 template void PotentialOccluders::collect(const PrimitiveList<Cylinder>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Cylinder& cylinder, Interval interval) {
+    return logged(ray, cylinder, interval);
+}
+
 }  // namespace rt

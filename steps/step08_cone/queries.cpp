@@ -13,4 +13,9 @@ template void AnyHit::test_list(const PrimitiveList<Cone>&);
 template void PotentialOccluders::collect(const PrimitiveList<Cone>&);
 
 }  // namespace RT_PRECISION
+
+std::optional<Real> logged_intersect(const Ray& ray, const Cone& cone, Interval interval) {
+    return logged(ray, cone, interval);
+}
+
 }  // namespace rt

@@ -119,6 +119,7 @@ private:
         rt::failures_of_case.add(failure_text(result));
         if (reported_) return;
         reported_ = true;
+        if (rt::at_first_failure) rt::at_first_failure();
         out_ << "at " << place(result.getSourceInfo()) << '\n';
         const std::string remark = rt::remark_on_failure ? rt::remark_on_failure() : "";
         std::istringstream lines(failure_text(result) + "\n" + remark);

@@ -17,6 +17,9 @@ namespace rt {
 /// to paste is left out, since it would belong to another query.
 inline std::function<std::string()> remark_on_failure;
 
+/// Called at the first failure of a case.
+inline std::function<void()> at_first_failure;
+
 /// The failures of the case so far: of each, the digest of the question and that of the wrong
 /// answer to it, "1f00aa64e1b2".
 class Failures {

@@ -14,8 +14,12 @@ for file in student/sphere.cpp student/main.cpp student/tests/mine.cpp student/n
     touch_in "steps/step03_sphere/$file"
     seen "steps/step03_sphere/$file" || fail "git sees $file"
 done
+for file in .vscode/launch.json .vscode/tasks.json; do
+    touch_in "$file"
+    seen "$file" || fail "git sees $file"
+done
 for file in steps/step03_sphere/student_1/sphere.cpp build/course renders/a.png results/a.csv .vscode/settings.json \
-    .cache/clangd/index/a.idx; do
+    .cache/clangd/index/a.idx compile_commands.json; do
     touch_in "$file"
     ! seen "$file" || fail "git ignores $file"
 done

@@ -19,12 +19,16 @@ function(raysteps_suite_objects name precision)
     target_precompile_headers(${name} REUSE_FROM ${suite_headers}_${precision})
 endfunction()
 
-# raysteps_link_suite(<program> <objects> <precision> <name>...): the program of these test cases,
-# linked to <name>_f32 or _f64 of each name.
-function(raysteps_link_suite program objects precision)
+function(raysteps_link_suite_with_symbols program objects precision)
     add_executable(${program} $<TARGET_OBJECTS:${objects}>)
     raysteps_link(${program} ${precision} raysteps_kit raysteps_drawn ${ARGN})
     target_link_libraries(${program} PRIVATE raysteps_kit_main)
+endfunction()
+
+# raysteps_link_suite(<program> <objects> <precision> <name>...): the program of these test cases,
+# linked to <name>_f32 or _f64 of each name.
+function(raysteps_link_suite program objects precision)
+    raysteps_link_suite_with_symbols(${program} ${objects} ${precision} ${ARGN})
     if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT RAYSTEPS_SANITIZE)  # 1.4 of 3.6 MB are symbols
         target_link_options(${program} PRIVATE $<$<CONFIG:Release>:-s>)
     endif()
@@ -126,6 +130,12 @@ function(raysteps_stage_suite stage)
         endif()
     endif()
     raysteps_trace_suite(${stage})
+    if(TARGET course)
+        raysteps_variant(${stage} debug -O0 -g -finstrument-functions
+            $<$<CXX_COMPILER_ID:GNU>:-finstrument-functions-exclude-file-list=/usr/,common/>)
+        raysteps_variant(${stage} sanitized -O1 -g -fsanitize=address,undefined
+            -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    endif()
     foreach(word IN ITEMS float double)
         set(both ${stage}_suites_${word})
         add_custom_target(${both} COMMAND ${CMAKE_COMMAND} -E true COMMENT ${both})
@@ -169,6 +179,42 @@ function(raysteps_trace_suite stage)
                 ${PROJECT_SOURCE_DIR} ${stage})
         endif()
     endif()
+endfunction()
+
+# raysteps_variant(<stage> <word> <option>...): <stage>_<word>_float and _double, and with a student's
+# main.cpp <stage>_trace_<word>_float and _double: the suites of a student's files, which are compiled
+# and linked with these options. `./course debug` and `check --sanitize` build them by name.
+function(raysteps_variant stage word)
+    file(GLOB student CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${stage}/student/*.cpp)
+    foreach(suite IN ITEMS ${stage} ${stage}_trace)
+        set(files ${student})
+        set(others raysteps_common ${before})
+        if(suite STREQUAL stage)
+            list(FILTER files EXCLUDE REGEX "/main\\.cpp$")
+            list(APPEND others ${stage}_picture)
+        else()
+            list(FILTER files INCLUDE REGEX "/main\\.cpp$")
+            list(APPEND others ${stage}_reference ${stage}_picture_without_main)
+        endif()
+        if(NOT files OR NOT TARGET ${suite}_test_double)
+            continue()
+        endif()
+        set(own ${suite}_${word}_student)
+        raysteps_compile_twice(${own} ${files})
+        foreach(precision IN ITEMS f32 f64)
+            set(program ${suite}_${word}_${word_${precision}})
+            raysteps_link_suite_with_symbols(${program} ${suite}_test_${word_${precision}}_objects
+                ${precision} ${own} ${others})
+            target_compile_options(${own}_${precision} PRIVATE ${students_errors} ${ARGN})
+            target_compile_definitions(${own}_${precision} PRIVATE ${students_assertions})
+            if(word STREQUAL "debug")
+                target_sources(${program} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/kit/failing_call.cpp)
+            else()
+                target_link_options(${program} PRIVATE ${ARGN})
+            endif()
+            set_target_properties(${program} ${own}_${precision} PROPERTIES EXCLUDE_FROM_ALL ON)
+        endforeach()
+    endforeach()
 endfunction()
 
 # raysteps_starter(<suite> <source>...): <suite>_starter_test_float and _double: the suite, linked to

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace rt {
 
@@ -53,8 +54,10 @@ std::string without_numbers(const std::string& line) {
     return text;
 }
 
-/// The name of a line's quantity: "t" in "  t = 4"; in a line without one, all but its numbers.
+/// The name of a line's quantity: "t" in "  t = 4"; in a line without one, all but its numbers, or
+/// if it is a shape's, "Sphere{…}", all.
 std::string name(const std::string& line) {
+    if (!line.starts_with(' ') && line.find('{') != std::string::npos) return line;
     const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
     if (line.compare(start, std::string(verdict).size(), verdict) == 0) return verdict;
     const std::size_t end = line.find(" = ");
@@ -104,11 +107,16 @@ bool has_shapes(const Lines& log) {
     return std::any_of(log.begin(), log.end(), is_about_shapes);
 }
 
-Lines without_shapes(const Lines& log) {
+bool is_closest_hit(const std::string& line) {
+    return line == "The closest hit";
+}
+
+template <class Kind>
+Lines without_sections(const Lines& log, const Kind& is_one) {
     Lines others;
     bool left_out = false;
     for (const std::string& line : log) {
-        if (starts_section(line)) left_out = is_about_shapes(line);
+        if (starts_section(line)) left_out = is_one(line);
         if (!left_out) others.push_back(line);
     }
     return others;
@@ -119,27 +127,77 @@ const std::string& either(const LogRow& row) {
 }
 
 /// In a section that both explanations have. A student's trace may do without one that explains
-/// itself, so that the other has a section more: it is named if nothing else differs.
-std::string first_difference(const std::vector<LogRow>& rows) {
+/// itself, so that the other has a section more: it is named if nothing else differs, or if it is
+/// of a shape that a loop of the student's does not test.
+void find_first_difference(LogDiff& diff, Writer writer) {
     std::string heading;
     bool is_common = true;
-    std::string in_one_only;
-    for (const LogRow& row : rows) {
+    for (std::size_t i = 0; i < diff.rows.size(); ++i) {
+        const LogRow& row = diff.rows[i];
         if (is_heading(row)) {
             heading = either(row);
             is_common = row.mine && row.reference;
         }
         if (!row.differs) continue;
         if (is_common) {
-            if (is_heading(row)) return heading;
             const std::string what = name(either(row));
-            return (what == verdict ? "the result" : what) + ", of " + heading;
+            diff.first = is_heading(row)
+                             ? heading
+                             : (what == verdict ? "the result" : what) + ", of " + heading;
+            diff.first_row = i;
+            return;
         }
-        if (in_one_only.empty())
-            in_one_only = heading + ", which only " +
-                          (row.mine ? "your explanation has" : "the reference's explanation has");
+        if (!diff.first.empty()) continue;
+        const bool is_left_out =
+            writer == Writer::own_loop && !row.mine && is_about_shapes(heading);
+        diff.first = heading + (is_left_out ? ", which your loop does not test"
+                                : row.mine  ? ", which only your explanation has"
+                                            : ", which only the reference's explanation has");
+        diff.first_row = i;
+        if (is_left_out) return;
     }
-    return in_one_only;
+}
+
+/// The t in "→ hit at t = 4" and in "→ not nearer: a hit at t = 4, behind …".
+std::string t_of_hit(const std::string& line) {
+    const std::size_t start = line.find("hit at t = ");
+    return start == std::string::npos
+               ? line
+               : line.substr(start, line.find_first_of(",a(", start + 11) - start);
+}
+
+/// Tests of a shape with two intervals can have two answers.
+void ignore_intervals(std::vector<LogRow>& rows) {
+    bool other_interval = false;
+    for (LogRow& row : rows) {
+        if (is_heading(row)) other_interval = false;
+        if (name(either(row)) == "interval") {
+            other_interval = other_interval || row.differs;
+            row.may_differ = row.differs;
+        }
+        if (row.differs && other_interval && row.mine && row.reference)
+            row.may_differ = same(t_of_hit(*row.mine), t_of_hit(*row.reference));
+        row.differs = row.differs && !row.may_differ;
+    }
+}
+
+std::vector<std::string> hits_in(const Lines& log) {
+    const std::string hit = "→ hit at t = ";
+    std::vector<std::pair<double, std::string>> hits;
+    std::string heading;
+    for (const std::string& line : log) {
+        if (starts_section(line)) heading = line;
+        const std::size_t at = line.find(hit);
+        if (at == std::string::npos) continue;
+        const std::string number = line.substr(at + hit.size());
+        hits.emplace_back(std::strtod(number.c_str(), nullptr),
+                          "t = " + number.substr(0, number.find(' ')) + ": " + heading);
+    }
+    std::stable_sort(hits.begin(), hits.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> texts;
+    for (const auto& [t, text] : hits) texts.push_back(text);
+    return texts;
 }
 
 }  // namespace
@@ -148,12 +206,16 @@ bool is_heading(const LogRow& row) {
     return starts_section(either(row));
 }
 
-LogDiff compare_logs(const std::string& mine, const std::string& reference) {
+LogDiff compare_logs(const std::string& mine, const std::string& reference, Writer writer) {
     Lines a = lines_of(mine);
     Lines b = lines_of(reference);
     LogDiff diff{.rows = {}, .first = "", .unwritten = take_unwritten(a)};
     diff.has_own_loop = has_shapes(b) && !has_shapes(a);
-    if (diff.has_own_loop) b = without_shapes(b);
+    if (diff.has_own_loop) b = without_sections(b, is_about_shapes);
+    if (writer == Writer::own_loop) {
+        b = without_sections(b, is_closest_hit);
+        diff.hits_of_loop = hits_in(a);
+    }
     a.resize(std::min(a.size(), most));
     b.resize(std::min(b.size(), most));
     const Lines a_names = names(a);
@@ -173,8 +235,19 @@ LogDiff compare_logs(const std::string& mine, const std::string& reference) {
             diff.rows.push_back({{}, b[j++], true});
         }
     }
-    diff.first = first_difference(diff.rows);
+    ignore_intervals(diff.rows);
+    find_first_difference(diff, writer);
     return diff;
+}
+
+std::string value_in_log(const std::string& log, const std::string& name) {
+    std::string value;
+    for (const std::string& line : lines_of(log)) {
+        const std::size_t start = line.find_first_not_of(' ');
+        if (start != std::string::npos && line.substr(start).starts_with(name + " = "))
+            value = line.substr(start + name.size() + 3);
+    }
+    return value;
 }
 
 }  // namespace rt

@@ -13,19 +13,33 @@ struct LogRow {
     std::optional<std::string> mine;
     std::optional<std::string> reference;
     bool differs = false;
+    bool may_differ = false;  ///< two values, and both may be right
 };
 
 struct LogDiff {
-    std::vector<LogRow> rows;  ///< at most the first 2000 lines of each explanation
-    std::string first;         ///< "t, of Sphere{…}": the first difference; empty without one
+    std::vector<LogRow> rows;   ///< at most the first 2000 lines of each explanation
+    std::string first;          ///< "t, of Sphere{…}": the first difference; empty without one
+    std::size_t first_row = 0;  ///< of that difference, if there is one
     std::vector<std::string> unwritten;  ///< the messages about functions that are not written yet
     /// The student's `trace` logs no shape: it has a loop of its own, without ClosestHit. The
     /// reference's sections about shapes are left out.
     bool has_own_loop = false;
+    /// Of a loop of the student's, whose calls are logged: "t = 4: Sphere{…}" for each hit, the
+    /// closest first.
+    std::vector<std::string> hits_of_loop = {};
 };
 
-/// Two explanations, line by line. Numbers that differ by rounding alone are equal.
-[[nodiscard]] LogDiff compare_logs(const std::string& mine, const std::string& reference);
+/// What writes the lines about shapes in the student's explanation.
+enum class Writer { queries, own_loop };
+
+/// Two explanations, line by line. Numbers that differ by rounding alone are equal. The interval of
+/// a test is no difference, nor is, with another interval, a hit that is not nearer. A loop of the
+/// student's logs no closest hit, and a shape that it leaves out is a difference.
+[[nodiscard]] LogDiff compare_logs(const std::string& mine, const std::string& reference,
+                                   Writer writer = Writer::queries);
+
+/// The value of the last line "name = value", or an empty text.
+[[nodiscard]] std::string value_in_log(const std::string& log, const std::string& name);
 
 /// True for the first line of a section.
 [[nodiscard]] bool is_heading(const LogRow& row);

@@ -1,6 +1,15 @@
 #include "common/course/exercise/log_text.hpp"
 
+#include "common/system/files.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/wrap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <regex>
 
 namespace rt {
 
@@ -11,35 +20,98 @@ std::string line(const std::string& whose, const std::string& words) {
     return (whose.empty() ? label : styled(label, Style::bold)) + words + "\n";
 }
 
+/// The text with at most 7 digits of each number.
+std::string shortened(const std::string& text) {
+    static const std::regex number(R"(\d+\.\d+(e[-+]?\d+)?)");
+    std::string shown;
+    auto from = text.cbegin();
+    for (std::sregex_iterator each(text.begin(), text.end(), number), end; each != end; ++each) {
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), "%.7g",
+                      std::strtod(each->str().c_str(), nullptr));
+        shown.append(from, text.cbegin() + each->position());
+        shown += digits.data();
+        from = text.cbegin() + each->position() + each->length();
+    }
+    return shown.append(from, text.cend());
+}
+
 std::string lines(const LogRow& row) {
-    if (!row.differs) return line("", *row.mine);
-    return (row.mine ? line("mine", *row.mine) : "") +
-           (row.reference ? line("reference", *row.reference) : "");
+    const std::string mine = row.mine ? shortened(*row.mine) : "";
+    if (!row.differs && !row.may_differ) return line("", mine);
+    return (row.mine ? line("mine", mine) : "") +
+           (row.reference ? line("reference", shortened(*row.reference)) : "");
+}
+
+struct Section {
+    std::string text;
+    bool differs = false;
+    bool is_first = false;     ///< has the first difference
+    bool is_of_shape = false;  ///< of a test of a shape
+};
+
+std::vector<Section> sections_of(const LogDiff& diff) {
+    std::vector<Section> sections;
+    for (std::size_t i = 0; i < diff.rows.size(); ++i) {
+        const LogRow& row = diff.rows[i];
+        if (sections.empty() || is_heading(row)) {
+            sections.emplace_back();
+            sections.back().is_of_shape =
+                (row.mine ? *row.mine : *row.reference).find('{') != std::string::npos;
+        }
+        sections.back().text += lines(row);
+        sections.back().differs |= row.differs;
+        sections.back().is_first |= i == diff.first_row;
+    }
+    return sections;
+}
+
+/// The head of `lines` that has room, and the number of lines that have none.
+int keep(std::string& kept, const std::string& lines, int& room) {
+    int left_out = 0;
+    for (const std::string& each : lines_of(lines)) {
+        const std::string shown = wrapped(each);
+        room -= 1 + int(std::count(shown.begin(), shown.end(), '\n'));
+        if (room >= 0)
+            kept += shown + "\n";
+        else
+            ++left_out;
+    }
+    return left_out;
 }
 
 }  // namespace
 
-std::string text(const LogDiff& diff) {
-    std::string all;
-    for (const std::string& message : diff.unwritten) all += message + "\n";
+std::string text(const LogDiff& diff, const std::string& all) {
+    std::string shown;
+    for (const std::string& message : diff.unwritten) shown += message + "\n";
     if (diff.has_own_loop)
-        all +=
+        shown +=
             "Your trace tests shapes in a loop of its own, which logs nothing: the reference's "
             "numbers for them are left out.\n";
-    if (diff.first.empty()) return all + "Nothing differs.\n";
-    int equal = 0;
-    for (auto row = diff.rows.begin(); row != diff.rows.end();) {
-        std::string section;
-        bool differs = false;
-        do {
-            section += lines(*row);
-            differs = differs || row->differs;
-        } while (++row != diff.rows.end() && !is_heading(*row));
-        all += differs ? section : "";
-        equal += differs ? 0 : 1;
+    if (diff.first.empty()) return shown + "Nothing differs.\n";
+    constexpr int most = 24;
+    int room = all.empty() ? std::numeric_limits<int>::max() : most;
+    int left_out = 0;
+    left_out += keep(shown, "The first difference: " + diff.first, room);
+    const std::vector<Section> sections = sections_of(diff);
+    const bool answers_differ =
+        std::any_of(sections.begin(), sections.end(),
+                    [](const Section& each) { return each.is_first && each.is_of_shape; });
+    if (!diff.hits_of_loop.empty() && !answers_differ) {
+        left_out += keep(shown,
+                         "Your loop gets the right answers from intersect. These are its hits, the "
+                         "closest first, which is the one to be seen:",
+                         room);
+        for (const std::string& hit : diff.hits_of_loop)
+            left_out += keep(shown, "    " + shortened(hit), room);
     }
-    if (equal > 0) all += "(equal sections left out: " + std::to_string(equal) + ")\n";
-    return all + "\nThe first difference: " + diff.first + "\n";
+    for (const Section& each : sections)
+        if (each.is_first) left_out += keep(shown, each.text, room);
+    for (const Section& each : sections)
+        if (each.differs && !each.is_first) left_out += keep(shown, each.text, room);
+    if (left_out > 0) shown += "(" + std::to_string(left_out) + " more lines: " + all + ")\n";
+    return shown;
 }
 
 }  // namespace rt

@@ -5,8 +5,9 @@
 
 namespace rt {
 
-/// Common lines once, different lines beneath one another; equal sections are left out, and the
-/// first difference is named at the end.
-[[nodiscard]] std::string text(const LogDiff& diff);
+/// The first difference, and its section; then the other sections in which something differs.
+/// Common lines are there once, different lines beneath one another. With a command that prints
+/// all, it is at most 24 lines of the terminal, and ends with that command if lines are left out.
+[[nodiscard]] std::string text(const LogDiff& diff, const std::string& all = "");
 
 }  // namespace rt

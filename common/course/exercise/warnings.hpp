@@ -5,8 +5,9 @@
 
 namespace rt {
 
-/// Prints the compiler's first warning, variables that outlive a call, and what will be missing or refused: a symbol that another
-/// stage defines too, an #include that a graded file may not have, a file that is not graded.
+/// Prints the compiler's first warning, variables that outlive a call, and what will be missing or
+/// refused: a symbol that another stage defines too, an #include that a graded file may not have, a
+/// file that is not graded.
 void show_warnings(const Workbook& workbook);
 
 }  // namespace rt

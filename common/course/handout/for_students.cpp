@@ -47,7 +47,7 @@ constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 /// grader's suites query a submission.
 const std::regex of_other_folders(  //
     R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
-    R"(|\.gitattributes|\.devcontainer/devcontainer\.json)"
+    R"(|\.gitattributes|\.devcontainer/devcontainer\.json|\.vscode/(launch|tasks)\.json)"
     R"(|docs/.*\.(md|svg|png|js))"
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"

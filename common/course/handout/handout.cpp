@@ -71,7 +71,7 @@ std::vector<std::string> look_around() {
         const std::string name = entry.path().filename().string();
         if (entry.is_regular_file()) paths.push_back(name);
     }
-    for (const std::string folder : {".devcontainer", "common", "docs", "scenes", "steps", "tests"})
+    for (const std::string folder : {".devcontainer", ".vscode", "common", "docs", "scenes", "steps", "tests"})
         for (const std::string& path : all_files(project_folder / folder))
             paths.push_back((folder + "/").append(path));
     const auto not_theirs = [](const std::string& path) { return !is_for_students(path); };

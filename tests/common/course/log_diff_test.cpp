@@ -3,6 +3,8 @@
 
 #include "tests/kit/catch.hpp"
 
+#include <algorithm>
+
 using namespace rt;
 
 namespace {
@@ -57,18 +59,66 @@ TEST_CASE("a trace with a loop of its own logs no shapes: only its color can dif
     CHECK_FALSE(compare_logs(start + shapes, start + shapes).has_own_loop);
 }
 
-TEST_CASE("equal sections are left out, and the first difference has a name") {
-    CHECK(text(compare_logs("A\n  t = 1\nB\n  t = 2\n  → hit\nC\n  k = 1\n",
-                            "A\n  t = 1\nB\n  t = 3\nC\n")) ==
+TEST_CASE("the first difference comes first with its section, and equal sections are left out") {
+    const LogDiff diff = compare_logs("A\n  t = 1\nB\n  t = 2\n  → hit\nC\n  k = 1\n",
+                                      "A\n  t = 1\nB\n  t = 3\nC\n");
+    CHECK(text(diff) ==
+          "The first difference: t, of B\n"
           "          B\n"
           "mine        t = 2\n"
           "reference   t = 3\n"
           "mine        → hit\n"
           "          C\n"
-          "mine        k = 1\n"
-          "(equal sections left out: 1)\n"
-          "\n"
-          "The first difference: t, of B\n");
+          "mine        k = 1\n");
+    // The section of the first difference is before one that only the student's log has.
+    CHECK(text(compare_logs("A\n  t = 1\nB\n  t = 2\n", "B\n  t = 3\n"))
+              .starts_with("The first difference: t, of B\n          B\n"));
+}
+
+TEST_CASE("an explanation is short unless all of it is asked for") {
+    std::string mine = "A\n";
+    std::string reference = "A\n";
+    for (int i = 0; i < 100; ++i) {
+        mine += "  t" + std::string(std::size_t(i), 'x') + " = 1\n";
+        reference += "  t" + std::string(std::size_t(i), 'x') + " = 2\n";
+    }
+    const LogDiff diff = compare_logs(mine, reference);
+    const std::string few = text(diff, "./course explain 3 --all");
+    CHECK(std::count(few.begin(), few.end(), '\n') == 25);
+    CHECK(few.ends_with("(178 more lines: ./course explain 3 --all)\n"));
+    const std::string all = text(diff);
+    CHECK(std::count(all.begin(), all.end(), '\n') == 202);
+}
+
+TEST_CASE(
+    "the calls of a student's own loop are compared by their answers, not by their intervals") {
+    const std::string far = "Sphere{.radius = 2}\n  A = 1\n";
+    const std::string near = "Sphere{.radius = 1}\n  A = 1\n  → hit at t = 4\n";
+    const std::string whole = far + "  → hit at t = 9\n";
+    const std::string shortened =
+        far +
+        "  interval = (0, 4)\n  → not nearer: a hit at t = 9, behind the end of the interval\n";
+    const std::string closest = "The closest hit\n  n = (0, 0, 1)\n";
+    const auto compared = [&](const std::string& mine) {
+        return compare_logs(mine, near + shortened + closest, Writer::own_loop).first;
+    };
+    CHECK(compared(near + whole).empty());
+    CHECK(compared(near + shortened).empty());
+    CHECK(compared(near + far + "  → hit at t = 8\n") == "the result, of Sphere{.radius = 2}");
+    // With the same interval, a hit behind its end is one too many.
+    CHECK(compared(near + far + "  interval = (0, 4)\n  → hit at t = 9\n") ==
+          "the result, of Sphere{.radius = 2}");
+    // The loop keeps another hit than the closest.
+    const std::string shown = text(
+        compare_logs(near + whole + "The pixel\n  color = 0.123456789012\n",
+                     near + shortened + closest + "The pixel\n  color = 1\n", Writer::own_loop));
+    CHECK(shown.find("    t = 4: Sphere{.radius = 1}\n    t = 9: Sphere{.radius = 2}\n") !=
+          std::string::npos);
+    CHECK(shown.find("mine        color = 0.1234568\n") != std::string::npos);
+    // A shape that the loop does not test comes before the color that it causes.
+    CHECK(compare_logs(near + "The pixel\n  color = 0\n",
+                       near + shortened + closest + "The pixel\n  color = 1\n", Writer::own_loop)
+              .first == "Sphere{.radius = 2}, which your loop does not test");
 }
 
 TEST_CASE("a section that only one explanation has is the first difference only if it is all") {

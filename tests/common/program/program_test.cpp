@@ -278,9 +278,10 @@ TEST_CASE("the story contains each tested shape, and counts the misses that it l
     closest.test(PrimitiveList<Probe>({{.shape = {.t = Real(2)}}, {.shape = {.t = Real(3)}}}));
     closest.test(
         PrimitiveList<Probe>(std::vector(100, Primitive<Probe>{.shape = {.t = std::nullopt}})));
-    CHECK(
-        out.str().starts_with("Probe at 2\n    → hit at t = 2\n"
-                              "Probe at 3\n    → not nearer than the hit at t = 2\n"
-                              "Probe nowhere\n    → missed: it is nowhere\n"));
+    CHECK(out.str().starts_with(
+        "Probe at 2\n    → hit at t = 2\n"
+        "Probe at 3\n    interval = (0, 2)\n    → not nearer: a hit at t = 3, behind the "
+        "end of the interval\n"
+        "Probe nowhere\n    interval = (0, 2)\n    → missed: it is nowhere\n"));
     CHECK(log.misses_left_out() == 101 - 24);
 }

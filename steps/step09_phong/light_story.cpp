@@ -1,6 +1,9 @@
+// The story of a light: the vectors of Phong's model, and the results of the stage's functions.
 #include "common/explain/pixel_log.hpp"
 #include "common/math/vector.hpp"
 #include "common/render/surface.hpp"
+
+#include "steps/step09_phong/phong.hpp"
 
 namespace rt {
 
@@ -15,15 +18,15 @@ void explain(PixelLog& log, const ShadingPoint& surface, const Light& light) {
     log.line("N", text(surface.normal));
     log.line("L", text(to_light));
     log.line("⟨L, N⟩", text(cosine));
-    if (cosine <= 0) {
-        log.remark("dark: the light is on the other side of the surface");
-        return;
+    if (cosine <= 0) log.remark("dark: the light is on the other side of the surface");
+    if (cosine > 0 && surface.material.specular != 0) {
+        const Vec3 direction = reflected(to_light, surface.normal);
+        log.line("R = reflected(L, N)", text(direction));
+        log.line("V", text(surface.to_eye));
+        log.line("⟨R, V⟩", text(dot(direction, surface.to_eye)));
     }
-    if (surface.material.specular == 0) return;
-    const Vec3 reflected = 2 * cosine * surface.normal - to_light;
-    log.line("R", text(reflected));
-    log.line("V", text(surface.to_eye));
-    log.line("⟨R, V⟩", text(dot(reflected, surface.to_eye)));
+    log.line("diffuse_term", text(diffuse_term(surface, light)));
+    log.line("specular_term", text(specular_term(surface, light)));
 }
 
 }  // namespace rt

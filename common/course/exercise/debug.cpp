@@ -1,0 +1,204 @@
+#include "common/course/exercise/debug.hpp"
+
+#include "common/course/build/build.hpp"
+#include "common/course/build/project.hpp"
+#include "common/course/exercise/suite.hpp"
+#include "common/course/exercise/workbook.hpp"
+#include "common/system/files.hpp"
+#include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
+#include "common/system/status_line.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+
+namespace rt {
+
+namespace {
+
+constexpr std::chrono::seconds case_limit{10};  // as for a suite
+
+/// A case of one of a stage's suites, in one precision.
+struct SuiteCase {
+    std::string name;
+    std::string suite;  ///< "" or "_trace"
+    std::string word;   ///< "double" or "float"
+};
+
+/// The case whose name contains the words, or without words the first that failed, in the reports
+/// of the last check.
+std::optional<SuiteCase> find_case(int stage, const std::string& words) {
+    for (const char* const word : {"double", "float"})
+        for (const char* const suite : {"", "_trace"}) {
+            const std::filesystem::path report =
+                report_of(stage_target(stage, std::string(suite) + "_test_" + word));
+            if (!std::filesystem::exists(report)) continue;
+            for (const CaseResult& each : read_report(read_text(report)))
+                if (words.empty() ? !each.passed : each.name.find(words) != std::string::npos)
+                    return SuiteCase{each.name, suite, word};
+        }
+    return std::nullopt;
+}
+
+SuiteCase case_to_debug(int stage, const std::string& words) {
+    const std::string check = "./course check " + std::to_string(stage);
+    if (Workbook(stage).files().empty())
+        throw InputError(
+            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    const std::optional<SuiteCase> found = find_case(stage, words);
+    if (!found && words.empty())
+        throw InputError({}, "no case failed in the last check: " + check +
+                                 ", or name a case in quotes: ./course debug " +
+                                 std::to_string(stage) + " \"CASE\"");
+    if (!found)
+        throw InputError({}, "no case of the last check is called \"" + words + "\": " + check);
+    return *found;
+}
+
+/// True if a program of that name is on PATH.
+bool is_installed(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        std::error_code none;
+        if (std::filesystem::is_regular_file(std::filesystem::path(folder) / program, none))
+            return true;
+    }
+    return false;
+}
+
+/// The program of the case that is debugged, by a name that an editor's settings can have.
+Command program_of_case() {
+    return {(build_folder / "debug_case").string(), "--input-file",
+            (build_folder / "debug_case.txt").string()};
+}
+
+/// Makes program_of_case() run the case. Its environment is in debug_case.env, with the number of
+/// calls until the failure, which it returns: 0 if the case ends otherwise, as with a crash.
+long prepare(const std::string& target, const std::string& case_name) {
+    const StatusLine status("looking for the call that fails …");
+    std::filesystem::remove(build_folder / "debug_case");
+    std::filesystem::create_symlink(target, build_folder / "debug_case");
+    write_text(build_folder / "debug_case.txt", case_name + "\n");
+    const TemporaryFolder folder(build_folder);
+    const std::string file = (folder.path() / "calls").string();
+    Command command = {"env", "RAYSTEPS_CALLS=" + file};
+    const Command program = program_of_case();
+    command.insert(command.end(), program.begin(), program.end());
+    const ProcessResult ending = run_captured(command, case_limit);
+    long calls = 0;
+    if (std::filesystem::exists(file)) calls = std::atol(read_text(file).c_str());
+    write_text(build_folder / "debug_case.env", "RAYSTEPS_STOP_AT=" + std::to_string(calls) + "\n");
+    if (calls == 0 && !ending.out_of_time && ending.crash.empty() && ending.status == 0)
+        throw InputError({}, "the case passes with this file: ./course check tests the file again");
+    if (ending.out_of_time)
+        std::puts(
+            "The case does not end: Ctrl-C stops it where it is, and backtrace shows how it "
+            "came there.");
+    return calls;
+}
+
+/// The debugger's command: it runs the program up to the call, or up to a crash.
+Command debugger_of(long calls) {
+    const std::string number = std::to_string(calls);
+    Command command;
+    if (is_installed("gdb")) {
+        command = {"gdb", "-q", "-iex", "set debuginfod enabled off", "-ex", "set confirm off"};
+        if (calls > 0)
+            for (const std::string& each :
+                 {std::string("break raysteps_stop"), "set environment RAYSTEPS_STOP_AT " + number,
+                  std::string("run"), std::string("finish"), std::string("info args")})
+                command.insert(command.end(), {"-ex", each});
+        else
+            command.insert(command.end(), {"-ex", "run", "-ex", "backtrace"});
+        command.push_back("--args");
+    } else {
+        command = {"lldb"};
+        if (calls > 0)
+            for (const std::string& each :
+                 {std::string("breakpoint set --name raysteps_stop"),
+                  "settings set target.env-vars RAYSTEPS_STOP_AT=" + number, std::string("run"),
+                  std::string("finish"), std::string("frame variable")})
+                command.insert(command.end(), {"-o", each});
+        else
+            command.insert(command.end(), {"-o", "run", "-o", "bt"});
+        command.push_back("--");
+    }
+    const Command program = program_of_case();
+    command.insert(command.end(), program.begin(), program.end());
+    return command;
+}
+
+/// The sanitizers' first error: its line, and the first places in the student's files.
+std::string sanitizer_error(const std::string& output) {
+    constexpr std::size_t most_places = 4;
+    std::string error;
+    std::string places;
+    std::size_t count = 0;
+    for (const std::string& line : lines_of(output)) {
+        const std::size_t student = line.find("/student/");
+        if (error.empty()) {
+            const std::size_t file = line.find("steps/step");
+            if (line.find(": runtime error: ") != std::string::npos)
+                error = line.substr(file == std::string::npos ? 0 : file);
+            else if (const std::size_t at = line.find("ERROR: "); at != std::string::npos)
+                error = line.substr(at + 7);
+        } else if (student != std::string::npos && line.find("steps/step") < student &&
+                   ++count <= most_places) {
+            places += "\n    " + line.substr(line.find("steps/step"));
+        }
+    }
+    return error.empty() ? "" : error + places;
+}
+
+}  // namespace
+
+int debug(int stage, const std::string& words, bool starts) {
+    if (starts && !is_installed("gdb") && !is_installed("lldb"))
+        throw InputError({},
+                         "no debugger is installed: apt-get install gdb, or on macOS "
+                         "xcode-select --install, which brings lldb");
+    const SuiteCase chosen = case_to_debug(stage, words);
+    const std::string target = stage_target(stage, chosen.suite + "_debug_" + chosen.word);
+    build({target});
+    const long calls = prepare(target, chosen.name);
+    std::printf("%s%s\n%s\n", chosen.name.c_str(),
+                chosen.word == "float" ? "  (in float only)" : "",
+                calls > 0 ? "The debugger stops in your function, in the last call before the "
+                            "failure. Then: next, step, print NAME, backtrace, quit."
+                          : "The debugger stops where the program ends.");
+    std::fflush(stdout);
+    return starts ? run_process(debugger_of(calls)) : 0;
+}
+
+int check_with_sanitizers(int stage) {
+    const Workbook workbook(stage);
+    if (workbook.files().empty())
+        throw InputError(
+            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    const bool has_functions = workbook.files().size() > (workbook.has_trace() ? 1U : 0U);
+    for (const char* const suite : {"", "_trace"}) {
+        if (*suite == '\0' ? !has_functions : !workbook.has_trace()) continue;
+        for (const char* const word : {"double", "float"}) {
+            const std::string target =
+                stage_target(stage, std::string(suite) + "_sanitized_" + word);
+            build({target});
+            const SuiteResult result = run_suite(target);
+            const std::string error = sanitizer_error(result.output);
+            if (error.empty()) continue;
+            std::printf("%s, in %s\n%s\n",
+                        result.cases.empty() ? "" : result.cases.back().name.c_str(), word,
+                        error.c_str());
+            return 1;
+        }
+    }
+    std::puts(
+        "The sanitizers find no error: no index out of range, no use of memory that is gone, "
+        "no undefined operation.");
+    return 0;
+}
+
+}  // namespace rt

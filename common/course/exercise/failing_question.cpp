@@ -1,0 +1,70 @@
+#include "common/course/exercise/failing_question.hpp"
+
+#include "common/system/files.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace rt {
+
+namespace {
+
+std::string trimmed(const std::string& line) {
+    const std::size_t start = line.find_first_not_of(' ');
+    return start == std::string::npos ? "" : line.substr(start);
+}
+
+/// "--term specular" of "save it to render it, with --term specular and …".
+Command options_in(const std::string& line) {
+    Command options;
+    std::istringstream words(line.substr(std::min(line.find("--"), line.size())));
+    for (std::string word; words >> word && word != "and";) options.push_back(word);
+    return options;
+}
+
+FailingQuestion question_in(const std::string& failure) {
+    FailingQuestion question;
+    std::string lines;
+    bool in_scene = false;
+    for (const std::string& line : lines_of(failure)) {
+        const std::string words = trimmed(line);
+        if (words.starts_with("got:")) break;
+        if (!words.starts_with("scene:")) {
+            lines += (lines.empty() || in_scene ? "" : " ") + words + (in_scene ? "\n" : "");
+            continue;
+        }
+        static const std::regex place(R"(.*\bpixel (\d+,\d+) of (\d+) x (\d+) .*)");
+        std::smatch match;
+        question.pixel = "0,0";
+        if (std::regex_match(lines, match, place)) {
+            question.pixel = match[1].str();
+            question.scene = "R " + match[2].str() + " " + match[3].str() + "\n";
+        }
+        question.options = options_in(words);
+        lines.clear();
+        in_scene = true;
+    }
+    static const std::regex call(R"([a-z_]+\(.*\))");
+    if (in_scene && question.scene.empty())
+        question.scene = lines;
+    else if (in_scene)  // in place of the scene's own first line, R 1 1
+        question.scene += lines.substr(lines.find('\n') + 1);
+    else if (lines.size() < 4000 && std::regex_match(lines, call))
+        question.call = lines;
+    return question;
+}
+
+}  // namespace
+
+std::optional<FailingQuestion> failing_question(const std::vector<CaseResult>& results) {
+    for (const CaseResult& each : results) {
+        if (each.passed) continue;
+        FailingQuestion question = question_in(each.failure);
+        question.case_name = each.name;
+        if (!question.call.empty() || !question.scene.empty()) return question;
+    }
+    return std::nullopt;
+}
+
+}  // namespace rt
