@@ -3,6 +3,8 @@
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failed=0
+RAYSTEPS_LANG=en  # whatever the language of the machine
+export RAYSTEPS_LANG
 
 # fail WHAT: reports it, with the folder's files out and err, if there are any.
 fail() {

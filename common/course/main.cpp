@@ -23,6 +23,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/two_numbers.hpp"
 #include "common/system/wrap.hpp"
 
@@ -35,8 +36,8 @@
 
 namespace {
 
-constexpr const char* stage_option =
-    "a number or a name: 5, triangle, step05_triangle; the default is your current stage";
+constexpr const char* stage_option = rt::to_translate(
+    "a number or a name: 5, triangle, step05_triangle; the default is your current stage");
 
 /// The arguments of a command.
 struct Words {
@@ -225,7 +226,7 @@ private:
 CLI::App* Commands::add(const std::string& usage, const std::string& description,
                         const Body& body) {
     CLI::App* command = app_.add_subcommand(usage.substr(0, usage.find(' ')),
-                                            "./course " + usage + ": " + description);
+                                            "./course " + usage + ": " + rt::tr(description));
     command->callback([this, command, body] { status_ = body(command->remaining()); });
     return command;
 }
@@ -404,11 +405,12 @@ void Commands::add_author_commands() {
 
 void Commands::print_summary() const {
     rt::show_progress();
-    std::string line = "\nCommands:";
+    std::string names;
     for (const CLI::App* command : app_.get_subcommands({}))
         if (!is_missing(command->get_name()) && command->get_group() != authors)
-            line += " " + command->get_name();
-    std::printf("%s./course --help describes them.\n", rt::wrapped_page(line, 0).c_str());
+            names += " " + command->get_name();
+    std::printf("\n%s%s\n", rt::wrapped_page(rt::tr("Commands:") + names, 0).c_str(),
+                rt::tr("./course --help describes them.").c_str());
     if (rt::is_handout(rt::project_folder))
         std::printf("\n%s\n", rt::wrapped(rt::read_manifest(rt::project_folder).title).c_str());
     std::puts("");
@@ -421,17 +423,18 @@ void Commands::print_list() const {
     for (const CLI::App* command : app_.get_subcommands({})) {
         if (is_missing(command->get_name())) continue;
         if (command->get_group() == authors && group != authors)
-            std::printf("\n%s:\n\n", authors.c_str());
+            std::printf("\n%s\n\n", rt::tr("For lecturers, and for authors of stages:").c_str());
         group = command->get_group();
         std::string line = command->get_description();
         const std::size_t end = line.find(": ");
         line.replace(end, 2, std::string(end + 2 < column ? column - end : 2, ' '));
         std::puts(rt::wrapped(line, rt::terminal_columns(), column).c_str());
     }
-    const std::string notes = std::string("\nN is ") + stage_option +
-                              ".\nrun, compare, explain: --mine uses all your stages, --reference "
-                              "3,5 all but these. ./course --version prints the version.";
-    std::fputs(rt::wrapped_page(notes, 0).c_str(), stdout);
+    const std::string notes = rt::tr(
+        "N is {what}.\nrun, compare, explain: --mine uses all your stages, --reference 3,5 all but "
+        "these. ./course --version prints the version.",
+        {{"what", rt::tr(stage_option)}});
+    std::fputs(("\n" + rt::wrapped_page(notes, 0)).c_str(), stdout);
 }
 
 std::vector<std::string> Commands::command_names() const {
@@ -491,6 +494,7 @@ int Commands::run(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file above the size limit is an error to report
     try {
+        rt::read_project_translations("course");
         const int status = Commands().run(argc, argv);
         rt::finish_output();
         return status;

@@ -4,7 +4,8 @@
 // contrast (WCAG 2: 4.5 : 1, or 3 : 1 if it is large), controls and figures without a name for a
 // screen reader, headings that skip a level, what moves though the reader wants less motion, pages
 // that are wider than their window, errors on the console, requests to other hosts, more than 600 kB
-// that a page loads (compressed, without pictures of scenes), and a search without results. With
+// that a page loads (compressed, without pictures of scenes), a search without results, and a link to
+// a page in another language that leads to another part of it. With
 // AXE=axe.min.js, of axe-core, its findings too. With SHOTS=FOLDER, pictures of the pages are kept
 // there, of which one is printed.
 import { spawn } from "node:child_process";
@@ -229,11 +230,28 @@ try {
   }
   page = "all pages";
   if (await value("document.cookie") !== "") fail("a cookie is set");
-  await ask("Page.navigate", { url: address + "?q=penumbra" });
-  const found = "document.querySelectorAll('.md-search-result__item').length";
-  for (let tries = 0; await value(found) < 2; ++tries) {
-    if (tries === 200) { fail("the search for penumbra finds nothing"); break; }
-    await new Promise((done) => setTimeout(done, 100));
+  const becomes_true = async (condition, what) => {
+    for (let tries = 0; !await value(condition).catch(() => false); ++tries) {  // while a page is loaded
+      if (tries === 200) return fail(what);
+      await new Promise((done) => setTimeout(done, 100));
+    }
+  };
+  for (const [place, word] of [["", "penumbra"], ...(pages.some((each) => each.includes("fr/")) ? [["fr/", "réfléchi"]] : [])]) {
+    await ask("Page.navigate", { url: new URL(`${place}index.html?q=${word}`, address).href });
+    await becomes_true("document.querySelectorAll('.md-search-result__item').length > 1",
+      `the search for ${word} finds nothing`);
+  }
+  if (pages.some((each) => each.includes("fr/"))) {
+    const part = "step05_triangle.html#what-goes-wrong";
+    await ask("Page.navigate", { url: new URL("fr/" + part, address).href });
+    for (const [from, to] of [["fr", "en"], ["en", "fr"]]) {
+      await becomes_true(`document.documentElement.lang === "${from}" && document.readyState === "complete" &&
+        document.getElementById("what-goes-wrong").getBoundingClientRect().top < 150`, `${from}: ${part} is not shown`);
+      await value(`location.hash = ""; document.getElementById("what-goes-wrong").scrollIntoView();
+        document.querySelector(".md-header a[hreflang=${to}]").click()`);
+    }
+    await becomes_true(`document.documentElement.lang === "fr" && location.href.endsWith("fr/${part}")`,
+      "the links between the languages lead to another place");
   }
 } finally {
   chromium.kill();

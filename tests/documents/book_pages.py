@@ -110,9 +110,38 @@ def check_captions(page):
             page.fail(f"the figure {name} has no caption with its question")
 
 
+def paragraphs(path):
+    """The paragraphs, items and cells that are sentences, without code and formulas."""
+    html = re.sub(r"<(pre|code)\b.*?</\1>", "", path.read_text(encoding="utf-8").split("<h1")[1], flags=re.S)
+    found = (" ".join(text_only(part).split()) for part in re.split(r"</?(?:p|li|td|h\d|summary)\b[^>]*>", html))
+    verb = re.compile(r"\b(is|are|has|must|you|your|it|its|which|where|not)\b")  # no title has one
+    return {text for text in found if len(re.findall(r"[a-z]{2,}", text)) > 5 and verb.search(text)}
+
+
+def check_translation(path, is_whole):
+    """The headings have the English anchors, and no sentence is English, once all pages are translated."""
+    english = site / path.name
+    anchors = re.compile(r'<h[1-6] id="([^"]*)"')
+    if anchors.findall(path.read_text("utf-8")) != anchors.findall(english.read_text("utf-8")):
+        pages[path].fail(f"its anchors are not those of {english.name}")
+    for same in paragraphs(path) & paragraphs(english) if is_whole else []:
+        pages[path].fail(f"is English: {same[:60]}")
+
+
+def check_languages():
+    for folder in project.glob("lang/*/docs"):
+        translated = sorted((site / folder.parent.name).glob("*.html"))
+        catalogues = [*folder.glob("*.po"), *folder.parent.glob("README.po")]
+        if len(translated) != len(catalogues):
+            errors.append(f"lang/{folder.parent.name}: {len(translated)} pages of {len(catalogues)} catalogues")
+        pages_in_english = len([page for page in project.glob("docs/*.md") if page.name != "CHANGELOG.md"]) + 1
+        for path in translated:
+            check_translation(path, len(catalogues) == pages_in_english)
+
+
 def check_size():
     size = sum(path.stat().st_size for path in site.rglob("*") if path.is_file())
-    if size > 9.6e6 and not any(site.rglob("gallery/*.png")):  # which Pillow would have compressed
+    if size > 12.6e6 and not any(site.rglob("gallery/*.png")):  # which Pillow would have compressed
         errors.append(f"the site has {size} bytes")
 
 
@@ -123,6 +152,7 @@ for page in pages.values():
 stages = sorted(path for path in pages if path.parent == site and re.match(r"step\d\d_", path.name))
 for number, path in enumerate(stages, 1):
     check_stage(number, pages[path])
+check_languages()
 check_size()
 formulas = sum(page.formulas for page in pages.values())
 links = sum(len(page.links) for page in pages.values())

@@ -70,6 +70,35 @@ printf '\n$\\nonsense{1}$\n' >> small/docs/scenes.md
 set_pages && fail "a wrong formula"
 grep -q 'docs/scenes.md: error: .*nonsense' out || fail "a wrong formula: the page is named"
 
+# Another language is a folder of lang/, in which three sentences are translated. Without po4a the
+# site is English.
+cp "$project/docs/scenes.md" small/docs
+mkdir small/lang small/lang/de
+cp "$project/lang/pages.py" small/lang
+cat > small/lang/de/book.po << 'END'
+msgid ""
+msgstr "Content-Type: text/plain; charset=UTF-8\n"
+
+msgid "English"
+msgstr "Deutsch"
+END
+PYTHONDONTWRITEBYTECODE=1 python3 small/lang/pages.py de > out || fail "a language begins"
+sed '/^msgid "Scenes"/,/^msgstr/s/^msgstr ""/msgstr "Szenen"/
+    /^msgid "Elements"/,/^msgstr/s/^msgstr ""/msgstr "Elemente"/
+    /^msgid "Errors"/,/^msgstr/s/^msgstr ""/msgstr "Fehler"/' small/lang/de/docs/scenes.po > de.po
+mv de.po small/lang/de/docs/scenes.po
+set_pages || fail "a project with another language"
+grep -q 'lang="de"' small/build/book/de/scenes.html || fail "pages in another language"
+grep -q '<h1 id="[a-z-]*">Szenen' small/build/book/de/scenes.html || fail "a heading is translated"
+grep -q 'href="de/scenes.html" hreflang="de"[^<]*' small/build/book/scenes.html || fail "a link to the other language"
+grep -q 'href="../scenes.html" hreflang="en"' small/build/book/de/scenes.html || fail "and back"
+[ ! -e small/build/book/de/assets ] || fail "no asset is there twice"
+mkdir without_po4a
+for program in mkdocs node; do ln -s "$(command -v $program)" without_po4a; done
+(PATH=$PWD/without_po4a; set_pages) || fail "without po4a"
+grep -q '^The pages are in English only' out || fail "without po4a it says so"
+[ -e small/build/book/scenes.html ] && [ ! -e small/build/book/de ] || fail "without po4a, the English pages"
+
 # Written, and written again over what nobody has changed.
 links="https://example.org/raysteps/blob/main"
 "$build/course" book --out new --source $links > out 2> err || fail "the book is written"
@@ -113,7 +142,9 @@ is "a page that is not there" "${root}build/book/none.html" 404
 
 python3 "$project/tests/documents/book_pages.py" "$project/build/book" "$project" > out 2>&1 ||
     fail "links, anchors, formulas, alternative texts, contracts, hints, errata"
-pages=$(cd "$project/build/book" && find . -name '*.html' | sort)
+# Of the pages in another language, which have the same parts, two.
+pages=$(cd "$project/build/book" && find . -name '*.html' ! -path './??/*' -o -path './fr/index.html' \
+    -o -path './fr/step05_triangle.html' | sort)
 axe=$build/axe/node_modules/axe-core/axe.min.js  # where .ci/run puts it
 [ ! -e "$axe" ] || export AXE="$axe"
 node "$project/tests/documents/book_browser.mjs" "$browser" "$address" $pages > out 2>&1 ||

@@ -4,6 +4,7 @@
 #include "common/course/book/pdf.hpp"
 #include "common/course/book/site.hpp"
 #include "common/course/build/manifest.hpp"
+#include "common/course/build/project.hpp"
 #include "common/course/view/host.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
@@ -88,6 +89,12 @@ void check_source(const std::string& source) {
                              source + "\"");
 }
 
+/// The first page that is shown, in the reader's language if the site has it.
+std::string first_page(const fs::path& project, const std::string& site) {
+    const std::string own = site + "/" + project_language() + "/index.html";
+    return !project_language().empty() && fs::exists(project / own) ? own : site + "/index.html";
+}
+
 }  // namespace
 
 int book(const BookSettings& settings) {
@@ -114,7 +121,7 @@ int book(const BookSettings& settings) {
     Host host(0);
     std::atomic<bool> over = false;
     host.serve(
-        site + "/index.html",
+        first_page(settings.project, site),
         [&](const Request& request) {
             if (request.path == "own_answer") return own_answer(request, over);
             if (request.path == "own_files") return own_files();

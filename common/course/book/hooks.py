@@ -4,6 +4,11 @@ pages of the known mistakes. A hand-out, which has no tests/mistakes, gets none 
 RAYSTEPS_SOURCE is where links to files beside docs/ lead: "../.." is the project's folder, as seen
 from the site's, "https://github.com/NAME/raysteps/blob/main" a host. If it is empty, there are no
 such links. RAYSTEPS_ENGINE is the folder with the figures' WebAssembly, if that is built.
+
+The pages in another language (lang/) are in a folder of the site that has its name, which is built by
+another run, in RAYSTEPS_LANGUAGE: it contains the pages that are translated, and leads to the English
+site (links of the scheme english:) for everything else. A heading has the English anchor in all
+languages; RAYSTEPS_ANCHORS is a file with them.
 """
 
 import json
@@ -12,6 +17,7 @@ import posixpath
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 from html import escape
 from pathlib import Path
@@ -31,6 +37,18 @@ meshes_in_pages = ["owl.off"]
 scenes_in_pages = set()  # that can be drawn there
 generated_pages = tempfile.TemporaryDirectory()
 
+sys.path.insert(0, str(project / "lang"))
+try:
+    import pages as translations
+    languages = translations.languages() if translations.is_installed() else []
+    others_need_po4a = translations.languages() != languages
+except ImportError:  # a project without lang/
+    translations, languages, others_need_po4a = None, [], False
+language = os.environ.get("RAYSTEPS_LANGUAGE", "en")
+is_english = language == "en"
+tr = str if is_english else translations.words(language, "book")
+texts = {} if is_english else translations.translated(language)
+
 used_font = re.compile(r"KaTeX_(AMS|Main|Math|Size).*\.woff2")
 
 before_the_stages = ["debugging.md", "cpp.md"]
@@ -41,16 +59,55 @@ def text_of(path):
     return (project / path).read_text(encoding="utf-8")
 
 
+def page_text(path):
+    """A page in the language of the site, if it is translated."""
+    return texts[path] if path in texts else text_of(path)
+
+
+def first_heading(path):
+    return re.search(r"(?m)^# (.*)$", text_of(path))[1]
+
+
+def address_in_english(path):
+    return f"english:{re.sub(r'[.]md(?=$|#)', '.html', path)}"
+
+
+def set_language(config):
+    """The words around the pages."""
+    config["docs_dir"] = str(Path(generated_pages.name) / "docs")
+    for path, text in texts.items():
+        if path.startswith("docs/"):
+            (Path(generated_pages.name) / path).parent.mkdir(exist_ok=True)
+            (Path(generated_pages.name) / path).write_text(text, encoding="utf-8")
+    config["theme"]["language"] = language
+    config["plugins"]["search"].config["lang"] = [language]
+    config["copyright"] = tr(config["copyright"])
+    for palette in config["theme"]["palette"]:
+        palette["toggle"]["name"] = tr(palette["toggle"]["name"])
+
+
+def entry(page):
+    """Of the navigation: the English page if it is not translated."""
+    return page if f"docs/{page}" in texts else {first_heading(f"docs/{page}"): address_in_english(page)}
+
+
 def on_config(config):
-    docs = Path(config["docs_dir"])
+    if languages:
+        config["extra"]["alternate"] = [{"name": "English", "link": "en", "lang": "en"}] + [
+            {"name": translations.words(each, "book")("English"), "link": each, "lang": each} for each in languages]
+    if not is_english:
+        set_language(config)
+    docs = project / "docs"
     stages = [*before_the_stages, *sorted(page.name for page in docs.glob("step*.md"))]
     others = sorted({page.name for page in docs.glob("*.md")} - set(stages),
                     key=lambda name: [*after_the_stages, name].index(name))
     reference = sorted(f"reference/{page.name}" for page in docs.glob("reference/*.md"))
-    config["nav"] = [{"Home": "index.md"}, {"Stages": stages}, {"More": others},
-                     {"Reference": reference}]
-    if catalogues():
+    if not is_english:
+        stages, others, reference = (list(map(entry, part)) for part in (stages, others, reference))
+    elif catalogues():
         reference.append("mistakes/index.md")  # which leads to one for each stage
+    config["nav"] = [{tr("Home"): "index.md"}, {tr("Stages"): stages}, {tr("More"): others},
+                     {tr("Reference"): reference}]
     return config
 
 
@@ -66,10 +123,11 @@ def on_files(files, config):
     overview.dest_path = overview.url = "documents.html"
     overview.abs_dest_path = str(Path(config["site_dir"]) / overview.dest_path)
     generated = Path(generated_pages.name)
-    home = re.sub(r"\]\((?!docs/|https?:|#)", "](../", text_of("README.md")).replace("](docs/", "](")
+    home = re.sub(r"(?m)^\[English\]\(README\.md\).*\n\n", "", page_text("README.md"))  # the site has a switch
+    home = re.sub(r"\]\((?!docs/|https?:|#)", "](../", home).replace("](docs/", "](")
     (generated / "index.md").write_text(home, encoding="utf-8")
     files.append(File("index.md", str(generated), config["site_dir"], False))
-    if catalogues():
+    if is_english and catalogues():
         write_mistakes(generated / "mistakes")
         for name in ["index", *catalogues()]:
             files.append(File(f"mistakes/{name}.md", str(generated), config["site_dir"], False))
@@ -152,24 +210,31 @@ suite must catch every one of its mistakes, by the case that is named. A mistake
 
 
 def linked_to_sources(markdown, page, files):
-    """Links out of docs/ become links of the scheme source:, as they have another start at the end."""
+    """Links out of docs/ become links of the scheme source:, as they have another start at the end;
+    in another language, those to what is not translated become links of the scheme english:."""
     folder = posixpath.join("docs", posixpath.dirname(page.file.src_path))
     known = {file.src_path for file in files}
 
     def link(match):
-        path = posixpath.normpath(posixpath.join(folder, match[1]))
-        return match[0] if path.removeprefix("docs/") in known else f"](source:{path})"
+        target, anchor = match.groups()
+        path = posixpath.normpath(posixpath.join(folder, target))
+        page_there = path.removeprefix("docs/")
+        if page_there in known or re.match(r"\w+:", target):
+            return match[0]
+        if not is_english and path.startswith("docs/") and path.endswith((".md", ".svg", ".png")):
+            return f"]({address_in_english(page_there + anchor)})"
+        return f"](source:{path})" if target.startswith("../") else match[0]
 
     if catalogues():
         markdown = re.sub(r"\[`(\w+)`\]\((?:\.\./)+tests/mistakes/(step\w+?)(_trace)?\.txt\)",
                           lambda m: f"[`{m[1]}`]({'../' * page.file.src_path.count('/')}mistakes/{m[2]}.md#{m[1]})", markdown)
-    return re.sub(r"\]\((\.\./[^)#]*)\)", link, markdown)
+    return re.sub(r"\]\(([^)#\s]+)((?:#[^)\s]*)?)\)", link, markdown)
 
 
 def contract(markdown):
     """The header that a stage's page names, behind the table of its functions."""
-    header, table = re.search(r"`(steps/\S*\.hpp)`:\n\n((?:\|.*\n)+)", markdown).groups()
-    shown = f"""<details class="contract" markdown><summary>The contract: <code>{header}</code></summary>
+    header, table = re.search(r"`(steps/\S*\.hpp)`\s?:\n\n((?:\|.*\n)+)", markdown).groups()
+    shown = f"""<details class="contract" markdown><summary>{tr("The contract:")} <code>{header}</code></summary>
 
 ```cpp
 {text_of(header)}```
@@ -181,35 +246,68 @@ def contract(markdown):
 
 
 def hints(name):
-    parts = re.split(r"^## \d\n", text_of(f"steps/{name}/hints.md"), flags=re.M)[1:]
-    return "## Hints\n\n" + "\n".join(
-        f"<details markdown><summary>Hint {number}</summary>\n\n{part.strip()}\n\n</details>\n"
+    parts = re.split(r"^## \d\n", page_text(f"steps/{name}/hints.md"), flags=re.M)[1:]
+    return f"## {tr('Hints')}\n\n" + "\n".join(
+        f"<details markdown><summary>{tr('Hint')} {number}</summary>\n\n{part.strip()}\n\n</details>\n"
         for number, part in enumerate(parts, 1))
 
 
 def errata(stage):
     """The rows of the errata's table that name the stage."""
-    head, dashes, *rows = re.findall(r"^\|.*\|$", text_of("docs/errata.md"), flags=re.M)
+    head, dashes, *rows = re.findall(r"^\|.*\|$", page_text("docs/errata.md"), flags=re.M)
     mine = [row for row in rows if str(stage) in re.split(r"[ ,|]+", row.rsplit(" | ", 1)[1])]
     if not mine:
         return ""
     table = "\n".join([head, dashes, *mine]).replace("](#", "](errata.md#")
-    return f"### Errata of the documents\n\n{table}\n\n"
+    return f"### {tr('Errata of the documents')}\n\n{table}\n\n"
+
+
+def before_heading(markdown, path, title, added):
+    """Adds a text before the heading that has this title in the English page."""
+    titles = [re.findall(r"(?m)^## (.*)$", text) for text in (text_of(path), page_text(path))]
+    own = titles[1][titles[0].index(title)]
+    return markdown.replace(f"\n## {own}\n", f"\n{added}## {own}\n", 1)
 
 
 def on_page_markdown(markdown, page, config, files):
     stage = re.fullmatch(r"step(\d\d)_\w+\.md", page.file.src_path)
     if stage:
         markdown = contract(markdown)
-        markdown = markdown.replace("## What goes wrong", hints(page.file.name) + "\n## What goes wrong", 1)
-        markdown = markdown.replace("## See it", errata(int(stage[1])) + "## See it", 1)
-    markdown = markdown.replace("<details><summary>For the curious",
-                                '<details class="curious"><summary>For the curious')
+        path = f"docs/{page.file.src_path}"
+        markdown = before_heading(markdown, path, "What goes wrong", hints(page.file.name) + "\n")
+        markdown = before_heading(markdown, path, "See it", errata(int(stage[1])))
+    markdown = markdown.replace(f"<details><summary>{tr('For the curious')}",
+                                f'<details class="curious"><summary>{tr("For the curious")}')
     markdown = re.sub(r"<details( class=\"curious\")?>", r"<details\1 markdown>", markdown)
     return linked_to_sources(markdown, page, files)
 
 
 # ---- what is changed in the page
+
+
+def to_root(page):
+    """From a page to the start of the English site, which has what all languages need."""
+    return "../" * (page.file.src_path.count("/") + (not is_english))
+
+
+heading_anchor = re.compile(r'(?<=<h[1-6] id=")[^"]*')
+english_anchors = {}
+if not is_english:
+    english_anchors = json.loads(Path(os.environ["RAYSTEPS_ANCHORS"]).read_text(encoding="utf-8"))
+
+
+def with_english_anchors(html, page):
+    own = heading_anchor.findall(html)
+    path = page.file.src_path
+    english = english_anchors.setdefault(path, own)
+    if len(english) != len(own):
+        raise PluginError(f"lang/{language}/docs/{path}: error: {len(own)} headings, not {len(english)} as in English")
+    new = dict(zip(own, english))
+    items = list(page.toc.items)
+    for item in items:
+        items += item.children
+        item.id = new[item.id]
+    return re.sub(r'(<h[1-6] id="|href="#)([^"]*)', lambda found: found[1] + new.get(found[2], found[2]), html)
 
 
 def on_page_content(html, page, config, files):
@@ -222,19 +320,19 @@ def on_page_content(html, page, config, files):
             return picture
         if scene and not (project / "scenes" / scene).exists():  # in a hand-out
             return picture
-        start = "../" * page.file.src_path.count("/")
         if scene:
             scenes_in_pages.add(scene)
         stage = f' stage="{int(page.file.name[4:6])}" scene="{scene}"' if scene else ""
         return (f'<rt-{name}{stage}>{picture}</rt-{name}>\n'
-                f'<script type="module" src="{start}figures/{name}.js"></script>')
+                f'<script type="module" src="{to_root(page)}figures/{name}.js"></script>')
 
     html = re.sub(r"(<p><img [^>]*></p>)\s*<!-- figure: ([\w-]+)(?: scenes/(\S+\.rt))? -->", figure, html)
+    html = with_english_anchors(html, page)
     headings = page.toc.items[0].children
     for heading in [*headings, *(below for heading in headings for below in heading.children)]:
         heading.title = re.sub(r"\\\((.*?)\\\)", r"\1", heading.title)  # formulas are not set there
     parts = [f'<a href="{heading.url}">{heading.title}</a>' for heading in headings]
-    return html.replace("<h2", f'<p class="parts">In this page: {" · ".join(parts)}</p>\n<h2', 1)
+    return html.replace("<h2", f'<p class="parts">{tr("In this page:")} {" · ".join(parts)}</p>\n<h2', 1)
 
 
 class Typesetter:
@@ -302,13 +400,26 @@ def without_empty_headers(html):
     return re.sub(r"<th([^>]*)></th>", r"<td\1></td>", html)
 
 
+def address_in(other, page):
+    """The same page in another language, or the home page if it is not translated."""
+    path = "README.md" if page.file.src_path == "index.md" else f"docs/{page.file.src_path}"
+    is_there = other == "en" or translations.catalogue_of(path, other).exists()
+    return to_root(page) + ("" if other == "en" else f"{other}/") + (page.url if is_there else "index.html")
+
+
 def on_post_page(output, page, config):
     """Formulas are set here, after the index for searching is made, which has their text."""
+    output = re.sub(r'href="[^"]*" hreflang="(\w+)"',
+                    lambda found: f'href="{address_in(found[1], page)}" hreflang="{found[1]}"', output)
+    if not is_english:
+        output = re.sub(r'((?:href|src)=")english:', rf"\1{to_root(page)}", output)
+        output = re.sub(r'"(?=(assets|book)/)', f'"{to_root(page)}', output)
+
     def link(match):
         path, label = match.groups()
         if not source or not (project / path).exists():  # a hand-out has no solutions
             return label
-        start = "../" * page.file.src_path.count("/") if source.startswith("..") else ""
+        start = to_root(page) if source.startswith("..") else ""
         is_folder = (project / path).is_dir()
         base = source.replace("/blob/", "/tree/") if is_folder else source
         return f'<a href="{start}{base}/{path}{"/" if is_folder else ""}">{label}</a>'
@@ -351,7 +462,7 @@ def compress_pictures(site):
         media = f'<source media="(prefers-reduced-motion: reduce)" srcset="{start}{still[name]}">'
         return f"<picture>{media}{image}</picture>"
 
-    for page in site.rglob("*.html"):
+    for page in site.rglob("*.html"):  # in all languages
         html = page.read_text(encoding="utf-8")
         page.write_text(re.sub(r'<img ([^>]*)src="((?:\.\./)*)(\w+/\w+\.png)"([^>]*?) ?/?>', image, html),
                         encoding="utf-8")
@@ -371,16 +482,39 @@ def shorten_search_index(site):
     file.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
 
 
+def build_other_languages(site):
+    anchors = Path(generated_pages.name) / "anchors.json"
+    anchors.write_text(json.dumps(english_anchors), encoding="utf-8")
+    for each in languages:
+        subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--config-file", here / "mkdocs.yml", "--site-dir", site / each],
+                       env={**os.environ, "RAYSTEPS_LANGUAGE": each, "RAYSTEPS_ANCHORS": str(anchors)}, check=True)
+    if others_need_po4a:
+        print("The pages are in English only: the other languages need po4a.", file=sys.stderr)
+
+
+def remove_unused(site):
+    """What is for a host whose name is known, for other languages, and for debugging."""
+    if not is_english:
+        shutil.rmtree(site / "assets")
+    used = {"lunr.stemmer.support.min.js", *(f"lunr.{each}.min.js" for each in languages)}
+    for unused in ["404.html", "sitemap.xml*", "assets/javascripts/lunr/**/*.js", "assets/**/*.map"]:
+        for file in site.glob(unused):
+            if not languages or file.name not in used:
+                file.unlink()
+
+
 def on_post_build(config):
     typesetter.end()
     site = Path(config["site_dir"])
-    compress_pictures(site)
     shorten_search_index(site)
-    for unused in ["404.html", "sitemap.xml*", "assets/javascripts/lunr/**/*.js", "assets/**/*.map"]:
-        for file in site.glob(unused):  # for a host whose name is known, other languages, debugging
-            file.unlink()
+    remove_unused(site)
+    if not is_english:
+        return
+    build_other_languages(site)
+    compress_pictures(site)
     (site / "book").mkdir()
     shutil.copy(here / "book.css", site / "book")
+    shutil.copy(here / "language.js", site / "book")
     shutil.copytree(katex / "fonts", site / "book/katex/fonts",
                     ignore=lambda folder, names: [n for n in names if not used_font.fullmatch(n)])
     shutil.copy(katex / "katex.min.css", site / "book/katex")

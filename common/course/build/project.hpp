@@ -17,6 +17,12 @@ extern const bool has_meshes;
 /// True if Boost is installed; without it, nothing is measured against exact arithmetic.
 extern const bool has_oracle;
 
+/// The language of the environment, if the project has a folder for it in lang/; else empty.
+[[nodiscard]] std::string project_language();
+
+/// Reads the translations lang/LANGUAGE/NAME.po, in the language of the environment.
+void read_project_translations(const std::string& name);
+
 /// A path relative to the project's folder, such as "steps/step05_triangle/student".
 [[nodiscard]] inline std::string step_path(int stage, const std::string& rest) {
     return "steps/" + name_of(stage) + "/" + rest;

@@ -7,6 +7,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
@@ -18,27 +19,30 @@ namespace rt {
 namespace {
 
 constexpr std::array<const char*, stage_names.size()> brings = {
-    "a ray through every pixel",
-    "a camera in any direction",
-    "spheres, and the closest of them",
-    "planes, and a horizon",
-    "triangles without cracks between them",
-    "squares, and the Cornell box",
-    "open cylinders",
-    "open cones",
-    "light: ambient, diffuse, specular",
-    "shadows",
-    "soft shadows of area lights",
-    "mirrors",
-    "meshes of a million triangles",
+    to_translate("a ray through every pixel"),
+    to_translate("a camera in any direction"),
+    to_translate("spheres, and the closest of them"),
+    to_translate("planes, and a horizon"),
+    to_translate("triangles without cracks between them"),
+    to_translate("squares, and the Cornell box"),
+    to_translate("open cylinders"),
+    to_translate("open cones"),
+    to_translate("light: ambient, diffuse, specular"),
+    to_translate("shadows"),
+    to_translate("soft shadows of area lights"),
+    to_translate("mirrors"),
+    to_translate("meshes of a million triangles"),
 };
 static_assert(brings.back() != nullptr, "a stage has no line here");
 
-/// The ASCII text, cut to that many columns, if the standard output is a terminal.
+/// The text, cut to that many columns, if the standard output is a terminal.
 std::string cut(const std::string& text, int columns) {
+    std::vector<std::size_t> starts;  // of its characters, in UTF-8
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) starts.push_back(i);
     const auto most = std::size_t(std::max(columns, 2));
-    if (!output_on_terminal() || text.size() <= most) return text;
-    return text.substr(0, most - 1) + "…";
+    if (!output_on_terminal() || starts.size() <= most) return text;
+    return text.substr(0, starts[most - 1]) + "…";
 }
 
 }  // namespace
@@ -53,7 +57,7 @@ void show_progress() {
         std::string line =
             (stage < 10 ? "  " : " ") + std::to_string(stage) + "  " + name_of(stage);
         line.resize(line.size() + 24 - stage_name(stage).size(), ' ');
-        line += workbook.state() == State::untouched ? brings[std::size_t(stage - 1)]
+        line += workbook.state() == State::untouched ? tr(brings[std::size_t(stage - 1)])
                                                      : workbook.summary();
         line = mark + cut(line, terminal_columns() - 1);
         std::puts(workbook.state() == State::done ? styled(line, Style::good).c_str()
@@ -65,9 +69,9 @@ void show_progress() {
 void show_next() {
     const int current = current_stage();
     const bool started = Workbook(current).state() == State::started;
-    const std::string line = std::string("Next: ./course ") + (started ? "check " : "start ") +
-                             std::to_string(current) + ", and read docs/" + name_of(current) +
-                             ".md";
+    const std::string command = (started ? "check " : "start ") + std::to_string(current);
+    const std::string line = tr("Next: ./course {command}, and read docs/{stage}.md",
+                                {{"command", command}, {"stage", name_of(current)}});
     std::fputs(wrapped_page(line, 0).c_str(), stdout);
 }
 
@@ -75,20 +79,25 @@ void start(int stage) {
     Workbook workbook(stage);
     workbook.start();
     for (const std::filesystem::path& file : workbook.files())
-        std::printf("yours to write: %s\n", file.lexically_relative(project_folder).c_str());
-    std::printf("read:           docs/%s.md\nthen:           ./course check %d\n",
-                stage_name(stage).data(), stage);
+        std::puts(tr("yours to write: {file}",
+                     {{"file", file.lexically_relative(project_folder).string()}})
+                      .c_str());
+    std::puts(tr("read:           docs/{stage}.md\nthen:           ./course check {number}",
+                 {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})
+                  .c_str());
 }
 
 void reset(int stage) {
-    std::printf("your old files are kept in %s\n", Workbook(stage).reset().c_str());
+    std::puts(
+        tr("your old files are kept in {folder}", {{"folder", Workbook(stage).reset()}}).c_str());
 }
 
 void show_hint(int stage, std::optional<int> level) {
     const int levels = hint_count(stage);
-    if (levels == 0) throw InputError({}, "the hints are not part of this hand-out");
+    if (levels == 0) throw InputError({}, tr("the hints are not part of this hand-out"));
     if (level.value_or(1) > levels)
-        throw InputError({}, "this hand-out has hints up to level " + std::to_string(levels));
+        throw InputError({}, tr("this hand-out has hints up to level {level}",
+                                {{"level", std::to_string(levels)}}));
     Workbook workbook(stage);
     Record record = workbook.record();
     if (record.hint_part != record.part) record.hint_level = 0;
@@ -96,10 +105,18 @@ void show_hint(int stage, std::optional<int> level) {
     const int shown = level.value_or(std::min(record.hint_level + 1, levels));
     record.hints += std::max(0, shown - record.hint_level);
     record.hint_level = std::max(record.hint_level, shown);
-    const std::string part = record.part.empty() ? "" : ", " + record.part;
-    std::printf("%s%s, hint %d of %d\n\n%s", stage_name(stage).data(), part.c_str(), shown,
-                levels, hint_text(stage, shown, record.part).c_str());
-    if (shown > 1) std::printf("\nAn earlier hint again: ./course hint %d 1\n", stage);
+    const std::string part = record.part.empty() ? "" : ", " + tr(record.part);
+    read_project_translations(step_path(stage, "hints"));
+    std::printf("%s\n\n%s",
+                tr("{stage}, hint {level} of {levels}", {{"stage", name_of(stage) + part},
+                                                         {"level", std::to_string(shown)},
+                                                         {"levels", std::to_string(levels)}})
+                    .c_str(),
+                paragraphs_translated(hint_text(stage, shown, record.part)).c_str());
+    if (shown > 1)
+        std::printf("\n%s\n", tr("An earlier hint again: ./course hint {number} 1",
+                                 {{"number", std::to_string(stage)}})
+                                  .c_str());
     workbook.remember(record);
 }
 
@@ -111,9 +128,10 @@ int show_solution(int stage) {
     ++record.solution_asked;
     workbook.remember(record);
     if (workbook.state() != State::done && record.solution_asked < 2) {
-        std::printf(
-            "%s does not pass yet. ./course hint %d helps; repeat the command for the solution.\n",
-            stage_name(stage).data(), stage);
+        std::puts(tr("{stage} does not pass yet. ./course hint {number} helps; repeat the command "
+                     "for the solution.",
+                     {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})
+                      .c_str());
         return 1;
     }
     for (const auto& file : files)

@@ -4,6 +4,7 @@
 #include "common/system/files.hpp"
 #include "common/system/hash.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -97,18 +98,20 @@ State Workbook::state() const {
 
 std::string Workbook::verdict() const {
     if (files().empty()) return "";
-    if (record_.checked.empty()) return "not checked yet";
-    if (state() != State::done && record_.passed == record_.cases) return "changed since it passed";
-    const std::string cases =
-        std::to_string(record_.passed) + " of " + std::to_string(record_.cases) + " cases";
+    if (record_.checked.empty()) return tr("not checked yet");
+    if (state() != State::done && record_.passed == record_.cases)
+        return tr("changed since it passed");
+    const Values values = {{"passed", std::to_string(record_.passed)},
+                           {"cases", std::to_string(record_.cases)}};
     const bool is_changed = record_.checked_files != fingerprint();
-    return is_changed ? "changed since " + cases + " passed" : cases + " pass";
+    return is_changed ? tr("changed since {passed} of {cases} cases passed", values)
+                      : tr("{passed} of {cases} cases pass", values);
 }
 
 std::string Workbook::summary() const {
     if (record_.hints == 0) return verdict();
-    return verdict() + ", " + std::to_string(record_.hints) +
-           (record_.hints == 1 ? " hint" : " hints");
+    if (record_.hints == 1) return verdict() + ", " + tr("1 hint");
+    return verdict() + ", " + tr("{number} hints", {{"number", std::to_string(record_.hints)}});
 }
 
 std::string Workbook::fingerprint() const {
@@ -130,8 +133,10 @@ void Workbook::remember(const Record& record) {
 
 void Workbook::start() {
     if (!files().empty())
-        throw InputError({}, step_path(stage_, "student") + " exists already: ./course reset " +
-                                 std::to_string(stage_) + " keeps it and copies the starter again");
+        throw InputError(
+            {}, tr("{folder} exists already: ./course reset {number} keeps it and "
+                   "copies the starter again",
+                   {{"folder", step_path(stage_, "student")}, {"number", std::to_string(stage_)}}));
     std::error_code there;
     fs::create_directories(folder_, there);
     const TemporaryFolder workshop(folder_.parent_path());
@@ -141,7 +146,8 @@ void Workbook::start() {
 
 std::string Workbook::reset() {
     if (files().empty())
-        throw InputError({}, "nothing to reset: ./course start " + std::to_string(stage_));
+        throw InputError({}, tr("nothing to reset: ./course start {number}",
+                                {{"number", std::to_string(stage_)}}));
     const TemporaryFolder workshop(folder_.parent_path());
     const fs::path fresh = fresh_start(workshop.path());
     int number = 1;

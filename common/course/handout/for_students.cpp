@@ -46,9 +46,10 @@ constexpr std::string_view solved = "common/explain/pixel_log_parts.cpp";
 /// steps/…/exact and story.cpp, which contain their formulas; and tests/contract, by which the
 /// grader's suites query a submission.
 const std::regex of_other_folders(  //
-    R"((README\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
+    R"((README(\.\w\w)?\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|\.gitattributes|\.devcontainer/devcontainer\.json|\.vscode/(launch|tasks)\.json)"
     R"(|docs/.*\.(md|svg|png|js))"
+    R"(|lang/.*\.(po|py|txt))"
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
     R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"

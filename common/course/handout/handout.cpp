@@ -71,7 +71,8 @@ std::vector<std::string> look_around() {
         const std::string name = entry.path().filename().string();
         if (entry.is_regular_file()) paths.push_back(name);
     }
-    for (const std::string folder : {".devcontainer", ".vscode", "common", "docs", "scenes", "steps", "tests"})
+    for (const std::string folder :
+         {".devcontainer", ".vscode", "common", "docs", "lang", "scenes", "steps", "tests"})
         for (const std::string& path : all_files(project_folder / folder))
             paths.push_back((folder + "/").append(path));
     const auto not_theirs = [](const std::string& path) { return !is_for_students(path); };
@@ -242,6 +243,23 @@ void add_authors_cases(const fs::path& folder) {
         write_text(target / catalogue.filename(), authors_cases(read_text(catalogue)));
 }
 
+/// Leaves out of the translations what the pages of the hand-out do not contain.
+void select_translations(const fs::path& folder) {
+    for (const std::string& path : all_files(folder / "lang")) {
+        const fs::path page = fs::path(path.substr(path.find('/') + 1)).replace_extension(".md");
+        if (!path.ends_with(".po") || !fs::exists(project_folder / page)) continue;
+        const fs::path catalogue = folder / "lang" / path;
+        const std::string text =
+            fs::exists(folder / page)
+                ? selected_entries(read_text(catalogue), read_text(folder / page))
+                : "";
+        if (text.empty())
+            fs::remove(catalogue);
+        else
+            write_text(catalogue, text);
+    }
+}
+
 /// Returns how many files it consists of.
 std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
                  const Selection& selection) {
@@ -258,12 +276,15 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
         if (is_selected(selection, path)) copy_whole(project_folder / path, folder / path);
     for (const std::string& path : all_files(folder))
         if (path.ends_with(".md"))
-            write_text(folder / path,
-                       with_live_links(selected_text(selection, path, read_text(folder / path)),
-                                       (folder / path).parent_path()));
+            write_text(folder / path, selected_text(selection, path, read_text(folder / path)));
+    select_translations(folder);
     add_authors_cases(folder);
     write_text(folder / "steps/fits.cpp", fits(machines));
-    add_book(folder);
+    add_book(folder);  // of whole pages, which their translations are of
+    for (const std::string& path : all_files(folder))
+        if (path.ends_with(".md"))
+            write_text(folder / path,
+                       with_live_links(read_text(folder / path), (folder / path).parent_path()));
     Manifest manifest{.title = "Raysteps, version " + version(project_folder) + ", handed out on " +
                                today() + " for " + kind_of(machines),
                       .fingerprints = {}};

@@ -3,8 +3,10 @@
 #include "common/course/exercise/hints.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <regex>
+#include <sstream>
 
 namespace rt {
 
@@ -26,6 +28,14 @@ std::string without_answers(const std::string& text) {
     if (to == std::string::npos) return text;
     const std::size_t next = text.find_first_not_of('\n', to + end.size());
     return text.substr(0, from) + (next == std::string::npos ? "" : text.substr(next));
+}
+
+/// The words of a text with a blank between them: lines of an item are indented in a page.
+std::string words_of(const std::string& text) {
+    std::istringstream in(text);
+    std::string words;
+    for (std::string word; in >> word;) words += (words.empty() ? "" : " ") + word;
+    return words;
 }
 
 }  // namespace
@@ -58,6 +68,17 @@ std::string selected_text(const Selection& selection, const std::string& path,
                           const std::string& text) {
     if (path.ends_with("/hints.md")) return with_hints(text, selection.hints);
     return selection.answers ? text : without_answers(text);
+}
+
+std::string selected_entries(const std::string& catalogue, const std::string& page) {
+    const std::string words = words_of(page);
+    std::string selected;
+    for (const std::string& entry : catalogue_entries(catalogue)) {
+        const std::string english = words_of(catalogue_text(entry, "msgid"));
+        if (!entry.starts_with("#~") && words.find(english) != std::string::npos)
+            selected += (selected.empty() ? "" : "\n") + entry;
+    }
+    return selected;
 }
 
 }  // namespace rt

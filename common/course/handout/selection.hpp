@@ -24,4 +24,7 @@ void select_stages(Selection& selection, const std::string& stages);
 [[nodiscard]] std::string selected_text(const Selection& selection, const std::string& path,
                                         const std::string& text);
 
+/// The entries of a translation's catalogue whose English text is in the page, and its header.
+[[nodiscard]] std::string selected_entries(const std::string& catalogue, const std::string& page);
+
 }  // namespace rt

@@ -20,7 +20,7 @@ namespace {
 /// The files of the project's folders, by their paths.
 std::vector<std::string> files() {
     std::vector<std::string> paths;
-    for (const char* folder : {"common", "docs", "scenes", "steps", "tests"})
+    for (const char* folder : {"common", "docs", "lang", "scenes", "steps", "tests"})
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(RAYSTEPS_ROOT) / folder))
             if (entry.is_regular_file())
                 paths.push_back(entry.path().lexically_relative(RAYSTEPS_ROOT).string());

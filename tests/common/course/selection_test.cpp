@@ -51,3 +51,17 @@ TEST_CASE("a hand-out may have a part of the hints, and no answers") {
           "</details>\n");
     CHECK(selected_text({.hints = 0}, docs, page) == page);
 }
+
+TEST_CASE("translations have no more than the page") {
+    const std::string header = "msgid \"\"\nmsgstr \"\"\n\"Language: fr\\n\"\n";
+    const std::string item =
+        "#, no-wrap\nmsgid \"\"\n\"An item\\n\"\n\"of \\\"two\\\" lines.\\n\"\nmsgstr \"Deux "
+        "lignes.\\n\"\n";
+    const std::string answer = "#. type: Plain text\nmsgid \"So.\"\nmsgstr \"Parce que.\"\n";
+    const std::string all = header + "\n" + item + "\n" + answer;
+    CHECK(selected_entries(all, "- An item\n  of \"two\" lines.\n\n1. So.\n") == all);
+    CHECK(selected_entries(all, "- An item\n  of \"two\" lines.\n") == header + "\n" + item);
+    CHECK(selected_entries(all, "Nothing.\n") == header);
+    CHECK(selected_entries(header + "\n#~ msgid \"So.\"\n#~ msgstr \"Parce que.\"\n", "So.\n") ==
+          header);
+}

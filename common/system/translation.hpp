@@ -1,0 +1,43 @@
+// Sentences in the reader's language. They are English in the code; their translations are in
+// lang/LANGUAGE/….po, which is read when a program runs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace rt {
+
+/// The language that RAYSTEPS_LANG names, else LC_ALL, LC_MESSAGES or LANG, the first that is not
+/// empty: "fr" of "fr_FR.UTF-8". Empty if none is.
+[[nodiscard]] std::string language_of_environment();
+
+/// Reads a catalogue of gettext's form, if there is one. What is fuzzy or empty is left out.
+void read_translations(const std::filesystem::path& catalogue);
+
+/// The entries of a catalogue: the paragraphs of the file.
+[[nodiscard]] std::vector<std::string> catalogue_entries(const std::string& catalogue);
+
+/// The text of an entry behind the keyword msgid, in English, or msgstr, in its own language.
+[[nodiscard]] std::string catalogue_text(const std::string& entry, const std::string& keyword);
+
+/// A sentence that is translated where it is printed, not here.
+[[nodiscard]] constexpr const char* to_translate(const char* english) {
+    return english;
+}
+
+/// The translation of a sentence, or the sentence if it has none.
+[[nodiscard]] std::string tr(const std::string& english);
+
+/// Words and what replaces them.
+using Values = std::vector<std::pair<std::string_view, std::string>>;
+
+/// The same with values in the places of a sentence: tr("{some} of {all}", {{"some", "3"}, …}).
+[[nodiscard]] std::string tr(const std::string& english, const Values& values);
+
+/// A text whose paragraphs, between empty lines, are translated.
+[[nodiscard]] std::string paragraphs_translated(const std::string& english);
+
+}  // namespace rt

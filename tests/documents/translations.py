@@ -1,0 +1,111 @@
+"""The translations in lang/ against their sources: translations.py PROJECT
+
+Each entry has the formulas, code, links and numbers of its English text, and none of the words that
+lang/LANGUAGE/words.txt refuses. In a language that has that file at most 2 % of the entries are fuzzy
+or not translated. Prints what is wrong.
+"""
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+project = Path(sys.argv[1]).resolve()
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(project / "lang"))
+import pages
+
+most_missing = 0.02
+errors = []
+string = re.compile(r'^(msgid|msgstr) ((?:"(?:[^"\\]|\\.)*"\n?)+)', re.M)
+
+
+def entries(catalogue):
+    """The flags, the text and its translation of each entry but the header."""
+    blocks = [block for block in re.split(r"\n{2,}", catalogue.read_text(encoding="utf-8")) if "\nmsgid \"" in f"\n{block}"]
+    for block in blocks[1:]:
+        if re.search(r"(?m)^#~", block):
+            continue
+        text = {kind: "".join(map(json.loads, lines.strip().split("\n"))) for kind, lines in string.findall(block)}
+        yield re.search(r"(?m)^#,.*fuzzy", block), text["msgid"], text["msgstr"]
+
+
+def numbers(text):
+    """A comma between digits is a point, and a blank between thousands is nothing."""
+    found = re.findall(r"\d+(?:[.,\u00a0\u202f ]\d+)*", text)
+    return sorted(re.sub(r"[.,\u00a0\u202f ]", "", number) for number in found)
+
+
+def parts(text):
+    formula, code, link = r"\$\$.*?\$\$|\$[^$]+\$", r"`[^`]+`", r"\]\([^)]+\)"
+    formulas = [re.sub(r"\\text\{[^}]*\}", "", " ".join(each.split())) for each in re.findall(formula, text, re.S)]
+    plain = re.sub(f"{formula}|{code}|{link}", "", text, flags=re.S)
+    return {"formulas": sorted(formulas), "code": sorted(" ".join(each.split()) for each in re.findall(code, text)),
+            "links": sorted(re.findall(link, text)), "numbers": numbers(plain)}
+
+
+def refused_words(language):
+    """Lines of lang/LANGUAGE/words.txt: a regular expression, two blanks, what is written instead."""
+    file = pages.lang / language / "words.txt"
+    lines = file.read_text(encoding="utf-8").splitlines() if file.exists() else []
+    return [re.split(r"  +", line, 1) for line in lines if line and not line.startswith("#")]
+
+
+def check_entry(where, english, own, refused):
+    for what, of_english in parts(english).items():
+        of_own = parts(own)[what]
+        if of_english != of_own:
+            errors.append(f"{where}: {what} {of_own}, not {of_english}: {own[:60]!r}")
+    plain = re.sub(r"`[^`]*`|\]\([^)]*\)|(?m:^    .*$)|<!--.*?-->", "", own)
+    label = re.match(r"\w+: ", own)  # in a hint
+    if label and english.startswith(label[0]):
+        plain = plain[label.end():]
+    for word, instead in refused:
+        found = re.search(word, plain, re.I | re.S)
+        in_english = found and plain[max(found.start() - 5, 0):found.end()] in english  # as in a title
+        if found and not (in_english and re.search(r"[^\W\d]", found[0])):
+            errors.append(f"{where}: {found[0]!r}: {instead}: {plain[max(found.start() - 30, 0):found.end() + 10]!r}")
+
+
+def check_language(language):
+    refused = refused_words(language)
+    total = missing = 0
+    for catalogue in sorted((pages.lang / language).rglob("*.po")):
+        where = catalogue.relative_to(project).as_posix()
+        right = subprocess.run(["msgfmt", "-c", "-o", "/dev/null", catalogue], text=True, stderr=subprocess.PIPE)
+        if right.returncode:
+            errors.append(f"{where}: {right.stderr}")
+            continue
+        for fuzzy, english, own in entries(catalogue):
+            total += 1
+            if fuzzy or not own:
+                missing += 1
+            else:
+                check_entry(where, english, own, refused)
+    print(f"{language}: {missing} of {total} entries are not translated")
+    if refused and missing > most_missing * total:
+        errors.append(f"lang/{language}: {missing} of {total} entries are fuzzy or not translated: at most {most_missing:.0%}")
+
+
+def check_headings(language):
+    """A translated page has the headings of the English one, whose anchors it gets."""
+    for page, text in pages.translated(language).items():
+        english = pages.headings((project / page).read_text(encoding="utf-8"))
+        if len(english) != len(pages.headings(text)):
+            errors.append(f"lang/{language}: {page}: other headings than in English")
+
+
+def check_all():
+    for language in pages.languages():
+        check_language(language)
+        check_headings(language)
+        kept = project / f"README.{language}.md"
+        if kept.exists() and kept.read_text(encoding="utf-8") != pages.readme(language):
+            errors.append(f"{kept.name} is not what lang/pages.py {language} writes")
+
+
+if __name__ == "__main__":
+    check_all()
+    print("\n".join(errors), end="\n" if errors else "")
+    sys.exit(bool(errors))
