@@ -141,8 +141,8 @@ std::string phong_highlight() {
     for (const Curve& curve : {Curve{2, "#7a3b99"}, Curve{8, blue}, Curve{32, green},
                                Curve{128, light_color}, Curve{512, red}}) {
         std::vector<Vec2> points;
-        for (int i = -4 * limit; i <= 4 * limit; ++i) {
-            const Real degrees = Real(i) / 4;
+        for (int i = -2 * limit; i <= 2 * limit; ++i) {
+            const Real degrees = Real(i) / 2;
             const ShadingPoint surface{
                 .point = Vec3(0),
                 .normal = up,
