@@ -3,6 +3,7 @@
 // Diagnoses the functions of WORKER, whose suite has written REPORT: prints the known mistakes that
 // they show, or the smallest call with an answer that differs from the reference's. Exit status 0
 // if nothing is found, 1 if something is, 2 if the worker could not be queried.
+#include "common/contract/failing_calls.hpp"
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
 #include "common/contract/recognition.hpp"
@@ -51,7 +52,8 @@ int diagnose(const std::vector<std::string>& words) {
         throw std::runtime_error(
             "diagnose PROBES WORKER REFERENCE REPORT [SLICE.svg [UNWRITTEN...]]");
     Probes probes = read_probes(content_of(words[0]));
-    CaseResults results = read_case_results(content_of(words[3]));
+    const std::string report = content_of(words[3]);
+    CaseResults results = read_case_results(report);
     if (words.size() > 5) leave_out({words.begin() + 5, words.end()}, probes, results);
     constexpr int crashes = 200;  // the search for the smallest call that crashes needs some
     Asked student(words[1], crashes);
@@ -66,7 +68,8 @@ int diagnose(const std::vector<std::string>& words) {
     if (!mistakes.empty()) return 1;
 
     Asked reference(words[2]);
-    const auto difference = smallest_difference(probes, answers, student, reference);
+    const auto difference = smallest_difference(probes, answers, student, reference,
+                                                failing_calls(probes.stage, report));
     if (!difference) return 0;
     explain(*difference);
     if (words.size() > 4 && can_be_drawn(difference->call))

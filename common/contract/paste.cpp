@@ -35,14 +35,14 @@ bool is_given(const Value& value) {
     return value.type->kind == Kind::real || value.type == &type_of<Vec2>() || is_vec3(value);
 }
 
-/// gives("what", what, value) for each part that `gives` can compare.
-std::string gives_lines(const std::string& what, const Value& value) {
+/// gives("name", what, value) for each part that `gives` can compare.
+std::string gives_lines(const std::string& name, const std::string& what, const Value& value) {
     if (is_given(value)) {
         const std::string type = is_vec3(value)                   ? "Vec3"
                                  : value.type->kind == Kind::real ? "Real"
                                                                   : "Vec2";
         const bool braced = type != "Real";
-        return "CHECK(gives(\"" + what + "\", " + what + ", " +
+        return "CHECK(gives(\"" + name + "\", " + what + ", " +
                (braced ? type + code(value) : "Real(" + code(value) + ")") + "));\n";
     }
     if (value.type->kind == Kind::truth)
@@ -50,14 +50,14 @@ std::string gives_lines(const std::string& what, const Value& value) {
     if (value.type->kind == Kind::integer) return "CHECK(" + what + " == " + code(value) + ");\n";
     if (value.type->kind == Kind::optional) {
         if (value.parts.empty()) return "CHECK_FALSE(" + what + ");\n";
-        return gives_lines("(*" + what + ")", value.parts.front());
+        return gives_lines(name, "(*" + what + ")", value.parts.front());
     }
     std::string lines;  // of more than one part: in a block, after the call
     for (std::size_t i = 0; i < value.parts.size(); ++i) {
         const bool named = value.type->kind == Kind::record;
         const std::string part = what + (named ? std::string(".") + value.type->parts[i].name
                                                : "[" + std::to_string(i) + "]");
-        lines += gives_lines(part, value.parts[i]);
+        lines += gives_lines(part, part, value.parts[i]);
     }
     return lines;
 }
@@ -77,12 +77,12 @@ std::string paste_line(const Call& call, const Value& expected) {
     const Value answer = without_signed_zeros(expected);
     if (answer.type->kind == Kind::truth || answer.type->kind == Kind::integer ||
         is_given(answer)) {
-        std::string line = gives_lines(called, answer);
+        std::string line = gives_lines(call.callee->name, called, answer);
         line.pop_back();
         return line;
     }
     std::string block = "{\n    const auto answer = " + called + ";\n";
-    std::istringstream lines(gives_lines("answer", answer));
+    std::istringstream lines(gives_lines("answer", "answer", answer));
     for (std::string line; std::getline(lines, line);) block += "    " + line + "\n";
     return block + "}";
 }

@@ -140,9 +140,14 @@ std::vector<Difference> failed_neighbors(const Probes& probes, Search& search) {
 
 std::optional<Difference> smallest_difference(const Probes& probes,
                                               const std::vector<Answer>& answers, Asked& student,
-                                              Asked& reference) {
+                                              Asked& reference, const std::vector<Call>& failing) {
     Search search(student, reference);
-    std::vector<Difference> failed = failed_probes(probes, answers);
+    std::vector<Difference> failed;
+    for (const Call& call : failing)
+        if (const auto found = search.difference(call);
+            found && (!is_open(probes, *call.callee) || !found->got.value))
+            failed.push_back(*found);
+    if (failed.empty()) failed = failed_probes(probes, answers);
     if (failed.empty()) failed = failed_neighbors(probes, search);
     if (failed.empty()) return std::nullopt;
     std::ranges::sort(failed, plainer);

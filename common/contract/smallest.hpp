@@ -14,11 +14,13 @@ struct Difference {
     Answer expected;
 };
 
-/// The plainest call, among the probes and similar calls, on which the student's answer differs
-/// from the reference's, with its numbers rounded as far as possible. Nothing if there is none.
-/// `answers` are the student's answers to the probes, in their order.
+/// The plainest call on which the student's answer differs from the reference's, with its numbers
+/// rounded as far as possible. The search begins at the suite's `failing` calls; if none of them
+/// differs, at the probes, and at calls like them. Nothing if there is none. `answers` are the
+/// student's answers to the probes, in their order.
 [[nodiscard]] std::optional<Difference> smallest_difference(const Probes& probes,
                                                             const std::vector<Answer>& answers,
-                                                            Asked& student, Asked& reference);
+                                                            Asked& student, Asked& reference,
+                                                            const std::vector<Call>& failing = {});
 
 }  // namespace rt::contract

@@ -1,10 +1,11 @@
 // Values as bytes and as text, workers that get invalid queries, and the smallest failing call.
 #include "common/contract/contracts.hpp"
+#include "common/contract/failing_calls.hpp"
 #include "common/contract/files.hpp"
 #include "common/contract/frame.hpp"
 #include "common/contract/paste.hpp"
-#include "common/contract/slice.hpp"
 #include "common/contract/recognition.hpp"
+#include "common/contract/slice.hpp"
 #include "common/contract/smallest.hpp"
 
 #include "tests/kit/catch.hpp"
@@ -259,6 +260,22 @@ TEST_CASE("an unknown mistake is shown by a call with round numbers") {
     }
 }
 
+TEST_CASE("the calls of a report's failures are read, and other questions are not") {
+    const std::vector<Call> calls = failing_calls(
+        3,
+        "cases 4\ncase a\npart intersect\nat tests/a.cpp:1\n"
+        "| intersect(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.5)}},\n"
+        "|           Sphere{.center = {0, 0, 0}, .radius = 2})\n|   got:      no hit\n"
+        "|   expected: a hit at t = 3\n|   paste:    CHECK(hits(1, 2));\nfailed\n"
+        "case b\npassed\ncase c\n| its origin\n|   got:      1\nfailed\n"
+        "case d\n| torch({1, 2, 3}, {0, 0, 1}, {0, 0, 4})\n|   got:      NaN\nfailed\n");
+    REQUIRE(calls.size() == 2);
+    CHECK(code(calls[0]) ==
+          "intersect(Ray{.origin = {0, 0, 5}, .direction = {0, 0, Real(-0.5)}}, Sphere{.center = "
+          "{0, 0, 0}, .radius = 2}, Interval{.min = 0, .max = infinity})");
+    CHECK(code(calls[1]) == "torch({1, 2, 3}, {0, 0, 1}, {0, 0, 4})");
+}
+
 TEST_CASE("the smallest call that crashes does crash") {
     const Diagnosis found = diagnosis("crashes");
     REQUIRE(found.smallest);
@@ -282,6 +299,10 @@ TEST_CASE("a failing call is a line to paste") {
     CHECK(paste_line(call, Value{.type = hit.type}) ==
           "CHECK(misses(Ray{.origin = {0, 0, 5}, .direction = {0, 0, -1}}, "
           "Sphere{.center = {0, 0, 0}, .radius = 1}));");
+    CHECK(paste_line(read_call(9, "reflected({0, 0, 1}, {0, 0, 1})"),
+                     Asked(RAYSTEPS_REFERENCE_WORKER)(read_call(3, "color_from_normal({0, 0, 1})"))
+                         .value.value()) ==
+          "CHECK(gives(\"reflected\", reflected({0, 0, 1}, {0, 0, 1}), Vec3{0, 0, 1}));");
 }
 
 TEST_CASE("an answer of several parts is one call in a line to paste, without the sign of a zero") {

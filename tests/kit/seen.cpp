@@ -11,6 +11,7 @@
 
 #include <cstdlib>
 #include <sstream>
+#include <tuple>
 
 namespace rt {
 
@@ -32,6 +33,32 @@ std::string indented(const std::string& lines) {
         if (++count <= most) out += "\n              " + line;
     if (count > most) out += "\n              and " + std::to_string(count - most) + " more lines";
     return out;
+}
+
+/// The options of the command line that render with these settings: " --term specular".
+std::string options_of(const RenderSettings& settings) {
+    const RenderSettings defaults;
+    std::string options;
+    if (settings.shading == Shading::normal) options += " --shade normal";
+    if (settings.term == PhongTerm::ambient) options += " --term ambient";
+    if (settings.term == PhongTerm::diffuse) options += " --term diffuse";
+    if (settings.term == PhongTerm::specular) options += " --term specular";
+    for (const auto& [name, value, usual] :
+         {std::tuple(" --shadow-samples ", settings.shadow_samples, defaults.shadow_samples),
+          std::tuple(" --depth ", settings.depth, defaults.depth)})
+        if (value != usual) options += name + std::to_string(value);
+    return options;
+}
+
+/// What to do with a scene: save it, and render it with these options.
+std::string advice(const RenderSettings& settings) {
+    const std::string options = options_of(settings);
+    return "save it to render it" + (options.empty() ? "" : ", with" + options);
+}
+
+/// The color of 255. NaN is drawn, and is no color.
+std::string drawn_text(const Color& color) {
+    return (is_number(color) ? "" : "NaN, drawn as ") + rt::text(to_rgb(color));
 }
 
 Scene scene_of(const std::string& text) {
@@ -57,18 +84,21 @@ std::string scene_color(Rgb color) {
            std::to_string(color[2]);
 }
 
-std::string pixel_report(const std::string& what, const std::string& scene) {
-    return what + "\n  scene:    save it to render it" + indented(whole(scene));
+std::string pixel_report(const std::string& what, const std::string& scene,
+                         const RenderSettings& settings) {
+    return what + "\n  scene:    " + advice(settings) + indented(whole(scene));
 }
 
 Verdict shows(const std::string& scene, Rgb expected, const RenderSettings& settings,
               int difference) {
-    const Rgb got = seen(scene, settings);
+    const Color color = seen_unrounded(scene, settings);
+    const Rgb got = to_rgb(color);
     bool close = true;
     for (std::size_t i = 0; i < got.size(); ++i)
         close = close && std::abs(got[i] - expected[i]) <= difference;
-    return verdict(close, pixel_report("the color of the only pixel, of 255", scene) +
-                              "\n  got:      " + text(got) + "\n  expected: " + text(expected));
+    return verdict(close, pixel_report("the color of the only pixel, of 255", scene, settings) +
+                              "\n  got:      " + drawn_text(color) +
+                              "\n  expected: " + text(expected));
 }
 
 Image picture_seen(const std::string& text, Resolution resolution, const RenderSettings& settings) {
@@ -83,12 +113,13 @@ Verdict shows_in_every_pixel(const std::string& text, Rgb expected,
     for (Pixel pixel; pixel.row < 2; ++pixel.row)
         for (pixel.column = 0; pixel.column < 3; ++pixel.column)
             if (!fits(image[pixel], expected, {0, 0, 0}))
-                return verdict(
-                    false, "the color of the pixel " + std::to_string(pixel.row) + "," +
-                               std::to_string(pixel.column) + " of 3 x 2 pixels, of 255" +
-                               "\n  scene:    save it to render it, with R 3 2" +
-                               indented(whole(text)) + "\n  got:      " + rt::text(image[pixel]) +
-                               "\n  expected: " + rt::text(expected));
+                return verdict(false, "the color of the pixel " + std::to_string(pixel.row) + "," +
+                                          std::to_string(pixel.column) +
+                                          " of 3 x 2 pixels, of 255" +
+                                          "\n  scene:    " + advice(settings) +
+                                          "; with R 3 2 as its first line" + indented(whole(text)) +
+                                          "\n  got:      " + rt::text(image[pixel]) +
+                                          "\n  expected: " + rt::text(expected));
     return {};
 }
 

@@ -21,8 +21,10 @@ namespace rt {
 /// A color as in a scene's text: "255,0,0".
 [[nodiscard]] std::string scene_color(Rgb color);
 
-/// The first lines of a sentence about a picture of one pixel: what is tested, and the scene.
-[[nodiscard]] std::string pixel_report(const std::string& what, const std::string& scene);
+/// The first lines of a sentence about a picture of one pixel: what is tested, and the scene, with
+/// the options of the command line that render it with these settings.
+[[nodiscard]] std::string pixel_report(const std::string& what, const std::string& scene,
+                                       const RenderSettings& settings = {});
 
 /// The pixel has the expected color, to 1 of 255 or the given difference. The sentence contains the
 /// scene, which a student can save and render, unless it is long.

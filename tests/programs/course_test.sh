@@ -54,6 +54,10 @@ says "  ✗ 1 intersect: "
 says "      ✗ the unit sphere five ahead"
 says "      ✗ a sphere that is alone"
 says "  · passes unwritten too"
+course 0 run 3 -o picture.png --size 40x30
+says "intersect is not written yet"
+says_not "all pixels have one color"
+rm picture.png
 course 0 hint 3
 says "step03_sphere, intersect, hint 1 of 3"
 says_not "torch"
@@ -418,6 +422,29 @@ kill $watcher
 cp watched out
 says "cases pass, in float and double"
 says "error: "
+
+# On a terminal: a screen of its own for each check, and keys, up to the next stage.
+if has_terminal; then
+    cp $stage/reference/sphere.cpp $mine
+    mkfifo keys
+    script -qefc "stty columns 80 rows 24 && ./course watch 3" shown < keys > /dev/null 2>&1 &
+    watcher=$!
+    exec 9> keys
+    # pressed KEY TEXT: once the screen is there, the key leads to the text.
+    pressed() {
+        printf '%s' "$1" >&9
+        until_true 60 grep -q "$2" shown || fail "$1 leads to $2"
+    }
+    until_true 60 grep -q "Next: ./course start 4" shown || fail "the first check"
+    pressed h "hint 1 of 3"
+    pressed l "step13_meshes"
+    pressed n "Write next: intersect, in steps/step04_plane/student/plane.cpp"
+    pressed q "4: r check again, h hint, n next stage, l stages, q quit"
+    wait $watcher
+    exec 9>&-
+    [ "$(grep -c "$(printf '\033')\[2J" shown)" = 4 ] || fail "four screens"
+    rm -r steps/step04_plane/student keys shown
+fi
 
 # Nothing is lost: not by a new start, not by a full disk. Files beside it are the student's too.
 cp $mine kept

@@ -64,10 +64,13 @@ void show_verdict(int stage, const Judgment& judgment) {
 }
 
 void show_lines(const std::string& failure, bool complete) {
-    for (const std::string& line : failure_lines(failure, complete))
-        std::printf("%s\n", (line.starts_with("  paste: ") ? wrapped_code("    " + line)
-                                                           : wrapped("    " + line))
-                                .c_str());
+    bool is_paste = false;
+    for (const std::string& line : failure_lines(failure, complete)) {
+        const bool goes_on = line.starts_with("    ");
+        is_paste = line.starts_with("  paste: ") || (is_paste && goes_on);
+        const std::string indented = "    " + line;
+        std::printf("%s\n", (is_paste ? wrapped_code(indented) : wrapped(indented)).c_str());
+    }
 }
 
 void show_failure(const CaseResult& failed, const SuiteResult& suite, const char* remark,

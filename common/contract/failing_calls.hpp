@@ -1,0 +1,15 @@
+// The calls that a suite has reported as failing.
+#pragma once
+
+#include "common/contract/call.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rt::contract {
+
+/// The calls of the stage's functions with which failures begin in the output of
+/// tests/kit/report.cpp, in its order. Other questions, of several calls say, are left out.
+[[nodiscard]] std::vector<Call> failing_calls(int stage, const std::string& report);
+
+}  // namespace rt::contract
