@@ -258,6 +258,22 @@ course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
 
+# A debugger's program, which stops in the call that fails.
+course 1 check 3
+course 0 debug 3 --prepare
+says "The debugger stops in your function"
+grep -q '^RAYSTEPS_STOP_AT=[1-9]' build/debug_case.env || fail "the call that fails is known"
+course 2 debug 3 "no such case"
+says 'no case of the last check is called "no such case"'
+
+# What the compiler knows: a missing return, and a variable that outlives a call.
+sed '/interval.contains(far)/{n;d;}' $stage/reference/sphere.cpp > $mine
+course 1 check 3
+says "return-type]"
+sed 's/^    const Vec3 from_center/    static int calls = 0;\n    ++calls;\n&/' $stage/reference/sphere.cpp > $mine
+course 0 check 3
+says ": warning: calls keeps its value from one ray to the next"
+
 # Double's results are printed before anything is compiled in float. A case that fails in float only.
 sed '$s/^/static_assert(sizeof(Real) == 8);\n/' $stage/reference/sphere.cpp > $mine
 course 1 check 3

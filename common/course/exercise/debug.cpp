@@ -2,6 +2,7 @@
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/exercise/failing_question.hpp"
 #include "common/course/exercise/suite.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/files.hpp"
@@ -28,19 +29,25 @@ struct SuiteCase {
     std::string word;   ///< "double" or "float"
 };
 
-/// The case whose name contains the words, or without words the first that failed, in the reports
-/// of the last check.
+/// The case whose name contains the words; without words, the failing case that the last check has
+/// shown, or the first.
 std::optional<SuiteCase> find_case(int stage, const std::string& words) {
+    const std::string shown = shown_case(stage);
+    std::optional<SuiteCase> first;
     for (const char* const word : {"double", "float"})
         for (const char* const suite : {"", "_trace"}) {
             const std::filesystem::path report =
                 report_of(stage_target(stage, std::string(suite) + "_test_" + word));
             if (!std::filesystem::exists(report)) continue;
-            for (const CaseResult& each : read_report(read_text(report)))
-                if (words.empty() ? !each.passed : each.name.find(words) != std::string::npos)
-                    return SuiteCase{each.name, suite, word};
+            for (const CaseResult& each : read_report(read_text(report))) {
+                if (words.empty() ? each.passed : each.name.find(words) == std::string::npos)
+                    continue;
+                const SuiteCase found{each.name, suite, word};
+                if (words.empty() && each.name == shown) return found;
+                if (!first) first = found;
+            }
         }
-    return std::nullopt;
+    return first;
 }
 
 SuiteCase case_to_debug(int stage, const std::string& words) {
@@ -145,7 +152,7 @@ std::string sanitizer_error(const std::string& output) {
             if (line.find(": runtime error: ") != std::string::npos)
                 error = line.substr(file == std::string::npos ? 0 : file);
             else if (const std::size_t at = line.find("ERROR: "); at != std::string::npos)
-                error = line.substr(at + 7);
+                error = line.substr(at + 7, line.find(" on ", at) - at - 7);
         } else if (student != std::string::npos && line.find("steps/step") < student &&
                    ++count <= most_places) {
             places += "\n    " + line.substr(line.find("steps/step"));
@@ -179,6 +186,7 @@ int check_with_sanitizers(int stage) {
     if (workbook.files().empty())
         throw InputError(
             {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    setenv("ASAN_OPTIONS", "handle_abort=1:detect_container_overflow=0", 1);
     const bool has_functions = workbook.files().size() > (workbook.has_trace() ? 1U : 0U);
     for (const char* const suite : {"", "_trace"}) {
         if (*suite == '\0' ? !has_functions : !workbook.has_trace()) continue;
@@ -187,7 +195,8 @@ int check_with_sanitizers(int stage) {
                 stage_target(stage, std::string(suite) + "_sanitized_" + word);
             build({target});
             const SuiteResult result = run_suite(target);
-            const std::string error = sanitizer_error(result.output);
+            std::string error = sanitizer_error(result.output);
+            if (!result.ended.empty()) error = "your code " + result.ended + "\n" + error;
             if (error.empty()) continue;
             std::printf("%s, in %s\n%s\n",
                         result.cases.empty() ? "" : result.cases.back().name.c_str(), word,

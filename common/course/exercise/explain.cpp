@@ -96,7 +96,8 @@ void explain_failing_question(const ComparisonRequest& contest) {
         const std::vector<CaseResult> more = read_report(read_text(report));
         results.insert(results.end(), more.begin(), more.end());
     }
-    const std::optional<FailingQuestion> question = failing_question(results);
+    const std::optional<FailingQuestion> question =
+        failing_question(results, shown_case(contest.stage));
     if (!question) {
         std::printf("The suite tests what the picture does not show: ./course check %s\n",
                     number.c_str());

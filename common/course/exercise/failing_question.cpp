@@ -1,5 +1,6 @@
 #include "common/course/exercise/failing_question.hpp"
 
+#include "common/course/build/project.hpp"
 #include "common/system/files.hpp"
 
 #include <algorithm>
@@ -55,9 +56,25 @@ FailingQuestion question_in(const std::string& failure) {
     return question;
 }
 
+std::filesystem::path file_of_shown_case(int stage) {
+    return build_folder / stage_target(stage, "_shown_case.txt");
+}
+
 }  // namespace
 
-std::optional<FailingQuestion> failing_question(const std::vector<CaseResult>& results) {
+void remember_shown_case(int stage, const std::string& name) {
+    write_text(file_of_shown_case(stage), name);
+}
+
+std::string shown_case(int stage) {
+    const std::filesystem::path file = file_of_shown_case(stage);
+    return std::filesystem::exists(file) ? read_text(file) : "";
+}
+
+std::optional<FailingQuestion> failing_question(std::vector<CaseResult> results,
+                                                const std::string& shown) {
+    std::stable_partition(results.begin(), results.end(),
+                          [&shown](const CaseResult& each) { return each.name == shown; });
     for (const CaseResult& each : results) {
         if (each.passed) continue;
         FailingQuestion question = question_in(each.failure);

@@ -19,8 +19,14 @@ struct FailingQuestion {
     std::string pixel{};  ///< "ROW,COLUMN" of the scene's picture
 };
 
-/// That of the first failing case whose failure has one.
-[[nodiscard]] std::optional<FailingQuestion> failing_question(
-    const std::vector<CaseResult>& results);
+/// Keeps the name of the case that a check of the stage explains.
+void remember_shown_case(int stage, const std::string& name);
+
+/// That name, of the last check; empty if there is none.
+[[nodiscard]] std::string shown_case(int stage);
+
+/// That of the case with this name, if it fails and has one; or else of the first such case.
+[[nodiscard]] std::optional<FailingQuestion> failing_question(std::vector<CaseResult> results,
+                                                              const std::string& shown = "");
 
 }  // namespace rt

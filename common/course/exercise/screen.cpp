@@ -1,6 +1,7 @@
 #include "common/course/exercise/screen.hpp"
 
 #include "common/course/build/project.hpp"
+#include "common/course/exercise/failing_question.hpp"
 #include "common/course/exercise/failure_text.hpp"
 #include "common/course/exercise/hints.hpp"
 #include "common/stages/not_written.hpp"
@@ -154,6 +155,7 @@ void show_result(int stage, const Findings& findings, bool complete) {
                    : first_failing(cases, findings.part);
     if (first == cases.size()) return;
     const CaseResult& failed = cases[first];
+    remember_shown_case(stage, failed.name);
     show_failure(failed, judged.suite, in_double ? "" : "  (in float only)", complete);
     if (findings.diagnosis.names.empty() || complete)
         show_smallest(findings.diagnosis, failed, complete);

@@ -31,6 +31,14 @@ TEST_CASE("a call is repeated as it was reported, on one line") {
     CHECK_FALSE(question("the normal is no unit vector\n  got:      2"));
 }
 
+TEST_CASE("the case that check has shown comes before the first that fails") {
+    const std::vector<CaseResult> results = {{.name = "first", .failure = "f(1)\n  got:      2"},
+                                             {.name = "shown", .failure = "f(2)\n  got:      3"}};
+    CHECK(failing_question(results, "shown")->call == "f(2)");
+    CHECK(failing_question(results, "gone")->call == "f(1)");
+    CHECK(failing_question(results)->call == "f(1)");
+}
+
 TEST_CASE("a scene is repeated with its options and its pixel") {
     const auto one = question(
         "the color of the only pixel, of 255\n  scene:    save it to render it, with --term "
