@@ -16,9 +16,10 @@ using Functions = std::set<const Callee*>;
 // (check_probes).
 constexpr double least_of_wrong = 0.8;   ///< of the wrong answers, those that are the mistake's
 constexpr double least_likeness = 0.75;  ///< of answers
-constexpr double least_of_cases = 0.6;   ///< likeness of failing cases
-constexpr int least_values = 2;          ///< answers that few mistakes share
-constexpr double most_of_open = 0.7;     ///< where a formula cancels, answers are of another kind
+constexpr double least_of_cases_if_exact = 0.4;
+constexpr double least_of_cases = 0.6;  ///< likeness of failing cases
+constexpr int least_values = 2;         ///< answers that few mistakes share
+constexpr double most_of_open = 0.7;    ///< where a formula cancels, answers are of another kind
 
 /// The comparison of a function's answers with a mistake's.
 struct Fit {
@@ -181,8 +182,10 @@ private:
         return all && alone_i >= least_alone && alone_j >= least_alone && values >= least_values;
     }
 
-    /// The functions in which the mistake can be made: last digits count in an open function.
+    /// The functions in which the mistake can be made. Last digits count in an open function, in
+    /// which it may also be another right answer: then it fails no case of that function.
     [[nodiscard]] bool errs_in(std::size_t mistake, const Callee& callee) const {
+        if (is_open(probes_, callee) && !fails_a_case_of(mistake, callee)) return false;
         const double within = is_open(probes_, callee) ? 0 : right_tolerance;
         return std::ranges::any_of(probes_.probes, [&](const Probe& probe) {
             return probe.call.callee == &callee &&
@@ -190,18 +193,36 @@ private:
         });
     }
 
+    /// Cases that call every function of the stage, as pictures do, do not count.
+    [[nodiscard]] bool fails_a_case_of(std::size_t mistake, const Callee& callee) const {
+        const auto functions =
+            std::size_t(std::ranges::count(callees(), probes_.stage, &Callee::stage));
+        const std::vector<bool>& fails = probes_.mistakes[mistake].fails;
+        for (std::size_t i = 0; i < fails.size(); ++i) {
+            const auto& calls = probes_.cases[i].calls;
+            if (fails[i] && calls.size() < functions &&
+                std::ranges::find(calls, &callee) != calls.end())
+                return true;
+        }
+        return functions == 1;
+    }
+
     [[nodiscard]] Candidate explained_by(std::size_t mistake) const {
         Candidate candidate{.mistake = mistake};
         Functions spared;
         bool open = false;
+        bool near = true;
         for (const Callee& callee : callees()) {
             if (callee.stage != probes_.stage || !errs_in(mistake, callee)) continue;
             const Fit fitting = fit(mistake, callee);
             if (is_open(probes_, callee)) {
+                if (results_.empty()) continue;
                 const double least = is_compared_by_kind(callee) ? most_of_open : 1;
-                if (results_.empty() || fitting.alike < least * fitting.probes) continue;
+                const bool by_kind = fitting.alike >= least * fitting.probes;
+                if (!by_kind && !fitting.is_near()) continue;
                 candidate.is_certain = candidate.is_certain && fitting.alike == fitting.probes;
                 open = true;
+                near = near && fitting.is_near();
             } else if (fitting.wrong == 0) {
                 spared.insert(&callee);
                 continue;
@@ -216,9 +237,14 @@ private:
         }
         if (candidate.functions.empty()) return candidate;
         candidate.likeness /= double(candidate.functions.size());
+        const bool is_exact = candidate.is_certain;
         const double cases = likeness_of_cases(candidate, spared);
         candidate.is_certain = candidate.is_certain && cases == 1 && spared.empty();
-        if (cases < least_of_cases || (open && cases < 1)) candidate.functions.clear();
+        // An open function's answers of the mistake's kind may be right: then all cases decide.
+        const double least = open && !near ? 1
+                             : is_exact    ? least_of_cases_if_exact
+                                           : least_of_cases;
+        if (cases < least) candidate.functions.clear();
         candidate.likeness += cases;
         return candidate;
     }

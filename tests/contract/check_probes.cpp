@@ -55,9 +55,11 @@ public:
         }
         std::cout << name << ":" << names << '\n';
         for (const auto& [other, is_certain] :
-             recognized(without(sentence), answers, results_of(*known)))
+             recognized(without(sentence), answers, results_of(*known))) {
+            if (!is_certain) std::cout << "  probably " << other.name << ", if it were not known\n";
             if (is_certain && answers_are_of(other.name, answers))
                 complain(name + " would have the name of " + other.name);
+        }
         // In an open function, several may have the same failing cases: then none is named.
         // A constant function, and two mistakes with the same answers but other cases, have none.
         const bool is_constant_there = std::ranges::any_of(callees(), [&](const Callee& callee) {

@@ -204,3 +204,22 @@ TEST_CASE("a constant function identifies nothing") {
     for (Probe& probe : planes.probes.probes) probe.mistaken[0] = planes.answers[0];
     CHECK(planes.names().empty());
 }
+
+TEST_CASE("another right answer beside a mistake's own function does not identify it") {
+    // The mistake was made beside another right estimate of the error, which fails no case.
+    const Probes probes = read_probes(
+        "stage 11\nmistake square: You aim at a square.\nopen sample_light visibility_error\n"
+        "case sample_light: seen\ncase visibility_error: positive\nfails x. square\n"
+        "call sample_light(Light{{0, 4, 0}, 1, {1, 1, 1}, 2}, {0, 0, 0}, {0, 0})\n"
+        "right {0, 2, 0}\nwrong {1, 4, 0} | square\n"
+        "call visibility_error(ShadowRays{.sent = 2, .reached = 1})\n"
+        "right Real(0.3)\nwrong Real(0.35) | square\n"
+        "call visibility_error(ShadowRays{.sent = 4, .reached = 1})\n"
+        "right Real(0.2)\nwrong Real(0.25) | square\n");
+    std::vector<Answer> answers;
+    for (const Probe& probe : probes.probes) answers.push_back(probe.mistaken[0]);
+    const CaseResults results = {{"seen", false}, {"positive", true}};
+    CHECK(recognized(probes, answers, results).size() == 1);
+    answers[0].value->parts[2].number = 40;
+    CHECK(recognized(probes, answers, results).empty());
+}
