@@ -16,10 +16,9 @@ using Functions = std::set<const Callee*>;
 // (check_probes).
 constexpr double least_of_wrong = 0.8;   ///< of the wrong answers, those that are the mistake's
 constexpr double least_likeness = 0.75;  ///< of answers
-constexpr double least_of_cases_if_exact = 0.4;
-constexpr double least_of_cases = 0.6;  ///< likeness of failing cases
-constexpr int least_values = 2;         ///< answers that few mistakes share
-constexpr double most_of_open = 0.7;    ///< where a formula cancels, answers are of another kind
+constexpr double least_of_cases = 0.6;   ///< likeness of failing cases
+constexpr int least_values = 2;          ///< answers that few mistakes share
+constexpr double most_of_open = 0.7;     ///< where a formula cancels, answers are of another kind
 
 /// The comparison of a function's answers with a mistake's.
 struct Fit {
@@ -237,13 +236,10 @@ private:
         }
         if (candidate.functions.empty()) return candidate;
         candidate.likeness /= double(candidate.functions.size());
-        const bool is_exact = candidate.is_certain;
         const double cases = likeness_of_cases(candidate, spared);
         candidate.is_certain = candidate.is_certain && cases == 1 && spared.empty();
         // An open function's answers of the mistake's kind may be right: then all cases decide.
-        const double least = open && !near ? 1
-                             : is_exact    ? least_of_cases_if_exact
-                                           : least_of_cases;
+        const double least = open && !near ? 1 : least_of_cases;
         if (cases < least) candidate.functions.clear();
         candidate.likeness += cases;
         return candidate;
