@@ -137,14 +137,18 @@ def report(catalogue):
 
 
 def write_messages(template):
-    """What ./course prints: the arguments of tr and to_translate, and the descriptions of commands."""
+    """What ./course prints: the arguments of tr and to_translate, and the descriptions of commands. False
+    if there is no such source."""
     sources = [source for source in sorted(project.glob("common/course/**/*.cpp"))
                if "common/system/translation.hpp" in source.read_text(encoding="utf-8")]
+    if not sources:  # the book without the program
+        return False
     keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2"]
     subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
                     "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
     text = template.read_text(encoding="utf-8").replace("charset=CHARSET", "charset=UTF-8")
     template.write_text(text, encoding="utf-8")
+    return True
 
 
 def sentences_of(stage):
@@ -169,8 +173,8 @@ def update(language):
         for page in pages():
             run_po4a(project / page, "", template)
             merge(catalogue_of(page, language), template, language)
-        write_messages(template)
-        merge(lang / language / "course.po", template, language)
+        if write_messages(template):
+            merge(lang / language / "course.po", template, language)
         for sentences in (lang / language).glob("steps/*/sentences.po"):  # an empty file begins one
             write_sentences(template, sentences.parent.name)
             merge(sentences, template, language)
