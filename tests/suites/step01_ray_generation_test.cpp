@@ -96,11 +96,11 @@ TEST_CASE("pixels are equal squares around the middle, in any picture (MRT §1)"
 
 TEST_CASE("the camera's ray starts at 0 and ends on the screen at z = -1 (MRT §1)",
           "[part camera_ray]") {
-    const std::string asked =
+    const std::string corner =
         "camera_ray({.row = 0, .column = 0}, {.width = 4, .height = 2}, pi / 2)";
     const Ray ray = camera_ray({.row = 0, .column = 0}, {.width = 4, .height = 2}, right_angle);
-    CHECK(gives(asked + ".origin", ray.origin, Vec3(0)));
-    CHECK(gives(asked + ".direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
+    CHECK(gives(corner + ".origin", ray.origin, Vec3(0)));
+    CHECK(gives(corner + ".direction", ray.direction, Vec3(Real(-1.5), Real(0.5), -1)));
     CHECK(for_all([](Random& random) {
         const Perspective perspective = random_perspective(random);
         const Pixel pixel = random_pixel(perspective.resolution, random);
