@@ -11,10 +11,21 @@ namespace rt {
 
 namespace {
 
-void explain(PixelLog& log, const Ray& ray, const ShadingPoint& surface) {
+// Of `--pixel` alone: not a part of the code for every ray.
+
+[[gnu::noinline]] void explain(PixelLog& log, const Ray& ray, const ShadingPoint& surface) {
     log.heading("The mirror (CR §5.1)");
     log.line("d", text(ray.direction));
     log.line("n", text(surface.normal));
+}
+
+[[gnu::noinline]] void explain_end(PixelLog& log) {
+    log.remark("no reflection is worth its ray any more");
+}
+
+[[gnu::noinline]] void explain_return(PixelLog& log, int bounces, Color color) {
+    log.heading("Back at the mirror, reflection " + std::to_string(bounces));
+    log.line("color of the reflection", text(color));
 }
 
 }  // namespace
@@ -23,17 +34,17 @@ Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface
                  Context& context) {
     Context there = context;
     there.weight *= double(surface.material.mirror);
-    if (context.log != nullptr) explain(*context.log, ray, surface);
+    if (context.log != nullptr) [[unlikely]]
+        explain(*context.log, ray, surface);
     if (!worth_reflecting(context.bounces, context.settings.depth, Real(there.weight))) {
-        if (context.log != nullptr) context.log->remark("no reflection is worth its ray any more");
+        if (context.log != nullptr) [[unlikely]]
+            explain_end(*context.log);
         return Color(0);
     }
     ++there.bounces;
     const Color color = trace(scene, mirrored(ray, surface), there);
-    if (context.log != nullptr) {
-        context.log->heading("Back at the mirror, reflection " + std::to_string(there.bounces));
-        context.log->line("color of the reflection", text(color));
-    }
+    if (context.log != nullptr) [[unlikely]]
+        explain_return(*context.log, there.bounces, color);
     context.rays = there.rays;
     context.sized_light_rays = there.sized_light_rays;
     return color;

@@ -17,9 +17,9 @@ struct TraceMistake {
 };
 
 /// The known mistake that fails the same questions with the same wrong answers; or the one with the
-/// fewest others, if either fails all that the other does, at least five, and few besides. The cases
-/// are all of the public suite in double; the file is tests/mistakes/<stage>/trace.txt. The case of
-/// a whole picture does not count.
+/// fewest others, if either fails all that the other does, at least five, and few besides. The
+/// cases are all of the public suite in double; the file is tests/mistakes/<stage>/trace.txt. The
+/// case of a whole picture does not count.
 [[nodiscard]] std::optional<TraceMistake> recognized_trace_mistake(
     const std::filesystem::path& file, const std::vector<CaseResult>& cases);
 

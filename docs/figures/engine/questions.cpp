@@ -33,7 +33,9 @@ Text written(Write write) {
 template <class Shape>
 Text explain_shape(const Ray& ray, const Shape& shape, Interval interval) {
     return written([&](PixelLog& log) {
-        explain_candidate(log, ray, shape, interval, intersect(ray, shape, interval));
+        explain_candidate(log, ray, shape, interval, intersect(ray, shape, interval), [&] {
+            return intersect(ray, shape, {.min = interval.min, .max = infinity});
+        });
     });
 }
 
