@@ -60,6 +60,7 @@ std::string complaint(std::vector<std::string> words) {
     static const std::set<std::string> draw = {"run", "compare", "explain"};
     static const std::set<std::string> no_stage = {"book",    "grade", "handout",
                                                    "measure", "own",   "update"};
+    if (words.size() > 1 && words[0] == "--lang") words.erase(words.begin(), words.begin() + 2);
     if (words.empty() || words[0] == "--help" || words[0] == "--version") return "";
     const std::string command = words[0];
     words.erase(words.begin());
@@ -72,8 +73,10 @@ std::string complaint(std::vector<std::string> words) {
         stage = *found;
         words.erase(words.begin());
     }
-    if (command == "test") return "";  // the rest is ctest's
-    if (command == "check") std::erase(words, "--all");
+    if (command == "test") return "";   // the rest is ctest's
+    if (command == "debug") return "";  // the rest is a case's name
+    if (command == "check")
+        std::erase_if(words, [](auto& word) { return word == "--all" || word == "--sanitize"; });
     if (draw.count(command) == 0) return words.empty() ? "" : "it does not take this argument";
     std::vector<const char*> arguments = {"program"};
     for (std::size_t i = 0; i < words.size(); ++i) {

@@ -132,5 +132,5 @@ TEST_CASE("a graded suite reveals the seed in no message") {
     CHECK(reported("RAYSTEPS_SEED=857578").find("random:   RAYSTEPS_SEED=857578, case ") !=
           std::string::npos);
     // Without its seed no input is generated.
-    CHECK(reported("RAYSTEPS_SEED_FILE=/none").empty());
+    CHECK(reported("RAYSTEPS_SEED_FILE=/none").find("\ncase ") == std::string::npos);
 }

@@ -57,7 +57,7 @@ sources engine docs/figures/engine/engine.cpp docs/figures/engine/questions.cpp 
     docs/figures/engine/thrown.cpp common/explain/*.cpp common/render/sampling.cpp \
     common/render/surface.cpp common/bvh/b*.cpp common/mesh_file/triangulate.cpp \
     common/system/huge_pages.cpp scenes/meshes/owl.cpp scenes/meshes/polygons.cpp \
-    steps/*/reference/*.cpp steps/*/story.cpp
+    steps/*/reference/*.cpp steps/*/*story.cpp
 # scene_file before render, whose shaft.cpp has Axes of its own.
 sources picture docs/figures/engine/picture.cpp docs/figures/engine/traces.cpp \
     docs/figures/engine/thrown.cpp docs/figures/engine/one_thread.cpp common/scene_file/*.cpp \
