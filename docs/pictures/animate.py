@@ -26,7 +26,8 @@ def spans(line):
             elif code in COLORS:
                 color = f' fill="{COLORS[code]}"'
         if words.strip():
-            yield f'<tspan x="{LEFT + column * WIDTH:.1f}"{color}{weight}>{html.escape(words)}</tspan>'
+            start = LEFT + (column + len(words) - len(words.lstrip())) * WIDTH
+            yield f'<tspan x="{start:.1f}"{color}{weight}>{html.escape(words.strip())}</tspan>'
         column += len(words)
 
 
@@ -51,8 +52,7 @@ def main(screens, picture):
     shown = (f'<image x="{width - 252:.0f}" y="{height - 192:.0f}" width="240" height="180" '
              f'href="data:image/png;base64,{image}"/>\n')
     print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
-          f'font-family="ui-monospace,DejaVu Sans Mono,Menlo,monospace" font-size="14" fill="#e6edf3" '
-          f'xml:space="preserve">\n<title>./course watch 3</title>\n<style>'
+          f'font-family="ui-monospace,DejaVu Sans Mono,Menlo,monospace" font-size="14" fill="#e6edf3">\n<title>./course watch 3</title>\n<style>'
           + "".join(style for style, _ in parts) +
           f'</style>\n<rect width="100%" height="100%" rx="8" fill="#0d1117"/>')
     for number, (_, group) in enumerate(parts):
