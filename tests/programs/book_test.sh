@@ -117,7 +117,7 @@ diff -r kept new > out || fail "a book with a file of the user's stays"
 # Served to this machine, with links to the project's files.
 "$build/course" book > address 2> err &
 server=$!
-until_true 60 grep http address
+until_true 120 grep http address
 address=$(head -n 1 address)
 root=${address%build/book/index.html}
 is() {
