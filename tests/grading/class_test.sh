@@ -100,8 +100,13 @@ submit() {
                 ;;
             untouched) cp "$project/steps/$stage/starter/"*.cpp "$place" ;;
             mistaken)
-                mistake=$(pick "$3" $(sed -n 's/^mistake \([^ ]*\).*/\1/p' "$project/tests/mistakes/$stage.txt"))
-                "$build/known_mistakes" "$project" "$stage" "$mistake" > "$file"
+                mistakes=$(sed -n 's/^mistake \([^ ]*\).*/\1/p' "$project/tests/mistakes/$stage.txt")
+                n=$3
+                while  # the first one from there on that includes no file of the tests
+                    mistake=$(pick "$n" $mistakes)
+                    "$build/known_mistakes" "$project" "$stage" "$mistake" > "$file"
+                    grep -q '#include "tests/' "$file"
+                do n=$((n + 1)); done
                 points=$(points_of "$build/${stage}_answers_worker" "$stage" "$mistake")
                 ;;
             empty) ;;
