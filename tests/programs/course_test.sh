@@ -55,7 +55,8 @@ says "      ✗ the unit sphere five ahead"
 says "      ✗ a sphere that is alone"
 says "  · passes unwritten too"
 course 0 run 3 -o picture.png --size 40x30
-says "intersect is not written yet"
+says "$trace:"
+says "trace is not written yet"
 says_not "all pixels have one color"
 rm picture.png
 course 0 hint 3
@@ -68,7 +69,7 @@ says "▸  3  step03_sphere"
 # from it, under its own first comment. A student who writes the functions only removes the file.
 cp $stage/reference/sphere.cpp $mine
 course 1 check 3
-says "✗ a sphere that is alone is seen in its color"
+says "✗ a ray that misses all spheres gives the color of the sky in its direction"
 says "Write next: trace, in $trace:"
 says_not "✗ the normal points away"
 course 0 hint 3
