@@ -105,7 +105,8 @@ def check_stage(number, page):
 
 def check_captions(page):
     """Each figure that runs has its question below it."""
-    for name, below in re.findall(r"</rt-(\w+)>\s*<script[^>]*></script>\s*(.*(?:\n(?!<).*)*)", page.path.read_text(encoding="utf-8")):
+    caption = re.compile(r"</rt-(\w+)>\s*<script[^>]*></script>\s*(.*(?:\n(?!<).*)*)")
+    for name, below in caption.findall(page.path.read_text(encoding="utf-8")):
         if name != "picture" and not re.match(r"<p><em>[^?]*\?", below):
             page.fail(f"the figure {name} has no caption with its question")
 
