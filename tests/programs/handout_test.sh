@@ -53,6 +53,18 @@ for archive in old/steps/*/reference/*/*.a old/steps/stories/*/*.a; do
     ! grep -qF "$project" "$archive" || fail "$archive does not say where it was built"
 done
 
+# With less help, and a part of the stages.
+"$project/course" handout small --stages 1-8 --hints 1 --without-answers > out 2>&1 || fail "a small one"
+[ ! -e small/docs/step09_phong.md ] && [ ! -e small/steps/step09_phong/starter ] || fail "eight stages"
+! grep -q '^## 2' small/steps/step03_sphere/hints.md || fail "one level of hints"
+! grep -q '<summary>Answers' small/docs/step03_sphere.md || fail "no answers"
+cd small || exit 1
+course 0
+[ "$(grep -c '[0-9]  step[01][0-9]_' "$folder/out")" = 8 ] || fail "eight lines"
+course 2 start 9
+says "step09_phong is not part of this hand-out"
+cd ..
+
 # A student's way through a stage.
 cp -r old mine
 cd mine || exit 1

@@ -218,8 +218,11 @@ function(raysteps_variant stage word)
 endfunction()
 
 # raysteps_starter(<suite> <source>...): <suite>_starter_test_float and _double: the suite, linked to
-# the stage's starter, for `./course audit`.
+# the stage's starter, for `./course audit`, which a hand-out has not; nor has it every starter.
 function(raysteps_starter suite)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/steps/handout.txt)
+        return()
+    endif()
     raysteps_compile_twice(${suite}_starter ${ARGN})
     raysteps_both(raysteps_compile_without_optimizing ${suite}_starter_@ @)
     raysteps_both(raysteps_link_suite ${suite}_starter_test_@word ${suite}_test_@word_objects
