@@ -3,7 +3,7 @@
 // Explains a call that a suite has reported, for `./course explain`: the quantities of the
 // documents for an intersection, and the result of the worker's function. Exit status 2 if it is no
 // call of the stage.
-#include "common/contract/call.hpp"
+#include "common/contract/failing_calls.hpp"
 #include "common/explain/pixel_log.hpp"
 #include "common/scene/scene.hpp"
 
@@ -13,26 +13,6 @@
 namespace rt::contract {
 
 namespace {
-
-/// Nothing if the value is no T.
-template <class T>
-std::optional<T> as(const Value& value) {
-    if (value.type != &type_of<T>()) return std::nullopt;
-    Writer bytes;
-    put_value(bytes, value);
-    Reader reader(bytes.bytes());
-    return get<T>(reader);
-}
-
-/// A suite leaves out the interval that has no end.
-Call call_in(int stage, std::string text) {
-    try {
-        return read_call(stage, text);
-    } catch (const Malformed&) {
-        text.replace(text.rfind(')'), 1, ", Interval{.min = 0, .max = infinity})");
-        return read_call(stage, text);
-    }
-}
 
 std::optional<Real> t_of(const Answer& answer) {
     if (!answer.value || answer.value->parts.empty()) return std::nullopt;
@@ -66,7 +46,9 @@ bool explain_intersection(PixelLog& log, const Call& call, const Answer& answer,
 }
 
 void explain(int stage, const std::string& text, const std::string& program) {
-    const Call call = call_in(stage, text);
+    const auto found = call_of_suite(stage, text);
+    if (!found) throw Malformed("no call of the stage: " + text);
+    const Call& call = *found;
     Asked worker(program);
     const Answer answer = worker(call);
     PixelLog log(std::cout);

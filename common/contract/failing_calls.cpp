@@ -1,15 +1,11 @@
 #include "common/contract/failing_calls.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <sstream>
 
 namespace rt::contract {
 
-namespace {
-
-/// The call in a question, to which suites add no interval that is everything.
-std::optional<Call> call_in(int stage, std::string text) {
+std::optional<Call> call_of_suite(int stage, std::string text) {
     if (text.empty() || text.back() != ')') return std::nullopt;
     try {
         return read_call(stage, text);
@@ -22,8 +18,6 @@ std::optional<Call> call_in(int stage, std::string text) {
         return std::nullopt;
     }
 }
-
-}  // namespace
 
 std::vector<Call> failing_calls(int stage, const std::string& report) {
     std::vector<Call> calls;
@@ -41,7 +35,7 @@ std::vector<Call> failing_calls(int stage, const std::string& report) {
         is_question = start != 2;
         if (is_question)
             question += (question.empty() ? "" : " ") + text.substr(start);
-        else if (auto call = call_in(stage, question))
+        else if (auto call = call_of_suite(stage, question))
             calls.push_back(std::move(*call));
     }
     return calls;

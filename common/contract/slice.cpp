@@ -28,16 +28,6 @@ Vec3 part3(const Value& value, const char* name) {
     return found == nullptr ? Vec3(0) : vec3(*found);
 }
 
-/// Nothing if the value is no Shape.
-template <class Shape>
-std::optional<Shape> shape_of(const Value& value) {
-    if (value.type != &type_of<Shape>()) return std::nullopt;
-    Writer bytes;
-    put_value(bytes, value);
-    Reader reader(bytes.bytes());
-    return get<Shape>(reader);
-}
-
 Size size_of(const Plane& plane, const Ray& ray) {
     const Vec3 n = unit(plane.normal);
     const Vec3 below = ray.origin - dot(ray.origin - plane.point, n) * n;
@@ -53,7 +43,7 @@ Size size_of(const Shape& shape, const Ray& /*ray*/) {
 Size size_of(const Value& value, const Ray& ray) {
     Size size{.middle = Vec3(0), .reach = 2};  // of a mesh
     const auto look_for = [&]<class Shape>(const ShapeKind<Shape>& /*kind*/) {
-        if (const auto shape = shape_of<Shape>(value)) size = size_of(*shape, ray);
+        if (const auto shape = as<Shape>(value)) size = size_of(*shape, ray);
     };
     std::apply([&](const auto&... kind) { (look_for(kind), ...); }, shape_kinds);
     return size;

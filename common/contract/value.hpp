@@ -4,6 +4,7 @@
 
 #include "common/contract/bytes.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +72,16 @@ struct Value {
 
 [[nodiscard]] Value get_value(const Type& type, Reader& from);
 void put_value(Writer& to, const Value& value);
+
+/// The value as a T; nothing if it is of another type.
+template <class T>
+[[nodiscard]] std::optional<T> as(const Value& value) {
+    if (value.type != &type_of<T>()) return std::nullopt;
+    Writer bytes;
+    put_value(bytes, value);
+    Reader reader(bytes.bytes());
+    return get<T>(reader);
+}
 
 /// C++ that makes the value. Answers are equal on all machines to about 14 digits.
 [[nodiscard]] std::string code(const Value& value, int digits = 0);

@@ -208,6 +208,11 @@ course 2 run 4 -o picture.png
 says "error: defined twice: rt::twice("
 says "$mine"
 cp $other/reference/plane.cpp $other/student/plane.cpp
+# The picture is right: the suite's failing call is explained.
+course 0 explain 3
+says "The picture cannot show it. The first failing case of the last check: a ray from inside"
+says "mine          → missed according to intersect"
+says "reference     → hit at t = 1"
 mistaken step03_sphere subtracts_r_squared $mine
 course 0 run 4 -o picture.png
 says "your step03_sphere is used: changed since it passed."
