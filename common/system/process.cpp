@@ -17,8 +17,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
+#include <sstream>
 #include <thread>
 
 namespace rt {
@@ -151,6 +154,17 @@ std::string crash(int answer) {
 }
 
 }  // namespace
+
+bool is_installed(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        std::error_code none;
+        if (std::filesystem::is_regular_file(std::filesystem::path(folder) / program, none))
+            return true;
+    }
+    return false;
+}
 
 int run_process(const Command& command) {
     // Ctrl-C is for the program: its parent must survive to report how it ended.

@@ -20,6 +20,9 @@ class ProgramError : public std::runtime_error {
 /// A program and its arguments.
 using Command = std::vector<std::string>;
 
+/// True if a program of that name is on PATH.
+[[nodiscard]] bool is_installed(const std::string& program);
+
 /// Runs a program, found on PATH, until it ends. Returns its exit status, or 128 + the number of
 /// the signal that ended it; such a signal is reported unless it was Ctrl-C. Throws InputError if
 /// the program cannot be started.

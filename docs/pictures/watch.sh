@@ -22,56 +22,15 @@ frame() {
     tmux -L raysteps capture-pane -e -p -t watch > "$folder/frames/$1"
 }
 
-# sphere SQUARE: a student's file, with this for r²
-sphere() {
-    cat << END
-#include "steps/step03_sphere/sphere.hpp"
-
-#include "common/math/vector.hpp"
-
-#include <algorithm>
-#include <cmath>
-
-namespace rt {
-
-std::optional<Real> intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
-    const Vec3 to_origin = ray.origin - sphere.center;
-    const Real a = dot(ray.direction, ray.direction);
-    const Real b = 2 * dot(ray.direction, to_origin);
-    const Real c = dot(to_origin, to_origin) - $1;
-    const Real discriminant = b * b - 4 * a * c;
-    if (!(discriminant >= 0)) return std::nullopt;
-    const Real root = std::sqrt(discriminant);
-    for (const Real t : {(-b - root) / (2 * a), (-b + root) / (2 * a)})
-        if (interval.contains(t)) return t;
-    return std::nullopt;
-}
-
-Vec3 normal(const Sphere& sphere, Vec3 point) {
-    return unit(point - sphere.center);
-}
-
-Color color_from_normal(Vec3 normal) {
-    return Color(abs(unit(normal)));
-}
-
-Real torch(Vec3 point, Vec3 normal, Vec3 eye) {
-    if (point == eye) return 0;
-    return std::max(Real(0), dot(unit(eye - point), unit(normal)));
-}
-
-}  // namespace rt
-END
-}
-
+right=steps/step03_sphere/reference/sphere.cpp
 ./course start 3 > /dev/null
 tmux -L raysteps -f /dev/null new-session -d -s watch -x 80 -y 24 './course watch 3'
 trap 'tmux -L raysteps kill-server; rm -rf "$folder"' EXIT
 frame 1 'ot written yet'
-sphere sphere.radius > $mine/sphere.cpp
+sed 's/radius \* sphere.radius/radius/' $right > $mine/sphere.cpp
 rm $mine/main.cpp  # a student may write the functions alone
 frame 2 'You subtract'
-sphere "sphere.radius * sphere.radius" > $mine/sphere.cpp
+cp $right $mine/sphere.cpp
 frame 3 'the same picture'
 ./course run 3 --size 480x360 -o "$folder/picture.png" > /dev/null
 python3 "$project/docs/pictures/animate.py" "$folder"/frames/* "$folder/picture.png" > "$folder/watch.svg"

@@ -41,12 +41,13 @@ std::vector<Shown> shown(const std::regex& pattern) {
     return all;
 }
 
-/// The commands that `./course` lists: `add("test [N] …", …)` in its main.cpp.
+/// The commands that `./course` lists: `add("test [N] …", …)` in its sources.
 std::set<std::string> commands() {
     static const std::regex command(R"(add(?:_of_stage|_of_program)?\( *"([a-z]+))");
     std::string source;
-    for (const PageLine& line : read_page(project_file("common/course/main.cpp")))
-        source += line.words();
+    for (const char* file :
+         {"common/course/student_commands.cpp", "common/course/author_commands.cpp"})
+        for (const PageLine& line : read_page(project_file(file))) source += line.words();
     std::set<std::string> all;
     using Matches = std::sregex_iterator;
     for (Matches it(source.begin(), source.end(), command), end; it != end; ++it)

@@ -63,6 +63,11 @@ course 0
 [ "$(grep -c '[0-9]  step[01][0-9]_' "$folder/out")" = 8 ] || fail "eight lines"
 course 2 start 9
 says "step09_phong is not part of this hand-out"
+course 0 start 8
+cp "$project/steps/step08_cone/reference/cone.cpp" steps/step08_cone/student
+rm steps/step08_cone/student/main.cpp
+course 0 check 8
+says_not "Next: "
 cd ..
 
 # A student's way through a stage.

@@ -105,6 +105,7 @@ int book(const BookSettings& settings) {
         std::printf("%s: open index.html\n", settings.out->c_str());
         return 0;
     }
+    if (settings.pdf) check_printing(*settings.pdf);
     const bool is_clone = !is_handout(settings.project);
     const std::string site = is_clone ? site_of_clone : site_of_handout;
     if (is_clone) {

@@ -23,9 +23,12 @@ constexpr std::chrono::minutes print_time_limit{2};
 /// The browser's command, which systems call differently. Throws InputError if there is none.
 std::string browser() {
     for (const std::string name : {"chromium", "chromium-browser", "google-chrome"})
-        if (run_captured({"sh", "-c", "command -v " + name}, print_time_limit).status == 0)
-            return name;
+        if (is_installed(name)) return name;
     throw InputError({}, "book: --pdf needs chromium, or what your system calls it");
+}
+
+fs::path folder_of(const fs::path& destination) {
+    return fs::absolute(destination / "").lexically_normal().parent_path();
 }
 
 /// Prints a page on A4. Its figures' scripts are not run from a file, so these are the drawn ones.
@@ -56,14 +59,19 @@ void print_page(const std::string& browser, const fs::path& page, const fs::path
 
 }  // namespace
 
-void print_pages(const fs::path& site, const fs::path& destination) {
+void check_printing(const fs::path& destination) {
     if (destination.empty()) throw InputError({}, "book: expected a name, not \"\"");
-    const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
-    if (!is_free_for_folder(target))
+    if (!is_free_for_folder(folder_of(destination)))
         throw InputError({destination.string()}, "exists already: expected a new name");
-    const std::string chromium = browser();
-    if (run_captured({"sh", "-c", "command -v pdfunite"}, print_time_limit).status != 0)
+    (void)browser();
+    if (!is_installed("pdfunite"))
         throw InputError({}, "book: --pdf needs pdfunite, of poppler-utils");
+}
+
+void print_pages(const fs::path& site, const fs::path& destination) {
+    check_printing(destination);
+    const fs::path target = folder_of(destination);
+    const std::string chromium = browser();
     fs::create_directories(target.parent_path());
     const TemporaryFolder workshop(target.parent_path());
     const fs::path folder = workshop.path() / "pdf";

@@ -5,9 +5,13 @@
 
 namespace rt {
 
+/// Throws InputError if print_pages could not write to this folder, because something is there, or
+/// if Chromium or poppler's pdfunite is not installed.
+void check_printing(const std::filesystem::path& destination);
+
 /// Prints each stage's page of the site as a PDF, stepNN_name.pdf, and all of them as course.pdf,
-/// into a folder, which appears whole or not at all. Throws InputError if anything is there, or if
-/// Chromium or poppler's pdfunite is not installed, and ProgramError if one of them fails.
+/// into a folder, which appears whole or not at all. Throws InputError as
+/// check_printing does, and ProgramError if one of the programs fails.
 void print_pages(const std::filesystem::path& site, const std::filesystem::path& destination);
 
 }  // namespace rt

@@ -10,11 +10,9 @@
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
 
 namespace rt {
 
@@ -35,18 +33,15 @@ std::optional<SuiteCase> find_case(int stage, const std::string& words) {
     const std::string shown = shown_case(stage);
     std::optional<SuiteCase> first;
     for (const char* const word : {"double", "float"})
-        for (const char* const suite : {"", "_trace"}) {
-            const std::filesystem::path report =
-                report_of(stage_target(stage, std::string(suite) + "_test_" + word));
-            if (!std::filesystem::exists(report)) continue;
-            for (const CaseResult& each : read_report(read_text(report))) {
+        for (const char* const suite : {"", "_trace"})
+            for (const CaseResult& each :
+                 last_results(stage_target(stage, std::string(suite) + "_test_" + word))) {
                 if (words.empty() ? each.passed : each.name.find(words) == std::string::npos)
                     continue;
                 const SuiteCase found{each.name, suite, word};
                 if (words.empty() && each.name == shown) return found;
                 if (!first) first = found;
             }
-        }
     return first;
 }
 
@@ -63,18 +58,6 @@ SuiteCase case_to_debug(int stage, const std::string& words) {
     if (!found)
         throw InputError({}, "no case of the last check is called \"" + words + "\": " + check);
     return *found;
-}
-
-/// True if a program of that name is on PATH.
-bool is_installed(const std::string& program) {
-    const char* const path = std::getenv("PATH");
-    std::istringstream folders(path == nullptr ? "" : path);
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        std::error_code none;
-        if (std::filesystem::is_regular_file(std::filesystem::path(folder) / program, none))
-            return true;
-    }
-    return false;
 }
 
 /// The program of the case that is debugged, by a name that an editor's settings can have.
@@ -139,28 +122,6 @@ Command debugger_of(long calls) {
     return command;
 }
 
-/// The sanitizers' first error: its line, and the first places in the student's files.
-std::string sanitizer_error(const std::string& output) {
-    constexpr std::size_t most_places = 4;
-    std::string error;
-    std::string places;
-    std::size_t count = 0;
-    for (const std::string& line : lines_of(output)) {
-        const std::size_t student = line.find("/student/");
-        if (error.empty()) {
-            const std::size_t file = line.find("steps/step");
-            if (line.find(": runtime error: ") != std::string::npos)
-                error = line.substr(file == std::string::npos ? 0 : file);
-            else if (const std::size_t at = line.find("ERROR: "); at != std::string::npos)
-                error = line.substr(at + 7, line.find(" on ", at) - at - 7);
-        } else if (student != std::string::npos && line.find("steps/step") < student &&
-                   ++count <= most_places) {
-            places += "\n    " + line.substr(line.find("steps/step"));
-        }
-    }
-    return error.empty() ? "" : error + places;
-}
-
 }  // namespace
 
 int debug(int stage, const std::string& words, bool starts) {
@@ -179,35 +140,6 @@ int debug(int stage, const std::string& words, bool starts) {
                           : "The debugger stops where the program ends.");
     std::fflush(stdout);
     return starts ? run_process(debugger_of(calls)) : 0;
-}
-
-int check_with_sanitizers(int stage) {
-    const Workbook workbook(stage);
-    if (workbook.files().empty())
-        throw InputError(
-            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
-    setenv("ASAN_OPTIONS", "handle_abort=1:detect_container_overflow=0", 1);
-    const bool has_functions = workbook.files().size() > (workbook.has_trace() ? 1U : 0U);
-    for (const char* const suite : {"", "_trace"}) {
-        if (*suite == '\0' ? !has_functions : !workbook.has_trace()) continue;
-        for (const char* const word : {"double", "float"}) {
-            const std::string target =
-                stage_target(stage, std::string(suite) + "_sanitized_" + word);
-            build({target});
-            const SuiteResult result = run_suite(target);
-            std::string error = sanitizer_error(result.output);
-            if (!result.ended.empty()) error = "your code " + result.ended + "\n" + error;
-            if (error.empty()) continue;
-            std::printf("%s, in %s\n%s\n",
-                        result.cases.empty() ? "" : result.cases.back().name.c_str(), word,
-                        error.c_str());
-            return 1;
-        }
-    }
-    std::puts(
-        "The sanitizers find no error: no index out of range, no use of memory that is gone, "
-        "no undefined operation.");
-    return 0;
 }
 
 }  // namespace rt

@@ -1,4 +1,4 @@
-// `./course debug`: a debugger at the call that fails. `check --sanitize`: the sanitizers' report.
+// `./course debug`: a debugger at the call that fails.
 #pragma once
 
 #include <string>
@@ -11,10 +11,5 @@ namespace rt {
 /// InputError without a debugger, such a case or a failure. Returns the debugger's exit status.
 /// Unless it `starts` one, it only prepares the program, for an editor (.vscode/launch.json).
 int debug(int stage, const std::string& words, bool starts);
-
-/// Runs the suites with the student's files compiled with AddressSanitizer and
-/// UndefinedBehaviorSanitizer, and prints the first error that these find. Returns 0 if there is
-/// none, else 1.
-int check_with_sanitizers(int stage);
 
 }  // namespace rt

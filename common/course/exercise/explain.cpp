@@ -91,9 +91,7 @@ void explain_failing_question(const ComparisonRequest& contest) {
     const std::string number = std::to_string(contest.stage);
     std::vector<CaseResult> results;
     for (const char* suite : {"_test_double", "_trace_test_double"}) {
-        const std::filesystem::path report = report_of(stage_target(contest.stage, suite));
-        if (!std::filesystem::exists(report)) continue;
-        const std::vector<CaseResult> more = read_report(read_text(report));
+        const std::vector<CaseResult> more = last_results(stage_target(contest.stage, suite));
         results.insert(results.end(), more.begin(), more.end());
     }
     const std::optional<FailingQuestion> question =

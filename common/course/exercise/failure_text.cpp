@@ -108,9 +108,7 @@ bool starts_answer(const std::string& line) {
 int digits_to_tell_apart(const std::string& got, const std::string& expected) {
     const auto answer = [](const std::string& line, int digits) {
         const std::size_t start = line.find_first_not_of(' ', line.find(':') + 1);
-        return with_numbers(
-            line.substr(std::min(start, line.size())),
-            [digits](const std::string& number) { return rounded(number, digits); });
+        return with_digits(line.substr(std::min(start, line.size())), digits);
     };
     int digits = least_digits;
     while (digits < most_digits && answer(got, digits) == answer(expected, digits)) ++digits;
@@ -122,12 +120,17 @@ bool starts_entry(const std::string& line) {
     return line.starts_with("  ") && !line.starts_with("    ");
 }
 
-/// True for the entries that say how to ask again.
+/// True for the entries by which the question is asked again: the line to paste and the seed.
 bool is_for_later(const std::string& line) {
     return line.starts_with("  paste: ") || line.starts_with("  random: ");
 }
 
 }  // namespace
+
+std::string with_digits(const std::string& text, int digits) {
+    return with_numbers(text,
+                        [digits](const std::string& number) { return rounded(number, digits); });
+}
 
 std::string brief_code(const std::string& code) {
     return with_numbers(without_casts(without_defaults(code)), brief_number);
@@ -147,9 +150,7 @@ std::vector<std::string> failure_lines(const std::string& failure, bool complete
         if (starts_entry(line)) is_later = is_for_later(line);
         if (is_later && !complete) continue;
         if (starts_answer(line))
-            shown.push_back(with_numbers(without_casts(line), [digits](const std::string& number) {
-                return rounded(number, digits);
-            }));
+            shown.push_back(with_digits(without_casts(line), digits));
         else
             shown.push_back(is_call ? brief_code(line) : line);
     }

@@ -6,13 +6,16 @@
 
 namespace rt {
 
+/// The text with at most this many digits of each number that has a point or an exponent.
+[[nodiscard]] std::string with_digits(const std::string& text, int digits);
+
 /// C++ of a call without what it does not show: fields with their default values, and digits of
 /// numbers that are rounded. It is to be read: a line to paste is kept as it is.
 [[nodiscard]] std::string brief_code(const std::string& code);
 
-/// The lines of a failure. The call is brief; the numbers of the answer that came and of the one
-/// expected have six digits, or as many as it takes to tell them apart. Unless `complete`, the
-/// lines to paste and the seed are left out.
+/// The lines of a failure. The call is brief. The numbers of the student's answer and of the
+/// expected one have six digits, or more until the two answers differ. Unless `complete`, the lines
+/// to paste and the seed are left out.
 [[nodiscard]] std::vector<std::string> failure_lines(const std::string& failure, bool complete);
 
 /// The number of characters of the call, which comes before what it answered.

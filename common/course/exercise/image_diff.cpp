@@ -97,8 +97,8 @@ struct Moments {
         sum += difference;
         squares += difference * difference;
     }
-    /// Of n independent differences of either sign, the sum is about as large as the root of the
-    /// sum of squares; of n differences of one sign, √n times as large.
+    /// True if the sum is as large as for independent differences of either sign, for which it is
+    /// about the root of the sum of squares. For n differences of one sign it is √n times that.
     [[nodiscard]] bool is_random() const {
         constexpr double deviations = 4.5;
         return std::abs(sum) <= deviations * std::sqrt(squares);

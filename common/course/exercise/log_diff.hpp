@@ -24,12 +24,13 @@ struct LogDiff {
     /// The student's `trace` logs no shape: it has a loop of its own, without ClosestHit. The
     /// reference's sections about shapes are left out.
     bool has_own_loop = false;
-    /// Of a loop of the student's, whose calls are logged: "t = 4: Sphere{…}" for each hit, the
-    /// closest first.
+    /// The hits of a student's own loop whose calls are logged, the closest first: "t = 4:
+    /// Sphere{…}".
     std::vector<std::string> hits_of_loop = {};
 };
 
-/// What writes the lines about shapes in the student's explanation.
+/// The code that logs the tests of shapes in the student's explanation: ClosestHit, or the calls of
+/// `intersect` in the student's own loop.
 enum class Writer { queries, own_loop };
 
 /// Two explanations, line by line. Numbers that differ by rounding alone are equal. The interval of

@@ -1,15 +1,12 @@
 #include "common/course/exercise/log_text.hpp"
 
+#include "common/course/exercise/failure_text.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <regex>
 
 namespace rt {
 
@@ -20,20 +17,9 @@ std::string line(const std::string& whose, const std::string& words) {
     return (whose.empty() ? label : styled(label, Style::bold)) + words + "\n";
 }
 
-/// The text with at most 7 digits of each number.
 std::string shortened(const std::string& text) {
-    static const std::regex number(R"(\d+\.\d+(e[-+]?\d+)?)");
-    std::string shown;
-    auto from = text.cbegin();
-    for (std::sregex_iterator each(text.begin(), text.end(), number), end; each != end; ++each) {
-        std::array<char, 32> digits{};
-        std::snprintf(digits.data(), digits.size(), "%.7g",
-                      std::strtod(each->str().c_str(), nullptr));
-        shown.append(from, text.cbegin() + each->position());
-        shown += digits.data();
-        from = text.cbegin() + each->position() + each->length();
-    }
-    return shown.append(from, text.cend());
+    constexpr int digits = 7;
+    return with_digits(text, digits);
 }
 
 std::string lines(const LogRow& row) {

@@ -169,9 +169,9 @@ void show_next_step(const Workbook& workbook, const Findings& findings, bool dra
     if (findings.judgment.right() && !draws) {
         std::puts("The cases pass, but not the picture: see above.");
     } else if (findings.judgment.right()) {
-        if (stage < int(stage_names.size()))
+        if (const auto next = next_stage(stage))
             std::printf("Next: ./course %s %d\n",
-                        Workbook(stage + 1).files().empty() ? "start" : "check", stage + 1);
+                        Workbook(*next).files().empty() ? "start" : "check", *next);
     } else {
         const auto unwritten =
             std::find_if(judged.unwritten.begin(), judged.unwritten.end(),

@@ -1,4 +1,4 @@
-// What `./course check` prints: one screen, or with --all everything.
+// The output of `./course check`: one screen, or with --all every result.
 #pragma once
 
 #include "common/course/exercise/diagnosis.hpp"
@@ -8,7 +8,7 @@
 
 namespace rt {
 
-/// What is known after a check.
+/// The results of a check, the diagnosis, and the part to mend first.
 struct Findings {
     Judgment judgment;
     Diagnosis diagnosis;

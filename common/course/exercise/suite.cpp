@@ -29,6 +29,12 @@ std::string meaning_of(const std::string& crash) {
 
 }  // namespace
 
+std::vector<CaseResult> last_results(const std::string& program) {
+    const std::filesystem::path report = report_of(program);
+    if (!std::filesystem::exists(report)) return {};
+    return read_report(read_text(report));
+}
+
 std::string take_assertion(std::string& output) {
     struct Cause {
         const char* condition;

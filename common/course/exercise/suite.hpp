@@ -20,6 +20,9 @@ struct SuiteResult {
 /// The report that `run_suite` leaves.
 [[nodiscard]] std::filesystem::path report_of(const std::string& program);
 
+/// The results that are left of a program that run_suite has run; empty if there are none.
+[[nodiscard]] std::vector<CaseResult> last_results(const std::string& program);
+
 /// The sentence for an assertion of the standard library, as g++'s and clang++'s print it, or of
 /// the student's own, with its place; empty without one. Its line is taken from the output.
 [[nodiscard]] std::string take_assertion(std::string& output);

@@ -100,7 +100,8 @@ bool is_trace(const std::string& part) {
     return part == "trace" || part == "render";
 }
 
-/// What a failing case adds to the failures.
+/// The failures by which a case is compared with known mistakes: its name, or for `trace` the
+/// digests of its questions. A case that passes, and a picture, has none.
 std::set<std::string> failures_of(const CaseResult& result) {
     if (result.passed || is_picture(result.name)) return {};
     if (is_trace(result.part)) return questions_in(result.failures);

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace rt {
@@ -70,12 +71,12 @@ private:
 
     /// To the next stage, which is started if it is not, and if this one passes.
     void go_on() {
-        const bool is_last = stage_ == int(stage_names.size());
+        const std::optional<int> next = next_stage(stage_);
         const bool is_done = Workbook(stage_).state() == State::done;
         show([&] {
             if (!is_done) throw InputError({}, name_of(stage_) + " does not pass yet");
-            if (is_last) throw InputError({}, "this is the last stage");
-            ++stage_;
+            if (!next) throw InputError({}, "this is the last stage");
+            stage_ = *next;
             if (Workbook(stage_).files().empty()) start(stage_);
             check_again();
         });

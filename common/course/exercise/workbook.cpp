@@ -184,6 +184,11 @@ int current_stage() {
     return untouched.value_or(last);
 }
 
+std::optional<int> next_stage(int stage) {
+    if (stage == int(stage_names.size()) || !is_here(stage + 1)) return std::nullopt;
+    return stage + 1;
+}
+
 std::vector<int> started_before(int stage) {
     std::vector<int> started;
     for (int other = 1; other < std::max(stage, scene_stage + 1); ++other)

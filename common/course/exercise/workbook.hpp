@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,9 @@ private:
 /// The student's current stage: the first that is started and not done, else the first that is not
 /// started; the last if all are done.
 [[nodiscard]] int current_stage();
+
+/// The stage after this one, if this copy of the project has it: a hand-out may leave it out.
+[[nodiscard]] std::optional<int> next_stage(int stage);
 
 /// The other stages with files of the student's that a program of this stage can use.
 [[nodiscard]] std::vector<int> started_before(int stage);

@@ -1,7 +1,6 @@
 #include "common/course/handout/selection.hpp"
 
 #include "common/course/exercise/hints.hpp"
-#include "common/stages/stages.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
 

@@ -1,6 +1,8 @@
 // What a lecturer leaves out of a hand-out.
 #pragma once
 
+#include "common/stages/stages.hpp"
+
 #include <string>
 
 namespace rt {
@@ -8,7 +10,7 @@ namespace rt {
 /// How much of the help, and which of the stages, students get.
 struct Selection {
     int first_stage = 1;
-    int last_stage = 13;
+    int last_stage = int(stage_names.size());
     int hints = 3;        ///< levels of hints: 0 to 3
     bool answers = true;  ///< to the questions of the pages
 };

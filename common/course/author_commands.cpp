@@ -1,0 +1,55 @@
+// The commands for lecturers and for authors of stages.
+#include "common/course/command_line.hpp"
+
+#include "common/course/authoring/audit.hpp"
+#include "common/course/authoring/measure.hpp"
+#include "common/course/exercise/hints.hpp"
+#include "common/course/exercise/run.hpp"
+#include "common/course/handout/handout.hpp"
+#include "common/course/handout/update.hpp"
+
+namespace rt {
+
+void Commands::add_author_commands() {
+    using Rest = const Command&;
+    add("update NEW", "install a newer hand-out, folder or archive; your files stay",
+        [this](Rest) { return update(words_.place); })
+        ->add_option("NEW", words_.place, "the hand-out")
+        ->required()
+        ->type_name("");
+    add("audit", "test that each stage is complete", [](Rest) { return audit(); })->group(authors);
+    add("measure [STUDY…]",
+        "measure speed against accuracy on this machine: docs/reference/accuracy.md", measure)
+        ->allow_extras()
+        ->group(authors);
+    // The grader answers --help.
+    add("grade SUBMISSIONS… --out DIR", "grade in a sandbox; --help lists options", run_grader)
+        ->prefix_command()
+        ->group(authors)
+        ->set_help_flag();
+    CLI::App* handout_command =
+        add("handout DIR", "write a copy without the solutions, for students; or DIR.tar.gz",
+            [this](Rest) { return hand_out(words_.place, words_.also, words_.selection); });
+    handout_command->group(authors);
+    handout_command->add_option("DIR", words_.place, "a new folder or archive")
+        ->required()
+        ->type_name("");
+    handout_command
+        ->add_option("--also", words_.also,
+                     "another processor that it is for, too: aarch64 or x86_64")
+        ->type_name("PROCESSOR");
+    handout_command
+        ->add_option_function<std::string>(
+            "--stages",
+            [this](const std::string& stages) { select_stages(words_.selection, stages); },
+            "those whose pages, hints and starters students get: 1-8")
+        ->type_name("A-B");
+    handout_command->add_option("--hints", words_.selection.hints, "levels of hints, 0 to 3")
+        ->check(CLI::Range(0, hint_levels).description(""))
+        ->type_name("LEVELS");
+    handout_command->add_flag_callback(
+        "--without-answers", [this] { words_.selection.answers = false; },
+        "without the answers to the pages' questions");
+}
+
+}  // namespace rt
