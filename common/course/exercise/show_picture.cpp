@@ -21,8 +21,6 @@ namespace rt {
 namespace {
 
 constexpr std::chrono::seconds picture_limit{20};
-constexpr int first_with_samples =
-    11;  // the stage from which on colors are means of random samples
 
 /// More than many machines have cores, so that threads take turns at any place of a pixel.
 constexpr int several_threads = 4;
@@ -91,7 +89,7 @@ bool show_picture(int stage, bool is_wrong) {
     const std::string shown = "renders/" + name + "_compare.png";
     write_png((project_folder / shown).string(), magnified(comparison.side_by_side, magnification),
               {});
-    const bool has_noise = stage >= first_with_samples && is_noise(mine, reference);
+    const bool has_noise = stage >= soft_shadow_stage && is_noise(mine, reference);
     const std::string result = comparison.different == 0 && is_wrong
                                    ? "the same picture: this scene does not show what is wrong"
                                : has_noise ? summary(comparison) +
