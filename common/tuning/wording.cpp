@@ -12,7 +12,8 @@ std::string number(double value) {
 }
 
 std::string levels(double value) {
-    return number(value) + (value == 1 ? " level" : " levels");
+    const std::string text = number(value);
+    return text + (text == "1" ? " level" : " levels");
 }
 
 double two_digits(double value) {

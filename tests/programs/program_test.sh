@@ -240,10 +240,12 @@ done
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --tolerance 4 --samples 2 > out
 grep -q "^  equivalent .* --samples 2 --shadow-samples" out || fail "--tolerance keeps --samples"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.5 > out
-unmeasured='^  expected .*an error that there is no time to measure'  # on a busy machine
-grep -q -e '; 99 of 100 pixels within [0-9.]* of 255' -e "$unmeasured" out || fail "--time tells the error"
+# On a busy machine there is no time to measure it, or the rows come too late for what was measured.
+measured='^  expected .*, and 99 of 100 pixels within [0-9.]* levels\{0,1\} of '
+unmeasured='^  expected .*an error that there is no time to measure'
+grep -q -e "$measured" -e "$unmeasured" out || fail "--time tells the error"
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --time 0.001 > out
-grep -q "$unmeasured" out && ! grep -q 'of 255' out || fail "--time tells no error that was not measured"
+grep -q "$unmeasured" out && ! grep -q 'pixels within' out || fail "--time tells no error that was not measured"
 printf 'C 0,0,0 0,0,-1 60\npl 0,0,-5 0,0,1 255,0,0\n' > wall.rt
 "$build/step04_plane" wall.rt -o 1.png --size 8x6 --shade id > out
 grep -q 'plane 1, 100 % of the pixels' out || fail "--shade id tells the share of all pixels"
@@ -255,8 +257,9 @@ done
 # No smaller one than its trials can show.
 printf 'C 0,0,5 0,0,-1 60\nL 0,9,0 0.5 255,255,255 radius:1\nsp 0,0,0 2 255,0,0\n' > lone.rt
 "$build/step11_soft_shadows" lone.rt -o 1.png --size 40x30 --time 0.1 --samples 1 > out
-bound=$(sed -n 's/.*pixels within \([0-9.e+-]*\) of 255.*/\1/p' out)
-awk "BEGIN { exit !($bound >= 0.5) }" || fail "--time promises an error of $bound"
+for bound in $(sed -n 's/.*pixels within \([0-9.e+-]*\) .*/\1/p' out); do
+    awk "BEGIN { exit !($bound >= 0.5) }" || fail "--time promises an error of $bound"
+done
 "$build/step05_triangle" "$scenes/one_sphere.rt" --tolerance 1 --quiet -o 1.png > out
 [ ! -s out ] || fail "--quiet is quiet about choices"
 
