@@ -9,7 +9,9 @@
 
 #include "steps/step08_cone/all_shapes.hpp"
 
+#include "tests/documents/page.hpp"
 #include "tests/kit/for_all.hpp"
+#include "tests/kit/picture.hpp"
 
 #include <cmath>
 #include <limits>
@@ -49,6 +51,12 @@ std::string code(const Probe& probe) {
 
 std::string explain(PixelLog& /*story*/, const Ray& /*ray*/, const Probe& probe) {
     return probe.t ? "" : "it is nowhere";
+}
+
+std::string seen_in(const Scene& scene) {
+    std::string all;
+    for (const Advice& row : advice(scene)) all += (all.empty() ? "" : ", ") + row.seen;
+    return all;
 }
 
 const Ray along_x{.origin = {0, 0, 0}, .direction = {1, 0, 0}};
@@ -115,6 +123,51 @@ TEST_CASE("a sky is required from stage 3 on, which shows it") {
         REQUIRE(needs.size() == 1);
         CHECK((needs[0].what == "1 sky" && needs[0].stage == 3));
     }
+}
+
+TEST_CASE("advice: what a scene has decides the rows, which are those of the page") {
+    const Camera camera{.position = {0, 0, 10}, .direction = {0, 0, -1}, .fov = 1};
+    const auto balls = [](std::size_t count, double mirror) {
+        return PrimitiveList<Sphere>(std::vector<Primitive<Sphere>>(
+            count,
+            {.shape = {.center = {0, 0, 0}, .radius = 1}, .material = {.mirror = Real(mirror)}}));
+    };
+    Scene scene;
+    scene.cameras = {camera};
+    scene.lights = {Light{}};
+    scene.spheres = balls(1, 0.8);
+    CHECK(seen_in(scene) == "edges");  // a ball does not see itself
+    scene.planes = {
+        {.shape = {.point = {0, -2, 0}, .normal = {0, 1, 0}}, .material = {.mirror = Real(0.5)}}};
+    CHECK(seen_in(scene) == "edges, mirrors");
+    CHECK(advice(scene).back().mends == "--depth 24");  // 255 * 0.8^25 < 1 < 255 * 0.8^24
+    scene.spheres = balls(1, 0.5);
+    CHECK(seen_in(scene) == "edges");  // 255 / 2^9 < 1
+    scene.spheres = balls(1, 0.8);
+    scene.lights.push_back(Light{.radius = 1});
+    CHECK(seen_in(scene) == "edges, a lamp with a size, mirrors");
+    scene.mesh_requests.resize(1);
+    CHECK(seen_in(scene) == "edges, a lamp with a size, mirrors, a mesh");
+    scene.spheres = balls(100, 0.8);
+    CHECK(seen_in(scene) ==
+          "edges, a lamp with a size, mirrors, surfaces in one place, many shapes, a mesh");
+    scene.spheres.push_back({.shape = {.center = {0, 0, 0}, .radius = Real(1e-3)}, .material = {}});
+    scene.cameras[0].position = {0, 0, Real(1e4)};
+    const std::vector<Advice> rows = advice(scene);
+    CHECK(rows.size() == 8);
+
+    std::string page;
+    for (const PageLine& line : read_page(project_file("docs/reference/accuracy.md")))
+        page += line.text + "\n";
+    std::erase(page, '`');
+    for (const auto& [seen, wrong, mends, costs] : rows) {
+        const std::string row =
+            "\n| " + seen + " | " + wrong + " | " + mends + " | " + costs + " |";
+        CAPTURE(row);
+        CHECK(page.find(row) != std::string::npos);
+    }
+    std::istringstream lines(explanation(scene));
+    for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 80);
 }
 
 TEST_CASE("a turning camera goes counterclockwise around the middle, and looks at the same place") {
