@@ -137,18 +137,34 @@ def report(catalogue):
 
 
 def write_messages(template):
-    """What ./course prints: the arguments of tr and to_translate, and the descriptions of commands. False
-    if there is no such source."""
-    sources = [source for source in sorted(project.glob("common/course/**/*.cpp"))
-               if "common/system/translation.hpp" in source.read_text(encoding="utf-8")]
+    """What ./course prints: the arguments of tr and to_translate, the descriptions of commands and options,
+    the sentences of its script, and printed.txt. False if there is no such source."""
+    of_student = re.compile(r"\b(tr|to_translate|add_student_commands|add_author_commands)\(")
+    sources = [source for source in sorted(project.glob("common/course/**/*.?pp"))
+               if of_student.search(source.read_text(encoding="utf-8"))]
     if not sources:  # the book without the program
         return False
-    keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2"]
+    keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3"]
     subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
                     "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
     text = template.read_text(encoding="utf-8").replace("charset=CHARSET", "charset=UTF-8")
+    for sentence in sentences_of_script() + sentences_elsewhere():
+        entry = f"\nmsgid {json.dumps(sentence, ensure_ascii=False)}\nmsgstr \"\"\n"
+        text += "" if entry in text else entry
     template.write_text(text, encoding="utf-8")
     return True
+
+
+def sentences_of_script():
+    """The arguments of its functions text and fail."""
+    script = project / "course"
+    return re.findall(r'\b(?:text|fail) "([^"$]+)"', script.read_text(encoding="utf-8")) if script.exists() else []
+
+
+def sentences_elsewhere():
+    """common/course/printed.txt: what suites and stages' programs print."""
+    lines = (project / "common/course/printed.txt").read_text(encoding="utf-8").splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
 
 
 def sentences_of(stage):
@@ -157,6 +173,8 @@ def sentences_of(stage):
     for suite in sorted([*project.glob(f"tests/suites/{stage}*_test.cpp"), *project.glob(f"tests/suites/{stage}/*.cpp")]):
         for name in re.findall(r'TEST_CASE\(\s*((?:"(?:[^"\\]|\\.)*"\s*)+)', suite.read_text(encoding="utf-8")):
             found.append("".join(json.loads(part) for part in re.findall(r'"(?:[^"\\]|\\.)*"', name)))
+        found += [part for part in re.findall(r"\[part ([^\]]+)\]", suite.read_text(encoding="utf-8"))
+                  if not re.fullmatch(r"\w+|together", part) or part == "together"]
     for mistakes in sorted(project.glob(f"tests/mistakes/{stage}*.txt")):
         found += re.findall(r"(?m)^sentence: (.*)$", mistakes.read_text(encoding="utf-8"))
     return list(dict.fromkeys(found))

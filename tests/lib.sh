@@ -49,3 +49,31 @@ until_true() {
         sleep 0.05
     done
 }
+
+# in_french STATUS WORDS…: runs ./course in a French terminal. No line has a word of an English sentence.
+in_french() {
+    for variable in RAYSTEPS_LANG LC_ALL LC_MESSAGES; do unset $variable; done
+    LANG=fr_FR.UTF-8
+    export LANG
+    course "$@"
+    RAYSTEPS_LANG=en
+    export RAYSTEPS_LANG
+    ! grep -nwiE 'about|and|are|by|cannot|came|does|has|have|is|it|its|more|not|of|than|that|the|this|to|was|with|your' \
+        "$folder/out" > "$folder/err" || fail "no English sentence: course $*"
+    rm -f "$folder/err"
+}
+
+# french_session STAGE SOLUTION [MAIN]: from the starter to a passed check with these files.
+french_session() {
+    in_french 0
+    in_french 0 start "$1"
+    in_french 1 check "$1"
+    says "Pas encore écrit"
+    in_french 1 check "$1" --all
+    in_french 0 hint "$1"
+    files=$(echo steps/step0"$1"_*/student)
+    cp "$2" "$files"
+    [ $# = 2 ] || cp "$3" "$files/main.cpp"
+    in_french 0 check "$1"
+    says "en float et en double"
+}

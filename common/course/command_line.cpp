@@ -34,6 +34,12 @@ std::vector<std::string> stage_words() {
     return words;
 }
 
+/// " Did you mean check?"
+std::string suggested(const std::string& word, const std::vector<std::string>& known) {
+    const std::string sentence = suggestion(word, known);
+    return sentence.empty() ? "" : " " + tr_text(sentence.substr(1));
+}
+
 /// True for a command that only a clone has and this is a hand-out, or the other way round.
 bool is_missing(const std::string& command) {
     constexpr std::array<std::string_view, 5> of_clones = {"solution", "audit", "measure", "grade",
@@ -47,16 +53,17 @@ bool is_missing(const std::string& command) {
 int parse_stage(const std::string& text) {
     const std::optional<int> stage = text.empty() ? current_stage() : find_stage(text);
     if (!stage)
-        throw InputError({}, "no stage \"" + text + "\": give a number 1 to " +
-                                 std::to_string(stage_names.size()) +
-                                 " or a name like step05_triangle." +
-                                 suggestion(text, stage_words()));
-    if (!is_here(*stage))
-        throw InputError({}, std::string(stage_name(*stage)) + " is not part of this hand-out");
+        throw InputError({}, tr("no stage \"{word}\": give a number 1 to {last} or a name like "
+                                "step05_triangle.",
+                                {{"word", text}, {"last", std::to_string(stage_names.size())}}) +
+                                 suggested(text, stage_words()));
+    const Values values = {{"stage", name_of(*stage)}};
+    if (!is_here(*stage)) throw InputError({}, tr("{stage} is not part of this hand-out", values));
     if (*stage == mesh_stage && !has_meshes)
-        throw InputError({}, std::string(stage_name(*stage)) +
-                                 " needs OpenMesh: libopenmesh-dev, or what your system "
-                                 "calls it");
+        throw InputError({},
+                         tr("{stage} needs OpenMesh: libopenmesh-dev, or what your system calls "
+                            "it",
+                            values));
     return *stage;
 }
 
@@ -78,10 +85,17 @@ void show_help(const CLI::App& command) {
 
 Commands::Commands() {
     app_.require_subcommand(0, 1);
-    app_.get_formatter()->label("REQUIRED", "(required)");
-    app_.get_formatter()->label("Needs", "with");
+    for (const auto& [of_cli, word] :
+         {std::pair("REQUIRED", to_translate("(required)")),
+          std::pair("Needs", to_translate("with")), std::pair("Excludes", to_translate("without")),
+          std::pair("Usage", to_translate("Usage")), std::pair("Options", to_translate("Options")),
+          std::pair("Positionals", to_translate("Arguments"))})
+        app_.get_formatter()->label(of_cli, tr(word));
     add_student_commands();
     add_author_commands();
+    for (CLI::App* command : app_.get_subcommands({}))
+        for (CLI::Option* option : command->get_options())
+            option->description(tr(option->get_description()));
 }
 
 CLI::App* Commands::add(const std::string& usage, const std::string& description,
@@ -106,10 +120,11 @@ CLI::App* Commands::add_of_program(const std::string& usage, const std::string& 
         const CLI::App& command = *app_.get_subcommands()[0];
         show_help(command);
         const bool is_run = command.get_name() == "run";  // which builds the program
-        std::printf(
-            "The other options are those of the stage's program%s\n",
-            is_run ? ":\n"
-                   : (": ./course run " + std::to_string(stage()) + " --help lists them.").c_str());
+        std::puts((is_run ? tr("The other options are those of the stage's program:") + "\n"
+                          : tr("The other options are those of the stage's program: ./course run "
+                               "{stage} --help lists them.",
+                               {{"stage", std::to_string(stage())}}))
+                      .c_str());
         if (!is_run) return 0;
         std::fflush(stdout);
         return run_stage(stage(), {"--help"}, "");
@@ -166,8 +181,9 @@ std::vector<std::string> Commands::command_names() const {
 void Commands::refuse(const CLI::ParseError& error, const std::string& first) const {
     const auto chosen = app_.get_subcommands();
     if (chosen.empty())
-        throw InputError({}, "no command \"" + first + "\": ./course lists the commands." +
-                                 suggestion(first, command_names()));
+        throw InputError(
+            {}, tr("no command \"{word}\": ./course lists the commands.", {{"word", first}}) +
+                    suggested(first, command_names()));
     const std::string name = chosen[0]->get_name();
     const std::vector<std::string> unexpected = app_.remaining(true);
     if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || unexpected.empty())
@@ -177,8 +193,10 @@ void Commands::refuse(const CLI::ParseError& error, const std::string& first) co
     for (const std::string& word : unexpected) words += " " + word;
     for (const CLI::Option* option : chosen[0]->get_options())
         options.push_back(option->get_name());
-    throw InputError({}, name + ": not expected:" + words + "; ./course " + name +
-                             " --help lists the options." + suggestion(unexpected[0], options));
+    throw InputError({}, tr("{command}: not expected:{words}; ./course {command} --help lists the "
+                            "options.",
+                            {{"command", name}, {"words", words}}) +
+                             suggested(unexpected[0], options));
 }
 
 int Commands::run(int argc, char** argv) {

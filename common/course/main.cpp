@@ -3,6 +3,7 @@
 #include "common/course/command_line.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
 #include <csignal>
 #include <iostream>
@@ -15,11 +16,11 @@ int main(int argc, char** argv) {
         rt::finish_output();
         return status;
     } catch (const rt::InputError& error) {
-        std::cerr << error.what() << '\n';
+        std::cerr << rt::tr_text(error.what()) << '\n';
     } catch (const rt::ProgramError& error) {
         std::cerr << error.what();
     } catch (const std::exception& error) {  // from the system: a folder of another user
-        std::cerr << "error: " << error.what() << '\n';
+        std::cerr << rt::tr_text(std::string("error: ") + error.what()) << '\n';
     }
     return 2;
 }

@@ -17,6 +17,7 @@
 #include "common/course/own/check_own.hpp"
 #include "common/course/own/lay_out.hpp"
 #include "common/course/view/view.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/two_numbers.hpp"
 
 #include <algorithm>
@@ -188,7 +189,7 @@ void Commands::add_student_commands() {
         [this](Rest rest) {
             if (!wants_help(rest)) return test(rest);
             show_help(*app_.get_subcommands()[0]);
-            std::puts("Such as -R NAME, --rerun-failed; ctest --help lists them.");
+            std::puts(tr("Such as -R NAME, --rerun-failed; ctest --help lists them.").c_str());
             return 0;
         })
         ->prefix_command()

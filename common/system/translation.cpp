@@ -2,8 +2,11 @@
 
 #include "common/system/files.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <map>
+#include <utility>
 
 namespace rt {
 
@@ -12,6 +15,71 @@ namespace {
 std::map<std::string, std::string>& translations() {
     static std::map<std::string, std::string> all;
     return all;
+}
+
+/// The place that begins there, with its braces: "{some}" of "{some} of {all}", or nothing.
+std::string place_at(const std::string& sentence, std::size_t at) {
+    if (sentence[at] != '{') return "";
+    const std::size_t end = sentence.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", at + 1);
+    if (end == std::string::npos || end == at + 1 || sentence[end] != '}') return "";
+    return sentence.substr(at, end + 1 - at);
+}
+
+/// A sentence with places, as the words before each of them and behind the last.
+struct Pattern {
+    std::string sentence;
+    std::vector<std::string> words = {""};
+    std::vector<std::string> places = {};
+    std::size_t length = 0;  ///< of the words
+};
+
+std::vector<Pattern>& patterns() {
+    static std::vector<Pattern> all;
+    return all;
+}
+
+Pattern pattern_of(const std::string& sentence) {
+    Pattern pattern{.sentence = sentence};
+    for (std::size_t i = 0; i < sentence.size();) {
+        const std::string place = place_at(sentence, i);
+        if (place.empty()) {
+            pattern.words.back() += sentence[i++];
+            ++pattern.length;
+            continue;
+        }
+        pattern.places.push_back(place.substr(1, place.size() - 2));
+        pattern.words.emplace_back();
+        i += place.size();
+    }
+    return pattern;
+}
+
+/// False for a sentence that any text may fit: "{what}, of {all}".
+bool tells_apart(const Pattern& pattern) {
+    constexpr int few = 4;
+    int letters = 0;
+    for (const std::string& words : pattern.words)
+        letters += int(std::count_if(words.begin(), words.end(),
+                                     [](unsigned char c) { return std::isalpha(c) != 0; }));
+    return !pattern.words.front().empty() || letters >= few;
+}
+
+/// The values in the pattern's places, each as short as possible, but not empty; or nothing if the
+/// text does not fit.
+Values values_in(const std::string& text, const Pattern& pattern) {
+    const std::string& end = pattern.words.back();
+    if (!text.starts_with(pattern.words.front()) || !text.ends_with(end)) return {};
+    Values values;
+    std::size_t at = pattern.words.front().size();
+    for (std::size_t i = 0; i < pattern.places.size(); ++i) {
+        const bool is_last = i + 1 == pattern.places.size();
+        const std::size_t next =
+            is_last ? text.size() - end.size() : text.find(pattern.words[i + 1], at + 1);
+        if (next == std::string::npos || next <= at) return {};
+        values.emplace_back(pattern.places[i], text.substr(at, next - at));
+        at = next + pattern.words[i + 1].size();
+    }
+    return values;
 }
 
 /// The text of a line's quotes: "a \"word\"\n".
@@ -28,6 +96,12 @@ std::string unquoted(const std::string& line) {
         text += line[i] == 'n' ? '\n' : line[i] == 't' ? '\t' : line[i];
     }
     return text;
+}
+
+void add_translation(const std::string& english, const std::string& own) {
+    translations().insert({english, own});
+    Pattern pattern = pattern_of(english);
+    if (!pattern.places.empty() && tells_apart(pattern)) patterns().push_back(std::move(pattern));
 }
 
 }  // namespace
@@ -71,7 +145,7 @@ void read_translations(const std::filesystem::path& catalogue) {
         const std::string english = catalogue_text(entry, "msgid");
         const std::string own = catalogue_text(entry, "msgstr");
         if (flags.find(", fuzzy") == std::string::npos && !english.empty() && !own.empty())
-            translations().insert({english, own});
+            add_translation(english, own);
     }
 }
 
@@ -98,6 +172,23 @@ std::string tr(const std::string& english, const Values& values) {
         i += values[which].first.size() + 2;
     }
     return text;
+}
+
+std::string tr_text(const std::string& text) {
+    const auto found = translations().find(text);
+    if (found != translations().end()) return found->second;
+    const Pattern* best = nullptr;
+    Values values;
+    for (const Pattern& pattern : patterns()) {
+        if (best != nullptr && pattern.length <= best->length) continue;
+        Values those = values_in(text, pattern);
+        if (those.empty()) continue;
+        best = &pattern;
+        values = std::move(those);
+    }
+    if (best == nullptr) return text;
+    for (auto& [place, value] : values) value = tr_text(value);
+    return tr(best->sentence, values);
 }
 
 std::string paragraphs_translated(const std::string& english) {

@@ -37,6 +37,11 @@ using Values = std::vector<std::pair<std::string_view, std::string>>;
 /// The same with values in the places of a sentence: tr("{some} of {all}", {{"some", "3"}, …}).
 [[nodiscard]] std::string tr(const std::string& english, const Values& values);
 
+/// The translation of a text that was put together elsewhere, by a suite or a stage's program: of
+/// an entry that is the text, or that the text fits with values in its places. "a hit at t = 4"
+/// fits "a hit at t = {t}". The values are translated too, and what has no translation stays.
+[[nodiscard]] std::string tr_text(const std::string& text);
+
 /// A text whose paragraphs, between empty lines, are translated.
 [[nodiscard]] std::string paragraphs_translated(const std::string& english);
 

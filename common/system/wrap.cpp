@@ -25,6 +25,10 @@ bool opens_numbers(const std::string& line, std::size_t brace) {
 
 }  // namespace
 
+std::size_t columns_of(const std::string& text) {
+    return std::size_t(std::count_if(text.begin(), text.end(), begins_character));
+}
+
 std::string wrapped(const std::string& line, int columns) {
     return wrapped(line, columns, std::min(line.find_first_not_of(' '), line.size()) + deeper);
 }

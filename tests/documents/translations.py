@@ -58,7 +58,7 @@ def check_entry(where, english, own, refused):
         if of_english != of_own:
             errors.append(f"{where}: {what} {of_own}, not {of_english}: {own[:60]!r}")
     plain = re.sub(r"`[^`]*`|\]\([^)]*\)|(?m:^    .*$)|<!--.*?-->", "", own)
-    label = re.match(r"\w+: ", own)  # in a hint
+    label = re.match(r"\{?\w+\}?: ", own)  # a name, as in a hint
     if label and english.startswith(label[0]):
         plain = plain[label.end():]
     for word, instead in refused:

@@ -264,6 +264,16 @@ course 0 explain 3 0,0
 course 2 explain 3 9999,0
 says "outside the picture"
 
+# The same in French, and from the starter to a passed check.
+in_french 1 check 3
+says "Votre discriminant soustrait r²."
+in_french 0 explain 3
+says "La première différence : "
+mv $stage/student away
+french_session 3 $stage/reference/sphere.cpp tests/alternatives/step03_sphere/main/sorted.cpp
+rm -r $stage/student
+mv away $stage/student
+
 # A debugger's program, which stops in the call that fails.
 course 1 check 3
 course 0 debug 3 --prepare

@@ -102,6 +102,15 @@ course 2 handout ../another
 course 2 audit
 cd ..
 
+# Three stages in French, from the status to passed checks.
+cp -r old french
+cd french || exit 1
+french_session 1 "$project/steps/step01_ray_generation/reference/ray_generation.cpp" \
+    "$project/tests/alternatives/step01_ray_generation/main/one_counter.cpp"
+french_session 2 "$project/steps/step02_camera_basis/reference/camera_basis.cpp"
+french_session 3 "$project/$stage/reference/sphere.cpp" "$project/tests/alternatives/step03_sphere/main/sorted.cpp"
+cd ..
+
 # An update: a reference, a page of another stage, a new file, a removed file. The manifest is a
 # title and the output of cksum.
 seal() {

@@ -8,6 +8,7 @@
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -85,17 +86,18 @@ private:
         if (done == 0 || total == 0) return;
         if (edge.starts_with("Re-running CMake") || edge.starts_with("Re-checking globbed")) {
             before_ = seconds;
-            status_.show("configuring …");
+            status_.show(tr("configuring …"));
             return;
         }
         std::array<char, 32> share{};
-        std::snprintf(share.data(), share.size(), "building: %3d %%", 100 * done / total);
-        status_.show(share.data() + time_left(seconds - before_, done, total) + ": " +
-                     file_of(edge));
+        std::snprintf(share.data(), share.size(), "%3d", 100 * done / total);
+        const std::string left = tr_text(time_left(seconds - before_, done, total));
+        const Values values = {{"percent", share.data()}, {"left", left}, {"file", file_of(edge)}};
+        status_.show(tr("building: {percent} %{left}: {file}", values));
     }
 
     const std::function<void(const std::string&)>& done_;
-    StatusLine status_{"building …"};
+    StatusLine status_{tr("building …")};
     double before_ = 0;   ///< seconds until the first edge of the build began
     std::string object_;  ///< the student's object that was compiled last
     std::map<std::string, std::string> warnings_;  ///< of each student's object
@@ -112,7 +114,7 @@ public:
     BuildLock()
         : file_(open((build_folder / "building").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
         if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-        StatusLine status("waiting for another build …");
+        StatusLine status(tr("waiting for another build …"));
         while (flock(file_, LOCK_EX | LOCK_NB) != 0) {
             status.show_again();
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -158,10 +160,10 @@ void choose_reference(const std::string& stages) {
     for (const std::string& line : lines_of(read_text(build_folder / "CMakeCache.txt")))
         if (line == setting) return;
     const BuildLock lock;
-    const StatusLine status("configuring …");
+    const StatusLine status(tr("configuring …"));
     const ProcessResult ending =
         run_captured({"cmake", "-D" + setting, build_folder.string()}, std::chrono::minutes(5));
-    if (ending.status != 0) throw ProgramError("error: cmake failed\n" + ending.output);
+    if (ending.status != 0) throw ProgramError(tr("error: cmake failed") + "\n" + ending.output);
 }
 
 }  // namespace rt

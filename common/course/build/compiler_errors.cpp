@@ -1,6 +1,7 @@
 #include "common/course/build/compiler_errors.hpp"
 
 #include "common/system/files.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <regex>
@@ -99,8 +100,8 @@ std::string led_to(const Lines& lines) {
     return "";
 }
 
-/// " in FILE and FILE", for the students' objects that a linker's message names, in its first line,
-/// in one of those that follow, or before it: "FILE: in function `main':".
+/// "FILE, FILE", the students' objects that a linker's message names, in its first line, in one of
+/// those that follow, or before it: "FILE: in function `main':".
 std::string objects(const Lines& lines, std::size_t first) {
     constexpr std::size_t longest_message = 5;
     std::string text;
@@ -111,8 +112,7 @@ std::string objects(const Lines& lines, std::size_t first) {
         for (std::sregex_iterator match(lines[i].begin(), lines[i].end(), students_object), end;
              match != end; ++match) {
             const std::string file = (*match)[1].str() + "/" + (*match)[2].str();
-            if (text.find(file) == std::string::npos)
-                text += (text.empty() ? " in " : " and ") + file;
+            if (text.find(file) == std::string::npos) text += (text.empty() ? "" : ", ") + file;
         }
     }
     return text;
@@ -124,15 +124,19 @@ std::string linker(const Lines& lines) {
         const std::string& line = lines[i];
         std::smatch match;
         if (std::regex_search(line, match, undefined))
-            return "error: nothing defines " + match[1].str() +
-                   "\nIs it written, in namespace rt, with the parameters that the stage's header "
-                   "has?";
+            return tr("error: nothing defines {symbol}", {{"symbol", match[1].str()}}) + "\n" +
+                   tr("Is it written, in namespace rt, with the parameters that the stage's header "
+                      "has?");
         if (!std::regex_search(line, match, duplicate)) continue;
         const std::string symbol = match[1] == "_main" ? "main" : match[1].str();  // Apple's
-        return "error: defined twice: " + symbol + objects(lines, i) +
+        const std::string files = objects(lines, i);
+        const Values values = {{"symbol", symbol}, {"files", files}};
+        return (files.empty() ? tr("error: defined twice: {symbol}", values)
+                              : tr("error: defined twice: {symbol} in {files}", values)) +
+               "\n" +
                (symbol == "main"
-                    ? "\nThe program has a main of its own: remove yours."
-                    : "\nPut helper functions into an anonymous namespace: namespace { … }");
+                    ? tr("The program has a main of its own: remove yours.")
+                    : tr("Put helper functions into an anonymous namespace: namespace { … }"));
     }
     return "";
 }

@@ -1,6 +1,7 @@
 #include "common/course/exercise/cases.hpp"
 
 #include "common/system/paint.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ std::vector<Part> parts_of(const std::vector<Outcome>& all) {
 void show(const Outcome& outcome, const std::string& indent, bool is_given) {
     const char* mark = !outcome.passed() ? "✗ " : is_given ? "· " : "✓ ";
     const bool in_float_only = outcome.in_double.passed && !outcome.passed();
-    const std::string line = wrapped(indent + mark + outcome.in_double.name +
-                                     (in_float_only ? "  (in float only)" : ""));
+    const std::string line = wrapped(indent + mark + tr(outcome.in_double.name) +
+                                     (in_float_only ? "  " + tr("(in float only)") : ""));
     std::printf("%s\n", styled(line, outcome.passed() ? Style::dim : Style::bad).c_str());
 }
 
@@ -46,16 +47,19 @@ void show_cases(const std::vector<Outcome>& all, const std::set<std::string>& gi
     const std::vector<Part> parts = parts_of(all);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = parts[i];
-        const std::string line = (part.right() ? "  ✓ " : "  ✗ ") + std::to_string(i + 1) + " " +
-                                 part.name + ": " + std::to_string(part.passed()) + " of " +
-                                 std::to_string(part.cases.size());
+        const std::string line =
+            (part.right() ? "  ✓ " : "  ✗ ") + std::to_string(i + 1) + " " +
+            tr("{part}: {passed} of {cases}", {{"part", tr(part.name)},
+                                               {"passed", std::to_string(part.passed())},
+                                               {"cases", std::to_string(part.cases.size())}});
         if (parts.size() > 1)
             std::printf("%s\n", styled(line, part.right() ? Style::dim : Style::bad).c_str());
         for (const Outcome* each : part.cases)
             show(*each, parts.size() == 1 ? "  " : "      ",
                  each->passed() && given.count(each->in_double.name) == 1);
     }
-    if (!given.empty()) std::printf("%s\n", styled("  · passes unwritten too", Style::dim).c_str());
+    if (!given.empty())
+        std::printf("%s\n", styled("  · " + tr("passes unwritten too"), Style::dim).c_str());
 }
 
 }  // namespace rt

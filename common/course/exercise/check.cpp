@@ -15,6 +15,7 @@
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -66,7 +67,7 @@ bool is_any_written(const Judged& judged) {
 /// Runs the suite, and then the suite of `trace`, which is linked to the references' functions, so
 /// that no mistake in a function is one of `trace`.
 Judged judge(const Workbook& workbook, const std::string& word) {
-    const StatusLine status("testing in " + word + " …");
+    const StatusLine status(tr("testing in {precision} …", {{"precision", word}}));
     const std::string name(stage_name(workbook.stage()));
     Judged judged{.suite = run_suite(name + "_test_" + word)};
     judged.unwritten = unwritten_in(judged.suite.output);
@@ -126,9 +127,8 @@ Findings examine(const Workbook& workbook, Judged in_double, bool float_is_built
 
 int check(int stage, bool complete) {
     Workbook workbook(stage);
-    if (workbook.files().empty())
-        throw InputError(
-            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    if (workbook.files().empty()) throw not_started(stage);
+    read_project_translations(step_path(stage, "sentences"));
     choose_reference("");
     const std::string files = workbook.fingerprint();
     Judged in_double;

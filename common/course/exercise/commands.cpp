@@ -122,7 +122,7 @@ void show_hint(int stage, std::optional<int> level) {
 
 int show_solution(int stage) {
     const auto files = files_in(project_folder / step_path(stage, "reference"), ".cpp");
-    if (files.empty()) throw InputError({}, "the solutions are not part of this hand-out");
+    if (files.empty()) throw InputError({}, tr("the solutions are not part of this hand-out"));
     Workbook workbook(stage);
     Record record = workbook.record();
     ++record.solution_asked;

@@ -4,6 +4,7 @@
 #include "common/image/preview.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
 #include <unistd.h>
 
@@ -15,21 +16,23 @@ int compare_pictures(const ComparisonRequest& contest) {
     const std::string file = "renders/" + stage_target(contest.stage, "_compare.png");
     for (const std::string& word : contest.words) {
         if (word.starts_with("-o") || word.starts_with("--output"))
-            throw InputError({}, "compare writes " + file + ", and has no " + word);
+            throw InputError({}, tr("compare writes {file}, and has no {option}",
+                                    {{"file", file}, {"option", word}}));
         const std::string option = word.substr(0, word.find('='));
         if (option == "--pixel" || option == "--rays" || option == "--requirements")
-            throw InputError({}, no_picture);
+            throw InputError({}, tr(no_picture));
     }
     build_both(contest);
     const Comparison comparison = compare_both(contest);
     write_png((project_folder / file).string(), comparison.side_by_side, {});
     if (isatty(STDOUT_FILENO) == 1)
         std::fputs(preview(comparison.side_by_side, terminal_columns()).c_str(), stdout);
-    std::printf("%s: yours, the reference's, the difference\n%s\n", file.c_str(),
+    std::printf("%s\n%s\n",
+                tr("{file}: yours, the reference's, the difference", {{"file", file}}).c_str(),
                 summary(comparison).c_str());
     show_parts(contest);
     if (!comparison.center) return 0;
-    std::printf("Why? %s\n", explain_command(contest).c_str());
+    std::puts(tr("Why? {command}", {{"command", explain_command(contest)}}).c_str());
     return 1;
 }
 

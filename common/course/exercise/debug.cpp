@@ -47,16 +47,15 @@ std::optional<SuiteCase> find_case(int stage, const std::string& words) {
 
 SuiteCase case_to_debug(int stage, const std::string& words) {
     const std::string check = "./course check " + std::to_string(stage);
-    if (Workbook(stage).files().empty())
-        throw InputError(
-            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    if (Workbook(stage).files().empty()) throw not_started(stage);
     const std::optional<SuiteCase> found = find_case(stage, words);
     if (!found && words.empty())
-        throw InputError({}, "no case failed in the last check: " + check +
-                                 ", or name a case in quotes: ./course debug " +
-                                 std::to_string(stage) + " \"CASE\"");
+        throw InputError({}, tr("no case failed in the last check: {check}, or name a case in "
+                                "quotes: ./course debug {stage} \"CASE\"",
+                                {{"check", check}, {"stage", std::to_string(stage)}}));
     if (!found)
-        throw InputError({}, "no case of the last check is called \"" + words + "\": " + check);
+        throw InputError({}, tr("no case of the last check is called \"{words}\": {check}",
+                                {{"words", words}, {"check", check}}));
     return *found;
 }
 
@@ -69,7 +68,7 @@ Command program_of_case() {
 /// Makes program_of_case() run the case. Its environment is in debug_case.env, with the number of
 /// calls until the failure, which it returns: 0 if the case ends otherwise, as with a crash.
 long prepare(const std::string& target, const std::string& case_name) {
-    const StatusLine status("looking for the call that fails …");
+    const StatusLine status(tr("looking for the call that fails …"));
     std::filesystem::remove(build_folder / "debug_case");
     std::filesystem::create_symlink(target, build_folder / "debug_case");
     write_text(build_folder / "debug_case.txt", case_name + "\n");
@@ -83,11 +82,12 @@ long prepare(const std::string& target, const std::string& case_name) {
     if (std::filesystem::exists(file)) calls = std::atol(read_text(file).c_str());
     write_text(build_folder / "debug_case.env", "RAYSTEPS_STOP_AT=" + std::to_string(calls) + "\n");
     if (calls == 0 && !ending.out_of_time && ending.crash.empty() && ending.status == 0)
-        throw InputError({}, "the case passes with this file: ./course check tests the file again");
+        throw InputError({},
+                         tr("the case passes with this file: ./course check tests the file again"));
     if (ending.out_of_time)
-        std::puts(
-            "The case does not end: Ctrl-C stops it where it is, and backtrace shows how it "
-            "came there.");
+        std::puts(tr("The case does not end: Ctrl-C stops it where it is, and backtrace shows how "
+                     "it came there.")
+                      .c_str());
     return calls;
 }
 
@@ -126,18 +126,19 @@ Command debugger_of(long calls) {
 
 int debug(int stage, const std::string& words, bool starts) {
     if (starts && !is_installed("gdb") && !is_installed("lldb"))
-        throw InputError({},
-                         "no debugger is installed: apt-get install gdb, or on macOS "
-                         "xcode-select --install, which brings lldb");
+        throw InputError({}, tr("no debugger is installed: apt-get install gdb, or on macOS "
+                                "xcode-select --install, which brings lldb"));
+    read_project_translations(step_path(stage, "sentences"));
     const SuiteCase chosen = case_to_debug(stage, words);
     const std::string target = stage_target(stage, chosen.suite + "_debug_" + chosen.word);
     build({target});
     const long calls = prepare(target, chosen.name);
-    std::printf("%s%s\n%s\n", chosen.name.c_str(),
-                chosen.word == "float" ? "  (in float only)" : "",
-                calls > 0 ? "The debugger stops in your function, in the last call before the "
-                            "failure. Then: next, step, print NAME, backtrace, quit."
-                          : "The debugger stops where the program ends.");
+    const std::string remark = chosen.word == "float" ? "  " + tr("(in float only)") : "";
+    const std::string stop =
+        calls > 0 ? tr("The debugger stops in your function, in the last call before the failure. "
+                       "Then: next, step, print NAME, backtrace, quit.")
+                  : tr("The debugger stops where the program ends.");
+    std::printf("%s%s\n%s\n", tr(chosen.name).c_str(), remark.c_str(), stop.c_str());
     std::fflush(stdout);
     return starts ? run_process(debugger_of(calls)) : 0;
 }

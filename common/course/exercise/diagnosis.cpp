@@ -6,6 +6,7 @@
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 
 #include <chrono>
 
@@ -20,7 +21,7 @@ std::string program(const std::string& name) {
 }
 
 ProcessResult diagnosed(const Command& command) {
-    const StatusLine status("comparing with known mistakes …");
+    const StatusLine status(tr("comparing with known mistakes …"));
     return run_captured(command, time_limit);
 }
 

@@ -12,8 +12,15 @@ void show_references_used(int stage) {
     if (others.empty()) return;
     std::string list;
     for (const int other : others) list += (list.empty() ? "" : ", ") + std::to_string(other);
-    std::printf("Judged with the references in place of your %s %s; ./course run %d uses yours.\n",
-                others.size() > 1 ? "stages" : "stage", list.c_str(), stage);
+    const Values values = {{"others", list}, {"stage", std::to_string(stage)}};
+    std::puts((others.size() > 1
+                   ? tr("Judged with the references in place of your stages {others}; "
+                        "./course run {stage} uses yours.",
+                        values)
+                   : tr("Judged with the references in place of your stage {others}; "
+                        "./course run {stage} uses yours.",
+                        values))
+                  .c_str());
 }
 
 void warn_of_earlier(int stage, const std::string& references) {
@@ -25,8 +32,11 @@ void warn_of_earlier(int stage, const std::string& references) {
         const bool is_used = without.find(";" + number + ";") == std::string::npos;
         if (!is_used || workbook.state() == State::done) continue;
         std::fprintf(
-            stderr, "your %s is used: %s. See ./course check %d, or leave it out: --reference %d\n",
-            stage_name(other).data(), workbook.verdict().c_str(), other, other);
+            stderr, "%s\n",
+            tr("your {stage} is used: {verdict}. See ./course check {number}, or leave it "
+               "out: --reference {number}",
+               {{"stage", name_of(other)}, {"verdict", workbook.verdict()}, {"number", number}})
+                .c_str());
     }
 }
 

@@ -7,6 +7,7 @@
 #include "common/course/exercise/suite.hpp"
 #include "common/system/files.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <cstdio>
@@ -16,7 +17,7 @@ namespace rt {
 namespace {
 
 Both<std::string> explain_both(const ComparisonRequest& contest, const std::string& pixel) {
-    const StatusLine status("explaining the pixel …");
+    const StatusLine status(tr("explaining the pixel …"));
     return run_both(contest, [&](const std::string& program, auto limit) {
         return answer(program, contest, {"--pixel", pixel}, limit);
     });
@@ -50,12 +51,15 @@ void show_dependence(int stage, const std::string& pixel, const std::string& dra
     std::string kept;
     for (const StaticVariable& each : static_variables(stage))
         kept += (kept.empty() ? "" : ", ") + each.name;
-    const std::string cause =
-        kept.empty() ? "a variable without a value, an index out of range, or a static variable"
-                     : "the static or global variable " + kept;
+    const Values values = {{"pixel", pixel}, {"drawn", drawn}, {"alone", alone}, {"names", kept}};
     const std::string words =
-        "In your picture, the pixel " + pixel + " is " + drawn + "; its ray alone gives " + alone +
-        ". Your picture depends on the rays before. The usual cause is " + cause + ".";
+        tr("In your picture, the pixel {pixel} is {drawn}; its ray alone gives {alone}. Your "
+           "picture depends on the rays before.",
+           values) +
+        " " +
+        (kept.empty() ? tr("The usual cause is a variable without a value, an index out of range, "
+                           "or a static variable.")
+                      : tr("The usual cause is the static or global variable {names}.", values));
     std::printf("\n%s\n", wrapped(words).c_str());
 }
 
@@ -82,7 +86,7 @@ std::string explain_scene(const FailingQuestion& question, ComparisonRequest con
     contest.words = {(project_folder / scene).string()};
     contest.words.insert(contest.words.end(), question.options.begin(), question.options.end());
     const auto both = explain_both(contest, question.pixel);
-    return "The scene is in " + scene + ".\n" +
+    return tr("The scene is in {file}.", {{"file", scene}}) + "\n" +
            text(compare_explanations(contest, question.pixel, both), all);
 }
 
@@ -97,16 +101,21 @@ void explain_failing_question(const ComparisonRequest& contest) {
     const std::optional<FailingQuestion> question =
         failing_question(results, shown_case(contest.stage));
     if (!question) {
-        std::printf("The suite tests what the picture does not show: ./course check %s\n",
-                    number.c_str());
+        std::puts(tr("The suite tests what the picture does not show: ./course check {stage}",
+                     {{"stage", number}})
+                      .c_str());
         return;
     }
     const std::string all = contest.all ? "" : "./course explain " + number + " --all";
     const std::string explained = question->call.empty()
                                       ? explain_scene(*question, contest, all)
                                       : explain_call(*question, contest.stage, all);
-    std::printf("The picture cannot show it. The first failing case of the last check: %s\n\n%s",
-                question->case_name.c_str(), explained.c_str());
+    read_project_translations(step_path(contest.stage, "sentences"));
+    std::printf("%s\n\n%s",
+                tr("The picture cannot show it. The first failing case of the last check: {case}",
+                   {{"case", tr(question->case_name)}})
+                    .c_str(),
+                explained.c_str());
 }
 
 }  // namespace

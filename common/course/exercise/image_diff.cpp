@@ -1,6 +1,7 @@
 #include "common/course/exercise/image_diff.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -128,7 +129,7 @@ bool is_noise(const Image& mine, const Image& reference) {
 Comparison compare(const Image& mine, const Image& reference, int tolerated) {
     const Resolution size = reference.resolution;
     if (mine.resolution.width != size.width || mine.resolution.height != size.height)
-        throw InputError({}, "the two pictures differ in size");
+        throw InputError({}, tr("the two pictures differ in size"));
     Comparison comparison;
     Image shown(size);
     std::vector<bool> differs(mine.pixels.size());
@@ -158,13 +159,13 @@ Image magnified(const Image& image, int times) {
 }
 
 std::string summary(const Comparison& comparison) {
-    if (!comparison.center) return "the same picture as the reference's";
+    if (!comparison.center) return tr("the same picture as the reference's");
     const auto [row, column] = *comparison.center;
-    return std::to_string(comparison.different) + " of " +
-           std::to_string((comparison.side_by_side.resolution.width - 2 * gap) / 3 *
-                          comparison.side_by_side.resolution.height) +
-           " pixels differ, most around row,column " + std::to_string(row) + "," +
-           std::to_string(column);
+    const Resolution shown = comparison.side_by_side.resolution;
+    return tr("{number} of {all} pixels differ, most around row,column {pixel}",
+              {{"number", std::to_string(comparison.different)},
+               {"all", std::to_string((shown.width - 2 * gap) / 3 * shown.height)},
+               {"pixel", std::to_string(row) + "," + std::to_string(column)}});
 }
 
 }  // namespace rt

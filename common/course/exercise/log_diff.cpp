@@ -2,6 +2,7 @@
 
 #include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -141,18 +142,21 @@ void find_first_difference(LogDiff& diff, Writer writer) {
         if (!row.differs) continue;
         if (is_common) {
             const std::string what = name(either(row));
-            diff.first = is_heading(row)
-                             ? heading
-                             : (what == verdict ? "the result" : what) + ", of " + heading;
+            const std::string own = what == verdict ? tr("the result") : tr_text(what);
+            diff.first = is_heading(row) ? tr_text(heading)
+                                         : tr("{what}, of {heading}",
+                                              {{"what", own}, {"heading", tr_text(heading)}});
             diff.first_row = i;
             return;
         }
         if (!diff.first.empty()) continue;
         const bool is_left_out =
             writer == Writer::own_loop && !row.mine && is_about_shapes(heading);
-        diff.first = heading + (is_left_out ? ", which your loop does not test"
-                                : row.mine  ? ", which only your explanation has"
-                                            : ", which only the reference's explanation has");
+        const Values values = {{"heading", tr_text(heading)}};
+        diff.first = is_left_out ? tr("{heading}, which your loop does not test", values)
+                     : row.mine
+                         ? tr("{heading}, which only your explanation has", values)
+                         : tr("{heading}, which only the reference's explanation has", values);
         diff.first_row = i;
         if (is_left_out) return;
     }

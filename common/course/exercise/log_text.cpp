@@ -3,6 +3,7 @@
 #include "common/course/exercise/failure_text.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
@@ -13,20 +14,23 @@ namespace rt {
 namespace {
 
 std::string line(const std::string& whose, const std::string& words) {
-    const std::string label = whose + std::string(10 - whose.size(), ' ');
+    constexpr std::size_t columns = 10;
+    const std::string label =
+        whose + std::string(columns - std::min(columns_of(whose), columns), ' ');
     return (whose.empty() ? label : styled(label, Style::bold)) + words + "\n";
 }
 
+/// With fewer digits, and the names of quantities in the reader's language.
 std::string shortened(const std::string& text) {
     constexpr int digits = 7;
-    return with_digits(text, digits);
+    return translated_line(with_digits(text, digits));
 }
 
 std::string lines(const LogRow& row) {
     const std::string mine = row.mine ? shortened(*row.mine) : "";
     if (!row.differs && !row.may_differ) return line("", mine);
-    return (row.mine ? line("mine", mine) : "") +
-           (row.reference ? line("reference", shortened(*row.reference)) : "");
+    return (row.mine ? line(tr("mine"), mine) : "") +
+           (row.reference ? line(tr("reference"), shortened(*row.reference)) : "");
 }
 
 struct Section {
@@ -70,24 +74,24 @@ int keep(std::string& kept, const std::string& lines, int& room) {
 
 std::string text(const LogDiff& diff, const std::string& all) {
     std::string shown;
-    for (const std::string& message : diff.unwritten) shown += message + "\n";
+    for (const std::string& message : diff.unwritten) shown += tr_text(message) + "\n";
     if (diff.has_own_loop)
-        shown +=
-            "Your trace tests shapes in a loop of its own, which logs nothing: the reference's "
-            "numbers for them are left out.\n";
-    if (diff.first.empty()) return shown + "Nothing differs.\n";
+        shown += tr("Your trace tests shapes in a loop of its own, which logs nothing: the "
+                    "reference's numbers for them are left out.") +
+                 "\n";
+    if (diff.first.empty()) return shown + tr("Nothing differs.") + "\n";
     constexpr int most = 24;
     int room = all.empty() ? std::numeric_limits<int>::max() : most;
     int left_out = 0;
-    left_out += keep(shown, "The first difference: " + diff.first, room);
+    left_out += keep(shown, tr("The first difference: {what}", {{"what", diff.first}}), room);
     const std::vector<Section> sections = sections_of(diff);
     const bool answers_differ =
         std::any_of(sections.begin(), sections.end(),
                     [](const Section& each) { return each.is_first && each.is_of_shape; });
     if (!diff.hits_of_loop.empty() && !answers_differ) {
         left_out += keep(shown,
-                         "Your loop gets the right answers from intersect. These are its hits, the "
-                         "closest first, which is the one to be seen:",
+                         tr("Your loop gets the right answers from intersect. These are its hits, "
+                            "the closest first, which is the one to be seen:"),
                          room);
         for (const std::string& hit : diff.hits_of_loop)
             left_out += keep(shown, "    " + shortened(hit), room);
@@ -96,7 +100,10 @@ std::string text(const LogDiff& diff, const std::string& all) {
         if (each.is_first) left_out += keep(shown, each.text, room);
     for (const Section& each : sections)
         if (each.differs && !each.is_first) left_out += keep(shown, each.text, room);
-    if (left_out > 0) shown += "(" + std::to_string(left_out) + " more lines: " + all + ")\n";
+    if (left_out > 0)
+        shown += tr("({number} more lines: {command})",
+                    {{"number", std::to_string(left_out)}, {"command", all}}) +
+                 "\n";
     return shown;
 }
 

@@ -5,6 +5,7 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -25,8 +26,10 @@ void build_all_mine(int stage) {
         const std::string text = error.what();
         for (int other = 1; other < stage; ++other)
             if (text.find(step_path(other, "student/")) == 0)
-                throw ProgramError(text + "Without that stage: --reference " +
-                                   std::to_string(other) + "\n");
+                throw ProgramError(text +
+                                   tr("Without that stage: --reference {stage}",
+                                      {{"stage", std::to_string(other)}}) +
+                                   "\n");
         throw;
     }
 }
@@ -52,7 +55,7 @@ int run_stage(int stage, const Command& words, const std::string& references) {
     std::string name = stage_target(stage);
     if (wants_exact(words)) {
         if (is_handout(project_folder))
-            throw InputError({}, "--precision exact is not part of this hand-out");
+            throw InputError({}, tr("--precision exact is not part of this hand-out"));
         name = stage_target(stage, "_exact");
         build({name});
     } else {
@@ -79,8 +82,9 @@ int run_tests(std::optional<int> stage, const Command& words) {
     build(targets);
     const int status = run_process(command);
     if (!stage && !has_meshes)
-        std::puts("step13_meshes was left out: ./course test 13 installs OpenMesh");
-    std::puts(status == 0 ? "every test passed" : "not every test passed: see above");
+        std::puts(tr("step13_meshes was left out: ./course test 13 installs OpenMesh").c_str());
+    std::puts(
+        (status == 0 ? tr("every test passed") : tr("not every test passed: see above")).c_str());
     return status;
 }
 

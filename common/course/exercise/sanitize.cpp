@@ -40,9 +40,8 @@ std::string sanitizer_error(const std::string& output) {
 
 int check_with_sanitizers(int stage) {
     const Workbook workbook(stage);
-    if (workbook.files().empty())
-        throw InputError(
-            {}, name_of(stage) + " is not started: ./course start " + std::to_string(stage));
+    if (workbook.files().empty()) throw not_started(stage);
+    read_project_translations(step_path(stage, "sentences"));
     setenv("ASAN_OPTIONS", "handle_abort=1:detect_container_overflow=0", 1);
     const bool has_functions = workbook.files().size() > (workbook.has_trace() ? 1U : 0U);
     for (const char* const suite : {"", "_trace"}) {
@@ -53,17 +52,19 @@ int check_with_sanitizers(int stage) {
             build({target});
             const SuiteResult result = run_suite(target);
             std::string error = sanitizer_error(result.output);
-            if (!result.ended.empty()) error = "your code " + result.ended + "\n" + error;
+            if (!result.ended.empty()) error = result.ended + "\n" + error;
             if (error.empty()) continue;
-            std::printf("%s, in %s\n%s\n",
-                        result.cases.empty() ? "" : result.cases.back().name.c_str(), word,
-                        error.c_str());
+            const std::string name = result.cases.empty() ? "" : result.cases.back().name;
+            std::printf(
+                "%s\n%s\n",
+                tr("{case}, in {precision}", {{"case", tr(name)}, {"precision", word}}).c_str(),
+                error.c_str());
             return 1;
         }
     }
-    std::puts(
-        "The sanitizers find no error: no index out of range, no use of memory that is gone, "
-        "no undefined operation.");
+    std::puts(tr("The sanitizers find no error: no index out of range, no use of memory that is "
+                 "gone, no undefined operation.")
+                  .c_str());
     return 0;
 }
 

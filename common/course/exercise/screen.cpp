@@ -7,6 +7,7 @@
 #include "common/stages/not_written.hpp"
 #include "common/system/files.hpp"
 #include "common/system/paint.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <algorithm>
@@ -51,15 +52,17 @@ void show_prints(const std::string& output, bool complete) {
             std::find(prints.begin(), prints.end(), line) == prints.end())
             prints.push_back(line);
     if (prints.empty()) return;
-    std::puts("\nYour code prints:");
+    std::printf("\n%s\n", tr("Your code prints:").c_str());
     if (prints.size() > most) prints.back() = "…";
     for (const std::string& line : prints) std::printf("  %s\n", line.c_str());
 }
 
 void show_verdict(int stage, const Judgment& judgment) {
-    const std::string words = judgment.in_float ? "float and double" : "double";
-    const std::string passed = std::to_string(judgment.passed()) + " of " +
-                               std::to_string(judgment.cases()) + " cases pass, in " + words;
+    const Values counts = {{"passed", std::to_string(judgment.passed())},
+                           {"cases", std::to_string(judgment.cases())}};
+    const std::string passed =
+        judgment.in_float ? tr("{passed} of {cases} cases pass, in float and double", counts)
+                          : tr("{passed} of {cases} cases pass, in double", counts);
     std::printf("%s: %s\n", styled(name_of(stage), Style::bold).c_str(),
                 styled(passed, judgment.right() ? Style::good : Style::bad).c_str());
 }
@@ -69,23 +72,26 @@ void show_lines(const std::string& failure, bool complete) {
     for (const std::string& line : failure_lines(failure, complete)) {
         const bool goes_on = line.starts_with("    ");
         is_paste = line.starts_with("  paste: ") || (is_paste && goes_on);
-        const std::string indented = "    " + line;
+        const std::string indented = "    " + translated_line(line);
         std::printf("%s\n", (is_paste ? wrapped_code(indented) : wrapped(indented)).c_str());
     }
 }
 
-void show_failure(const CaseResult& failed, const SuiteResult& suite, const char* remark,
+void show_failure(const CaseResult& failed, const SuiteResult& suite, const std::string& remark,
                   bool complete) {
     std::puts("");
-    print("✗ " + failed.name + remark, Style::bad);
+    print("✗ " + tr(failed.name) + remark, Style::bad);
     if (!failed.ended.empty()) {  // a failure that came before is of another question
-        std::printf("%s\n", wrapped("    your code " + failed.ended + ".").c_str());
+        std::printf("%s\n", wrapped("    " + failed.ended).c_str());
         if (suite.not_reached > 0)
-            std::printf("    The %d cases after this one were not run.\n", suite.not_reached);
+            std::printf("    %s\n", tr("The {number} cases after this one were not run.",
+                                       {{"number", std::to_string(suite.not_reached)}})
+                                        .c_str());
         return;
     }
     show_lines(failed.failure, complete);
-    if (complete && !failed.place.empty()) std::printf("    asked:    %s\n", failed.place.c_str());
+    if (complete && !failed.place.empty())
+        std::printf("    %s\n", translated_line("  asked:    " + failed.place).c_str() + 2);
 }
 
 /// Prints the smallest call with a wrong answer, if that is shorter than the failing one.
@@ -93,9 +99,10 @@ void show_smallest(const Diagnosis& diagnosis, const CaseResult& failed, bool co
     const bool shorter =
         length_of_call(brief_code(diagnosis.smallest)) < length_of_call(brief_code(failed.failure));
     if (diagnosis.smallest.empty() || !failed.ended.empty() || !(shorter || complete)) return;
-    std::puts("\nA plainer call with a wrong answer:");
+    std::printf("\n%s\n", tr("A plainer call with a wrong answer:").c_str());
     show_lines(diagnosis.smallest, complete);
-    if (!diagnosis.drawing.empty()) std::printf("      drawn:    %s\n", diagnosis.drawing.c_str());
+    if (!diagnosis.drawing.empty())
+        std::printf("    %s\n", translated_line("  drawn:    " + diagnosis.drawing).c_str());
 }
 
 /// Prints how many other cases fail, and which of them may fail because of the same part.
@@ -104,10 +111,13 @@ void show_others(const Findings& findings, const std::vector<CaseResult>& cases,
     const int others = judgment.cases() - judgment.passed() - 1;
     if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return;
     const std::vector<std::string> users = parts_that_use(findings.part, cases, findings.known);
-    std::string line = std::to_string(others) +
-                       (others == 1 ? " more case fails" : " more cases fail") +
-                       ": ./course check " + std::to_string(stage) + " --all.";
-    if (!users.empty()) line += " Those of " + listed(users) + " may fail because of this alone.";
+    const Values values = {{"number", std::to_string(others)}, {"stage", std::to_string(stage)}};
+    std::string line = others == 1
+                           ? tr("{number} more case fails: ./course check {stage} --all.", values)
+                           : tr("{number} more cases fail: ./course check {stage} --all.", values);
+    if (!users.empty())
+        line += " " +
+                tr("Those of {parts} may fail because of this alone.", {{"parts", listed(users)}});
     print_prose(line, Style::dim);
 }
 
@@ -137,11 +147,12 @@ void show_result(int stage, const Findings& findings, bool complete) {
     const Judged& judged = in_double ? judgment.in_double : *judgment.in_float;
     show_verdict(stage, judgment);
     for (const std::string& sentence : findings.diagnosis.sentences)
-        print_prose(sentence, Style::bold);
+        print_prose(tr_text(sentence), Style::bold);
     if (complete && !findings.diagnosis.names.empty())
-        print_prose("mistake: " + listed(findings.diagnosis.names));
+        print_prose(tr("mistake: {names}", {{"names", listed(findings.diagnosis.names)}}));
     const auto& unwritten = judgment.in_double.unwritten;
-    if (!unwritten.empty()) print_prose("Not written yet: " + listed(unwritten) + ".");
+    if (!unwritten.empty())
+        print_prose(tr("Not written yet: {functions}.", {{"functions", listed(unwritten)}}));
     show_prints(judgment.in_double.suite.output, complete);
     if (complete)
         show_cases(judgment.outcomes,
@@ -156,7 +167,7 @@ void show_result(int stage, const Findings& findings, bool complete) {
     if (first == cases.size()) return;
     const CaseResult& failed = cases[first];
     remember_shown_case(stage, failed.name);
-    show_failure(failed, judged.suite, in_double ? "" : "  (in float only)", complete);
+    show_failure(failed, judged.suite, in_double ? "" : "  " + tr("(in float only)"), complete);
     if (findings.diagnosis.names.empty() || complete)
         show_smallest(findings.diagnosis, failed, complete);
     show_others(findings, cases, stage);
@@ -167,23 +178,29 @@ void show_next_step(const Workbook& workbook, const Findings& findings, bool dra
     const std::string number = std::to_string(stage);
     const Judged& judged = findings.judgment.in_double;
     if (findings.judgment.right() && !draws) {
-        std::puts("The cases pass, but not the picture: see above.");
+        std::puts(tr("The cases pass, but not the picture: see above.").c_str());
     } else if (findings.judgment.right()) {
         if (const auto next = next_stage(stage))
-            std::printf("Next: ./course %s %d\n",
-                        Workbook(*next).files().empty() ? "start" : "check", *next);
+            std::puts(tr("Next: ./course {command} {stage}",
+                         {{"command", Workbook(*next).files().empty() ? "start" : "check"},
+                          {"stage", std::to_string(*next)}})
+                          .c_str());
     } else {
         const auto unwritten =
             std::find_if(judged.unwritten.begin(), judged.unwritten.end(),
                          [&](const std::string& name) { return names(findings.part, name); });
-        const std::string help = "Stuck? ./course hint " + number;
+        const std::string help = tr("Stuck? ./course hint {stage}", {{"stage", number}});
         if (unwritten != judged.unwritten.end())
-            std::printf("Write next: %s, in %s\n%s\n", unwritten->c_str(),
-                        place_of(*unwritten, judged.suite.output).c_str(), help.c_str());
+            std::printf(
+                "%s\n%s\n",
+                tr("Write next: {function}, in {place}",
+                   {{"function", *unwritten}, {"place", place_of(*unwritten, judged.suite.output)}})
+                    .c_str(),
+                help.c_str());
         else if (findings.part.empty() || findings.part == "together")
             print_prose(help);
         else
-            print_prose("Look at " + findings.part + ". " + help);
+            print_prose(tr("Look at {part}.", {{"part", tr_text(findings.part)}}) + " " + help);
     }
 }
 

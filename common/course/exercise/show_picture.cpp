@@ -8,6 +8,7 @@
 #include "common/system/files.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
 #include <chrono>
@@ -28,7 +29,7 @@ constexpr int several_threads = 4;
 /// Draws the picture with that many threads.
 ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
                     int threads) {
-    const StatusLine status("drawing your picture …");
+    const StatusLine status(tr("drawing your picture …"));
     std::vector<std::string> command = {
         (build_folder / program).string(),
         "--quiet",
@@ -51,13 +52,14 @@ bool differs_with_one_thread(const Image& mine, int stage, const std::filesystem
         if (!each.of_each_thread) shared += (shared.empty() ? "" : ", ") + each.name;
     const std::string cause =
         shared.empty()
-            ? "Drawn again with one thread, your picture is another one. Look for a variable "
-              "without a value, an index out of range, a reference to what is gone, or memory "
-              "that several threads write at a time. ./course check " +
-                  std::to_string(stage) + " --sanitize may find the line."
-            : "Drawn again with one thread, your picture is another one. Several threads write "
-              "this static or global variable at a time: " +
-                  shared;
+            ? tr("Drawn again with one thread, your picture is another one. Look for a variable "
+                 "without a value, an index out of range, a reference to what is gone, or memory "
+                 "that several threads write at a time. ./course check {stage} --sanitize may find "
+                 "the line.",
+                 {{"stage", std::to_string(stage)}})
+            : tr("Drawn again with one thread, your picture is another one. Several threads write "
+                 "this static or global variable at a time: {names}",
+                 {{"names", shared}});
     std::printf("%s\n", wrapped_prose(cause).c_str());
     return true;
 }
@@ -75,10 +77,11 @@ bool show_picture(int stage, bool is_wrong) {
     const ProcessResult ending =
         drawn(name + "_checked", file, reference.resolution, several_threads);
     if (ending.out_of_time || ending.status != 0) {
-        std::printf("\nno picture: %s\n", ending.out_of_time ? "the program does not end"
-                                          : ending.crash.empty()
-                                              ? ending.output.c_str()
-                                              : ("the program crashed: " + ending.crash).c_str());
+        const std::string why = ending.out_of_time ? tr("the program does not end")
+                                : ending.crash.empty()
+                                    ? ending.output
+                                    : tr("the program crashed: {crash}", {{"crash", ending.crash}});
+        std::printf("\n%s\n", tr("no picture: {why}", {{"why", why}}).c_str());
         return ending.out_of_time;
     }
     const Image mine = read_png(file.string());
@@ -91,12 +94,14 @@ bool show_picture(int stage, bool is_wrong) {
               {});
     const bool has_noise = stage >= soft_shadow_stage && is_noise(mine, reference);
     const std::string result = comparison.different == 0 && is_wrong
-                                   ? "the same picture: this scene does not show what is wrong"
-                               : has_noise ? summary(comparison) +
-                                                 ", as with another order of the "
-                                                 "samples: the means agree"
-                                           : summary(comparison);
-    std::printf("\nPicture: %s, beside the reference's\n%s\n", shown.c_str(),
+                                   ? tr("the same picture: this scene does not show what is wrong")
+                               : has_noise
+                                   ? tr("{difference}, as with another order of the samples: the "
+                                        "means agree",
+                                        {{"difference", summary(comparison)}})
+                                   : summary(comparison);
+    std::printf("\n%s\n%s\n",
+                tr("Picture: {file}, beside the reference's", {{"file", shown}}).c_str(),
                 wrapped("  " + result).c_str());
     return !differs_with_one_thread(mine, stage, file);
 }

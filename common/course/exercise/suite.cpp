@@ -5,6 +5,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,15 +17,22 @@ namespace {
 
 constexpr std::chrono::seconds suite_time_limit{10};  // the slowest suite takes one
 
-/// The usual cause of the signal, as the end of a sentence.
+/// The usual cause of the signal.
 std::string meaning_of(const std::string& crash) {
     if (crash == "Segmentation fault")
-        return ". It used memory that is not its own: a null pointer, an index out of range, or a "
-               "function that calls itself without end";
-    if (crash == "Aborted") return ". An assertion failed, or std::abort was called";
-    if (crash == "Floating point exception") return ". A whole number was divided by 0";
-    if (crash == "Killed") return ". The system does so when memory runs out";
+        return tr(
+            "It used memory that is not its own: a null pointer, an index out of range, or a "
+            "function that calls itself without end.");
+    if (crash == "Aborted") return tr("An assertion failed, or std::abort was called.");
+    if (crash == "Floating point exception") return tr("A whole number was divided by 0.");
+    if (crash == "Killed") return tr("The system does so when memory runs out.");
     return "";
+}
+
+/// "your code crashed: Segmentation fault. It used memory …"
+std::string crashed(const std::string& crash, const std::string& cause) {
+    const std::string sentence = tr("your code crashed: {signal}.", {{"signal", crash}});
+    return cause.empty() ? sentence : sentence + " " + cause;
 }
 
 }  // namespace
@@ -36,17 +44,21 @@ std::vector<CaseResult> last_results(const std::string& program) {
 }
 
 std::string take_assertion(std::string& output) {
+    constexpr const char* no_value =
+        to_translate("A std::optional without a value was read, by * or ->");
+    constexpr const char* out_of_range =
+        to_translate("An index is out of range, as 2 is for two elements");
     struct Cause {
         const char* condition;
         const char* sentence;
     };
     constexpr std::array<Cause, 6> causes = {{
-        {"_M_is_engaged()", "A std::optional without a value was read, by * or ->"},
-        {"on a disengaged value", "A std::optional without a value was read, by * or ->"},
-        {"this->size()", "An index is out of range, as 2 is for two elements"},
-        {"out-of-bounds", "An index is out of range, as 2 is for two elements"},
-        {"out of bounds", "An index is out of range, as 2 is for two elements"},
-        {"", "An assertion failed"},
+        {"_M_is_engaged()", no_value},
+        {"on a disengaged value", no_value},
+        {"this->size()", out_of_range},
+        {"out-of-bounds", out_of_range},
+        {"out of bounds", out_of_range},
+        {"", to_translate("An assertion failed")},
     }};
     static const std::regex assertion(
         R"((?:\S+: )?(\S+:\d+): .*([Aa]ssertion ('.*'|`.*'|.*) failed.*))", std::regex::optimize);
@@ -61,8 +73,7 @@ std::string take_assertion(std::string& output) {
         const auto* const cause = std::find_if(
             causes.begin(), causes.end(),
             [&](const Cause& each) { return line.find(each.condition) != std::string::npos; });
-        sentence =
-            std::string(cause->sentence) + " (" + match[1].str() + ": " + match[2].str() + ")";
+        sentence = tr(cause->sentence) + " (" + match[1].str() + ": " + match[2].str() + ")";
     }
     output = rest;
     return sentence;
@@ -87,8 +98,9 @@ SuiteResult run_suite(const std::string& program) {
                       (build_folder / program).string(), "--out", "/dev/null"},
                      suite_time_limit);
     if (!ending.out_of_time && !ending.crash.empty() && is_stopped(ending.status))
-        throw InputError({}, program + " was told to stop before its end (" + ending.crash +
-                                 "), which says nothing about your code: check it again");
+        throw InputError({}, tr("{program} was told to stop before its end ({signal}), which says "
+                                "nothing about your code: check it again",
+                                {{"program", program}, {"signal", ending.crash}}));
     SuiteResult result{.output = ending.output};
     if (std::filesystem::exists(report)) {
         const std::string text = read_text(report);
@@ -96,16 +108,16 @@ SuiteResult run_suite(const std::string& program) {
         result.not_reached = std::max(cases_in_suite(text) - int(result.cases.size()), 0);
     }
     if (ending.out_of_time)
-        result.ended =
-            "does not end: it was stopped after " + std::to_string(suite_time_limit.count()) + " s";
+        result.ended = tr("your code does not end: it was stopped after {seconds} s.",
+                          {{"seconds", std::to_string(suite_time_limit.count())}});
     else if (!ending.crash.empty()) {
         const std::string assertion = take_assertion(result.output);
-        result.ended = "crashed: " + ending.crash +
-                       (assertion.empty() ? meaning_of(ending.crash) : ". " + assertion);
+        result.ended =
+            crashed(ending.crash, assertion.empty() ? meaning_of(ending.crash) : assertion + ".");
     } else if (!std::filesystem::exists(report)) {
         result.ended =
-            "ended the program before the first case: remove a main function of yours, and "
-            "std::exit";
+            tr("your code ended the program before the first case: remove a main function of "
+               "yours, and std::exit.");
     }
     if (!result.cases.empty()) result.cases.back().ended = result.ended;
     return result;

@@ -7,6 +7,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 
 namespace rt {
 
@@ -20,23 +21,26 @@ std::string answer(const std::string& program, const ComparisonRequest& contest,
     command.insert(command.end(), contest.words.begin(), contest.words.end());
     command.insert(command.end(), more.begin(), more.end());
     const ProcessResult ending = run_captured(command, limit);
-    const std::string seconds = std::to_string(limit.count() / 1000) + " s";
+    const Values values = {{"program", program},
+                           {"seconds", std::to_string(limit.count() / 1000)},
+                           {"signal", ending.crash}};
     if (ending.out_of_time)
-        throw InputError({}, program == my_program(contest)
-                                 ? "your code does not end: it was stopped after " + seconds
-                                 : program + " was stopped after " + seconds);
-    if (!ending.crash.empty()) throw InputError({}, program + " crashed: " + ending.crash);
+        throw InputError(
+            {}, program == my_program(contest)
+                    ? tr("your code does not end: it was stopped after {seconds} s", values)
+                    : tr("{program} was stopped after {seconds} s", values));
+    if (!ending.crash.empty()) throw InputError({}, tr("{program} crashed: {signal}", values));
     if (ending.status != 0) throw ProgramError(ending.output);
     return ending.output;
 }
 
 Comparison compare_both(const ComparisonRequest& contest) {
-    const StatusLine status("drawing both pictures …");
+    const StatusLine status(tr("drawing both pictures …"));
     const auto both = run_both(contest, [&contest](const std::string& program, auto limit) {
         const TemporaryFolder folder(build_folder);
         const std::string file = (folder.path() / "picture.png").string();
         answer(program, contest, {"--quiet", "-o", file}, limit);
-        if (!std::filesystem::exists(file)) throw InputError({}, no_picture);
+        if (!std::filesystem::exists(file)) throw InputError({}, tr(no_picture));
         return read_png(file);
     });
     return compare(both.mine, both.reference);

@@ -4,6 +4,7 @@
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/image_diff.hpp"
 #include "common/system/process.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -65,7 +66,7 @@ auto run_both(const ComparisonRequest& contest, const Run& run) {
 
 /// For options with which a program makes no picture.
 inline constexpr const char* no_picture =
-    "with these options no picture is made: nothing is compared";
+    to_translate("with these options no picture is made: nothing is compared");
 
 /// The command that explains the same picture.
 [[nodiscard]] std::string explain_command(const ComparisonRequest& contest);

@@ -5,6 +5,7 @@
 #include "common/course/build/static_data.hpp"
 #include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/may_include.hpp"
+#include "common/system/translation.hpp"
 
 #include <cstdio>
 
@@ -12,7 +13,14 @@ namespace rt {
 
 namespace {
 
-constexpr const char* advice = "Put helper functions into an anonymous namespace: namespace { … }";
+constexpr const char* advice =
+    to_translate("Put helper functions into an anonymous namespace: namespace { … }");
+
+/// Prints "steps/…/student/sphere.cpp:2: warning: …".
+void warn(const std::string& place, const std::string& words) {
+    std::printf("%s\n",
+                tr("{place}: warning: {words}", {{"place", place}, {"words", words}}).c_str());
+}
 
 /// Warns of includes that work here, and are refused when the file is graded.
 void show_refused_includes(const Workbook& workbook) {
@@ -20,11 +28,11 @@ void show_refused_includes(const Workbook& workbook) {
     for (const std::filesystem::path& file : workbook.files())
         for (const Include& each :
              refused_includes(project_folder, {stage, file.filename() == trace_file}, file))
-            std::printf(
-                "%s:%d: warning: a graded file may not include %s: docs/%s.md lists the allowed "
-                "headers\n",
-                step_path(stage, "student/" + file.filename().string()).c_str(), each.line,
-                each.header.c_str(), name_of(stage).c_str());
+            warn(step_path(stage, "student/" + file.filename().string()) + ":" +
+                     std::to_string(each.line),
+                 tr("a graded file may not include {header}: docs/{stage}.md lists the allowed "
+                    "headers",
+                    {{"header", each.header}, {"stage", name_of(stage)}}));
 }
 
 /// Warns of each source file that is linked here, but not when the stage is graded; and if there is
@@ -33,41 +41,44 @@ void show_ungraded_files(const Workbook& workbook) {
     const int stage = workbook.stage();
     const std::string graded = stage_header(stage).stem().string() + ".cpp";
     if (workbook.has_trace() && workbook.files().size() == 1)
-        std::printf(
-            "%s: warning: it is missing, so that the reference's functions were judged; graded "
-            "without it, they get no points\n",
-            step_path(stage, "student/" + graded).c_str());
+        warn(step_path(stage, "student/" + graded),
+             tr("it is missing, so that the reference's functions were judged; graded without it, "
+                "they get no points"));
     for (const std::filesystem::path& file : workbook.files())
         if (file.filename() != graded && file.filename() != trace_file)
-            std::printf("%s: warning: only %s is graded: move what it needs of this file into it\n",
-                        step_path(stage, "student/" + file.filename().string()).c_str(),
-                        graded.c_str());
+            warn(step_path(stage, "student/" + file.filename().string()),
+                 tr("only {file} is graded: move what it needs of this file into it",
+                    {{"file", graded}}));
 }
 
 /// Prints the compiler's first warning, also if it was compiled before, with its cure.
 void show_warning(int stage) {
     const std::string warning = first_warning(kept_warnings(stage));
     std::fputs(warning.c_str(), stdout);
-    if (warning.find("no previous ") != std::string::npos) std::puts(advice);
+    if (warning.find("no previous ") != std::string::npos) std::puts(tr(advice).c_str());
 }
 
 /// Warns of symbols for which no program can be linked with another stage of the student's.
 void show_shared_symbols(int stage) {
-    for (const SharedSymbol& each : shared_symbols(stage))
-        std::printf(
-            "%s: warning: %s is defined twice, also in %s: ./course run cannot link both.\n%s\n",
-            each.file.c_str(), each.name.c_str(), each.other_file.c_str(), advice);
+    for (const SharedSymbol& each : shared_symbols(stage)) {
+        warn(each.file.string(),
+             tr("{symbol} is defined twice, also in {file}: ./course run cannot link both.",
+                {{"symbol", each.name}, {"file", each.other_file.string()}}));
+        std::puts(tr(advice).c_str());
+    }
 }
 
 /// Warns of variables that keep a value from one ray to the next.
 void show_static_variables(int stage) {
     for (const StaticVariable& each : static_variables(stage))
-        std::printf(each.of_each_thread
-                        ? "%s:%d: warning: %s keeps its value from one ray to the next: make it a "
-                          "local variable, or const\n"
-                        : "%s:%d: warning: %s keeps its value from one ray to the next, and all "
-                          "threads share it: make it a local variable, or const\n",
-                    each.file.c_str(), each.line, each.name.c_str());
+        warn(each.file.string() + ":" + std::to_string(each.line),
+             each.of_each_thread
+                 ? tr("{name} keeps its value from one ray to the next: make it a local variable, "
+                      "or const",
+                      {{"name", each.name}})
+                 : tr("{name} keeps its value from one ray to the next, and all threads share it: "
+                      "make it a local variable, or const",
+                      {{"name", each.name}}));
 }
 
 }  // namespace

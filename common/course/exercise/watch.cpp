@@ -8,6 +8,7 @@
 #include "common/system/keys.hpp"
 #include "common/system/process.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -52,15 +53,19 @@ private:
         try {
             content();
         } catch (const InputError& error) {
-            std::puts(error.what());
+            std::puts(tr_text(error.what()).c_str());
         } catch (const ProgramError& error) {
             std::fputs(error.what(), stdout);
         }
         if (keys_.are_read())
-            std::printf("\n%d: r check again, h hint, n next stage, l stages, q quit\n", stage_);
+            std::printf("\n%s\n",
+                        tr("{stage}: r check again, h hint, n next stage, l stages, q quit",
+                           {{"stage", std::to_string(stage_)}})
+                            .c_str());
         else
-            std::printf("\nwaiting for a change of %s; Ctrl-C ends\n",
-                        step_path(stage_, "student").c_str());
+            std::printf("\n%s\n", tr("waiting for a change of {folder}; Ctrl-C ends",
+                                     {{"folder", step_path(stage_, "student")}})
+                                      .c_str());
         finish_output();
     }
 
@@ -74,8 +79,9 @@ private:
         const std::optional<int> next = next_stage(stage_);
         const bool is_done = Workbook(stage_).state() == State::done;
         show([&] {
-            if (!is_done) throw InputError({}, name_of(stage_) + " does not pass yet");
-            if (!next) throw InputError({}, "this is the last stage");
+            if (!is_done)
+                throw InputError({}, tr("{stage} does not pass yet", {{"stage", name_of(stage_)}}));
+            if (!next) throw InputError({}, tr("this is the last stage"));
             stage_ = *next;
             if (Workbook(stage_).files().empty()) start(stage_);
             check_again();

@@ -171,6 +171,12 @@ fs::path Workbook::fresh_start(const fs::path& workshop) const {
     return fresh;
 }
 
+InputError not_started(int stage) {
+    return {{},
+            tr("{stage} is not started: ./course start {number}",
+               {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})};
+}
+
 int current_stage() {
     std::optional<int> untouched;
     int last = 1;

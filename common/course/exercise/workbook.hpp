@@ -1,6 +1,8 @@
 // The student's files and progress: steps/stepNN_name/student/.
 #pragma once
 
+#include "common/system/input_error.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -61,6 +63,9 @@ private:
     std::filesystem::path folder_;
     Record record_;
 };
+
+/// The error of a command that needs a file of the student's.
+[[nodiscard]] InputError not_started(int stage);
 
 /// The student's current stage: the first that is started and not done, else the first that is not
 /// started; the last if all are done.

@@ -6,6 +6,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/whole_file.hpp"
 
 #include <cstdio>
@@ -34,10 +35,12 @@ Manifest read_whole(const fs::path& folder) {
     Manifest manifest = read_manifest(folder);
     for (const auto& [path, fingerprints] : manifest.fingerprints) {
         if (std::regex_match(path, not_to_touch))
-            throw InputError({folder.string()}, "not a hand-out: it has " + path);
-        if (fingerprints.size() != 1 || !manifest.matches(folder, path))
             throw InputError({folder.string()},
-                             path + " differs from the hand-out: get the hand-out again");
+                             tr("not a hand-out: it has {path}", {{"path", path}}));
+        if (fingerprints.size() != 1 || !manifest.matches(folder, path))
+            throw InputError(
+                {folder.string()},
+                tr("{path} differs from the hand-out: get the hand-out again", {{"path", path}}));
     }
     return manifest;
 }
@@ -45,18 +48,18 @@ Manifest read_whole(const fs::path& folder) {
 /// The folder of a hand-out, unpacked if necessary.
 fs::path unpacked(const fs::path& newer) {
     if (fs::is_directory(newer)) return newer;
-    if (newer.empty()) throw InputError({}, "update: expected a hand-out, not \"\"");
-    if (!fs::exists(newer)) throw InputError({newer.string()}, "does not exist");
+    if (newer.empty()) throw InputError({}, tr("update: expected a hand-out, not \"\""));
+    if (!fs::exists(newer)) throw InputError({newer.string()}, tr("does not exist"));
     const fs::path folder = build_folder / "newer_handout";
     fs::remove_all(folder);
     fs::create_directories(folder);
     const ProcessResult ending = run_captured(
         {"tar", "-xf", fs::absolute(newer).string(), "-C", folder.string(), "--no-same-owner"},
         update_time_limit);
-    if (ending.status != 0) throw InputError({newer.string()}, "cannot be unpacked");
+    if (ending.status != 0) throw InputError({newer.string()}, tr("cannot be unpacked"));
     for (const auto& entry : fs::directory_iterator(folder))
         if (is_handout(entry.path())) return entry.path();
-    throw InputError({newer.string()}, "contains no hand-out of Raysteps");
+    throw InputError({newer.string()}, tr("contains no hand-out of Raysteps"));
 }
 
 class Update {
@@ -81,13 +84,16 @@ public:
 
     void explain() const {
         if (changed_.empty())
-            std::printf("nothing has changed: %s\n", its_.title.c_str());
+            std::puts(tr("nothing has changed: {title}", {{"title", tr_text(its_.title)}}).c_str());
         else
-            std::printf("%zu files of the hand-out have changed; your own files have not\n",
-                        changed_.size());
+            std::puts(tr("{number} files of the hand-out have changed; your own files have not",
+                         {{"number", std::to_string(changed_.size())}})
+                          .c_str());
         for (int stage = 1; stage <= int(stage_names.size()); ++stage)
             if (Workbook(stage).state() != State::untouched && concerns(stage))
-                std::printf("Check your file again: ./course check %d\n", stage);
+                std::puts(tr("Check your file again: ./course check {stage}",
+                             {{"stage", std::to_string(stage)}})
+                              .c_str());
     }
 
 private:
@@ -103,7 +109,7 @@ private:
     }
 
     void drop(const std::string& path) {
-        say("removed", path);
+        say(tr("removed"), path);
         if (!mine_.matches(project_folder, path)) return put_aside(path);
         fs::remove(project_folder / path);
         std::error_code not_empty;
@@ -114,7 +120,7 @@ private:
 
     void bring(const std::string& path) {
         const bool known = is_there(project_folder / path);
-        say(known ? "changed" : "new", path);
+        say(known ? tr("changed") : tr("new"), path);
         fs::path place;
         for (const fs::path& part : fs::path(path).parent_path()) {
             place /= part;
@@ -133,11 +139,12 @@ private:
             kept = path + ".yours_" + std::to_string(number++);
         } while (is_there(project_folder / kept));
         fs::rename(project_folder / path, project_folder / kept);
-        std::printf("         your old file is kept in %s\n", kept.c_str());
+        std::printf("         %s\n",
+                    tr("your old file is kept in {file}", {{"file", kept}}).c_str());
     }
 
-    void say(const char* what, const std::string& path) {
-        std::printf("%-8s %s\n", what, path.c_str());
+    void say(const std::string& what, const std::string& path) {
+        std::printf("%-8s %s\n", what.c_str(), path.c_str());
         changed_.push_back(path);
     }
 
@@ -161,7 +168,7 @@ private:
 
 int update(const fs::path& newer) {
     if (!is_handout(project_folder))
-        throw InputError({}, "this is not a hand-out: update it with git pull");
+        throw InputError({}, tr("this is not a hand-out: update it with git pull"));
     const fs::path folder = unpacked(newer);
     Manifest mine = read_manifest(project_folder);
     const bool was_interrupted = mine.title == under_way;
@@ -178,7 +185,8 @@ int update(const fs::path& newer) {
 
 void warn_of_half_update() {
     if (is_handout(project_folder) && read_manifest(project_folder).title == under_way)
-        std::fprintf(stderr, "warning: an update was interrupted: run ./course update again\n");
+        std::fprintf(stderr, "%s\n",
+                     tr("warning: an update was interrupted: run ./course update again").c_str());
 }
 
 }  // namespace rt

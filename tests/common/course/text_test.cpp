@@ -70,7 +70,7 @@ TEST_CASE("a symbol that is defined twice is named with its files") {
     const std::string b =
         "steps/step07_cylinder/CMakeFiles/step07_cylinder_student_f32.dir/student/cylinder.cpp.o";
     const std::string both =
-        " in steps/step07_cylinder/student/cylinder.cpp and steps/step03_sphere/student/sphere.cpp";
+        " in steps/step07_cylinder/student/cylinder.cpp, steps/step03_sphere/student/sphere.cpp";
     const std::string cure =
         "\nPut helper functions into an anonymous namespace: namespace { … }\n";
     CHECK(first_error("mold: error: duplicate symbol: " + b + ": " + a + ": rt::solve(float)\n") ==

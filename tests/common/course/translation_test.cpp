@@ -40,6 +40,15 @@ msgstr ""
 msgid "{some} of {all} pass"
 msgstr "sur {all}, {some} réussissent"
 
+msgid "{what}, of {heading}"
+msgstr "{what}, de {heading}"
+
+msgid "hit at {t}"
+msgstr "intersection à {t}"
+
+msgid "{what}, but hit at {t}"
+msgstr "{what}, mais intersection à {t}"
+
 #~ msgid "a square"
 #~ msgstr "un carré"
 )";
@@ -66,6 +75,18 @@ TEST_CASE("values stand in the places of the translation") {
     CHECK(tr("{some} of {all} pass", {{"some", "{all}"}, {"all", "4"}}) ==
           "sur 4, {all} réussissent");
     CHECK(tr("{a} and {b}", {{"a", "1"}}) == "1 and {b}");
+}
+
+TEST_CASE("a text that was put together elsewhere is translated with its values") {
+    read();
+    CHECK(tr_text("a cone") == "un cône");
+    CHECK(tr_text("2 of 3 pass") == "sur 3, 2 réussissent");
+    CHECK(tr_text("hit at 4") == "intersection à 4");
+    CHECK(tr_text("a cone, but hit at 1, but hit at 4") ==
+          "un cône, mais intersection à 1, mais intersection à 4");
+    for (const char* english :
+         {"hit at ", " of 3 pass", "a hit at 4", "Sphere{.radius = 4}", "1, of 2", ""})
+        CHECK(tr_text(english) == english);
 }
 
 TEST_CASE("paragraphs are translated one by one") {
