@@ -8,7 +8,7 @@
 build=$(cd "$1" && pwd)
 shift
 . "$(dirname "$0")/../lib.sh"
-seeds="0000000000000001 243f6a8885a308d3 13198a2e03707344 a4093822299f31d0 b236a50503e93865 47a3842b6a584dfa"
+seeds="243f6a8885a308d3 b236a50503e93865 47a3842b6a584dfa"
 
 for suite in "$@"; do
     for seed in $seeds; do

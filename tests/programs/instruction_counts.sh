@@ -28,7 +28,7 @@ cost() {
     start=$1.$3
     [ -s "$start" ] || instructions "$1" "$2" "$3" 1x1 > "$start"
     [ -e "$kept" ] || {
-        picture=$(instructions "$1" "$2" "$3" 64x48)
+        picture=$(instructions "$1" "$2" "$3" 32x24)
         [ -n "$picture" ] && [ -s "$start" ] && echo $((picture - $(cat "$start"))) > "$kept"
     }
     cat "$kept" 2> /dev/null

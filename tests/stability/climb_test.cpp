@@ -83,7 +83,7 @@ Climb<Shape> highest(Goal goal, std::uint64_t steps) {
 
 template <class Shape>
 void hold(const char* shape, Goal goal, const char* measure, double promise) {
-    const std::uint64_t once = goal == Goal::off ? 300'000 : goal == Goal::ulps ? 20'000 : 8'000;
+    const std::uint64_t once = goal == Goal::off ? 100'000 : goal == Goal::ulps ? 7'000 : 3'000;
     const std::uint64_t steps = once * number_from("RAYSTEPS_CLIMB", 1);
     const auto [top, height] = highest<Shape>(goal, steps);
     const auto got = intersect(top.ray, top.shape, top.interval);

@@ -71,7 +71,7 @@ double ulps_off(const Case<Shape>& asked) {
 template <class Shape>
 void measure_ladder(const char* shape) {
     constexpr int steps = 300;
-    const std::uint64_t climbs = 40 * number_from("RAYSTEPS_STABILITY", 1);
+    const std::uint64_t climbs = 10 * number_from("RAYSTEPS_STABILITY", 1);
     double worst = 0;
     std::string where;
     for (std::uint64_t i = 0; i < climbs; ++i) {

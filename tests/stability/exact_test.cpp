@@ -68,7 +68,7 @@ Worst measured(Sweep sweep, std::uint64_t rays) {
 
 template <class Shape>
 void hold(const char* shape, std::initializer_list<Sweep> sweeps) {
-    const std::uint64_t rays = 8'000 * number_from("RAYSTEPS_STABILITY", 1);
+    const std::uint64_t rays = 2'000 * number_from("RAYSTEPS_STABILITY", 1);
     for (const Sweep sweep : sweeps) {
         const Worst worst = measured<Shape>(sweep, rays);
         std::printf("| %s | %s | %llu | %.2f |\n", shape, name(sweep).c_str(),

@@ -79,7 +79,7 @@ void measure(Row& row, const Case<Shape>& asked, bool at_end, std::optional<Real
 template <class Shape>
 Row measured(Sweep sweep) {
     const std::uint64_t seed = number_from("RAYSTEPS_SEED", 2021);
-    const std::uint64_t rays = 8'000 * number_from("RAYSTEPS_STABILITY", 1);
+    const std::uint64_t rays = 2'000 * number_from("RAYSTEPS_STABILITY", 1);
     Row row;
     for (std::uint64_t i = 0; i < rays; ++i) {
         Random random(seed + i);
