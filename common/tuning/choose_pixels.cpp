@@ -58,12 +58,17 @@ private:
     /// to reach the error need most rays.
     [[nodiscard]] Candidate cheaper(Candidate best) const {
         if (best.settings.pixel_samples == 1 || best.outcome.at_most() > share_) return best;
-        for (int most = 8; most < right_pixel_samples; most *= 2)
-            for (double error = allowed_ / 4; error < 16 * allowed_; error *= std::numbers::sqrt2) {
+        const double of_best = best.settings.pixel_error;
+        double error = of_best > 0 ? of_best : 16 * allowed_;
+        for (int most = right_pixel_samples / 2; most >= 8; most /= 2)
+            for (;; error /= std::sqrt(std::numbers::sqrt2)) {  // fewer rays need a smaller one
                 Candidate capped{.settings = with_pixel_error(settings_, error)};
                 capped.settings.pixel_samples = most;
                 capped.outcome = study_.outcome(capped.settings);
-                if (capped.outcome.rays < best.outcome.rays && keeps(capped)) best = capped;
+                if (error < allowed_ / 4 || capped.outcome.rays >= best.outcome.rays) break;
+                if (!keeps(capped)) continue;
+                best = capped;
+                break;
             }
         return best;
     }

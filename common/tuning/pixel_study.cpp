@@ -17,14 +17,11 @@ namespace rt {
 
 namespace {
 
-/// The error of the mean of a number of rays. The other mean, to which it is compared, has an error
-/// too: with N rays, the mean square of an error is N^-1.5 on an edge, and N^-1 where it is noise.
-double error_of_mean(const PixelHistory& history, std::size_t step, int count) {
-    const PixelStep& some = history.steps[std::min(step, history.steps.size() - 1)];
-    const int others = history.steps.back().count;
-    return distance(some.mean, history.other_mean) /
-           std::sqrt(1 + std::pow(double(some.count) / others, 1.5)) *
-           std::sqrt(double(some.count) / std::max(count, some.count));
+/// The error of the mean after a step. The other mean, to which it is compared, has an error too:
+/// with N rays, the mean square of an error is N^-1.5 on an edge, and N^-1 where it is noise.
+double error_of_mean(const PixelHistory& history, const PixelStep& step) {
+    const double fewer = double(step.count) / history.steps.back().count;
+    return distance(step.mean, history.other_mean) / std::sqrt(1 + fewer * std::sqrt(fewer));
 }
 
 /// The rays to a light of each ray through a trial pixel (pixel_samples.hpp, adaptive_settings).
@@ -134,6 +131,7 @@ void PixelStudy::begin(double right_error) {
     tiles_.clear();
     for (Stratum& stratum : strata_) {
         stratum.traced.clear();
+        stratum.known.clear();
         stratum.rays = 0;
     }
     trace_first();
@@ -180,6 +178,7 @@ void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum, double part) 
         std::vector<TrialPixel> more =
             traced(std::span(stratum.places).subspan(known, next), at_least, stratum.scouts);
         std::ranges::move(more, std::back_inserter(stratum.traced));
+        stratum.known.clear();
         known += next;
         const double tried = double(known - before);
         pixels = std::min(tried, tried * (end - seconds_) / std::max(seconds_ - start, 1e-12));
@@ -228,10 +227,14 @@ std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> pl
     seconds_ += histories.seconds;
     std::vector<TrialPixel> pixels;
     for (std::size_t i = 0; i < places.size(); ++i) {
+        PixelHistory& history = histories.pixels[i];
+        const DisplayColor center = display_color((*centers_.image)[places[i]]);
+        const double off = history.steps.empty() ? 0 : distance(center, history.other_mean);
+        for (PixelStep& step : history.steps) step.off = error_of_mean(history, step);
         pixels.push_back({.place = places[i],
                           .contrast = contrast_around(*centers_.image, places[i], 1),
-                          .center = display_color((*centers_.image)[places[i]]),
-                          .history = std::move(histories.pixels[i])});
+                          .center_off = off,
+                          .history = std::move(history)});
     }
     return pixels;
 }
@@ -241,8 +244,7 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
     const double stands_for = pixel.history.stands_for;
     const bool adaptive = settings.pixel_error > 0;
     if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
-        return {.error = steps.empty() ? 0 : distance(pixel.center, pixel.history.other_mean),
-                .pixels = stands_for};
+        return {.error = pixel.center_off, .pixels = stands_for};
     int count = adaptive
                     ? std::min(first_pixel_samples(settings.pixel_error), settings.pixel_samples)
                     : settings.pixel_samples;
@@ -254,7 +256,8 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
         count = next_pixel_samples(count, settings.pixel_samples);
         step = PixelHistory::step_of(count);
     }
-    return {.error = error_of_mean(pixel.history, step, count),
+    const PixelStep& last = steps[std::min(step, steps.size() - 1)];
+    return {.error = last.off * std::sqrt(double(last.count) / std::max(count, last.count)),
             .rays = step < steps.size() ? steps[step].rays : ray_rays * count,
             .pixels = stands_for};
 }
@@ -276,21 +279,28 @@ Trial PixelStudy::trial(const RenderSettings& settings) const {
     return trial;
 }
 
+PixelStudy::Sums PixelStudy::sums(const Stratum& stratum, const RenderSettings& settings,
+                                  double allowed) {
+    Sums sums{.squares = stratum.unseen};  // as if one more were
+    for (const TrialPixel& pixel : stratum.traced) {
+        const Result with = result(pixel, settings);
+        const double chance = chance_beyond(with.error, allowed);
+        sums.rays += with.rays;
+        sums.beyond += with.pixels * chance;
+        sums.squares += with.pixels * with.pixels * chance;
+    }
+    return sums;
+}
+
 PixelStudy::Outcome PixelStudy::outcome(const RenderSettings& settings, double allowed) const {
     Outcome outcome;
     for (std::size_t kind = 0; kind < kinds; ++kind) {
         const Stratum& stratum = strata_[kind];
         if (stratum.places.empty()) continue;
-        double beyond = 0;
-        double rays = 0;
-        double squares = stratum.unseen;  // as if one more were
-        for (const TrialPixel& pixel : stratum.traced) {
-            const Result with = result(pixel, settings);
-            const double chance = chance_beyond(with.error, allowed);
-            rays += with.rays;
-            beyond += with.pixels * chance;
-            squares += with.pixels * with.pixels * chance;
-        }
+        const auto [known, is_new] = stratum.known.try_emplace(
+            {settings.pixel_error, double(settings.pixel_samples), allowed});
+        if (is_new) known->second = sums(stratum, settings, allowed);
+        const auto [rays, beyond, squares] = known->second;
         // Pixels that stand for k are as uncertain as if there were 1/k of them (Kish 1965).
         const double stands_for = squares / (1 + beyond);
         const auto tried = double(stratum.traced.size());

@@ -102,9 +102,16 @@ public:
 private:
     struct TrialPixel {
         Pixel place;
-        int contrast = 0;  ///< of its surroundings in the picture of one ray a pixel
-        DisplayColor center{};
+        int contrast = 0;       ///< of its surroundings in the picture of one ray a pixel
+        double center_off = 0;  ///< error of the ray through the center
         PixelHistory history;
+    };
+
+    /// Sums over the trial pixels of one kind, with some settings.
+    struct Sums {
+        double rays = 0;
+        double beyond = 0;   ///< the pixels that do not keep the tolerance
+        double squares = 0;  ///< of the numbers of pixels for which each of these stands
     };
 
     /// Pixels of one kind.
@@ -117,6 +124,9 @@ private:
         double pixels = 0;          ///< number of them in the picture
         std::vector<Pixel> places;  ///< those that may be traced, in this order
         std::vector<TrialPixel> traced;
+        /// Of pixel_error, pixel_samples and the tolerance, until more are traced: most take part
+        /// in many comparisons.
+        mutable std::map<std::array<double, 3>, Sums> known;
     };
 
     /// A trial pixel with some settings.
@@ -141,6 +151,8 @@ private:
     [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least,
                                                  int scouts);
     [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
+    [[nodiscard]] static Sums sums(const Stratum& stratum, const RenderSettings& settings,
+                                   double allowed);
     /// Expects small details where the scene has some.
     void expect_details(const SceneTraits& traits);
     [[nodiscard]] bool tile_keeps(int tile, const RenderSettings& settings, double allowed);

@@ -60,6 +60,7 @@ struct PixelStep {
     DisplayColor mean{};
     double error = 0;  ///< as --pixel-error estimates it, in 8-bit levels
     double rays = 0;   ///< of all kinds, so far
+    double off = 0;    ///< estimated error of the mean, by PixelStudy
 };
 
 /// A pixel after each number of rays at which --pixel-error may stop, and after fewer. The rays are
