@@ -16,6 +16,7 @@ namespace {
 
 /// Side 4, in the plane z = 0, seen from above with x to the right and y upwards.
 const Square flat{.center = {0, 0, 0}, .basis = {}, .side = 4};
+const Ray from_below{.origin = {1, 1, -3}, .direction = {0, 0, 1}};
 
 Ray down_at(Real x, Real y) {
     return {.origin = {x, y, 2}, .direction = {0, 0, -1}};
@@ -130,9 +131,11 @@ TEST_CASE("squares with other bases (MRT §6)") {
     CHECK(misses(Ray{.origin = {3, 1, Real(2.5)}, .direction = {-1, 0, 0}}, upright));
 }
 
-TEST_CASE("a square is hit from either side, a one-sided one from its front only (HAI)") {
-    const Ray from_below{.origin = {1, 1, -3}, .direction = {0, 0, 1}};
+TEST_CASE("a square is hit from either side (MRT §6)") {
     CHECK(hits(from_below, flat, 3));
+}
+
+TEST_CASE("a one-sided square is hit from its front only (HAI)") {
     Square front_only = flat;
     front_only.one_sided = true;
     CHECK(hits(down_at(1, 1), front_only, 2));

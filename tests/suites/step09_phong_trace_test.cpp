@@ -103,9 +103,11 @@ TEST_CASE("the surface is lit on the side of the eye (CR §3.1)") {
     CHECK(every_kind_is_lit_from_either_side(9));
 }
 
-TEST_CASE(
-    "the option --term selects a term, and --shade normal the normal (docs/step09_phong.md)") {
+TEST_CASE("the option --term selects a term (docs/step09_phong.md)") {
     CHECK(term_is_selected());
+}
+
+TEST_CASE("the option --shade normal shows the normal (M1)") {
     CHECK(shows("pl 0,0,-4 0,0.6,0.8 255,0,0\n", {0, 153, 204}, {.shading = Shading::normal}));
 }
 
