@@ -18,6 +18,7 @@ constexpr double least_of_wrong = 0.8;   ///< of the wrong answers, those that a
 constexpr double least_likeness = 0.75;  ///< of answers
 constexpr double least_of_cases = 0.6;   ///< likeness of failing cases
 constexpr int least_values = 2;          ///< answers that few mistakes share
+constexpr double most_alien = 0.25;      ///< of these, numbers that another formula gives
 constexpr double most_of_open = 0.7;     ///< where a formula cancels, answers are of another kind
 
 /// The comparison of a function's answers with a mistake's.
@@ -29,6 +30,7 @@ struct Fit {
     int both = 0;    ///< of these, those on which the answer is wrong
     int hits = 0;    ///< of these, those with the mistake's answer
     int values = 0;  ///< of these, those with a number that few mistakes share
+    int alien = 0;   ///< wrong answers with a number that is not the mistake's
 
     [[nodiscard]] bool is_exact() const { return wrong > 0 && alike == probes; }
     /// The share of the mistake's answers among all on which either errs.
@@ -36,8 +38,8 @@ struct Fit {
         return hits == 0 ? 0 : double(hits) / double(wrong + errs - both);
     }
     [[nodiscard]] bool is_near() const {
-        return values >= least_values && hits >= least_of_wrong * wrong &&
-               likeness() >= least_likeness;
+        return values >= least_values && alien <= most_alien * values &&
+               hits >= least_of_wrong * wrong && likeness() >= least_likeness;
     }
 };
 
@@ -138,6 +140,7 @@ private:
             fit.both += errs && is_wrong;
             fit.hits += errs && is_wrong && is_alike;
             fit.values += errs && is_wrong && is_alike && is_value(answer);
+            fit.alien += is_wrong && !is_alike && is_value(answer);
         });
         return fit;
     }
