@@ -23,6 +23,18 @@ bool opens_numbers(const std::string& line, std::size_t brace) {
     return line[brace] == '{' && end != std::string::npos && line[end] == '}';
 }
 
+/// The line, or what fits of it before "…".
+std::string shortened(const std::string& line, int columns) {
+    int width = 0;
+    std::size_t end = line.size();  // of what leaves a column free
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (!begins_character(line[i])) continue;
+        if (++width == columns) end = i;
+        if (width > columns) return line.substr(0, end) + "…";
+    }
+    return line;
+}
+
 }  // namespace
 
 std::size_t columns_of(const std::string& text) {
@@ -75,6 +87,19 @@ std::string wrapped_prose(const std::string& line) {
 std::string wrapped_code(const std::string& line) {
     return wrapped(
         line, output_on_terminal() ? std::clamp(terminal_columns(), narrowest, widest) : widest);
+}
+
+std::string wrapped_diagnostic(const std::string& text, int columns) {
+    std::istringstream lines(text);
+    std::string all;
+    for (std::string line; std::getline(lines, line); all += '\n')
+        all += line.starts_with(' ') ? shortened(line, columns) : wrapped(line, columns);
+    return all;
+}
+
+std::string wrapped_diagnostic(const std::string& text) {
+    return output_on_terminal() ? wrapped_diagnostic(text, std::max(terminal_columns(), narrowest))
+                                : text;
 }
 
 std::string wrapped_page(const std::string& text, std::size_t column) {

@@ -26,6 +26,13 @@ namespace rt {
 /// A line of C++ for a file of the student's, broken for the width of the terminal, at most 120.
 [[nodiscard]] std::string wrapped_code(const std::string& line);
 
+/// A compiler's message: its text is broken, and the lines of code and marks that it quotes, which
+/// begin with a blank, end with "…" instead.
+[[nodiscard]] std::string wrapped_diagnostic(const std::string& text, int columns);
+
+/// The same for the width of the terminal; the text itself if the standard output is none.
+[[nodiscard]] std::string wrapped_diagnostic(const std::string& text);
+
 /// A page of help with each line broken for the width of the terminal, 80 if it is none. The lines
 /// that begin with a blank describe options, and go on in that column.
 [[nodiscard]] std::string wrapped_page(const std::string& text, std::size_t column);

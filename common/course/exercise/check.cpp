@@ -16,6 +16,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/status_line.hpp"
 #include "common/system/translation.hpp"
+#include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -88,15 +89,16 @@ std::string now() {
     return text;
 }
 
-/// Adds the known mistake of `trace` that has the same failures, if there is one.
-void add_trace_mistake(int stage, const Judged& judged, Diagnosis& diagnosis) {
+/// Adds the known mistakes of `trace` that have the same failures, if there are any.
+void add_trace_mistakes(int stage, const Judged& judged, Diagnosis& diagnosis) {
     for (const std::string& name : judged.unwritten)
         if (name == "trace" || name == "render") return;
-    const auto mistake = recognized_trace_mistake(
-        project_folder / "tests/mistakes" / stage_name(stage) / "trace.txt", judged.of_trace);
-    if (!mistake) return;
-    diagnosis.sentences.push_back((mistake->is_certain ? "" : "Probably: ") + mistake->sentence);
-    diagnosis.names.push_back(mistake->name);
+    for (const TraceMistake& each : recognized_trace_mistakes(
+             project_folder / "tests/mistakes" / stage_name(stage) / "trace.txt",
+             judged.of_trace)) {
+        diagnosis.sentences.push_back((each.is_certain ? "" : "Probably: ") + each.sentence);
+        diagnosis.names.push_back(each.name);
+    }
 }
 
 void remember(const Findings& findings, const std::string& files, Workbook& workbook) {
@@ -119,7 +121,7 @@ Findings examine(const Workbook& workbook, Judged in_double, bool float_is_built
     if (in_double.functions_are_wrong || (in_float && in_float->functions_are_wrong))
         diagnosis =
             diagnosis_of(stage, report_of(name_of(stage) + "_test_double"), in_double.unwritten);
-    add_trace_mistake(stage, in_double, diagnosis);
+    add_trace_mistakes(stage, in_double, diagnosis);
     return findings_of(stage, {std::move(in_double), std::move(in_float)}, std::move(diagnosis));
 }
 
@@ -140,7 +142,7 @@ int check(int stage, bool complete) {
         if (!in_double.suite.cases.empty())
             show_result(stage, findings_of(stage, {std::move(in_double), std::nullopt}, {}),
                         complete);
-        std::fputs(error.c_str(), stdout);
+        std::fputs(wrapped_diagnostic(error).c_str(), stdout);
         return 1;
     }
     const Findings findings = examine(workbook, std::move(in_double), in_float);

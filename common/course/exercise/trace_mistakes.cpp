@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <sstream>
 
 namespace rt {
@@ -57,16 +59,9 @@ bool is_likely(std::size_t common, std::size_t failures, std::size_t of_mistake)
            double(failures + of_mistake - 2 * common) <= most_left * double(common);
 }
 
-}  // namespace
-
-std::optional<TraceMistake> recognized_trace_mistake(const std::filesystem::path& file,
-                                                     const std::vector<CaseResult>& cases) {
-    Failures failures;
-    for (const CaseResult& each : cases)
-        if (!each.passed && !each.name.starts_with("the picture"))
-            add_failures(each.failures, failures);
-    if (failures.empty() || !std::filesystem::exists(file)) return std::nullopt;
-    const std::vector<KnownTrace> known = known_in(read_text(file));
+/// The known mistake with the fewest failures that are not the trace's, or the other way round.
+std::optional<TraceMistake> the_one(const std::vector<KnownTrace>& known,
+                                    const Failures& failures) {
     const KnownTrace* best = nullptr;
     std::size_t least_left = 0;
     for (const KnownTrace& each : known) {
@@ -80,6 +75,67 @@ std::optional<TraceMistake> recognized_trace_mistake(const std::filesystem::path
     if (best == nullptr) return std::nullopt;
     return TraceMistake{
         .name = best->name, .sentence = best->sentence, .is_certain = least_left == 0};
+}
+
+/// Returns whether both mistakes together explain all failures: each some that the other one does
+/// not, and nearly all that it alone causes. Where both fail, the answer may be another one.
+bool explain_together(const KnownTrace& a, const KnownTrace& b, const Failures& failures) {
+    constexpr int least_alone = 3;
+    constexpr double most_missing = 0.25;
+    const auto explains = [&failures](const KnownTrace& known, const KnownTrace& other) {
+        int alone = 0;
+        int missing = 0;
+        for (const auto& [question, answer] : known.failures) {
+            if (other.failures.contains(question)) continue;
+            const auto found = failures.find(question);
+            ++(found != failures.end() && found->second == answer ? alone : missing);
+        }
+        return alone >= least_alone && missing <= most_missing * alone;
+    };
+    const auto is_of = [](const KnownTrace& known, const auto& failure) {
+        const auto found = known.failures.find(failure.first);
+        return found != known.failures.end() && found->second == failure.second;
+    };
+    return std::all_of(
+               failures.begin(), failures.end(),
+               [&](const auto& each) {
+                   return is_of(a, each) || is_of(b, each) ||
+                          (a.failures.contains(each.first) && b.failures.contains(each.first));
+               }) &&
+           explains(a, b) && explains(b, a);
+}
+
+/// The only two known mistakes that explain all failures together; nothing if others do, too.
+std::vector<TraceMistake> the_two(const std::vector<KnownTrace>& known, const Failures& failures) {
+    std::vector<TraceMistake> found;
+    for (auto a = known.begin(); a != known.end(); ++a)
+        for (auto b = known.begin(); b != a; ++b) {
+            if (a->sentence == b->sentence || !explain_together(*a, *b, failures)) continue;
+            const std::set<std::string> sentences = {a->sentence, b->sentence};
+            if (!found.empty() && sentences != std::set{found[0].sentence, found[1].sentence})
+                return {};
+            if (found.empty())
+                for (const KnownTrace& each : {*b, *a})
+                    found.push_back({each.name, each.sentence, false});
+        }
+    return found;
+}
+
+}  // namespace
+
+std::vector<TraceMistake> recognized_trace_mistakes(const std::filesystem::path& file,
+                                                    const std::vector<CaseResult>& cases) {
+    Failures failures;
+    for (const CaseResult& each : cases)
+        if (!each.passed && !each.name.starts_with("the picture"))
+            add_failures(each.failures, failures);
+    if (failures.empty() || !std::filesystem::exists(file)) return {};
+    const std::vector<KnownTrace> known = known_in(read_text(file));
+    const std::optional<TraceMistake> one = the_one(known, failures);
+    if (one && one->is_certain) return {*one};
+    std::vector<TraceMistake> two = the_two(known, failures);
+    if (two.empty() && one) return {*one};
+    return two;
 }
 
 }  // namespace rt

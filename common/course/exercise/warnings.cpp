@@ -6,6 +6,7 @@
 #include "common/course/build/student_objects.hpp"
 #include "common/course/exercise/may_include.hpp"
 #include "common/system/translation.hpp"
+#include "common/system/wrap.hpp"
 
 #include <cstdio>
 
@@ -54,7 +55,7 @@ void show_ungraded_files(const Workbook& workbook) {
 /// Prints the compiler's first warning, also if it was compiled before, with its cure.
 void show_warning(int stage) {
     const std::string warning = first_warning(kept_warnings(stage));
-    std::fputs(warning.c_str(), stdout);
+    std::fputs(wrapped_diagnostic(warning).c_str(), stdout);
     if (warning.find("no previous ") != std::string::npos) std::puts(tr(advice).c_str());
 }
 

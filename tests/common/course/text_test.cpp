@@ -46,6 +46,18 @@ TEST_CASE("a long line is broken at spaces, not in texts, and stays C++") {
     CHECK(wrapped("ééé, ééé, ééé", 13) == "ééé, ééé, ééé");
 }
 
+TEST_CASE("of a compiler's message the text is broken, and the code that it quotes is cut") {
+    const std::string code =
+        "   26 | Ray to_world(const Ray& ray)\n      |                     ~~~~\n";
+    CHECK(
+        wrapped_diagnostic("a.cpp:3:4: warning: unused parameter ‘ray’ [-Wunused]\n" + code, 21) ==
+        "a.cpp:3:4: warning:\n    unused parameter\n    ‘ray’ [-Wunused]\n"
+        "   26 | Ray to_world…\n      |             …\n");
+    CHECK(wrapped_diagnostic(code, 40) == code);
+    CHECK(wrapped_diagnostic(" | ééééé\n", 8) == " | ééééé\n");
+    CHECK(wrapped_diagnostic(" | ééééé\n", 7) == " | ééé…\n");
+}
+
 TEST_CASE("a compiler's error has the note that belongs to it, of the project's files") {
     const std::string file = "steps/step03_sphere/student/sphere.cpp";
     const std::string error =

@@ -34,14 +34,16 @@ CaseResult fails(const std::string& name, const std::string& digest) {
     return {.name = name, .failures = digest};
 }
 
-/// The mistake's name and sentence, or nothing.
+/// The names and sentences of the mistakes, or nothing.
 std::string recognized(const std::vector<CaseResult>& cases, const std::string& file = known) {
     const TemporaryFolder folder(std::filesystem::temp_directory_path());
     const std::filesystem::path path = folder.path() / "trace.txt";
     write_text(path, file);
-    const auto mistake = recognized_trace_mistake(path, cases);
-    if (!mistake) return "";
-    return mistake->name + (mistake->is_certain ? ": " : " probably: ") + mistake->sentence;
+    std::string names;
+    for (const TraceMistake& each : recognized_trace_mistakes(path, cases))
+        names += (names.empty() ? "" : "; ") + each.name +
+                 (each.is_certain ? ": " : " probably: ") + each.sentence;
+    return names;
 }
 
 const std::string farthest =
@@ -82,6 +84,26 @@ TEST_CASE("a mistake is probable if it fails nearly the same questions, and one 
     CHECK(recognized({fails(closest, six.substr(0, 38))}).empty());
 }
 
+TEST_CASE("two mistakes are recognized together where each explains its part") {
+    const std::string both = "000000030033 000000040044";
+    const std::string one = "000000110011 000000120011 000000130011 " + both;
+    const std::string other = "000000210022 000000220022 000000230022 " + both;
+    const std::string two = "mistake one: One.\n" + one + "\nmistake other: Other.\n" + other;
+    const std::string names = "one probably: One.; other probably: Other.";
+    CHECK(recognized({fails(closest, one + " " + other)}, two) == names);
+    // Where both fail, the answer is that of both, and may be right.
+    const std::string alone = one.substr(0, 38) + " " + other.substr(0, 38);
+    CHECK(recognized({fails(closest, alone + " 000000030077")}, two) == names);
+    CHECK(recognized({fails(closest, alone)}, two) == names);
+    // A failure of neither, one of another answer, and too little of the second.
+    CHECK(recognized({fails(closest, alone + " 000000990099")}, two).empty());
+    CHECK(recognized({fails(closest, alone + " 000000210023")}, two).empty());
+    CHECK(recognized({fails(closest, alone.substr(0, 64))}, two).empty());
+    // A third one explains as much as the second.
+    CHECK(recognized({fails(closest, alone)}, two + "\nmistake third: Third.\n" + other).empty());
+    CHECK(recognized({fails(closest, alone)}, two + "\nmistake third: Other.\n" + other) == names);
+}
+
 TEST_CASE("the picture, which depends on everything, does not count for the name of a mistake") {
     const CaseResult picture = fails("the picture of the stage, by this trace (CR §2.1)", black);
     CHECK(recognized({fails(closest, red_for_blue), picture}) == farthest);
@@ -92,5 +114,5 @@ TEST_CASE("a stage without known mistakes of trace names none") {
     const std::vector<CaseResult> cases = {fails(closest, red_for_blue)};
     CHECK(recognized(cases, "").empty());
     CHECK(recognized(cases, "# A comment.\n").empty());
-    CHECK_FALSE(recognized_trace_mistake("no/such/trace.txt", cases));
+    CHECK(recognized_trace_mistakes("no/such/trace.txt", cases).empty());
 }

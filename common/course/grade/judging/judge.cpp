@@ -112,13 +112,13 @@ void read_diagnosis(const std::string& output, Mark& mark) {
 }
 
 /// The cases are those with the suite's own inputs.
-void name_trace_mistake(const Grading& grading, const std::vector<CaseMark>& cases, Mark& mark) {
+void name_trace_mistakes(const Grading& grading, const std::vector<CaseMark>& cases, Mark& mark) {
     std::vector<CaseResult> results;
     for (const CaseMark& each : cases)
         results.push_back({.name = each.name, .passed = each.passed, .failures = each.failures});
-    const auto mistake = recognized_trace_mistake(
-        grading.project / "tests/mistakes" / stage_name(mark.stage) / "trace.txt", results);
-    if (mistake) mark.mistake += (mark.mistake.empty() ? "" : "\n") + mistake->sentence;
+    for (const TraceMistake& each : recognized_trace_mistakes(
+             grading.project / "tests/mistakes" / stage_name(mark.stage) / "trace.txt", results))
+        mark.mistake += (mark.mistake.empty() ? "" : "\n") + each.sentence;
 }
 
 }  // namespace
@@ -233,7 +233,7 @@ void Judge::mark_file(SubmissionJob& job, GradedFile graded, Mark& mark) {
     if (graded.is_trace) {
         const bool is_whole = as_written.size() == cases.size() && !is_out_of_time(mark);
         if (is_whole && is_written(job.text(graded)))
-            name_trace_mistake(grading_, as_written, mark);
+            name_trace_mistakes(grading_, as_written, mark);
         return;
     }
     if (!is_written(job.text(graded))) {
