@@ -223,3 +223,23 @@ TEST_CASE("another right answer beside a mistake's own function does not identif
     answers[0].value->parts[2].number = 40;
     CHECK(recognized(probes, answers, results).empty());
 }
+
+TEST_CASE("many misses alike do not identify a mistake whose numbers are others") {
+    std::string text = "stage 4\nmistake reversed: Reversed.\n";
+    for (int k = 1; k <= 12; ++k) {
+        const std::string t = std::to_string(k + 2);
+        text +=
+            "call intersect(Ray{{0, 0, 0}, {0, 0, -1}}, Plane{{0, 0, -" + t +
+            "}, {0, 0, 1}}, Interval{0, infinity})\n" +
+            (k <= 2 ? "right std::nullopt\nwrong " + t : "right " + t + "\nwrong std::nullopt") +
+            " | reversed\n";
+    }
+    const Probes probes = read_probes(text);
+    std::vector<Answer> answers;
+    for (const Probe& probe : probes.probes) answers.push_back(probe.mistaken[0]);
+    CHECK(recognized(probes, answers, {}).size() == 1);
+    answers[11] = probes.probes[11].right;  // where a detail differs
+    CHECK(recognized(probes, answers, {}).size() == 1);
+    answers[11] = answers[0];  // another formula's number
+    CHECK(recognized(probes, answers, {}).empty());
+}
