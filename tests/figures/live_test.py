@@ -78,7 +78,7 @@ state = """(async () => {
     await new Promise((resolve) => setTimeout(resolve, 5));
   }
   const hex = (bytes) => Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");
-  return { table: figure.table.textContent, shapes: figure.back.querySelectorAll("*").length,
+  return { table: figure.table.textContent, texts: Array.from(figure.svg.querySelectorAll("text"), ({ textContent }) => textContent), shapes: figure.back.querySelectorAll("*").length,
            asked: figure.asked.map(({ precision, question, answer, name }) => [precision, hex(question), hex(answer), name]) };
 })()"""
 
@@ -167,7 +167,9 @@ def check(browser, origin, name):
     browser.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
     browser.run(state % name)
     errors += check_look(browser, name)
+    texts = set()
     for number, shown in enumerate(states_of(browser, name)):
+        texts.update(shown["texts"])
         if not shown["asked"] or shown["shapes"] < 3:
             errors.append(f"state {number} asks or draws nothing")
         seen.append(json.dumps([shown["asked"], shown["table"]]))
@@ -184,6 +186,7 @@ def check(browser, origin, name):
                 value = line.split(" = ")[-1].strip()
                 if value not in shown["table"]:
                     errors.append(f"state {number}, {precision}: the table lacks {line.strip()}")
+    errors += says_not(texts, says_of_cases.get(name, [])) if isinstance(browser, chromium.Chromium) else []
     errors += [f"state {i} is the same as the one before" for i in range(1, len(seen)) if seen[i] == seen[i - 1]]
     errors += [f"nothing was asked in {precision}" for precision in count if count[precision] == 0]
     errors += browser.complaints(origin)
@@ -221,12 +224,22 @@ def check_own_answers(browser, origin):
     return errors
 
 
-# What the figure says as loaded, by hand: x = 2.9 − √(1 − 0.5²); the rim is passed at x = −1, and x = 1 is at t = 3 / 0.5; the
-# areas of (1.1, 0.72) against that of abc; 0.6¹³ < 1/512; √(p (1 − p) / 64) with p = 0.668 is 0.059.
-says = {"sphere_roots": ["t1 = 2.034", "t2 = 3.766"], "cylinder_both_roots": ["hit: t = 6", "t1 = 2, zp = 1.45"], "plane_horizon": ["t = 4", "lost"],
-        "cone_side": ["steeper than the side"], "triangle_areas": ["α = −0.46", "|α| + |β| + |γ| = 1.92"], "square_frame": ["x = 0.5", "u = 0.75"],
+# What the figure says as loaded, by hand: 1 is 1 / 0.35 steps of 0.35 above the ground; the areas of (1.1, 0.72) against that of
+# abc; 0.6¹³ < 1/512; √(p (1 − p) / 64) with p = 0.668 is 0.059.
+says = {"sphere_roots": ["0 < t1 < t2: from outside", "t1", "t2"], "cylinder_both_roots": ["B", "zp > h / 2 at t1: t2 is hit"],
+        "plane_horizon": ["t = 2.857", "t = −1", "lost"], "cone_side": ["D", "along the side a = 0: one root"], "box_slabs": ["A", "they overlap: in the box"],
+        "shadow_offset": ["ε too large", "ε too small"], "triangle_areas": ["α = −0.46", "|α| + |β| + |γ| = 1.92"], "square_frame": ["x = 0.5", "u = 0.75"],
         "phong_vectors": ["N", "L", "R", "V", "θ", "α"], "mirror_facing": ["0.0013 < 1/512"], "soft_shadow_samples": [re.compile("error 0.0(5[3-9]|6[0-5])$")],
         "unnormalized_x": ["as printed: 0.5"], "screen_side_view": ["tan(FOV/2) = 0.5774"]}
+
+# What it says when a case is chosen: 1.9 = 0.7 t ± √(1 − 0.5²); the rim is passed at x = −1, and x = 1 is at t = 3 / 0.5; the box is
+# left at x = 1, 3.1 = 1.2 t.
+says_of_cases = {"sphere_roots": ["t1 = 1.477", "t2 = 3.951"], "cylinder_both_roots": ["hit: t = 6", "t1 = 2, zp = 1.45"],
+                 "cone_side": ["steeper than the side"], "box_slabs": ["in the box: 0.9167 ≤ t ≤ 2.583"]}
+
+
+def says_not(shown, texts):
+    return [f"it does not say {text}" for text in texts if not any(text.search(each) if isinstance(text, re.Pattern) else text == each for each in shown)]
 
 
 def check_look(browser, name):
@@ -239,10 +252,7 @@ def check_look(browser, name):
     errors = [] if found["page"] == "auto" and set(found["handles"]) == {"none"} else ["a finger cannot scroll the page, or drags no handle"]
     errors += [] if found["name"] == "what is drawn" else [f"its name is {found['name']}"]
     errors += ["all digits are unfolded"] if found["open"] else []
-    for text in says.get(name, []):
-        if not any(text.search(shown) if isinstance(text, re.Pattern) else text == shown for shown in found["texts"]):
-            errors.append(f"it does not say {text}")
-    return errors + [f"more than four digits: {text}" for text in found["texts"] if re.search(r"\.0*[1-9]\d{4}", text)]
+    return errors + says_not(found["texts"], says.get(name, [])) + [f"more than four digits: {text}" for text in found["texts"] if re.search(r"\.0*[1-9]\d{4}", text)]
 
 
 def take_shots(browser, name):

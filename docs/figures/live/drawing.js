@@ -2,7 +2,7 @@
 // numbers below. A figure computes nothing that a stage teaches: it calls the stages' functions.
 import { has_mine, open } from "./engine.js";
 
-// As docs/figures/source/svg.hpp, each with its twin on a dark page.
+// As docs/figures/source/svg.hpp, each with its twin on a dark page; draw_live.py writes both into an SVG file.
 const pair = (light, dark) => `light-dark(${light}, ${dark})`;
 export const color = {
   white: pair("#fff", "#0d1117"), ink: pair("#24292f", "#e6edf3"), gray: pair("#68707a", "#9da7b3"), faint: pair("#d3d9e0", "#3b434d"),
@@ -54,12 +54,15 @@ function typeset(made, text) {
   let low = 0;
   text.split("$").forEach((part, i) => {
     for (const [, lowered, letter, other] of part.matchAll(i % 2 ? /_(.)|(\p{L})|([^_\p{L}]+)/gu : /()()([^]+)/g)) {
-      const dy = lowered ? 4 : 0, style = lowered || letter ? `font-style: italic; font-size: ${lowered ? "75%" : "inherit"}` : "";
+      const dy = lowered ? 4 : 0, style = `${/\p{L}/u.test(lowered || letter) ? "font-style: italic; " : ""}font-size: ${lowered ? "75%" : "inherit"}`;
       made.append(element("tspan", { dy: dy - low, style }, lowered || letter || other));
       low = dy;
     }
   });
 }
+
+/// The same as plain text.
+const unset = (text) => text.replaceAll("$", "").replace(/_(\d)/g, (_, digit) => String.fromCodePoint(0x2080 + Number(digit)));
 
 function element(name, attributes, text = "") {
   const made = document.createElementNS("http://www.w3.org/2000/svg", name);
@@ -70,8 +73,8 @@ function element(name, attributes, text = "") {
 
 /// A page of vector graphics; points in space, projected along the view.
 export class Sketch {
-  constructor(group, view) {
-    this.group = group;
+  constructor(group, labels, view) {
+    [this.group, this.labels] = [group, labels];
     this.view = { scale: 100, right: [1, 0, 0], up: [0, 1, 0], ...view };
   }
   screen(point) {
@@ -85,8 +88,17 @@ export class Sketch {
   shape(name, attributes, text = "") {
     const made = element(name, attributes);
     typeset(made, text);
-    this.group.append(made);
+    if (name === "text") this.labels.append(made);  // over everything else
+    else this.group.append(made);
     return made;
+  }
+  /// Rectangles of one color, as places and sizes in pixels.
+  cells(all, pen) {
+    if (all.length) this.pixels("path", { d: all.map(([x, y, width, height]) => `M${x} ${y}h${width}v${height}h${-width}z`).join("") }, pen);
+  }
+  /// A text at a place in pixels.
+  write([x, y], text, fill = color.ink, anchor = "start", style = "") {
+    this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}${style}` }, text);
   }
   pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}) {
     return this.shape(name, { ...attributes, stroke, fill, stroke_width: width, stroke_dasharray: dashes });
@@ -99,9 +111,10 @@ export class Sketch {
     const [a, b] = [this.screen(from), this.screen(to)];
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (length < 1) return;
-    const [x, y] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length];
-    this.line(from, to, pen);
-    this.pixels("polygon", { points: [b, [b[0] - 9 * x + 4 * y, b[1] - 9 * y - 4 * x], [b[0] - 9 * x - 4 * y, b[1] - 9 * y + 4 * x]].join(" ") }, { fill: pen.stroke ?? color.ink });
+    const [x, y] = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], head = Math.min(length, 5 + 3 * (pen.width ?? 1.5));
+    const [foot, side] = [[b[0] - head * x, b[1] - head * y], [-0.38 * head * y, 0.38 * head * x]];
+    this.pixels("line", { x1: a[0], y1: a[1], x2: foot[0], y2: foot[1] }, { stroke: color.ink, ...pen });
+    this.pixels("polygon", { points: [b, add(foot, side), minus(foot, side)].join(" ") }, { fill: pen.stroke ?? color.ink });
   }
   polygon(points, pen = {}) {
     this.pixels("polygon", { points: points.map((point) => this.screen(point)).join(" ") }, pen);
@@ -116,13 +129,12 @@ export class Sketch {
   /// "hit": the nearest; "refused": a root that is not it; "given" and "foot". By shape and color.
   mark(point, what) {
     const [cx, cy] = this.screen(point);
-    const pens = { hit: [5.5, { fill: color.red, stroke: color.white }], refused: [5, { fill: color.white, stroke: color.red }], given: [3.5, { fill: color.ink }], foot: [3, { fill: color.gray }] };
+    const pens = { hit: [5, { fill: color.red, stroke: color.white, width: 1 }], refused: [4.5, { fill: color.white, stroke: color.red }], given: [3.5, { fill: color.ink, stroke: color.white, width: 1 }], foot: [3, { fill: color.gray, stroke: color.white, width: 1 }] };
     const [r, pen] = pens[what];
     if (Math.abs(cx) < 1e4 && Math.abs(cy) < 1e4) this.pixels("circle", { cx, cy, r }, pen);
   }
-  label(point, offset, text, fill = color.ink, anchor = "middle") {
-    const [x, y] = add(this.screen(point), offset);
-    this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}` }, text);
+  label(point, offset, text, fill = color.ink, anchor = "middle", style = "") {
+    this.write(add(this.screen(point), offset), text, fill, anchor, style);
   }
   /// Roots with their t, and `told` of each: the first is labeled above, the last below.
   roots(ray, roots, hit, told = () => "") {
@@ -157,7 +169,7 @@ export class Figure extends HTMLElement {
     [this.back, this.front] = [element("g", {}), element("g", {})];
     this.svg.append(this.back, this.front);
     this.form.before(this.svg);
-    this.sketch = new Sketch(this.back, this.view);
+    this.sketch = new Sketch(this.back, this.back, this.view);
     this.setup();
     this.precision = this.choice("precision", ["double", "float"]);
     if (has_mine) this.whose = this.choice("answers", ["reference", "mine", "both"]);
@@ -213,23 +225,26 @@ export class Figure extends HTMLElement {
     return { get value() { return read(); }, set value(x) { input.value = power ? Math.log10(x) : x; show(); } };
   }
 
-  /// A button for each case, which sets handles and sliders by their names; the figure starts with one.
-  cases(all, start = Object.keys(all)[0]) {
-    const buttons = Object.entries(all).map(([name, values]) => {
-      const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
+  /// A button for each case, which sets handles and sliders by their names. The figure starts with the case `start`, or
+  /// `together`: with all of them, and the handles of `start`.
+  cases(all, start = Object.keys(all)[0], together = false) {
+    this.all = all;
+    const buttons = Object.entries({ ...(together && { all: all[start] }), ...all }).map(([name, values]) => {
+      const button = Object.assign(document.createElement("button"), { type: "button", title: unset(name), textContent: unset(name.split(": ")[0]) });
       button.choose = () => {
         for (const [part, value] of Object.entries(values)) this[part].value = value;
-        this.#moved(button);
+        this.#moved(button, name);
       };
       button.addEventListener("click", button.choose);
       return button;
     });
     this.form.prepend(...buttons);
     this.buttons = buttons;
-    buttons[Object.keys(all).indexOf(start)].choose();
+    (together ? buttons[0] : buttons[Object.keys(all).indexOf(start)]).choose();
   }
-  #moved(button = null) {
+  #moved(button = null, name = "") {
     for (const each of this.buttons ?? []) each.setAttribute("aria-pressed", each === button);
+    [this.chosen, this.together] = [name, name === "all"];
     if (this.precision) this.redraw();
   }
 
@@ -302,9 +317,9 @@ export class Figure extends HTMLElement {
         this.wanted = false;
         this.engine = await open(this.precision.value);
         [this.asked, this.differences, this.own] = [[], new Set(), 0];
-        this.sketch.group = element("g", {});
+        [this.sketch.group, this.sketch.labels] = [element("g", {}), element("g", {})];
         const rows = await this.draw(this.sketch);
-        this.back.replaceChildren(this.sketch.group);
+        this.back.replaceChildren(this.sketch.group, this.sketch.labels);
         (this.handles ?? []).forEach((handle) => handle.show());
         this.#tell([...rows, ...Array.from(this.differences, (text) => ["≠", text, "differs"])]);
       }
@@ -340,9 +355,33 @@ export class RayFigure extends Figure {
   get ray() {
     return { origin: this.origin.place, direction: minus(this.tip.place, this.origin.place) };
   }
+  /// The rays to draw, by their names: all cases, as in print, or the one that was chosen or moved.
+  get rays() {
+    if (!this.together) return { "": this.ray };
+    return Object.fromEntries(Object.entries(this.all).map(([name, { origin, tip }]) => [name, { origin, direction: minus(tip, origin) }]));
+  }
   /// The normal of a hit, half a unit long, or shorter.
   normal(sketch, p, n, length = 0.5) {
     sketch.arrow(p, add(p, times(length, n)), { stroke: color.green, width: 2 });
+  }
+  /// Each ray with its roots, and the t and the normal of its hit, as `look` returns them. One ray has its numbers, and what is
+  /// `told` of each root; of several, each has its letter, and a line of the key, which begins at `key`, where there is one.
+  async draw_rays(sketch, look, { key, told, end = () => 4.2 } = {}) {
+    for (const [i, [name, given]] of Object.entries(this.rays).entries()) {
+      const { roots, t, n, ray = given } = await look(given), [letter, ...meaning] = name.split(": ");
+      if (!name) sketch.ray(given);
+      else sketch.arrow(given.origin, at(given, end(given) / Math.hypot(...given.direction)), { stroke: color.blue, width: 1.8 });
+      if (t !== null) this.normal(sketch, at(ray, t), n);
+      if (!name && key && this.chosen) sketch.write([620, this.constructor.height - 14], this.chosen, color.ink, "end");
+      if (!name) return sketch.roots(ray, roots, t, told);
+      sketch.mark(given.origin, "given");
+      for (const root of roots) sketch.mark(at(ray, root), root === t ? "hit" : "refused");
+      if (!key && roots.length === 2) [1, 2].forEach((root) => sketch.label(at(ray, roots[root - 1]), [root === 1 ? 10 : -10, -8], `$t_${root}$`, color.red));
+      if (!key) continue;
+      sketch.label(given.origin, [-14, 5], letter, color.blue, "middle", "; font-weight: bold");
+      sketch.write(add(key, [0, 38 * i]), letter, color.blue, "middle", "; font-weight: bold");
+      sketch.write(add(key, [18, 38 * i]), meaning.join(": "));
+    }
   }
 }
 /// A case of it.

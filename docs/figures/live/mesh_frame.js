@@ -13,12 +13,12 @@ const mesh = { vertices: walls.flat(), normals: [], triangles: [[0, 1, 2], [3, 4
 const normals = walls.map((corners) => corners.map(([x, y]) => outward([x, y, 0])));
 
 define("mesh_frame", class extends RayFigure {
-  view = { place: [165, 175], scale: 60 };
+  view = { place: [165, 165], scale: 64 };
   static height = 340;
 
   setup() {
     super.setup();
-    [this.origin.place, this.tip.place] = [[-2.2, -1.2, 0], [-1.2, -0.7, 0]];
+    [this.origin.place, this.tip.place] = [[-2.2, 0.55, 0], [-1.2, 0.4, 0]];
     this.angle = this.slider("turned by", { min: -180, max: 180, step: 5, value: 30, unit: "°" });
     this.scale = this.slider("scale", { min: 0.3, max: 2.5, step: 0.1, value: 1.6 });
   }
@@ -30,17 +30,26 @@ define("mesh_frame", class extends RayFigure {
     const placement = { rotation, scale: this.scale.value, translation: [0.3, 0.2, 0] };
     const own = await this.ask(13, "to_object_space", ray, placement);
     const placed = ([x, y]) => add(placement.translation, times(placement.scale, add(times(x, rotation.x), times(y, rotation.y))));
-    const right = [5.2, 0, 0];  // where the mesh's own frame is drawn
+    const right = [5.5, 0, 0];  // where the mesh's own frame is drawn
     sketch.polygon(outline.map(placed), { fill: color.tint, stroke: color.ink });
     sketch.polygon(outline.map((p) => add(p, right)), { fill: color.tint, stroke: color.ink });
+    for (const [o, x, y] of [[placed([0, 0]), placed([0.42, 0]), placed([0, 0.42])], [right, add(right, [0.42, 0, 0]), add(right, [0, 0.42, 0])]]) {
+      sketch.arrow(o, x, { stroke: color.green });
+      sketch.arrow(o, y, { stroke: color.green });
+    }
     sketch.ray(ray, 4);
     sketch.ray({ ...own, origin: add(own.origin, right) }, 3, 0.5);
+    for (const t of [0, 1, 2])
+      for (const [p, d] of [[at(ray, t), ray.direction], [add(at(own, t), right), own.direction]]) {
+        sketch.mark(p, t ? "foot" : "given");
+        sketch.label(p, d[1] < 0 ? [4, -10] : [-4, -10], t ? String(t) : "$o_r$", t ? color.gray : color.ink);
+      }
     // The nearest triangle, and then those behind it.
     const rows = [], nearest = await this.ask(13, "intersect", own, mesh, ahead);
     for (let hit = nearest; hit !== null && rows.length < 4;) {
       for (const p of [at(ray, hit.t), add(at(own, hit.t), right)]) {
         sketch.mark(p, hit === nearest ? "hit" : "refused");
-        sketch.label(p, hit === nearest ? [-8, -12] : [8, 22], `$t$ = ${short(hit.t)}`, hit === nearest ? color.red : color.gray, hit === nearest ? "end" : "start");
+        sketch.label(p, hit === nearest ? [-4, 24] : [0, 28], `$t$ = ${short(hit.t)}`, hit === nearest ? color.red : color.gray, hit === nearest ? "end" : "middle");
       }
       rows.push([hit === nearest ? "intersect: the nearest triangle" : "behind it", hit]);
       hit = await this.ask(13, "intersect", own, mesh, { min: hit.t, max: Infinity });
@@ -51,10 +60,11 @@ define("mesh_frame", class extends RayFigure {
       this.normal(sketch, p, n, 0.8);
       rows.push(["interpolated_normal", n]);
     }
-    sketch.label([0, 0, 0], [0, -150], "in the scene");
-    sketch.label(right, [0, -150], "in the mesh's frame");
-    sketch.shape("text", { x: 20, y: 325, style: `fill: ${color.blue}` }, `‖$d_r$‖ = ${short(Math.hypot(...ray.direction))}`);
-    sketch.shape("text", { x: 620, y: 325, text_anchor: "end", style: `fill: ${color.blue}` }, `‖$d_r$‖ = ${short(Math.hypot(...own.direction))}`);
+    [["in the scene", [0, 0, 0], ray], ["in the mesh's frame", right, own]].forEach(([name, place, { direction }]) => {
+      sketch.label(place, [0, -140], name);
+      sketch.label(place, [0, 118], `‖$d_r$‖ = ${short(Math.hypot(...direction))}`, color.blue);
+    });
+    sketch.write([320, 322], "the same $t$ at the same point: $d_r$ is turned and scaled, not made unit length", color.gray, "middle");
     return [["o_r in the mesh's frame", own.origin], ["d_r in the mesh's frame", own.direction], ...rows];
   }
 });

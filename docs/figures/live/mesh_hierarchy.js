@@ -66,7 +66,7 @@ define("mesh_hierarchy", class extends Figure {
     if ((await this.overlap(boxes[0], ray)) !== null) await this.open(boxes[0], ray);
 
     const shown = boxes.filter(({ level }) => level === this.level.value);
-    for (const view of [sketch, new Sketch(sketch.group, this.side)]) {
+    for (const view of [sketch, new Sketch(sketch.group, sketch.labels, this.side)]) {
       this.draw_owl(view);
       for (const state of Object.keys(pens).reverse())
         for (const { box: { min, max } } of shown.filter((box) => box.state === state)) {
@@ -76,7 +76,7 @@ define("mesh_hierarchy", class extends Figure {
       view.ray(ray, 3);
       if (this.hit !== null) view.mark(ray.origin.map((x, i) => x + this.t * ray.direction[i]), "hit");
     }
-    sketch.shape("text", { x: 338, y: 320, text_anchor: "middle" }, `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles`);
+    sketch.shape("text", { x: 338, y: 320, text_anchor: "middle" }, `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles; shown: level ${this.level.value}`);
     sketch.shape("text", { x: 185, y: 24, text_anchor: "middle" }, "from the front");
     sketch.shape("text", { x: 492, y: 24, text_anchor: "middle" }, "from the side");
     Object.values(pens).forEach(([pen, text], i) => {

@@ -16,7 +16,9 @@ define("mirror_facing", class extends RayFigure {
   }
 
   async draw(sketch) {
-    sketch.label([1.4, 0, 0], [12, 5], "weight", color.gray, "start");
+    sketch.label([1.4, 0, 0], [12, 5], "weight; 1 − $m$ of it is shown", color.gray, "start");
+    [`$m$ = ${this.mirror.value}`, `depth ${this.depth.value}`].forEach((text, i) => sketch.write([20, 290 + 22 * i], text));
+    sketch.label(this.origin.place, [0, 24], "eye");
     for (const { point: [x] } of walls) sketch.line([x, -0.2, 0], [x, 3, 0], { width: 4 });
     let { ray } = this;
     let [bounces, weight] = [0, 1], reason = "the ray leaves";
@@ -36,7 +38,7 @@ define("mirror_facing", class extends RayFigure {
       weight *= this.mirror.value;
       const ends = !(await this.ask(12, "worth_reflecting", bounces, this.depth.value, weight)), too_deep = bounces >= this.depth.value;
       const why = ends ? (too_deep ? ": the depth" : " < 1/512") : "", [x] = surface.point;
-      sketch.label(surface.point, [x < 0 ? -12 : 12, 5], short(weight, 2) + why, ends ? color.red : color.ink, x < 0 ? "end" : "start");
+      sketch.label(surface.point, [x < 0 ? -12 : 12, 5], (["$m$ = ", "$m$² = ", "$m$³ = "][bounces] ?? "") + short(weight, 2) + why, ends ? color.red : color.ink, x < 0 ? "end" : "start");
       if (ends) {
         reason = too_deep ? "the depth is reached" : "what is reflected is not visible: weight below 1/512";
         sketch.mark(surface.point, "refused");

@@ -40,6 +40,7 @@ define("phong_vectors", class extends Figure {
     const [cx, cy] = middle;
     sketch.shape("image", { href: canvas.toDataURL(), x: cx - radius, y: cy - radius, width: 2 * radius, height: 2 * radius });
     sketch.pixels("circle", { cx, cy, r: radius }, { stroke: color.gray });
+    sketch.write([cx, 210], "what the eye sees", color.ink, "middle");
     // The point as the eye sees it, if it does.
     const p = this.point.place;
     if (p[0] * to_eye[0] + p[1] * to_eye[1] > 0) sketch.pixels("circle", { cx, cy: cy - radius * (p[1] * to_eye[0] - p[0] * to_eye[1]), r: 5 }, { fill: color.red, stroke: color.white });
@@ -65,15 +66,23 @@ define("phong_vectors", class extends Figure {
     this.angle(sketch, p, N, R, 0.42, "θ", color.ink);
     this.angle(sketch, p, R, to_eye, 0.62, "α", color.red);
     sketch.label(p, [0, 26], "$p$", color.red);
+    for (let i = 0; i < 8; ++i) {  // a small sun, and an eye
+      const beam = [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4), 0];
+      sketch.line(add(this.light.place, times(0.1, beam)), add(this.light.place, times(0.15, beam)), { stroke: color.amber, width: 2 });
+    }
+    sketch.circle(this.light.place, 0.07, { fill: color.pale_amber, stroke: color.amber });
+    const across = [-to_eye[1], to_eye[0], 0];
+    sketch.polyline([-0.09, 0, 0.09].map((x) => add(this.eye.place, add(times(x, across), times(x ? 0 : 0.15, to_eye)))), { width: 2 });
+    sketch.circle(add(this.eye.place, times(0.04, to_eye)), 0.04, { fill: color.ink });
     sketch.label(this.light.place, [-20, 5], "light", color.ink, "end");
     sketch.label(this.eye.place, [20, 5], "eye", color.ink, "start");
     const shown = { ...material, color: times(Math.max(ratio, brightness), material.color), specular: highlight * material.specular };
-    await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
-    sketch.shape("text", { x: middle[0], y: 210, text_anchor: "middle" }, "what the eye sees");
-    [["ambient", color.gray], ["diffuse", color.amber], ["specular", color.red]].forEach(([term, fill], i) => {
+    if (this.isConnected) await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
+    const told = { ambient: ["", color.gray], diffuse: [", cos $θ$ = ⟨$L$, $N$⟩", color.amber], specular: [", cos $α$ = ⟨$R$, $V$⟩", color.red] };
+    Object.entries(told).forEach(([term, [cosine, fill]], i) => {
       const y = 242 + 36 * i;
-      sketch.pixels("rect", { x: 430, y: y + 6, width: 170 * Math.min(1, terms[term][2]), height: 12 }, { fill });
-      sketch.shape("text", { x: 430, y }, `${term}: ${short(terms[term][2])}`);
+      sketch.cells([[400, y + 6, 200 * Math.min(1, terms[term][2]), 12]], { fill });
+      sketch.write([400, y], `${term}: ${short(terms[term][2])}${cosine}`);
     });
     return [await this.ask(0, "explain_light", surface, light), ...Object.entries(terms)];
   }

@@ -1,12 +1,12 @@
 // Stage 1: from a pixel to a ray, MRT's way and M1's. Drag the pixel, and change the field of view.
 import { Figure, color, define, short, times } from "./drawing.js";
 
-const [columns, rows, cell, left, top] = [8, 6, 0.3, -3.75, 0.9];
+const [columns, rows, cell, left, top] = [8, 6, 0.27, -3.4, 0.81];
 const clamp = (x, most) => Math.min(Math.max(Math.round(x), 0), most - 1);
 
 define("screen_side_view", class extends Figure {
   static height = 300;
-  view = { place: [380, 150], scale: 88 };
+  view = { place: [350, 150], scale: 96 };
   resolution = { width: columns, height: rows };
 
   setup() {
@@ -32,23 +32,27 @@ define("screen_side_view", class extends Figure {
     // From the side: −z to the right. The edges of the screen are where its outermost rays end.
     const side = ([, y, z]) => [-z, y, 0], eye = [0, 0, 0];
     const half = Math.tan(fov / 2);
-    for (const y of [half, -half]) sketch.line(eye, times(1.6, [1, y, 0]), { stroke: color.gray, width: 1, dashes: "4 4" });
+    sketch.polygon([eye, [2, 2 * half, 0], [2, -2 * half, 0]], { fill: color.tint, stroke: color.gray, width: 1, dashes: "4 4" });
     sketch.line([1, -half, 0], [1, half, 0], { stroke: color.ink, width: 2 });
-    sketch.arrow(eye, [1.9, 0, 0], { stroke: color.gray, width: 1 });
-    sketch.label([1.9, 0, 0], [6, 5], "−$z$", color.gray, "start");
+    sketch.arrow(eye, [2.4, 0, 0], { stroke: color.gray, width: 1 });
+    sketch.label([2.4, 0, 0], [6, 5], "−$z$", color.gray, "start");
+    sketch.label([2, Math.min(2 * half, 1.5), 0], [0, -8], "$t$ = 2: twice as deep");
     sketch.polyline(Array.from({ length: 21 }, (_, i) => ((i - 10) * fov) / 20).map((angle) => [0.35 * Math.cos(angle), 0.35 * Math.sin(angle), 0]));
-    sketch.label([0, 0, 0], [4, 42], "FOV");
+    sketch.label([0, 0, 0], [0, 52], "FOV");
     sketch.line([1.08, 0, 0], [1.08, half, 0], { stroke: color.green, width: 3 });
-    sketch.shape("text", { x: 630, y: 28, text_anchor: "end", style: `fill: ${color.green}` }, `tan(FOV/2) = ${short(half)}`);
-    for (let row = 0; row < rows; ++row)
-      sketch.mark(side((await this.ask(1, "camera_ray", { row, column: pixel.column }, this.resolution, fov)).direction), "foot");
-    sketch.arrow(eye, times(1.6, side(ray.direction)), { stroke: color.blue, width: 2 });
+    sketch.label([1, Math.min(half, 1.4), 0], [-6, -8], `tan(FOV/2) = ${short(half)}`, color.green, "end");
+    for (let row = 0; row < rows; ++row) {
+      const { direction } = await this.ask(1, "camera_ray", { row, column: pixel.column }, this.resolution, fov);
+      sketch.line(eye, times(2, side(direction)), { stroke: color.blue, width: 0.6 });
+      sketch.mark(side(direction), "foot");
+    }
+    sketch.arrow(eye, times(2.2, side(ray.direction)), { stroke: color.blue, width: 2 });
     sketch.mark(side(ray.direction), "hit");
     sketch.mark(eye, "given");
     sketch.label(eye, [-14, 4], "$o_r$", color.ink, "end");
-    sketch.label([1, 0, 0], [0, 138], "$z$ = −1, $t$ = 1");
+    sketch.label([1, -Math.min(half, 1.4), 0], [-6, 22], "the screen: $z$ = −1, $t$ = 1", color.ink, "end");
     const [x, y] = ray.direction;
-    sketch.label([left, top, 0], [0, 186], `pixFinal = (${short(x)}, ${short(y)})`, color.red, "start");
+    sketch.label([left, top, 0], [0, 182], `pixFinal = (${short(x)}, ${short(y)})`, color.red, "start");
 
     const [near, far] = [0.5, 8];
     const matrix = await this.ask(0, "image_to_world", this.resolution, fov, near, far);

@@ -5,7 +5,7 @@ const from = { point: [0, 0, 0], normal: [0, 1, 0], geometric_normal: [0, 1, 0],
 
 define("soft_shadow_samples", class extends Figure {
   static height = 330;
-  view = { place: [112, 160], scale: 80 };  // the light seen from below: x to the right, z down
+  view = { place: [98, 160], scale: 80 };  // the light seen from below: x to the right, z down
 
   setup() {
     this.ball = this.handle("ball", [0.5, 0.1, 0]);
@@ -19,10 +19,14 @@ define("soft_shadow_samples", class extends Figure {
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
     const errors = await this.ask(0, "sampling_errors", light, ball, count);
-    for (const [i, [kind, shift, square]] of [["well spread", 0, 226], ["independent", 4, 546]].entries()) {
+    for (const [i, [kind, shift, square]] of [["well spread", 0, 202], ["independent", 4.1, 528]].entries()) {
       sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
       sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
-      sketch.pixels("rect", { x: square, y: 116, width: 88, height: 88 }, { stroke: color.gray });
+      sketch.label([shift + x, y + 0.6, 0], [0, -6], "ball", color.gray);
+      // Boxes of equal size, as many as samples.
+      const across = 2 ** Math.ceil(this.count.value / 2), down = count / across, size = 108, top = 106;
+      for (let i = 0; i <= across && count <= 64; ++i) sketch.pixels("path", { d: `M${square + (size * i) / across} ${top}v${size}${i <= down ? `M${square} ${top + (size * i) / down}h${size}` : ""}` }, { stroke: color.faint, width: 1 });
+      sketch.pixels("rect", { x: square, y: top, width: size, height: size }, { stroke: color.gray });
       let reached = 0;
       for (let i = 0; i < count; ++i) {
         const sample = await this.ask(0, `${kind.replace(" ", "_")}_sample`, i, this.seed.value);
@@ -31,20 +35,21 @@ define("soft_shadow_samples", class extends Figure {
         const blocked = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
         if (!blocked) ++reached;
         // A blocked sample is a cross, one that arrives is a dot.
-        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + 88 * sample[0], 204 - 88 * sample[1]]];
+        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + size * sample[0], top + size * (1 - sample[1])]];
         for (const [u, v] of places)
           if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.red, width: 1 });
           else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });
       }
       const rays = { sent: count, reached };
       const share = await this.ask(11, "visibility", rays);
-      sketch.label([shift, 0, 0], [0, -130], kind);
-      sketch.label([shift, 0, 0], [0, 128], `${short(share)} is seen`);
-      sketch.label([shift, 0, 0], [0, 150], `error ${errors[i].toFixed(3)}`, color.red);
+      sketch.label([shift, 0, 0], [0, -110], kind);
+      sketch.label([shift, 0, 0], [22, 112], `${count} samples: ${short(share)} is seen`);
+      sketch.label([shift, 0, 0], [22, 132], `error ${errors[i].toFixed(3)}`, color.red);
       rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 64 seeds)`, errors[i]]);
       if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
-    sketch.shape("text", { x: 270, y: 236, text_anchor: "middle" }, "dots are seen, crosses not");
+    sketch.write([256, 236], "one a box", color.ink, "middle");
+    sketch.write([320, 318], "dots are seen from the point, crosses are behind the ball", color.gray, "middle");
     return rows;
   }
 });

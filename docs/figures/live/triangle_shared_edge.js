@@ -25,7 +25,7 @@ define("triangle_shared_edge", class extends Figure {
     sketch.polygon([b, triangles[1].b, a], { fill: color.pale_green, stroke: color.gray });
     sketch.line(a, b, { width: 2 });
     sketch.mark(middle, "hit");
-    let [lost, cracks] = [0, 0];
+    const cells = {}, lost = [0, 0], left = [335, 490];
     for (let row = -reach; row <= reach; ++row)
       for (let column = -reach; column <= reach; ++column) {
         // Slanted, so that the products are rounded.
@@ -36,22 +36,20 @@ define("triangle_shared_edge", class extends Figure {
           hits.push((await this.ask(5, "intersect", ray, triangle, ahead)) !== null);
           textbook.push(!/is not on/.test(await this.ask(0, "explain", ray, triangle, ahead)));
         }
-        const fill = (pair) => (pair[0] && pair[1] ? color.amber : pair[0] ? color.pale_blue : pair[1] ? color.pale_green : color.red);
-        if (!hits[0] && !hits[1]) ++lost;
-        if (!textbook[0] && !textbook[1]) ++cracks;
-        [[335, hits], [490, textbook]].forEach(([left, pair]) => {
-          const [x, y] = [left + 8 * (column + reach), 70 + 8 * (row + reach)];
-          sketch.pixels("rect", { x, y, width: 8, height: 8 }, { fill: fill(pair), stroke: color.white, width: 0.5 });
-          if (!pair[0] && !pair[1]) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
+        [hits, textbook].forEach(([first, second], form) => {
+          const fill = first ? (second ? "amber" : "pale_blue") : second ? "pale_green" : "red";
+          if (fill === "red") ++lost[form];
+          (cells[fill] ??= []).push([left[form] + 8 * (column + reach), 70 + 8 * (row + reach), 8, 8]);
         });
       }
+    for (const [fill, all] of Object.entries(cells)) sketch.cells(all, { fill: color[fill], stroke: color.white, width: 0.5 });
+    for (const [x, y] of cells.red ?? []) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
     const all = (2 * reach + 1) ** 2;
-    [[403, "the reference", lost], [558, "three half-planes", cracks]].forEach(([x, name, count]) => {
-      sketch.shape("text", { x, y: 38, text_anchor: "middle" }, name);
-      sketch.shape("text", { x, y: 60, text_anchor: "middle", style: `fill: ${count ? color.red : color.ink}` }, `${count} of ${all}`);
+    ["the reference", "three half-planes"].forEach((name, form) => {
+      sketch.write([left[form] + 68, 38], name, color.ink, "middle");
+      sketch.write([left[form] + 68, 60], `${lost[form]} of ${all}`, lost[form] ? color.red : color.ink, "middle");
     });
-    ["blue, green: one triangle", "amber: both"].forEach((text, i) => sketch.shape("text", { x: 480, y: 232 + 22 * i, text_anchor: "middle" }, text));
-    sketch.shape("text", { x: 480, y: 276, text_anchor: "middle", style: `fill: ${color.red}` }, "red with a cross: neither, a crack");
-    return [["cracks with intersect", `${lost} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${cracks} of ${all} rays`]];
+    ["blue, green: one triangle", "amber: both", "red with a cross: neither, a crack"].forEach((text, i) => sketch.write([480, 232 + 22 * i], text, i === 2 ? color.red : color.ink, "middle"));
+    return [["cracks with intersect", `${lost[0]} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${lost[1]} of ${all} rays`]];
   }
 });

@@ -45,10 +45,6 @@ void Sketch::ray(const Ray& ray, Real end, const Pen& pen) {
     arrow(ray.origin, at(ray, end), pen);
 }
 
-void Sketch::backwards(const Ray& ray, Real begin) {
-    line(at(ray, begin), ray.origin, {.color = blue, .width = 1.2, .dashes = "4 4"});
-}
-
 void Sketch::normal(Vec3 point, Vec3 normal, Real length) {
     arrow(point, point + length / view_.scale * normal, {.color = green, .width = 1.8});
 }

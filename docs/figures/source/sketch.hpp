@@ -48,8 +48,6 @@ public:
 
     /// The part of the ray from t = 0 on, with an arrow head at the end.
     void ray(const Ray& ray, Real end, const Pen& pen = {.color = blue, .width = 1.8});
-    /// The part of the line where t < 0.
-    void backwards(const Ray& ray, Real begin);
     /// A unit normal, `length` pixels long.
     void normal(Vec3 point, Vec3 normal, Real length = 40);
 

@@ -1,4 +1,4 @@
-// Stage 1: the pixels on the screen, and the screen from the side.
+// Stage 1: the pixels on the screen.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/screen.hpp"
 #include "docs/figures/source/sketch.hpp"
@@ -125,62 +125,6 @@ std::string pixel_grid() {
     sketch.label(beside, {10, -6}, "pixFinal =", style);
     sketch.label(beside, {10, 12}, "(" + decimal(here.x, 3) + ", " + decimal(here.y, 3) + ")",
                  style);
-    return svg.source();
-}
-
-namespace {
-
-/// The ray of a row's pixels, which coincide in the view from the side.
-void draw_row(Sketch& sketch, int row) {
-    Ray ray = camera_ray({row, 0}, resolution, fov);
-    ray.direction.x = 0;
-    sketch.ray(ray, Real(2.5));
-    sketch.mark(at(ray, 2), Mark::foot);
-    sketch.label(at(ray, Real(2.5)), {8, 5}, "$i$ = " + std::to_string(row),
-                 {.color = blue, .anchor = Anchor::start});
-}
-
-void draw_screen(Sketch& sketch) {
-    const auto on_screen = [](Vec3 p) { return Vec3(0, p.y, -1); };
-    sketch.line(on_screen(corner_of({0, 0})), on_screen(corner_of({resolution.height, 0})),
-                {.width = 3});
-    for (int i = 0; i <= resolution.height; ++i) {
-        const Vec3 corner = on_screen(corner_of({i, 0}));
-        sketch.line(corner + Vec3(0, 0, 0.025), corner - Vec3(0, 0, 0.025));
-    }
-    for (int i = 0; i < resolution.height; ++i)
-        sketch.mark(on_screen(center_of({i, 0})), Mark::hit);
-}
-
-}  // namespace
-
-std::string screen_side_view() {
-    Svg svg({640, 400}, "The screen at z = −1 from the side, with the field of view");
-    Sketch sketch(svg, {.place = {84, 196}, .scale = 156, .right = {0, 0, -1}});
-    const Vec3 top(0, corner_of({0, 0}).y, -1);
-    const Vec3 bottom(0, corner_of({resolution.height, 0}).y, -1);
-    const Vec3 eye = camera_ray({0, 0}, resolution, fov).origin;
-    const TextStyle after{.anchor = Anchor::start};
-
-    sketch.polygon({eye, Real(2) * top, Real(2) * bottom}, tint, no_pen);
-    sketch.line(eye, Real(2) * top, dashed);
-    sketch.line(eye, Real(2) * bottom, dashed);
-    sketch.line(Real(2) * top, Real(2) * bottom, dashed);
-    sketch.arrow({0, 0, 0.25}, {0, 0, -3}, thin);
-    for (int i = 0; i < resolution.height; ++i) draw_row(sketch, i);
-    draw_screen(sketch);
-    sketch.mark(eye, Mark::given);
-    sketch.angle(eye, top, bottom, 58, {.width = 1.2});
-    sketch.measure({0, 0, -1}, top, {13, 0});
-    sketch.measure(eye, {0, 0, -1}, {0, 130});
-
-    sketch.label({0, 0, -3}, {8, 5}, "$−z$", after);
-    sketch.label(eye, {-4, -12}, "$o_r$", {.anchor = Anchor::end});
-    sketch.label(eye, {26, 50}, "FOV", after);
-    sketch.label({0, top.y / 2, -1}, {21, -10}, "tan(FOV / 2)", after);
-    sketch.label(top, {-6, -12}, "the screen: $z$ = −1, $t$ = 1", {.anchor = Anchor::end});
-    sketch.label(Real(2) * top, {-48, 12}, "$t$ = 2: twice as deep", {.anchor = Anchor::end});
-    sketch.label({0, 0, -0.5}, {0, 147}, "1");
     return svg.source();
 }
 

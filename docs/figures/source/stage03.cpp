@@ -1,4 +1,4 @@
-// Stage 3: where a line hits a sphere.
+// Stage 3: half a chord of a sphere.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -15,57 +15,7 @@ void draw_sphere(Svg& svg, const Sketch& sketch) {
     svg.circle(center, distance(center, sketch(sphere.center + Vec3(sphere.radius, 0, 0))), tint);
 }
 
-/// One case of a ray and the sphere: the hit, the rejected roots, and the meaning.
-void draw_case(Sketch& sketch, Vec3 origin, std::string_view meaning) {
-    constexpr Real left = -1.75;
-    constexpr Real right = 2;
-    const Ray ray{.origin = origin, .direction = {1, 0, 0}};
-    const std::vector<Real> roots = all_roots(ray, sphere);
-    if (origin.x > left) sketch.backwards(ray, left - origin.x);
-    sketch.ray(ray, right - origin.x);
-    sketch.mark(origin, Mark::given);
-
-    const std::optional<Real> hit = intersect(ray, sphere, {});
-    for (const Real t : roots) {
-        const Vec3 p = at(ray, t);
-        const bool first = t == roots.front();
-        if (t == hit) sketch.normal(p, normal(sphere, p), 34);
-        sketch.mark(p, t == hit ? Mark::hit : Mark::refused);
-        if (roots.size() == 2)
-            sketch.label(p, {first ? 9 : -9, -8}, first ? "$t_1$" : "$t_2$",
-                         {.color = red, .anchor = first ? Anchor::start : Anchor::end});
-    }
-    sketch.label({left, origin.y, 0}, {-14, 5}, meaning, {.anchor = Anchor::end});
-}
-
-void draw_key(Svg& svg, Vec2 place) {
-    Sketch key(svg, {.place = place, .scale = 1});
-    const TextStyle style{.anchor = Anchor::start, .size = 13};
-    key.mark({0, 0, 0}, Mark::hit);
-    key.label({0, 0, 0}, {12, 5}, "hit: the smallest $t$ > 0", style);
-    key.mark({200, 0, 0}, Mark::refused);
-    key.label({200, 0, 0}, {12, 5}, "a root, refused", style);
-    key.backwards({.origin = {375, 0, 0}, .direction = {1, 0, 0}}, -34);
-    key.label({375, 0, 0}, {8, 5}, "$t$ < 0", style);
-    key.normal({460, 0, 0}, {1, 0, 0}, 34);
-    key.label({494, 0, 0}, {8, 5}, "$n$", style);
-}
-
 }  // namespace
-
-std::string sphere_roots() {
-    Svg svg({640, 348},
-            "Five rays and a sphere: a miss, a tangent, from outside, from inside, behind");
-    Sketch sketch(svg, {.place = {415, 172}, .scale = 106});
-    draw_sphere(svg, sketch);
-    draw_case(sketch, {-1.75, 1.3, 0}, "Δ < 0: passes by");
-    draw_case(sketch, {-1.75, 1, 0}, "Δ = 0: touches");
-    draw_case(sketch, {-1.75, 0.5, 0}, "0 < $t_1$ < $t_2$: from outside");
-    draw_case(sketch, {-0.25, -0.05, 0}, "$t_1$ < 0 < $t_2$: from inside");
-    draw_case(sketch, {1.35, -0.6, 0}, "$t_1$ < $t_2$ < 0: behind");
-    draw_key(svg, {56, 320});
-    return svg.source();
-}
 
 std::string sphere_half_chord() {
     Svg svg({640, 374}, "Half a chord on either side of the point of the line nearest the center");

@@ -1,9 +1,8 @@
-// Stage 4: how many steps of the ray fit between its origin and a plane, and the horizon.
+// Stage 4: how many steps of the ray fit between its origin and a plane.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
 #include "common/math/vector.hpp"
-#include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step04_plane/plane.hpp"
 
 namespace rt::figures {
@@ -85,50 +84,6 @@ std::string plane_lengths() {
     Sketch sketch(svg, {.place = {584, 172}, .scale = 96});
     draw_steps(sketch);
     label_steps(sketch);
-    return svg.source();
-}
-
-namespace {
-
-constexpr Plane ground{.point = {0, -1, 0}, .normal = {0, 1, 0}};
-constexpr Resolution column{.width = 1, .height = 7};
-
-Ray ray_of_row(int row) {
-    return camera_ray({row, 0}, column, pi * 80 / 180);
-}
-
-}  // namespace
-
-std::string plane_horizon() {
-    Svg svg({640, 310}, "Rays of one column of pixels above a ground: hits, the horizon, the sky");
-    Sketch sketch(svg, {.place = {172, 168}, .scale = 92, .right = {0, 0, -1}});
-    draw_cut(sketch, {0, -1, 1.7}, {0, -1, -4.8}, normal(ground, ground.point), Real(0.14));
-    sketch.line({0, 0.84, -1}, {0, -0.84, -1}, {.color = gray, .width = 2.5});
-    for (int i = 0; i < column.height; ++i) {
-        const Ray ray = ray_of_row(i);
-        const std::optional<Real> hit = intersect(ray, ground, {});
-        sketch.ray(ray, hit.value_or(2));
-        sketch.mark(at(ray, 1), Mark::foot);
-        if (!hit) continue;
-        sketch.mark(at(ray, *hit), Mark::hit);
-        sketch.label(at(ray, *hit), {0, 22}, "$t$ = " + decimal(*hit, 1), {.color = red});
-    }
-    const Ray up = ray_of_row(0);
-    const Vec3 level = at(ray_of_row(column.height / 2), 2);
-    const Real behind = all_roots(up, ground).front();
-    sketch.backwards(up, behind);
-    sketch.mark(at(up, behind), Mark::refused);
-    sketch.mark(up.origin, Mark::given);
-    sketch.normal({0, -1, 1.5}, normal(ground, {0, -1, 1.5}), 60);
-
-    const TextStyle after{.anchor = Anchor::start};
-    sketch.label(up.origin, {-6, -12}, "$o_r$", {.anchor = Anchor::end});
-    sketch.label({0, 0.84, -1}, {-6, -2}, "the screen", {.color = gray, .anchor = Anchor::end});
-    sketch.label(at(up, behind), {0, 22}, "$t$ = " + decimal(behind, 1), {.color = red});
-    sketch.label(at(up, 2), {10, 5}, "⟨$d_r$, $n$⟩ > 0: hit behind, where $t$ < 0", after);
-    sketch.label(level, {10, 5}, "⟨$d_r$, $n$⟩ = 0: parallel, the horizon", after);
-    sketch.label(level, {70, 38}, "⟨$d_r$, $n$⟩ < 0: hit ahead", after);
-    sketch.label({0, -1, 1.5}, {12, -46}, "$n$", {.color = green});
     return svg.source();
 }
 

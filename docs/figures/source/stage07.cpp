@@ -1,4 +1,4 @@
-// Stage 7: a cylinder along its axis and from the side, and both roots tried.
+// Stage 7: a cylinder along its axis and from the side.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -112,43 +112,6 @@ std::string cylinder_section() {
     const Ray ray{.origin = in_frame({-1.75, -0.35, 1.6}), .direction = in_frame({1, 0.3, -0.6})};
     draw_section(svg, {170, 158}, basis, ray);
     draw_heights(svg, {446, 158}, basis, ray);
-    return svg.source();
-}
-
-namespace {
-
-constexpr Cylinder open_tube{.center = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 2};
-
-void draw_case(Sketch& sketch, std::string_view letter, Vec3 origin, Vec3 direction, Real end) {
-    const Ray ray{.origin = origin, .direction = direction};
-    const std::optional<Real> hit = intersect(ray, open_tube, {});
-    sketch.ray(ray, end);
-    if (hit) sketch.normal(at(ray, *hit), normal(open_tube, at(ray, *hit)), 32);
-    sketch.mark(origin, Mark::given);
-    mark_roots(sketch, ray, open_tube);
-    sketch.label(origin, {-14, 5}, letter, {.color = blue, .bold = true});
-}
-
-}  // namespace
-
-std::string cylinder_both_roots() {
-    Svg svg({640, 376},
-            "Rays at an open tube: the near root, the far one, the rim, none, the axis");
-    Sketch sketch(svg, {.place = {196, 188}, .scale = 78});
-    const Vec3 x = orthonormal_basis(open_tube.axis).x;
-    draw_side(sketch, open_tube, x, Real(2.2));
-    draw_case(sketch, "A", {-2, -0.4, 0}, {1, 0.1, 0}, 4);
-    draw_case(sketch, "B", {-2, 2, 0}, {1, -0.55, 0}, Real(3.9));
-    draw_case(sketch, "C", {-2, -1, 0}, {1, 0, 0}, Real(4));
-    draw_case(sketch, "D", {1.32, 2.1, 0}, {-1, -1.65, 0}, Real(2.52));
-    draw_case(sketch, "E", {0, 2.1, 0}, {0, -1, 0}, Real(4.2));
-    const Vec3 top = side_point(open_tube, open_tube.height / 2, x);
-    sketch.label(top, {8, 5}, "$z_p$ = $h$ / 2", {.anchor = Anchor::start, .size = 13});
-    svg.key({396, 96}, "A", "the near root is within: a hit");
-    svg.key({396, 134}, "B", "$z_p$ > $h$ / 2 at $t_1$: $t_2$ is hit");
-    svg.key({396, 172}, "C", "|$z_p$| = $h$ / 2: the rim belongs");
-    svg.key({396, 210}, "D", "neither root is within: missed");
-    svg.key({396, 248}, "E", "along the axis $a$ = 0: missed");
     return svg.source();
 }
 

@@ -1,10 +1,9 @@
-// Stage 8: the one nappe of a cone, the slope of its normals, and the outline that MRT §8 prints.
+// Stage 8: the slope of a cone's normals, and the outline that MRT §8 prints.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
 #include "steps/step08_cone/cone.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rt::figures {
@@ -18,20 +17,6 @@ Cone endless(Cone cone) {
     cone.radius *= 16;
     cone.height *= 16;
     return cone;
-}
-
-/// The other nappe of the double cone that the quadratic describes.
-Cone opposite(Cone cone) {
-    cone.axis = -cone.axis;
-    return cone;
-}
-
-/// Every root of the quadratic, on either nappe.
-std::vector<Real> double_cone_roots(const Ray& ray, const Cone& cone) {
-    std::vector<Real> roots = all_roots(ray, endless(cone));
-    for (const Real t : all_roots(ray, opposite(endless(cone)))) roots.push_back(t);
-    std::sort(roots.begin(), roots.end());
-    return roots;
 }
 
 /// The point of the side at a height z, in a direction across the axis.
@@ -55,47 +40,7 @@ void draw_cone(Sketch& sketch, const Cone& cone) {
 
 constexpr Cone cup{.apex = {0, 0, 0}, .axis = {0, 1, 0}, .radius = 1, .height = 1.7};
 
-void draw_case(Sketch& sketch, std::string_view letter, const Ray& ray, Real end) {
-    const std::optional<Real> hit = intersect(ray, cup, {});
-    sketch.ray(ray, end);
-    if (hit) sketch.normal(at(ray, *hit), normal(cup, at(ray, *hit)), 32);
-    sketch.mark(ray.origin, Mark::given);
-    for (const Real t : double_cone_roots(ray, cup))
-        sketch.mark(at(ray, t), t == hit ? Mark::hit : Mark::refused);
-    sketch.label(ray.origin, {-14, 5}, letter, {.color = blue, .bold = true});
-}
-
 }  // namespace
-
-std::string cone_side() {
-    Svg svg({640, 380},
-            "Rays at an open cone; the other nappe, which is not part of it, is dashed");
-    Sketch sketch(svg, {.place = {200, 262}, .scale = 94});
-    const Vec3 top = cup.apex + cup.height * cup.axis;
-    const Vec3 rim = side_point(cup, cup.height, across);
-    draw_sides(sketch, cup, Real(2.2), dashed);
-    draw_sides(sketch, opposite(cup), Real(1.05), dashed);
-    draw_cone(sketch, cup);
-    sketch.arrow(cup.apex, cup.apex + Real(2.3) * cup.axis, {.color = green, .width = 1.5});
-    sketch.measure(top, rim, {0, -12});
-    sketch.measure({1.62, 0, 0}, {1.62, cup.height, 0}, {0, 0});
-    sketch.line(cup.apex, {1.72, 0, 0}, dashed);
-    sketch.line(rim, {1.72, cup.height, 0}, dashed);
-    draw_case(sketch, "A", {.origin = {-1.8, 0.62, 0}, .direction = {1, -0.1, 0}}, Real(2.9));
-    draw_case(sketch, "B", {.origin = {-0.085, -0.95, 0}, .direction = {0.3, 1, 0}}, Real(2.4));
-    draw_case(sketch, "C", {.origin = {-1.8, 2.15, 0}, .direction = {1, -0.309, 0}}, Real(3.1));
-    draw_case(sketch, "D", {.origin = {1.376, -0.3, 0}, .direction = {-1, 1.7, 0}}, Real(1.08));
-    sketch.mark(cup.apex, Mark::given);
-    sketch.label(cup.apex, {-12, 12}, "$o$");
-    sketch.label(cup.apex + Real(2.3) * cup.axis, {14, 8}, "$Z$", {.color = green});
-    sketch.label((top + rim) / Real(2), {0, -18}, "$r$");
-    sketch.label({1.62, cup.height / 2, 0}, {12, 5}, "$h$");
-    svg.key({400, 110}, "A", "the near root is within: a hit");
-    svg.key({400, 150}, "B", "$z_p$ < 0 at $t_1$: no nappe, $t_2$ is hit");
-    svg.key({400, 190}, "C", "$z_p$ > $h$ at $t_1$: $t_2$ is hit");
-    svg.key({400, 230}, "D", "along the side $a$ = 0: one root");
-    return svg.source();
-}
 
 std::string cone_slope() {
     Svg svg({640, 330}, "The normal of a cone is as steep as its side, with r and h exchanged");

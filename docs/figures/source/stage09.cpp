@@ -1,5 +1,4 @@
-// Stage 9: the vectors of Phong's model, a light behind the surface, and the effect of the
-// exponent.
+// Stage 9: a light behind the surface, and the effect of the exponent.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -55,35 +54,6 @@ void draw_vector(Sketch& sketch, Vec3 v, std::string_view color, std::string_vie
 }
 
 }  // namespace
-
-std::string phong_vectors() {
-    Svg svg({640, 318}, "The directions to the light, to the eye, and of a mirror's reflection");
-    Sketch sketch(svg, {.place = {300, 262}, .scale = 150});
-    const Vec3 l = tilted(-42);
-    const Vec3 r = reflected(l, up);
-    const Vec3 v = tilted(66);
-    draw_ground(sketch, -Real(1.7), 2);
-    sketch.line(l, Real(1.58) * l, dashed);
-    sketch.line(v, Real(1.5) * v, dashed);
-    sketch.angle(Vec3(0), l, up, 52);
-    sketch.angle(Vec3(0), up, r, 58);
-    sketch.angle(Vec3(0), r, v, 92, {.color = red, .width = 1.4});
-    draw_vector(sketch, up, green, "$N$", {0, -8});
-    draw_vector(sketch, l, light_color, "$L$", {-15, 8});
-    draw_vector(sketch, r, red, "$R$", {6, -8});
-    draw_vector(sketch, v, blue, "$V$", {8, 20});
-    sketch.label(Real(0.45) * tilted(-21), {0, 4}, "$θ$");
-    sketch.label(Real(0.48) * tilted(21), {0, 4}, "$θ$");
-    sketch.label(Real(0.71) * tilted(54), {0, 5}, "$α$", {.color = red});
-    draw_light(sketch, svg, Real(1.68) * l);
-    draw_eye(sketch, svg, Real(1.55) * v, v);
-    sketch.mark(Vec3(0), Mark::hit);
-    sketch.label(Vec3(0), {0, 40}, "$p$");
-    const TextStyle beside{.anchor = Anchor::start};
-    svg.text({330, 32}, "diffuse: cos $θ$ = ⟨$L$, $N$⟩", beside);
-    svg.text({330, 56}, "specular: cos $α$ = ⟨$R$, $V$⟩, to the shininess", beside);
-    return svg.source();
-}
 
 std::string phong_behind() {
     Svg svg({640, 290}, "A light behind the surface, whose reflection is within 90° of the eye");

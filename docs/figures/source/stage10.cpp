@@ -103,7 +103,7 @@ void draw_start(Sketch& sketch, Vec3 origin, const Sphere& any_hit) {
 
 }  // namespace
 
-std::string shadow_offset() {
+std::string shadow_start() {
     Svg svg({660, 262},
             "Three starts of a shadow ray: on the surface, too far from it, by its error");
     const Vec3 point(-0.45, -0.025, 0);

@@ -1,4 +1,4 @@
-// Stage 11: umbra and penumbra, well-spread points, and a penumbra off center.
+// Stage 11: umbra and penumbra, and a penumbra off center.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -103,69 +103,6 @@ std::string soft_shadow_regions() {
         std::to_string(rays.reached) + " of " + std::to_string(rays.sent) + " rays reach the light",
         {.color = blue, .anchor = Anchor::start});
     svg.text({396, 114}, "that share of its light is left", {.anchor = Anchor::start, .size = 13});
-    return svg.source();
-}
-
-namespace {
-
-constexpr int dots = 64;
-constexpr Real panel = 176;
-
-void draw_panel(Svg& svg, Vec2 corner, const std::vector<Vec2>& points) {
-    const auto place = [corner](Real x, Real y) { return corner + panel * Vec2(x, 1 - y); };
-    for (int i = 0; i <= 8; ++i) {
-        const Pen pen{.color = i % 8 == 0 ? ink : faint, .width = i % 8 == 0 ? 1.5 : 1};
-        svg.line(place(Real(i) / 8, 0), place(Real(i) / 8, 1), pen);
-        svg.line(place(0, Real(i) / 8), place(1, Real(i) / 8), pen);
-    }
-    for (const Vec2& point : points) svg.circle(place(point.x, point.y), 2.6, blue, no_pen);
-}
-
-/// The light as seen from the point, and the samples' points on it.
-void draw_light(Svg& svg, Vec2 corner, const std::vector<Vec2>& samples) {
-    const Light light{.position = {0, 0, -20}, .radius = 1};
-    const View view{.place = corner + Vec2(panel / 2), .scale = panel / 2 - 2};
-    svg.circle(view.place, view.scale, white, {.width = 1.5});
-    for (int ring = 1; ring < 4; ++ring)
-        svg.circle(view.place, view.scale * std::sqrt(Real(ring) / 4), none,
-                   {.color = faint, .width = 1});
-    for (int sector = 0; sector < 8; ++sector) {
-        const Real angle = pi * Real(sector) / 4;
-        svg.line(view.place, view.place + view.scale * Vec2(std::cos(angle), std::sin(angle)),
-                 {.color = faint, .width = 1});
-    }
-    for (const Vec2& sample : samples)
-        svg.circle(view(sample_light(light, {0, 0, 0}, sample)), 2.6, blue, no_pen);
-}
-
-/// Random numbers such as those of rand(), but the same on every machine.
-std::vector<Vec2> independent_points() {
-    std::uint32_t state = 2021;
-    const auto next = [&state] {
-        state = state * 1664525U + 1013904223U;
-        return Real(state >> 8) / Real(1U << 24);
-    };
-    std::vector<Vec2> points;
-    for (int i = 0; i < dots; ++i) {
-        const Real x = next();
-        points.emplace_back(x, next());
-    }
-    return points;
-}
-
-}  // namespace
-
-std::string soft_shadow_samples() {
-    Svg svg({640, 244}, "64 independent points, 64 well-spread ones, and these on the light");
-    std::vector<Vec2> well_spread;
-    for (std::uint32_t i = 0; i < dots; ++i) well_spread.push_back(spread_sample(i, 3));
-    draw_panel(svg, {22, 16}, independent_points());
-    draw_panel(svg, {232, 16}, well_spread);
-    draw_light(svg, {442, 16}, well_spread);
-    const Real below = 16 + panel + 24;
-    svg.text({22 + panel / 2, below}, "64 as rand() has them");
-    svg.text({232 + panel / 2, below}, "64 samples: one a box");
-    svg.text({442 + panel / 2, below}, "the same on the light");
     return svg.source();
 }
 

@@ -1,4 +1,4 @@
-// Stage 12: the reflected direction, two facing mirrors, and a normal that would send a ray in.
+// Stage 12: the reflected direction, and a normal that would send a ray in.
 #include "docs/figures/source/figures.hpp"
 #include "docs/figures/source/sketch.hpp"
 
@@ -6,7 +6,6 @@
 
 #include "steps/step12_mirror/mirror.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace rt::figures {
@@ -57,47 +56,6 @@ std::string mirror_direction() {
     sketch.label(p, {18, -60}, "θ");
     sketch.label(p, {-10, 32}, "$p$", {.color = red});
     svg.text({200, 330}, "$R$ = $d$ − 2 $n$ ⟨$d$, $n$⟩", {.size = 15});
-    return svg.source();
-}
-
-std::string mirror_facing() {
-    Svg svg({640, 326}, "A ray between two facing mirrors, and by how much each counts");
-    Sketch sketch(svg, {.place = {320, 150}, .scale = 100});
-    constexpr Real wall = Real(1.5);
-    constexpr Real low = Real(-1.25);
-    constexpr Real high = Real(1.25);
-    for (const Real side : {-wall, wall})
-        draw_face(sketch, {side, low, 0}, {side, high, 0},
-                  {side > 0 ? Real(0.1) : Real(-0.1), 0, 0});
-    // The first three reflections of a ray that climbs, each by the stage's own function.
-    Ray ray{.origin = {Real(-0.4), Real(-1.15), 0}, .direction = {Real(1.9), Real(0.41), 0}};
-    constexpr std::array weights = {"1", "$m$", "$m$²", "$m$³"};
-    sketch.mark(ray.origin, Mark::given);
-    sketch.label(ray.origin, {-8, 5}, "eye", {.anchor = Anchor::end});
-    for (std::size_t bounce = 0; bounce < weights.size(); ++bounce) {
-        const Vec3 normal{ray.direction.x > 0 ? -1 : 1, 0, 0};
-        const Real t =
-            (ray.direction.x > 0 ? wall - ray.origin.x : -wall - ray.origin.x) / ray.direction.x;
-        const Vec3 p = at(ray, t);
-        const bool last = bounce + 1 == weights.size();
-        const Pen pen{.color = last ? gray : blue,
-                      .width = last ? Real(1.2) : Real(1.8),
-                      .dashes = last ? "4 4" : ""};
-        sketch.arrow(ray.origin, p, pen);
-        sketch.label((ray.origin + p) / Real(2), {0, -10}, weights.at(bounce),
-                     {.color = last ? gray : blue, .bold = true});
-        if (last) break;
-        sketch.mark(p, Mark::hit);
-        const bool right = normal.x < 0;
-        sketch.label(p, {right ? Real(18) : Real(-18), 5},
-                     bounce == 0   ? "shows 1 − $m$"
-                     : bounce == 1 ? "$m$ (1 − $m$)"
-                                   : "$m$² (1 − $m$)",
-                     {.color = red, .anchor = right ? Anchor::start : Anchor::end, .size = 13});
-        ray = mirrored(ray, {.point = p, .normal = normal, .geometric_normal = normal});
-    }
-    svg.text({320, 308},
-             "--depth 2: the third mirror sends nothing on, and $m$³ of the sum is black");
     return svg.source();
 }
 

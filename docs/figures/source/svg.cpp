@@ -49,11 +49,10 @@ std::string dark_style() {
         std::string_view dark;
     };
     constexpr std::array colors = {
-        Dark{white, "#0d1117"},     Dark{ink, "#e6edf3"},      Dark{gray, "#9da7b3"},
-        Dark{faint, "#3b434d"},     Dark{tint, "#1b222b"},     Dark{blue, "#4da3e6"},
-        Dark{red, "#f0694d"},       Dark{green, "#5fb878"},    Dark{amber, "#d99a2b"},
-        Dark{pale_blue, "#1d3a54"}, Dark{pale_red, "#54271e"}, Dark{pale_green, "#1f4229"},
-        Dark{pale_amber, "#54400f"}};
+        Dark{white, "#0d1117"},    Dark{ink, "#e6edf3"},      Dark{gray, "#9da7b3"},
+        Dark{faint, "#3b434d"},    Dark{tint, "#1b222b"},     Dark{blue, "#4da3e6"},
+        Dark{red, "#f0694d"},      Dark{green, "#5fb878"},    Dark{amber, "#d99a2b"},
+        Dark{pale_red, "#54271e"}, Dark{pale_blue, "#1d3a54"}};
     std::string text = "<style>@media (prefers-color-scheme:dark){";
     for (const auto& [light, dark] : colors)
         for (const std::string_view part : {"fill", "stroke"}) {
@@ -119,15 +118,6 @@ void Svg::circle(Vec2 center, Real radius, std::string_view fill, const Pen& pen
                attribute("r", radius) + paint(fill, pen) + "/>\n";
 }
 
-void Svg::cells(const std::vector<Cell>& cells, std::string_view fill) {
-    std::string path;
-    for (const auto& [corner, size] : cells)
-        path += "M" + number(corner.x) + " " + number(corner.y) + "h" + number(size.x) + "v" +
-                number(size.y) + "h" + number(-size.x) + "z";
-    shapes_ += "<path" + attribute("d", path) + attribute("fill", fill) +
-               " shape-rendering=\"crispEdges\"/>\n";
-}
-
 void Svg::text(Vec2 point, std::string_view label, const TextStyle& style) {
     labels_ += "<text" + attribute("x", point.x) + attribute("y", point.y) +
                attribute("fill", style.color) + attribute("font-size", style.size) +
@@ -146,11 +136,6 @@ void Svg::text(Vec2 point, std::string_view label, const TextStyle& style) {
         raised = raise;
     }
     labels_ += "</text>\n";
-}
-
-void Svg::key(Vec2 place, std::string_view letter, std::string_view meaning) {
-    text(place, letter, {.color = blue, .bold = true});
-    text(place + Vec2(18, 0), meaning, {.anchor = Anchor::start, .size = 13});
 }
 
 std::string Svg::source() const {

@@ -23,8 +23,6 @@ inline constexpr std::string_view green = "#35784a";  ///< normals, bases
 inline constexpr std::string_view amber = "#a86500";  ///< misprints of a document
 inline constexpr std::string_view pale_blue = "#d5e5f3";
 inline constexpr std::string_view pale_red = "#f6dcd6";
-inline constexpr std::string_view pale_green = "#d9ebdf";
-inline constexpr std::string_view pale_amber = "#f8e3b8";
 
 struct Pen {
     std::string_view color = ink;
@@ -45,11 +43,6 @@ struct TextStyle {
     bool bold = false;
 };
 
-struct Cell {
-    Vec2 corner;  ///< the upper left one
-    Vec2 size;
-};
-
 /// Points are pixels from the page's top left corner, y down.
 class Svg {
 public:
@@ -61,15 +54,11 @@ public:
     void polyline(const std::vector<Vec2>& points, const Pen& pen = {});
     void polygon(const std::vector<Vec2>& points, std::string_view fill, const Pen& pen = {});
     void circle(Vec2 center, Real radius, std::string_view fill, const Pen& pen = {});
-    /// Rectangles of one color, without a seam between neighbors.
-    void cells(const std::vector<Cell>& cells, std::string_view fill);
 
     /// The label with its base line at the point, over everything else. Between two $ it is set as
     /// mathematics: "_" lowers and "^" raises the next letter or {group}, and a single letter is
     /// italic.
     void text(Vec2 point, std::string_view label, const TextStyle& style = {});
-    /// A line of a key: the letter of a ray, and its meaning.
-    void key(Vec2 place, std::string_view letter, std::string_view meaning);
 
     [[nodiscard]] std::string source() const;
 
