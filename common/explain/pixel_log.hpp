@@ -37,6 +37,9 @@ public:
 
     /// The primitive of the latest closest hit, which may occlude its own light.
     const void* surface = nullptr;
+    /// The ray's direction and the normal there, on the ray's side, which a mirror reflects.
+    std::string direction;
+    std::string normal;
 
 private:
     std::ostream& out_;

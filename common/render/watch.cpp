@@ -13,6 +13,10 @@ void watch_ray(const Context& context, const Ray& ray) {
                          ? "Another ray"
                          : "The ray after " + std::to_string(context.bounces) +
                                (context.bounces == 1 ? " reflection" : " reflections"));
+        if (context.bounces > 0) {
+            log->line("d, before the mirror", log->direction);
+            log->line("n, of the mirror", log->normal);
+        }
         log->line("o_r", text(ray.origin));
         log->line("d_r", text(ray.direction));
     }
@@ -38,6 +42,8 @@ void watch_hit(const Watch& watch, const Ray& ray, const void* primitive, Real t
                Vec3 normal) {
     if (watch.log != nullptr) {
         watch.log->surface = primitive;
+        watch.log->direction = text(ray.direction);
+        watch.log->normal = text(face_forward(normal, ray.direction));
         return explain_hit(*watch.log, point, normal);
     }
     RayRecord& record = closest_record(*watch.records, ray);

@@ -13,12 +13,6 @@ namespace {
 
 // Of `--pixel` alone: not a part of the code for every ray.
 
-[[gnu::noinline]] void explain(PixelLog& log, const Ray& ray, const ShadingPoint& surface) {
-    log.heading("The mirror (CR §5.1)");
-    log.line("d", text(ray.direction));
-    log.line("n", text(surface.normal));
-}
-
 [[gnu::noinline]] void explain_end(PixelLog& log) {
     log.remark("no reflection is worth its ray any more");
 }
@@ -34,8 +28,6 @@ Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface
                  Context& context) {
     Context there = context;
     there.weight *= double(surface.material.mirror);
-    if (context.log != nullptr) [[unlikely]]
-        explain(*context.log, ray, surface);
     if (!worth_reflecting(context.bounces, context.settings.depth, Real(there.weight))) {
         if (context.log != nullptr) [[unlikely]]
             explain_end(*context.log);

@@ -186,6 +186,12 @@ for words in pixFinal 'tan(FOV / 2)' 'X = ' 'd_r = ' 'A, B, C' 'Δ = ' 'hit at t
     grep -qF "$words" out || fail "the story tells $words"
 done
 
+# A reflected ray has the mirror's d and n beside it.
+printf 'R 9 9\nC 0,0,0 0,0,-1 60\npl 0,0,-4 0,0,1 255,255,255 mirror:1\n' > straight.rt
+"$build/step12_mirror" straight.rt --pixel 4,4 > out
+grep -A4 'after 1 reflection' out | sed -n 's/^ *//; s/^[dn], .* = //p; s/^d_r = //p' | tr '\n' ';' > vectors
+[ "$(cat vectors)" = "(0, 0, -1);(0, 0, 1);(0, 0, 1);" ] || fail "d, n and R: $(cat vectors)"
+
 # The requirements of a scene, the same from every stage, and the unsupported ones; no picture.
 "$build/step05_triangle" "$scenes/step12_mirror.rt" --requirements > out
 for words in requires step03_sphere step09_phong 'lights* with a size' step12_mirror 'does not use'; do
