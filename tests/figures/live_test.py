@@ -166,7 +166,7 @@ def check(browser, origin, name):
     browser.open(f"{origin}/page/{name}")
     browser.run(f"customElements.whenDefined('rt-{name}').then(() => 0)")
     browser.run(state % name)
-    errors += check_look(browser, name)
+    errors += check_look(browser, name) + cut_off(browser, name)
     texts = set()
     for number, shown in enumerate(states_of(browser, name)):
         texts.update(shown["texts"])
@@ -240,6 +240,21 @@ says_of_cases = {"sphere_roots": ["t1 = 1.477", "t2 = 3.951"], "cylinder_both_ro
 
 def says_not(shown, texts):
     return [f"it does not say {text}" for text in texts if not any(text.search(each) if isinstance(text, re.Pattern) else text == each for each in shown)]
+
+
+def cut_off(browser, name):
+    """Errors of texts that reach out of the drawing as loaded, in a wide window and, in Chromium, in one of 400 pixels."""
+    errors = []
+    for width in [700, 400] if isinstance(browser, chromium.Chromium) else []:
+        browser.call("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        errors += [f"in {width} pixels, {text} is cut off" for text in browser.run(f"""(() => {{
+          const {{ svg, constructor: {{ height }} }} = document.querySelector("rt-{name}");
+          return Array.from(svg.querySelectorAll("text")).map((text) => [text.textContent, text.getBBox()])
+            .filter(([, box]) => box.x < -4 || box.x + box.width > 644 || box.y < -4 || box.y + box.height > height + 4).map(([text]) => text);
+        }})()""")]
+    if isinstance(browser, chromium.Chromium):
+        browser.call("Emulation.clearDeviceMetricsOverride")
+    return errors
 
 
 def check_look(browser, name):

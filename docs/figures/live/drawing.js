@@ -35,7 +35,7 @@ const style = `
   td:first-child:not([colspan]) { white-space: nowrap; }
   td[colspan="2"] { color: ${color.gray}; }
   .differs { color: ${color.red}; font-weight: bold; }
-  @media (max-width: 500px) { svg { font-size: 19px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 18; } }
+  @media (max-width: 500px) { svg { font-size: 19px; } .long { font-size: 15px; } input[type=range] { width: 7em; } td:first-child:not([colspan]) { white-space: normal; } .handle { stroke-width: 18; } }
   slot { display: none; }
   @media print { slot { display: block; } svg, form, details { display: none; } }`;  // the drawn figure
 
@@ -98,7 +98,7 @@ export class Sketch {
   }
   /// A text at a place in pixels.
   write([x, y], text, fill = color.ink, anchor = "start", style = "") {
-    this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}${style}` }, text);
+    this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}${style}`, class: unset(text).length > 18 ? "long" : "" }, text);
   }
   pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}) {
     return this.shape(name, { ...attributes, stroke, fill, stroke_width: width, stroke_dasharray: dashes });

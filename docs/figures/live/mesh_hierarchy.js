@@ -76,13 +76,13 @@ define("mesh_hierarchy", class extends Figure {
       view.ray(ray, 3);
       if (this.hit !== null) view.mark(ray.origin.map((x, i) => x + this.t * ray.direction[i]), "hit");
     }
-    sketch.shape("text", { x: 338, y: 320, text_anchor: "middle" }, `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles; shown: level ${this.level.value}`);
-    sketch.shape("text", { x: 185, y: 24, text_anchor: "middle" }, "from the front");
-    sketch.shape("text", { x: 492, y: 24, text_anchor: "middle" }, "from the side");
+    sketch.write([338, 320], `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles; shown: level ${this.level.value}`, color.ink, "middle");
+    sketch.write([185, 24], "from the front", color.ink, "middle");
+    sketch.write([492, 24], "from the side", color.ink, "middle");
     Object.values(pens).forEach(([pen, text], i) => {
       const x = i % 2 ? 320 : 20, y = 342 + 26 * (i >> 1);
       sketch.pixels("rect", { x, y, width: 26, height: 14 }, pen);
-      sketch.shape("text", { x: x + 36, y: y + 13 }, text);
+      sketch.write([x + 36, y + 13], text);
     });
     const count = (states, all) => all.filter(({ state }) => states.includes(state)).length;
     const sums = (all) => `${all.length} ${all.length === 1 ? "box" : "boxes"}, ${count(["opened", "behind", "missed"], all)} tested, ${count(["opened"], all)} opened`;

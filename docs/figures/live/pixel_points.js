@@ -52,7 +52,7 @@ define("pixel_points", class extends Figure {
     }
     let hits = 0;
     for (let i = 0; i < many; ++i) hits += await this.hits(triangle, await this.point("spread", i));
-    sketch.shape("text", { x: 320, y: 294, text_anchor: "middle" }, `${many} spread: ${((100 * hits) / many).toFixed(1)} %`);
+    sketch.write([320, 294], `${many} spread: ${((100 * hits) / many).toFixed(1)} %`, color.ink, "middle");
     return [...rows, [`${many} spread rays`, `${((100 * hits) / many).toFixed(1)} %`]];
   }
 });

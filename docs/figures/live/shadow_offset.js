@@ -1,6 +1,6 @@
 // Stage 10: a fixed epsilon in scenes of every size: acne on one side, lost contact on the other,
 // and the stage's own shadow ray. Change the size and the epsilon.
-import { Figure, add, color, define, minus, times } from "./drawing.js";
+import { Figure, add, color, define, minus, short, times } from "./drawing.js";
 
 const shown = 90;  // points of each kind
 
@@ -51,7 +51,7 @@ define("shadow_offset", class extends Figure {
     }
     // Within this distance of a point, hits do not count.
     if (epsilon && epsilon / size < 9) sketch.circle([side + 1.6, 0, 0], epsilon / size, { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
-    [title, epsilon ? `ε = ${epsilon.toExponential()}` : "off by its error", `size ${size.toExponential(0)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
+    [title, epsilon ? `ε = ${epsilon.toExponential()}` : "off by its error", `size ${short(size, 1)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
     return `${acne} points with acne, ${lost} with lost shadow, of ${2 * shown}`;
   }
 
@@ -61,7 +61,7 @@ define("shadow_offset", class extends Figure {
     const rows = [];
     for (const [i, scene] of scenes.entries()) {
       const { title = "shadow_ray" } = scene;
-      rows.push([`${title}, scene of size ${scene.size.toExponential(0)}`, await this.draw_scene(sketch, i * (this.together ? 5.95 : 8), { ...scene, title })]);
+      rows.push([`${title}, scene of size ${short(scene.size, 1)}`, await this.draw_scene(sketch, i * (this.together ? 5.95 : 8), { ...scene, title })]);
     }
     sketch.write([320, 246], "red: acne, a point shadows itself", color.red, "middle");
     sketch.write([320, 268], "amber: light where the ball stands in the way", color.amber, "middle");

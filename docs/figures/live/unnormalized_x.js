@@ -5,8 +5,8 @@ const onto_circle = ([, y, z]) => times(1 / (Math.hypot(y, z) || 1), [0, y, z]);
 const size = (v) => Math.hypot(...v);
 
 define("unnormalized_x", class extends Figure {
-  static height = 425;
-  view = { place: [170, 165], scale: 115, right: [0.45, 0, -1], up: [-0.3, 1, 0] };
+  static height = 450;
+  view = { place: [170, 145], scale: 115, right: [0.45, 0, -1], up: [-0.3, 1, 0] };
 
   setup() {
     this.direction = this.handle("direction", onto_circle([0, -1, -0.57735]), { fill: color.blue, keep: onto_circle });
@@ -32,7 +32,7 @@ define("unnormalized_x", class extends Figure {
     }
     sketch.label(direction, [-16, 16], "$c$", color.blue);
     // The length of X over the pitch, as printed and normalized.
-    const place = (degrees, length) => [475 + degrees * 1.45, 240 - 150 * length];
+    const place = (degrees, length) => [475 + degrees * 1.45, 215 - 150 * length];
     const plot = { printed_basis: color.amber, camera_basis: color.green };
     for (const [name, stroke] of Object.entries(plot)) {
       const points = [];
@@ -46,16 +46,21 @@ define("unnormalized_x", class extends Figure {
     sketch.pixels("polyline", { points: `${place(-90, 1.1)} ${place(-90, 0)} ${place(90, 0)}` }, { stroke: color.gray, width: 1 });
     const [cx, cy] = place((Math.atan2(y, Math.abs(z)) * 180) / Math.PI, size(printed.x));
     sketch.pixels("circle", { cx, cy, r: 5 }, { fill: color.amber, stroke: color.white });
-    for (const pitch of [-90, -45, 0, 45, 90]) sketch.shape("text", { x: place(pitch, 0)[0], y: 258, text_anchor: "middle" }, `${pitch}°`);
-    sketch.shape("text", { x: 475, y: 282, text_anchor: "middle" }, "pitch of the camera");
-    sketch.shape("text", { x: 475, y: 62, text_anchor: "middle", style: `fill: ${color.green}` }, "‖$X$‖, normalized");
-    sketch.shape("text", { x: cx + 12, y: cy + 18, style: `fill: ${color.amber}` }, `as printed: ${short(size(printed.x))}`);
-    // The screen in both bases: as printed X and Y shrink, and all that is seen grows.
-    const shrunk = size(printed.x), [middle, wide, high] = [[475, 348], 160, 100];
-    for (const [share, pen] of [[1, { stroke: color.green, fill: color.tint, width: 2 }], [shrunk, { stroke: color.amber, width: 3, dashes: "6 3" }]])
-      sketch.pixels("rect", { x: middle[0] - (share * wide) / 2, y: middle[1] - (share * high) / 2, width: share * wide, height: share * high }, pen);
-    sketch.shape("text", { x: 380, y: 353, text_anchor: "end" }, "the screen");
-    sketch.shape("text", { x: 636, y: 418, text_anchor: "end", style: `fill: ${color.amber}` }, `as printed: all looks ${short(1 / shrunk)} times as large`);
+    for (const pitch of [-90, -45, 0, 45, 90]) sketch.write([place(pitch, 0)[0], 233], `${pitch}°`, color.ink, "middle");
+    sketch.write([475, 256], "pitch of the camera", color.ink, "middle");
+    sketch.write([475, 37], "‖$X$‖, normalized", color.green, "middle");
+    sketch.write([cx + 12, cy + 18], `as printed: ${short(size(printed.x))}`, color.amber);
+    // The picture in both bases: as printed X and Y shrink, and with them the screen, so all that is seen grows.
+    const shrunk = size(printed.x), balls = [[0, 8, 16, "red"], [-44, 18, 13, "amber"], [38, -18, 9, "blue"], [12, -34, 5, "green"]];
+    const content = balls.map(([x, y, r, name]) => `<circle cx="${x}" cy="${y}" r="${r}" style="fill: ${color[`pale_${name}`]}; stroke: ${color[name]}"/>`).join("");
+    for (const [left, share, fill, title] of [[90, 1, color.green, "$X$ normalized"], [370, shrunk, color.amber, "$X$ = (0, 1, 0) ∧ $Z$, as printed"]]) {
+      const view = [-90 * share, -52 * share, 180 * share, 104 * share];
+      sketch.pixels("rect", { x: left, y: 316, width: 180, height: 104 }, { fill: color.tint, stroke: fill, width: 2 });
+      sketch.pixels("svg", { x: left, y: 316, width: 180, height: 104, viewBox: view.join(" ") }).innerHTML = content;
+      sketch.write([left + 90, 308], title, fill, "middle");
+    }
+    sketch.pixels("rect", { x: 180 - 90 * shrunk, y: 368 - 52 * shrunk, width: 180 * shrunk, height: 104 * shrunk }, { stroke: color.amber, width: 2, dashes: "6 3" });
+    sketch.write([460, 440], `all looks ${short(1 / shrunk)} times as large`, color.amber, "middle");
     return [
       ["c", direction], ["X of camera_basis", basis.x], ["Y of camera_basis", basis.y], ["X as printed: (0, 1, 0) ∧ Z", printed.x], ["Y as printed: Z ∧ X", printed.y],
       [`to_world: from (0.5, 0, 0) along −z; camera at (${position.join(", ")})`, in_world],

@@ -29,7 +29,7 @@ draw = """(async () => {
   for (const { place, knob } of figure.handles) if (knob.getAttribute("fill").includes("#24292f")) figure.sketch.mark(place, "given");
   for (const element of figure.back.querySelectorAll("*")) {
     for (const [, name, value] of (element.getAttribute("style") ?? "").matchAll(/([a-z-]+): ([^;]+)/g)) element.setAttribute(name, value);
-    element.removeAttribute("style");
+    for (const name of ["style", "class"]) element.removeAttribute(name);
     for (const { name, value } of Array.from(element.attributes)) {
       if (/^(none|inherit|0)$/.test(value) && /^(stroke|stroke-dasharray|font-size|dy)$/.test(name)) element.removeAttribute(name);
       else if (/^(d|points|c?[xy][12]?|r|width|height|stroke-width)$/.test(name))
