@@ -369,8 +369,9 @@ export class RayFigure extends Figure {
   async draw_rays(sketch, look, { key, told, end = () => 4.2 } = {}) {
     for (const [i, [name, given]] of Object.entries(this.rays).entries()) {
       const { roots, t, n, ray = given } = await look(given), [letter, ...meaning] = name.split(": ");
+      const length = Math.hypot(...given.direction), last = Math.max(end(given), ...roots.map((root) => root * length + 0.25).filter((x) => x < 6));
       if (!name) sketch.ray(given);
-      else sketch.arrow(given.origin, at(given, end(given) / Math.hypot(...given.direction)), { stroke: color.blue, width: 1.8 });
+      else sketch.arrow(given.origin, at(given, last / length), { stroke: color.blue, width: 1.8 });
       if (t !== null) this.normal(sketch, at(ray, t), n);
       if (!name && key && this.chosen) sketch.write([620, this.constructor.height - 14], this.chosen, color.ink, "end");
       if (!name) return sketch.roots(ray, roots, t, told);

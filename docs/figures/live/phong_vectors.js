@@ -20,7 +20,7 @@ function bitmap(pixels, side) {
 }
 
 define("phong_vectors", class extends Figure {
-  static height = 350;
+  static height = 372;
   view = { place: [205, 255], scale: 105 };  // a slice through the ball, the light and the eye
 
   setup() {

@@ -50,7 +50,7 @@ define("shadow_offset", class extends Figure {
       else sketch.pixels("circle", { cx, cy, r: 2.5 }, { fill: fate === "lit" ? color.pale_amber : color.gray, stroke: color.gray, width: 0.5 });
     }
     // Within this distance of a point, hits do not count.
-    if (epsilon && epsilon / size < 9) sketch.circle([side + 1.6, 0, 0], epsilon / size, { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
+    if (epsilon && !this.together) sketch.circle([side + 1.6, 0, 0], Math.min(99, epsilon / size), { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
     [title, epsilon ? `ε = ${epsilon.toExponential()}` : "off by its error", `size ${short(size, 1)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
     return `${acne} points with acne, ${lost} with lost shadow, of ${2 * shown}`;
   }
