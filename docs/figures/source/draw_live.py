@@ -4,7 +4,6 @@
 Writes FOLDER/NAME.svg of each, without a script and with two sets of colors, as docs/figures/source/svg.cpp does. The title is
 the page's alternative text. Status 77 where Chromium is missing, or the engine: a folder with engine_double.wasm.
 """
-import functools
 import http.server
 import pathlib
 import re
@@ -33,7 +32,7 @@ draw = """(async () => {
     for (const { name, value } of Array.from(element.attributes)) {
       if (/^(none|inherit|0)$/.test(value) && /^(stroke|stroke-dasharray|font-size|dy)$/.test(name)) element.removeAttribute(name);
       else if (/^(d|points|c?[xy][12]?|r|width|height|stroke-width)$/.test(name))
-        element.setAttribute(name, value.replace(/-?\\d+\\.\\d+(e-\\d+)?/g, (number) => Math.round(100 * number + 1e-4) / 100));
+        element.setAttribute(name, value.replace(/-?\\d+(\\.\\d+)?(e-\\d+)?/g, (number) => Math.round(100 * number + 1e-4) / 100));
     }
   }
   return [figure.constructor.height, ...[shapes, labels].map((group) => group.innerHTML.replaceAll("/><", "/>\\n<").replaceAll("</text>", "</text>\\n"))];
