@@ -41,6 +41,12 @@ const std::vector<File> files = {
     {"memory", "memory", {"memory_float", "memory_double"}, 1, 1, true},
     {"rounding", "input_rounding", {"input_rounding"}, 1, 25, true},
     {"analytic", "analytic", {"analytic"}, 1, 5},
+    {"formats", "formats", {"formats"}, 1, 5},
+    {"flags",
+     "flags",
+     {"flags_o2", "flags_o3", "flags_native", "flags_contract", "flags_fast_math", "flags_flush"},
+     3,
+     12},
 };
 
 /// "measuring: 45 %, 80 s left"

@@ -19,7 +19,7 @@ from modules import is_there  # noqa: E402
 from tables import tables  # noqa: E402
 
 PLOTS = ["shapes_cost", "shapes_wrong", "contact", "penumbra", "mirrors", "hierarchy", "decimation",
-         "pixels", "input_rounding", "front", "sources"]
+         "pixels", "input_rounding", "front", "sources", "formats"]
 MISSING = "this needs matplotlib: python3-matplotlib, or what your system calls it"
 
 

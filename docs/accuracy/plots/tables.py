@@ -274,10 +274,50 @@ def pipeline():
     return table(["step", "levels"], lines)
 
 
+def formats():
+    """Other arithmetic than float and double."""
+    names = {"sphere": "t of a sphere", "root": "1 / √x"}
+    return table(["", "arithmetic", "nanoseconds", "typical error", "one in 1000 exceeds"],
+                 [[names[row["what"]], row["form"], two_digits(float(row["nanoseconds"])),
+                   power(float(row["median"])), power(float(row["most"]))]
+                  for row in read("formats") if row["what"] in names])
+
+
+def boxes():
+    """A hierarchy whose boxes have few bits: boxes tested, and leaves reached, of each ray."""
+    rows = [row for row in read("formats") if row["boxes"]]
+    bits = {"double": "48", "float": "24", "half": "12", "bfloat16": "12"}
+    places = different(rows, "what")
+    return table(["boxes in", "bytes of one", *(place.replace("boxes at 0", "at the origin")
+                                                .replace("boxes at", "moved by") for place in places)],
+                 [[form, bits[form], *(f"{float(row['boxes']):.0f}, {float(row['leaves']):.1f}"
+                                       for row in where(rows, form=form))]
+                  for form in different(rows, "form")])
+
+
+def flags():
+    """Compiler flags: time, bits and wrong decisions of three references."""
+    rows, lines = read("flags"), []
+    shapes, names = different(rows, "shape"), different(rows, "flags")
+    for name in names:
+        turns = [where(rows, flags=name, shape=shape) for shape in shapes]
+        other = [shape for shape, own in zip(shapes, turns)
+                 if own[0]["bits"] != where(rows, flags=names[0], shape=shape)[0]["bits"]]
+        lines.append([f"`{name.replace(' -DRT_FLUSH_TO_ZERO', '')}`"
+                      + (", flush to zero" if "FLUSH" in name else ""),
+                      *(f"{two_digits(min(number(row, 'nanoseconds') for row in own))}, "
+                        f"{thousands(1e6 * number(own[0], 'wrong') / number(own[0], 'rays'))}"
+                        for own in turns),
+                      turns[-1][0]["leaks"], ", ".join(other) or "none"])
+    return table(["flags", *(f"{shape}: ns, wrong of a million" for shape in shapes),
+                  "leaks of a million", "other bits"], lines)
+
+
 def tables():
     """The page's markers, and what belongs between them."""
     return {**dict(shape_tables()), "contact": contact(), "penumbra": penumbra(),
             "mirrors": mirrors(), "hierarchy": hierarchy(), "decimation": decimation(),
             "pictures": pictures(), "memory": memory(), "input rounding": input_rounding(),
             "front": front_table(), "sources": sources(), "spending": spending(),
-            "analytic": analytic(), "pipeline": pipeline()}
+            "analytic": analytic(), "pipeline": pipeline(), "formats": formats(),
+            "boxes": boxes(), "flags": flags()}
