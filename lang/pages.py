@@ -136,19 +136,23 @@ def report(catalogue):
             print(f"{catalogue.relative_to(project)}: {count} {kind.rpartition('-')[2]}")
 
 
-def write_messages(template):
-    """What ./course prints: the arguments of tr and to_translate, the descriptions of commands and options,
-    the sentences of its script, and printed.txt. False if there is no such source."""
+def write_messages(template, name):
+    """What ./course prints (course), or writes about grades (grading): the arguments of tr and to_translate,
+    the descriptions of commands and options, the sentences of its script, and of printed.txt. False if
+    there is no such source."""
+    room = project / ("common/course/grade" if name == "grading" else "common/course")
     of_student = re.compile(r"\b(tr|to_translate|add_student_commands|add_author_commands)\(")
-    sources = [source for source in sorted(project.glob("common/course/**/*.?pp"))
-               if of_student.search(source.read_text(encoding="utf-8"))]
+    sources = [source for source in sorted(room.glob("**/*.?pp"))
+               if (name == "grading" or "grade" not in source.relative_to(room).parts)
+               and of_student.search(source.read_text(encoding="utf-8"))]
     if not sources:  # the book without the program
         return False
     keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3"]
     subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
                     "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
     text = template.read_text(encoding="utf-8").replace("charset=CHARSET", "charset=UTF-8")
-    for sentence in sentences_of_script() + sentences_elsewhere():
+    text = text.replace("#, c-format\n", "")  # a guess, by a percent sign
+    for sentence in (sentences_of_script() if name == "course" else []) + sentences_elsewhere(room):
         entry = f"\nmsgid {json.dumps(sentence, ensure_ascii=False)}\nmsgstr \"\"\n"
         text += "" if entry in text else entry
     template.write_text(text, encoding="utf-8")
@@ -161,9 +165,9 @@ def sentences_of_script():
     return re.findall(r'\b(?:text|fail) "([^"$]+)"', script.read_text(encoding="utf-8")) if script.exists() else []
 
 
-def sentences_elsewhere():
-    """common/course/printed.txt: what suites and stages' programs print."""
-    lines = (project / "common/course/printed.txt").read_text(encoding="utf-8").splitlines()
+def sentences_elsewhere(room):
+    """Those of printed.txt: what others put together, as suites and stages' programs."""
+    lines = (room / "printed.txt").read_text(encoding="utf-8").splitlines()
     return [line for line in lines if line and not line.startswith("#")]
 
 
@@ -191,8 +195,9 @@ def update(language):
         for page in pages():
             run_po4a(project / page, "", template)
             merge(catalogue_of(page, language), template, language)
-        if write_messages(template):
-            merge(lang / language / "course.po", template, language)
+        for name in ["course", "grading"]:
+            if write_messages(template, name):
+                merge(lang / language / f"{name}.po", template, language)
         for sentences in (lang / language).glob("steps/*/sentences.po"):  # an empty file begins one
             write_sentences(template, sentences.parent.name)
             merge(sentences, template, language)

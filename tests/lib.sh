@@ -58,9 +58,13 @@ in_french() {
     course "$@"
     RAYSTEPS_LANG=en
     export RAYSTEPS_LANG
-    ! grep -nwiE 'about|and|are|by|cannot|came|does|has|have|is|it|its|more|not|of|than|that|the|this|to|was|with|your' \
-        "$folder/out" > "$folder/err" || fail "no English sentence: course $*"
+    ! has_english "$folder/out" > "$folder/err" || fail "no English sentence: course $*"
     rm -f "$folder/err"
+}
+
+# has_english FILE: prints the lines that have a word of English sentences
+has_english() {
+    grep -nwiE 'about|and|are|by|cannot|came|does|has|have|is|it|its|more|not|of|than|that|the|this|to|was|with|your' "$1"
 }
 
 # french_session STAGE SOLUTION [MAIN]: from the starter to a passed check with these files.

@@ -104,6 +104,26 @@ void add_translation(const std::string& english, const std::string& own) {
     if (!pattern.places.empty() && tells_apart(pattern)) patterns().push_back(std::move(pattern));
 }
 
+/// The same as tr_text, with the values translated so many times.
+std::string translated(const std::string& text, int inside) {
+    constexpr std::size_t longest = 2000;
+    const auto found = translations().find(text);
+    if (found != translations().end()) return found->second;
+    const Pattern* best = nullptr;
+    Values values;
+    for (const Pattern& pattern : patterns()) {
+        if (text.size() > longest || (best != nullptr && pattern.length <= best->length)) continue;
+        Values those = values_in(text, pattern);
+        if (those.empty()) continue;
+        best = &pattern;
+        values = std::move(those);
+    }
+    if (best == nullptr) return text;
+    if (inside > 0)
+        for (auto& [place, value] : values) value = translated(value, inside - 1);
+    return tr(best->sentence, values);
+}
+
 }  // namespace
 
 std::string language_of_environment() {
@@ -175,20 +195,20 @@ std::string tr(const std::string& english, const Values& values) {
 }
 
 std::string tr_text(const std::string& text) {
-    const auto found = translations().find(text);
-    if (found != translations().end()) return found->second;
-    const Pattern* best = nullptr;
-    Values values;
-    for (const Pattern& pattern : patterns()) {
-        if (best != nullptr && pattern.length <= best->length) continue;
-        Values those = values_in(text, pattern);
-        if (those.empty()) continue;
-        best = &pattern;
-        values = std::move(those);
-    }
-    if (best == nullptr) return text;
-    for (auto& [place, value] : values) value = tr_text(value);
-    return tr(best->sentence, values);
+    constexpr int most_inside = 3;  // values in values: the text may be a stranger's
+    return translated(text, most_inside);
+}
+
+std::string tr_line(const std::string& line) {
+    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+    return line.substr(0, start) + tr_text(line.substr(start));
+}
+
+std::string tr_lines(const std::string& text) {
+    std::string own;
+    for (const std::string& line : lines_of(text)) own += tr_line(line) + "\n";
+    if (!own.empty() && !text.ends_with('\n')) own.pop_back();
+    return own;
 }
 
 std::string paragraphs_translated(const std::string& english) {

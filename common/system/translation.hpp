@@ -42,6 +42,12 @@ using Values = std::vector<std::pair<std::string_view, std::string>>;
 /// fits "a hit at t = {t}". The values are translated too, and what has no translation stays.
 [[nodiscard]] std::string tr_text(const std::string& text);
 
+/// The same behind the blanks at the start of a line.
+[[nodiscard]] std::string tr_line(const std::string& line);
+
+/// The same for each line.
+[[nodiscard]] std::string tr_lines(const std::string& text);
+
 /// A text whose paragraphs, between empty lines, are translated.
 [[nodiscard]] std::string paragraphs_translated(const std::string& english);
 

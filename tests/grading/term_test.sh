@@ -65,6 +65,20 @@ says "mallory: submitted, but is not on the roster"
 # 22 of the stage's 32 points are 13.75 of 20.
 grep -q '^Participant124,Bob Ray,Remis,"13,75","20,00",' results/upload.csv || fail "$(cat results/upload.csv)"
 
+# In French: the pages, and columns as in Moodle's worksheet.
+echo 'lang: fr' >> results/term.txt
+grade 0 --report
+grep -q '^Nom complet,step03_sphere,Note,Note maximale' results/grades.csv || fail "$(head -n 1 results/grades.csv)"
+for page in results/class.html results/students/*_12?/feedback.html; do
+    sed -e '/^<style>/,/^<\/style>/d' -e 's/<[^>]*>//g' "$page" > out
+    has_english out && fail "$page is in French"
+done
+grep -q 'la sphère unité' results/students/Zoé_Doe_123/feedback.html || fail "the names of cases are French"
+sed -i 's/^lang: .*/lang: xx/' results/term.txt
+grade 2 --report
+says 'results/term.txt:2: error: "xx" is no language: expected en, or a folder of lang/'
+sed -i '/^lang/d' results/term.txt
+
 cp results/grades.csv before
 sed -i 's/Participant12/Participant90/; s/Zoé Doe/Eva Roy/; s/Bob Ray/Ben Moe/' results/notes.csv
 grade 2 class

@@ -1,8 +1,6 @@
 #include "common/course/exercise/failure_text.hpp"
 
 #include "common/system/files.hpp"
-#include "common/system/translation.hpp"
-#include "common/system/wrap.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,11 +17,6 @@ namespace {
 constexpr int call_digits = 7;
 constexpr int least_digits = 6;
 constexpr int most_digits = 17;
-
-constexpr auto entry_labels = std::to_array<const char*>(
-    {to_translate("got:"), to_translate("expected:"), to_translate("paste:"),
-     to_translate("asked:"), to_translate("drawn:"), to_translate("scene:"), to_translate("first:"),
-     to_translate("see:"), to_translate("random:")});
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
@@ -162,21 +155,6 @@ std::vector<std::string> failure_lines(const std::string& failure, bool complete
             shown.push_back(is_call ? brief_code(line) : line);
     }
     return shown;
-}
-
-std::string translated_line(const std::string& line) {
-    constexpr std::size_t label_columns = 10;
-    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
-    std::string text = line.substr(start);
-    std::string label;
-    for (const char* const each : entry_labels)
-        if (starts_entry(line) && text.starts_with(each)) {
-            label = tr(each);
-            label.append(label_columns - std::min(columns_of(label), label_columns), ' ');
-            text.erase(
-                0, std::min(text.find_first_not_of(' ', std::string(each).size()), text.size()));
-        }
-    return line.substr(0, start) + label + tr_text(text);
 }
 
 std::size_t length_of_call(const std::string& failure) {

@@ -18,9 +18,6 @@ namespace rt {
 /// to paste and the seed are left out.
 [[nodiscard]] std::vector<std::string> failure_lines(const std::string& failure, bool complete);
 
-/// A line of a failure in the reader's language: the label before a colon, and what the suite says.
-[[nodiscard]] std::string translated_line(const std::string& line);
-
 /// The number of characters of the call, which comes before what it answered.
 [[nodiscard]] std::size_t length_of_call(const std::string& failure);
 

@@ -23,7 +23,7 @@ std::string line(const std::string& whose, const std::string& words) {
 /// With fewer digits, and the names of quantities in the reader's language.
 std::string shortened(const std::string& text) {
     constexpr int digits = 7;
-    return translated_line(with_digits(text, digits));
+    return tr_line(with_digits(text, digits));
 }
 
 std::string lines(const LogRow& row) {

@@ -72,7 +72,7 @@ void show_lines(const std::string& failure, bool complete) {
     for (const std::string& line : failure_lines(failure, complete)) {
         const bool goes_on = line.starts_with("    ");
         is_paste = line.starts_with("  paste: ") || (is_paste && goes_on);
-        const std::string indented = "    " + translated_line(line);
+        const std::string indented = "    " + tr_line(line);
         std::printf("%s\n", (is_paste ? wrapped_code(indented) : wrapped(indented)).c_str());
     }
 }
@@ -91,7 +91,7 @@ void show_failure(const CaseResult& failed, const SuiteResult& suite, const std:
     }
     show_lines(failed.failure, complete);
     if (complete && !failed.place.empty())
-        std::printf("    %s\n", translated_line("  asked:    " + failed.place).c_str() + 2);
+        std::printf("    %s\n", tr_line("  asked:    " + failed.place).c_str() + 2);
 }
 
 /// Prints the smallest call with a wrong answer, if that is shorter than the failing one.
@@ -102,7 +102,7 @@ void show_smallest(const Diagnosis& diagnosis, const CaseResult& failed, bool co
     std::printf("\n%s\n", tr("A plainer call with a wrong answer:").c_str());
     show_lines(diagnosis.smallest, complete);
     if (!diagnosis.drawing.empty())
-        std::printf("    %s\n", translated_line("  drawn:    " + diagnosis.drawing).c_str());
+        std::printf("    %s\n", tr_line("  drawn:    " + diagnosis.drawing).c_str());
 }
 
 /// Prints how many other cases fail, and which of them may fail because of the same part.

@@ -21,6 +21,7 @@
 #include "common/system/parallel_for.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/version.hpp"
 
 #include <fcntl.h>
@@ -149,6 +150,28 @@ std::set<int> stages_of(const Order& order) {
             stages.insert(stage);
     if (stages.empty()) throw InputError({}, "no stage among these is built");
     return stages;
+}
+
+/// The folder of the class's language; nothing for English. Throws InputError if there is none.
+fs::path language_folder(const Term& term, const fs::path& project) {
+    if (term.language.empty() || term.language == "en") return {};
+    const fs::path folder = project / "lang" / term.language;
+    if (!fs::exists(folder / "grading.po"))
+        throw InputError(term.language_place,
+                         "\"" + term.language +
+                             "\" is no language: expected en, or a folder of lang/ that has "
+                             "grading.po");
+    return folder;
+}
+
+/// Reads the translations into the class's language.
+void read_language(const Term& term, const fs::path& project) {
+    const fs::path folder = language_folder(term, project);
+    if (folder.empty()) return;
+    for (const char* const catalogue : {"grading.po", "course.po"})
+        read_translations(folder / catalogue);
+    for (const std::string_view stage : stage_names)
+        read_translations(folder / "steps" / stage / "sentences.po");
 }
 
 /// Before anything is written.
@@ -309,7 +332,8 @@ Outcome grade(const Order& order) {
     std::signal(SIGCHLD, SIG_DFL);  // a caller that ignores it would hide how processes end
     check_seal();
     check_places(order);
-    static_cast<void>(read_term(order.results, {}));  // an error there ends the run at its start
+    // An error there ends the run at its start.
+    static_cast<void>(language_folder(read_term(order.results, {}), order.project));
     const ResultsFolder results(order.results);
     const Lock lock(order.results, order.part);
     const Workplace workplace(order);
@@ -338,6 +362,7 @@ void write_reports(const fs::path& results, const fs::path& project) {
     const std::vector<Mark> marks = read_marks(results);
     if (marks.empty()) throw InputError({results}, "contains no marks");
     Term term = read_term(results, marks);
+    read_language(term, project);
     if (term.anonymous) term.key = read_seed(seed_file(results));
     for (const std::string& each : term.notes) say(each);
     const std::vector<std::string> missing = missing_marks(results, marks);

@@ -49,7 +49,7 @@ const std::regex of_other_folders(  //
     R"((README(\.\w\w)?\.md|LICENSE|course|CMakeLists\.txt|CMakePresets\.json|\.clang-format|\.gitignore)"
     R"(|\.gitattributes|\.devcontainer/devcontainer\.json|\.vscode/(launch|tasks)\.json)"
     R"(|docs/.*\.(md|svg|png|js))"
-    R"(|lang/.*\.(po|py|txt))"
+    R"(|lang/(?!\w+/grading\.po).*\.(po|py|txt))"
     R"(|scenes/.*\.(rt|obj|off|ply|stl))"
     R"(|steps/[^/]*|steps/step\w*/((?!story\.)[^/]*|starter/.*))"
     R"(|tests/(CMakeLists\.txt|suites/.*|kit/.*|programs/pictures/[^/]*\.png))"

@@ -8,6 +8,7 @@
 #include "common/stages/reasons.hpp"
 #include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -20,21 +21,28 @@ std::string section(const std::string& title, const std::string& inside) {
     return "<section>\n<h2>" + title + "</h2>\n" + inside + "</section>\n";
 }
 
-constexpr const char* missing_cell = "<td class=\"soft\" title=\"not submitted\">–</td>";
-constexpr const char* excused_cell = "<td class=\"soft\" title=\"excused\">e</td>";
-constexpr const char* refused_cell =
-    "<td class=\"share\" style=\"--share: 0%\" title=\"cannot be graded\">×</td>";
+std::string soft_cell(const std::string& title, const std::string& sign) {
+    return "<td class=\"soft\" title=\"" + title + "\">" + sign + "</td>";
+}
 
-constexpr const char* postponed_cell = "<td class=\"soft\" title=\"not graded yet\">?</td>";
+std::string missing_cell() {
+    return soft_cell(tr("not submitted"), "–");
+}
+
+std::string text_head(const std::string& title) {
+    return "<th class=\"text\">" + title + "</th>";
+}
 
 std::string points_cell(int points, int most) {
     return share_cell("share", points, most, std::to_string(100 * points / std::max(most, 1)));
 }
 
 std::string mark_cell(const Mark& mark, int most) {
-    if (mark.verdict == Verdict::missing) return missing_cell;
-    if (mark.verdict == Verdict::refused) return refused_cell;
-    if (mark.verdict == Verdict::postponed) return postponed_cell;
+    if (mark.verdict == Verdict::missing) return missing_cell();
+    if (mark.verdict == Verdict::refused)
+        return "<td class=\"share\" style=\"--share: 0%\" title=\"" + tr("cannot be graded") +
+               "\">×</td>";
+    if (mark.verdict == Verdict::postponed) return soft_cell(tr("not graded yet"), "?");
     return points_cell(mark.points(), most);
 }
 
@@ -50,7 +58,7 @@ std::string student_cell(const StudentMarks& submission) {
 
 /// The mean result of the submitted stages.
 std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& stages) {
-    std::string cells = "<th class=\"student\">mean of submissions</th>";
+    std::string cells = "<th class=\"student\">" + tr("mean of submissions") + "</th>";
     for (const auto& [stage, most] : stages) {
         int points = 0;
         int most_of_all = 0;
@@ -60,19 +68,19 @@ std::string mean_row(const std::vector<Mark>& marks, const std::map<int, int>& s
                 points += mark.points();
                 most_of_all += most;
             }
-        cells += most_of_all == 0 ? missing_cell : points_cell(points, most_of_all);
+        cells += most_of_all == 0 ? missing_cell() : points_cell(points, most_of_all);
     }
     return row(cells + "<td></td>");
 }
 
 /// A lecturer's points take the place of the grader's.
 std::string stage_cell(const StudentMarks& submission, int stage, int most, const Term& term) {
-    if (submission.stages.count(stage) == 0) return excused_cell;
+    if (submission.stages.count(stage) == 0) return soft_cell(tr("excused"), tr("e"));
     if (const auto given = term.overrides.find({submission.student, stage});
         given != term.overrides.end())
         return points_cell(int(given->second.points), most);
     const auto mark = submission.marks.find(stage);
-    return mark == submission.marks.end() ? missing_cell : mark_cell(*mark->second, most);
+    return mark == submission.marks.end() ? missing_cell() : mark_cell(*mark->second, most);
 }
 
 std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& stages,
@@ -80,8 +88,8 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
     std::string head = "<th class=\"student\"></th>";
     for (const auto& [stage, most] : stages)
         head += "<th class=\"stage\"><span>" + stage_title(stage) +
-                (term.bonus.count(stage) == 1 ? ", bonus" : "") + "</span></th>";
-    std::string rows = row(head + "<th>points</th>");
+                (term.bonus.count(stage) == 1 ? ", " + tr("bonus") : "") + "</span></th>";
+    std::string rows = row(head + "<th>" + tr("points") + "</th>");
     for (const StudentMarks& submission : submissions(marks, term)) {
         std::string cells = student_cell(submission);
         for (const auto& [stage, most] : stages) cells += stage_cell(submission, stage, most, term);
@@ -89,9 +97,10 @@ std::string matrix(const std::vector<Mark>& marks, const std::map<int, int>& sta
             std::clamp(int(100 * submission.points / std::max(submission.of, 1e-9)), 0, 100);
         rows += row(cells + share_cell("share", share, 100, number(submission.points)));
     }
-    return "<p class=\"soft\">The points of each stage, of a hundred; – means not submitted, e "
-           "excused, × cannot be judged, ? not judged yet.</p>\n" +
-           table("matrix", rows + mean_row(marks, stages));
+    return "<p class=\"soft\">" +
+           tr("The points of each stage, of a hundred; – means not submitted, e excused, × cannot "
+              "be judged, ? not judged yet.") +
+           "</p>\n" + table("matrix", rows + mean_row(marks, stages));
 }
 
 /// The changes by the lecturer's settings, and the students without a submission.
@@ -100,7 +109,7 @@ std::string remarks(const std::vector<Mark>& marks, const Term& term) {
     for (const StudentMarks& submission : submissions(marks, term))
         for (const std::string& line : lines_of(submission.remarks))
             rows += row(text_cell(submission.called) + text_cell(line));
-    return rows.empty() ? "" : section("Remarks", table("list", rows));
+    return rows.empty() ? "" : section(tr("Remarks"), table("list", rows));
 }
 
 /// The files that belong to no submission, and the lines of the term's files that fit nothing.
@@ -111,13 +120,16 @@ std::string left_over(const std::filesystem::path& results, const Term& term) {
     lines.insert(lines.end(), term.notes.begin(), term.notes.end());
     if (lines.empty()) return "";
     if (term.anonymous)
-        return section("Left over", "<p>" + counted(int(lines.size()), "line") +
-                                        " with names: left_over.txt has those on files, and "
-                                        "<code>./course grade --report</code> prints those on "
-                                        "term.txt.</p>\n");
+        return section(
+            tr("Left over"),
+            "<p>" +
+                tr("{lines} with names: left_over.txt has those on files, and <code>./course "
+                   "grade --report</code> prints those on term.txt.",
+                   {{"lines", counted(int(lines.size()), "line")}}) +
+                "</p>\n");
     std::string rows;
-    for (const std::string& line : lines) rows += row(text_cell(line));
-    return section("Left over", table("list", rows));
+    for (const std::string& line : lines) rows += row(text_cell(tr_text(line)));
+    return section(tr("Left over"), table("list", rows));
 }
 
 std::string first_line(const std::string& words) {
@@ -135,6 +147,10 @@ std::map<std::string, int> endings(const Mark& mark) {
     return counts;
 }
 
+std::string subsection(const std::string& title, const std::vector<std::string>& rows) {
+    return "<h3>" + title + "</h3>\n" + first_rows("", rows);
+}
+
 /// The students whose code tried a forbidden operation, ended otherwise, or was not run.
 std::string stopped(const std::vector<Mark>& marks, const Term& term) {
     std::vector<std::string> tried;
@@ -145,28 +161,26 @@ std::string stopped(const std::vector<Mark>& marks, const Term& term) {
         const std::string who =
             text_cell(term.called(mark.student)) + text_cell(stage_title(mark.stage));
         for (const auto& [sentence, cases] : endings(mark)) {
-            const std::string where = "in " + counted(cases, "case");
+            const std::string where = tr("in {cases}", {{"cases", counted(cases, "case")}});
             if (sentence.find(forbidden_operation) != std::string::npos)
                 tried.push_back(row(who + text_cell(where)));
             else
-                ended.push_back(row(who + text_cell(where) + text_cell(sentence)));
+                ended.push_back(row(who + text_cell(where) + text_cell(tr_text(sentence))));
         }
         if (mark.verdict == Verdict::refused)
-            refused.push_back(row(who + text_cell(first_line(mark.words))));
+            refused.push_back(row(who + text_cell(tr_text(first_line(mark.words)))));
         if (mark.verdict == Verdict::postponed) postponed.push_back(row(who));
     }
     std::string html;
     if (!postponed.empty())
-        html +=
-            "<h3>Not judged yet, through no fault of theirs: the same <code>grade</code> command "
-            "judges them</h3>\n" +
-            first_rows("", postponed);
+        html += subsection(tr("Not judged yet, through no fault of theirs: the same "
+                              "<code>grade</code> command judges them"),
+                           postponed);
     if (!tried.empty())
-        html +=
-            "<h3>Forbidden operations: files, processes, networks</h3>\n" + first_rows("", tried);
-    if (!ended.empty()) html += "<h3>Crashes, and limits of time</h3>\n" + first_rows("", ended);
-    if (!refused.empty()) html += "<h3>Could not be graded</h3>\n" + first_rows("", refused);
-    return html.empty() ? "<p>Nobody's.</p>\n" : html;
+        html += subsection(tr("Forbidden operations: files, processes, networks"), tried);
+    if (!ended.empty()) html += subsection(tr("Crashes, and limits of time"), ended);
+    if (!refused.empty()) html += subsection(tr("Could not be graded"), refused);
+    return html.empty() ? "<p>" + tr("Nobody's.") + "</p>\n" : html;
 }
 
 std::string mistakes(const std::vector<Mark>& marks) {
@@ -176,16 +190,16 @@ std::string mistakes(const std::vector<Mark>& marks) {
         if (mark.verdict == Verdict::judged) ++judged[mark.stage];
         for (const std::string& sentence : lines_of(mark.mistake)) ++counts[{mark.stage, sentence}];
     }
-    if (counts.empty()) return "<p>No known mistake was recognized.</p>\n";
+    if (counts.empty()) return "<p>" + tr("No known mistake was recognized.") + "</p>\n";
     std::vector<std::pair<std::pair<int, std::string>, int>> sorted(counts.begin(), counts.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& one, const auto& other) { return one.second > other.second; });
     std::vector<std::string> rows;
     for (const auto& [which, count] : sorted)
         rows.push_back(row(share_cell("bar", count, judged[which.first], std::to_string(count)) +
-                           text_cell(stage_title(which.first)) + text_cell(which.second)));
-    return first_rows(row("<th>students</th><th class=\"text\">stage</th>"
-                          "<th class=\"text\">message to the student</th>"),
+                           text_cell(stage_title(which.first)) + text_cell(tr_text(which.second))));
+    return first_rows(row("<th>" + tr("students") + "</th>" + text_head(tr("stage")) +
+                          text_head(tr("message to the student"))),
                       rows);
 }
 
@@ -222,11 +236,11 @@ std::string cases(const std::vector<Mark>& marks) {
         rows.push_back(
             row(share_cell("bar", each.passed, each.judged, percent(each.passed, each.judged)) +
                 "<td>" + std::to_string(each.judged) + "</td>" +
-                text_cell(stage_title(each.stage)) + text_cell(each.name)));
-    if (rows.empty()) return "<p>No case fails.</p>\n";
-    return "<p class=\"soft\">Only files that could be graded are counted.</p>\n" +
-           first_rows(row("<th>pass</th><th>of</th><th class=\"text\">stage</th>"
-                          "<th class=\"text\">case</th>"),
+                text_cell(stage_title(each.stage)) + text_cell(tr(each.name))));
+    if (rows.empty()) return "<p>" + tr("No case fails.") + "</p>\n";
+    return "<p class=\"soft\">" + tr("Only files that could be graded are counted.") + "</p>\n" +
+           first_rows(row("<th>" + tr("pass") + "</th><th>" + tr("judged") + "</th>" +
+                          text_head(tr("stage")) + text_head(tr("case"))),
                       rows);
 }
 
@@ -251,7 +265,7 @@ std::string same(const std::vector<SameFile>& found, const Term& term) {
     std::string rows;
     for (const SameFile& each : found)
         rows += row(text_cell(file_title(each.file)) + text_cell(names(each.students, term)));
-    return rows.empty() ? "" : "<h3>The same file</h3>\n" + table("list", rows);
+    return rows.empty() ? "" : "<h3>" + tr("The same file") + "</h3>\n" + table("list", rows);
 }
 
 std::string near(const std::vector<NearFiles>& found, const Term& term) {
@@ -260,13 +274,13 @@ std::string near(const std::vector<NearFiles>& found, const Term& term) {
     for (const NearGroup& each : groups(found))
         rows.push_back(row(text_cell(names({each.students.begin(), each.students.end()}, term)) +
                            text_cell(near_stages(each))));
-    return "<h3>Similar files</h3>\n<p class=\"soft\">The percentage of the shorter file that is "
-           "in the longer, from " +
-           std::to_string(near_percent) +
-           " % on, apart from names and comments. In a group, each student's file is similar to "
-           "another's. Passages of the starter do not count; passages of many students count "
-           "little.</p>\n" +
-           first_rows("", rows);
+    return "<h3>" + tr("Similar files") + "</h3>\n<p class=\"soft\">" +
+           tr("The percentage of the shorter file that is in the longer, from {percent} % on, "
+              "apart "
+              "from names and comments. In a group, each student's file is similar to another's. "
+              "Passages of the starter do not count; passages of many students count little.",
+              {{"percent", std::to_string(near_percent)}}) +
+           "</p>\n" + first_rows("", rows);
 }
 
 /// Copies of the project's main.cpp that were changed a little.
@@ -278,19 +292,20 @@ std::string copies(const std::vector<Mark>& marks, const Term& term) {
                         text_cell(file_title({mark.stage, true})));
     return rows.empty()
                ? ""
-               : "<h3>Copies of the project's main.cpp</h3>\n<p class=\"soft\">They differ "
-                 "from it by comments, names or layout, and are not graded.</p>\n" +
-                     table("list", rows);
+               : "<h3>" + tr("Copies of the project's main.cpp") + "</h3>\n<p class=\"soft\">" +
+                     tr("They differ from it by comments, names or layout, and are not graded.") +
+                     "</p>\n" + table("list", rows);
 }
 
 std::string alike(const Similarity& found, const Term& term) {
     const std::string html =
-        "<p class=\"hint\">Similarity is no proof. Students who worked together, or from the same "
-        "page, write similar code, and a short stage leaves little choice: read the files, and "
-        "ask, "
-        "before you conclude anything.</p>\n";
+        "<p class=\"hint\">" +
+        tr("Similarity is no proof. Students who worked together, or from the same page, write "
+           "similar code, and a short stage leaves little choice: read the files, and ask, before "
+           "you conclude anything.") +
+        "</p>\n";
     if (found.same.empty() && found.near.empty())
-        return html + "<p>No two files are similar.</p>\n";
+        return html + "<p>" + tr("No two files are similar.") + "</p>\n";
     return html + same(found.same, term) + near(found.near, term);
 }
 
@@ -302,18 +317,17 @@ void write_class_report(const std::filesystem::path& results, const std::filesys
     const std::map<int, int> stages = graded_stages(marks);
     const double most = most_points(stages, term);
     const std::string body =
-        "<header><h1>Class report</h1> <p>" +
+        "<header><h1>" + tr("Class report") + "</h1> <p>" +
         counted(int(submissions(marks, term).size()), "student") + ", " +
-        counted(int(stages.size()), "stage") + ", " + number(most) +
-        (most == 1 ? " point" : " points") + "</p></header>\n" +
+        counted(int(stages.size()), "stage") + ", " + points_text(most) + "</p></header>\n" +
         (edition.empty() ? "" : "<p class=\"soft\">" + escaped(edition) + "</p>\n") +
-        section("Points", matrix(marks, stages, term)) + remarks(marks, term) +
-        left_over(results, term) + section("Known mistakes", mistakes(marks)) +
-        section("Hardest cases", cases(marks)) +
-        section("Code that was stopped or refused", stopped(marks, term)) +
-        section("Similar files",
+        section(tr("Points"), matrix(marks, stages, term)) + remarks(marks, term) +
+        left_over(results, term) + section(tr("Known mistakes"), mistakes(marks)) +
+        section(tr("Hardest cases"), cases(marks)) +
+        section(tr("Code that was stopped or refused"), stopped(marks, term)) +
+        section(tr("Similar files"),
                 copies(marks, term) + alike(similarity(results, project, marks), term));
-    write_text(results / "class.html", page("Class report", body));
+    write_text(results / "class.html", page(tr("Class report"), body));
 }
 
 }  // namespace rt::grade

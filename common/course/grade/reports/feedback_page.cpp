@@ -4,6 +4,7 @@
 #include "common/course/grade/results/submissions.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 
@@ -36,32 +37,42 @@ std::string drawing(const fs::path& file, const std::string& caption) {
 }
 
 std::string of_points(int points, int most) {
-    return std::to_string(points) + " of " + counted(most, "point");
+    return tr("{points} of {most}",
+              {{"points", std::to_string(points)}, {"most", counted(most, "point")}});
 }
 
 std::string failed_case(const CaseMark& each) {
-    return "<h3>" + escaped(each.name) + " <small>" + (each.of_trace ? "main.cpp, " : "") +
-           counted(each.points, "point") + "</small></h3>\n" + preformatted(each.words, "wrong") +
-           "<small>" + escaped(each.place) + "</small>\n";
+    return "<h3>" + escaped(tr(each.name)) + " <small>" + (each.of_trace ? "main.cpp, " : "") +
+           counted(each.points, "point") + "</small></h3>\n" +
+           preformatted(tr_lines(each.words), "wrong") + "<small>" + escaped(each.place) +
+           "</small>\n";
 }
 
 std::string diagnosis(const Mark& mark, const fs::path& folder) {
     std::string html;
     for (const std::string& sentence : lines_of(mark.mistake))
-        html += "<p class=\"hint\">Its answers are those of a known mistake: " + escaped(sentence) +
+        html += "<p class=\"hint\">" +
+                tr("Its answers are those of a known mistake: {sentence}",
+                   {{"sentence", escaped(tr_text(sentence))}}) +
                 "</p>\n";
     if (!mark.smallest.empty())
-        html += "<h3>The simplest failing input</h3>\n" + preformatted(mark.smallest, "wrong");
-    if (!mark.slice.empty()) html += drawing(folder / mark.slice, "A drawing of it");
+        html += "<h3>" + tr("The simplest failing input") + "</h3>\n" +
+                preformatted(tr_lines(mark.smallest), "wrong");
+    if (!mark.slice.empty()) html += drawing(folder / mark.slice, tr("A drawing of it"));
     return html;
 }
 
 std::string picture(const PictureMark& picture, const fs::path& folder) {
+    const Values values = {{"number", std::to_string(picture.different)},
+                           {"pixels", counted(picture.pixels, "pixel")}};
     const std::string caption =
-        "With your stages up to this one, with the references, and the difference: " +
-        (picture.different == 0 ? "none of " + counted(picture.pixels, "pixel") + " differs"
-                                : std::to_string(picture.different) + " of " +
-                                      counted(picture.pixels, "pixel") + " differ");
+        picture.different == 0
+            ? tr("With your stages up to this one, with the references, and the difference: none "
+                 "of {pixels} differs",
+                 values)
+            : tr("With your stages up to this one, with the references, and the difference: "
+                 "{number} of {pixels} differ",
+                 values);
     return drawing(folder / picture.file, caption);
 }
 
@@ -71,34 +82,40 @@ std::string judged(const Mark& mark, const fs::path& folder) {
     int passes = 0;
     for (const CaseMark& each : mark.cases) {
         if (!each.passed) failed += failed_case(each);
-        if (each.passed) passed += "<li>" + escaped(each.name) + "</li>\n";
+        if (each.passed) passed += "<li>" + escaped(tr(each.name)) + "</li>\n";
         if (each.passed) ++passes;
     }
     const int fails = int(mark.cases.size()) - passes;
     std::string html;
     if (fails > 0)
-        html = "<p>" + counted(fails, "case") + " of " + std::to_string(mark.cases.size()) +
-               (fails == 1 ? " fails.</p>\n" : " fail.</p>\n");
+        html = "<p>" +
+               tr(fails == 1 ? to_translate("{cases} of {all} fails.")
+                             : to_translate("{cases} of {all} fail."),
+                  {{"cases", counted(fails, "case")}, {"all", std::to_string(mark.cases.size())}}) +
+               "</p>\n";
     if (passes > 0 && mark.points() == 0)
-        html +=
-            "<p>All passing cases pass in the starter too: they count as soon as anything "
-            "else passes.</p>\n";
+        html += "<p>" +
+                tr("All passing cases pass in the starter too: they count as soon as anything else "
+                   "passes.") +
+                "</p>\n";
     html += diagnosis(mark, folder) + failed;
     const bool differs = mark.picture && mark.picture->different > 0;
-    if (differs) html += "<h3>Your picture</h3>\n" + picture(*mark.picture, folder);
+    if (differs) html += "<h3>" + tr("Your picture") + "</h3>\n" + picture(*mark.picture, folder);
     if (mark.picture && !differs)
-        html += folded("Your picture is right", picture(*mark.picture, folder));
+        html += folded(tr("Your picture is right"), picture(*mark.picture, folder));
     const std::string what_passes =
         fails == 0 && mark.untested_points() == 0
-            ? "Every case passes"
-            : counted(passes, "case") + (passes == 1 ? " passes" : " pass");
+            ? tr("Every case passes")
+            : tr(passes == 1 ? to_translate("{cases} passes") : to_translate("{cases} pass"),
+                 {{"cases", counted(passes, "case")}});
     if (passes > 0) html += folded(what_passes, "<ul>\n" + passed + "</ul>\n");
     if (mark.untested_points() > 0)
-        html += "<h3>A file is missing, or cannot be graded: " +
-                counted(mark.untested_points(), "point") + "</h3>\n" +
-                preformatted(mark.words, "wrong");
+        html += "<h3>" +
+                tr("A file is missing, or cannot be graded: {points}",
+                   {{"points", counted(mark.untested_points(), "point")}}) +
+                "</h3>\n" + preformatted(tr_lines(mark.words), "wrong");
     else if (!mark.words.empty())
-        html += folded("Messages about your files", preformatted(mark.words));
+        html += folded(tr("Messages about your files"), preformatted(tr_lines(mark.words)));
     return html;
 }
 
@@ -107,13 +124,13 @@ std::string section(const Mark& mark, int most, const fs::path& folder) {
                              "\">\n<div class=\"line\"><h2>" + stage_title(mark.stage) +
                              "</h2> <span>" + of_points(mark.points(), most) + "</span></div>\n";
     if (mark.verdict == Verdict::missing)
-        return html + "<p>No file was submitted.</p>\n" + preformatted(mark.words, "wrong") +
-               "</section>\n";
+        return html + "<p>" + tr("No file was submitted.") + "</p>\n" +
+               preformatted(tr_lines(mark.words), "wrong") + "</section>\n";
     if (mark.verdict == Verdict::postponed)
-        return html + "<p>" + escaped(mark.words) + "</p>\n</section>\n";
+        return html + "<p>" + escaped(tr_lines(mark.words)) + "</p>\n</section>\n";
     if (mark.verdict == Verdict::refused)
-        return html + "<p>Your file cannot be graded:</p>\n" + preformatted(mark.words, "wrong") +
-               "</section>\n";
+        return html + "<p>" + tr("Your file cannot be graded:") + "</p>\n" +
+               preformatted(tr_lines(mark.words), "wrong") + "</section>\n";
     return html + judged(mark, folder) + "</section>\n";
 }
 
@@ -125,10 +142,11 @@ std::string overview(const StudentMarks& submission, const std::map<int, int>& s
         html += "<li><a class=\"share\" style=\"--share: " +
                 std::to_string(100 * mark->points() / std::max(most, 1)) + "%\" href=\"#" +
                 name_of(stage) + "\">" + stage_title(stage) + "<small>" +
-                std::to_string(mark->points()) + " of " + std::to_string(most) +
-                (submission.stages.count(stage) == 0 ? ", excused" : "") +
-                (mark->verdict == Verdict::missing     ? ", not submitted"
-                 : mark->verdict == Verdict::postponed ? ", not graded yet"
+                tr("{points} of {most}",
+                   {{"points", std::to_string(mark->points())}, {"most", std::to_string(most)}}) +
+                (submission.stages.count(stage) == 0 ? ", " + tr("excused") : "") +
+                (mark->verdict == Verdict::missing     ? ", " + tr("not submitted")
+                 : mark->verdict == Verdict::postponed ? ", " + tr("not graded yet")
                                                        : "") +
                 "</small></a></li>\n";
     }
@@ -142,10 +160,11 @@ void write_feedback(const fs::path& results, const std::vector<Mark>& marks, con
     remove_shared_feedback(results);
     for (const StudentMarks& submission : submissions(marks, term)) {
         if (submission.marks.empty()) continue;
-        std::string body = "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
-                           number(submission.points) + " of " + number(submission.of) +
-                           (submission.of == 1 ? " point" : " points") + "</p></header>\n" +
-                           preformatted(submission.remarks) + overview(submission, stages);
+        std::string body =
+            "<header><h1>" + escaped(submission.called) + "</h1> <p>" +
+            tr("{points} of {most}",
+               {{"points", number(submission.points)}, {"most", points_text(submission.of)}}) +
+            "</p></header>\n" + preformatted(submission.remarks) + overview(submission, stages);
         for (const auto& [stage, mark] : submission.marks)
             body += section(*mark, stages.at(stage), student_folder(results, mark->student));
         const fs::path folder = student_folder(results, submission.student);

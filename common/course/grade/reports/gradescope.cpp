@@ -5,6 +5,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/readable.hpp"
+#include "common/system/translation.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,35 +23,36 @@ Json test(const std::string& name, bool passed, int points, const std::string& o
 }
 
 std::string failure_text(const CaseMark& each) {
-    return each.passed ? "" : each.place + "\n" + each.words;
+    return each.passed ? "" : each.place + "\n" + tr_lines(each.words);
 }
 
 void append_tests(Json& tests, const Mark& mark) {
     const std::string title = stage_title(mark.stage);
     if (mark.verdict == Verdict::missing)
-        tests.push_back(test(title, false, mark.most, "No file was submitted.\n" + mark.words));
+        tests.push_back(test(title, false, mark.most,
+                             tr("No file was submitted.") + "\n" + tr_lines(mark.words)));
     if (mark.verdict == Verdict::refused)
-        tests.push_back(
-            test(title, false, mark.most, "Your file cannot be graded:\n" + mark.words));
+        tests.push_back(test(title, false, mark.most,
+                             tr("Your file cannot be graded:") + "\n" + tr_lines(mark.words)));
     if (mark.verdict == Verdict::postponed)
         tests.push_back(test(title, false, mark.most,
-                             "Your file could not be graded, through no fault of yours. Submit it "
-                             "again, and inform your instructor if this repeats."));
+                             tr("Your file could not be graded, through no fault of yours. Submit "
+                                "it again, and inform your instructor if this repeats.")));
     for (const CaseMark& each : mark.cases) {
-        tests.push_back(test(file_title({mark.stage, each.of_trace}) + ": " + each.name,
+        tests.push_back(test(file_title({mark.stage, each.of_trace}) + tr(": ") + tr(each.name),
                              each.passed, each.points, failure_text(each)));
         if (mark.points(each.of_trace) == 0)
             tests.back()["score"] = 0;  // cases that the starter passes too
     }
     if (mark.untested_points() > 0)
-        tests.push_back(test(title + ": a file is missing, or cannot be graded", false,
-                             mark.untested_points(), mark.words));
+        tests.push_back(test(title + tr(": ") + tr("a file is missing, or cannot be graded"), false,
+                             mark.untested_points(), tr_lines(mark.words)));
 }
 
 /// The diagnosis, which belongs to no single case.
 std::string diagnosis(const Mark& mark) {
     const std::string& words = mark.mistake.empty() ? mark.smallest : mark.mistake;
-    return words.empty() ? "" : stage_title(mark.stage) + ": " + words + "\n\n";
+    return words.empty() ? "" : stage_title(mark.stage) + tr(": ") + tr_lines(words) + "\n\n";
 }
 
 }  // namespace

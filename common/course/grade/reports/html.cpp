@@ -1,6 +1,7 @@
 #include "common/course/grade/reports/html.hpp"
 
 #include "common/system/readable.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 
@@ -109,7 +110,8 @@ std::string escaped(std::string_view text) {
 
 std::string page(std::string_view title, std::string_view body) {
     // The page can run no script, even if untrusted text escaped the escaping.
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+    return "<!DOCTYPE html>\n<html lang=\"" + tr("en") +
+           "\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
            "<meta http-equiv=\"Content-Security-Policy\" content=\"script-src 'none'; "
            "object-src 'none'; base-uri 'none'; form-action 'none'\"/>\n<title>" +
@@ -122,7 +124,8 @@ std::string percent(int part, int whole) {
 }
 
 std::string counted(int count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+    const std::string sentence = "{number} " + what + (count == 1 ? "" : "s");
+    return tr(sentence, {{"number", std::to_string(count)}});
 }
 
 std::string data_address(std::string_view kind, std::string_view bytes) {

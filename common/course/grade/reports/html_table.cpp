@@ -2,6 +2,8 @@
 
 #include "common/course/grade/reports/html.hpp"
 
+#include "common/system/translation.hpp"
+
 #include <algorithm>
 
 namespace rt::grade {
@@ -36,9 +38,11 @@ std::string first_rows(const std::string& head, const std::vector<std::string>& 
     const std::size_t shown = std::min(rows.size(), most_rows + most_folded);
     for (std::size_t i = 0; i < shown; ++i) (i < most_rows ? first : folded) += rows[i];
     if (rows.size() <= most_rows) return table("list", first);
-    const std::string summary =
-        std::to_string(rows.size() - most_rows) + " more" +
-        (shown < rows.size() ? ", of which " + std::to_string(most_folded) + " are here" : "");
+    const Values values = {{"number", std::to_string(rows.size() - most_rows)},
+                           {"shown", std::to_string(most_folded)}};
+    const std::string summary = shown < rows.size()
+                                    ? tr("{number} more, of which {shown} are here", values)
+                                    : tr("{number} more", values);
     return table("list", first) + "<details><summary>" + summary + "</summary>\n" +
            table("list", folded) + "</details>\n";
 }

@@ -8,6 +8,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
 #include "common/system/lower_case.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 // All but "weight" and "bonus", which may be repeated.
 constexpr std::array once = {"roster",       "student", "name",      "group",        "grade",
                              "maximum",      "comment", "late",      "late percent", "additions",
-                             "additions of", "out of",  "overrides", "anonymous"};
+                             "additions of", "out of",  "overrides", "anonymous",    "lang"};
 
 void read_weight(Settings& settings, const std::string& value, const FileLocation& place) {
     const std::size_t blank = value.find_last_of(" \t");
@@ -48,7 +49,8 @@ void read_line(Settings& settings, const std::string& line, const FileLocation& 
         throw InputError(place, "\"" + line +
                                     "\" is no setting: roster, student, name, group, grade, "
                                     "maximum, comment, weight, bonus, late, late percent, "
-                                    "additions, additions of, overrides, out of, anonymous: yes");
+                                    "additions, additions of, overrides, out of, anonymous: yes, "
+                                    "lang: fr");
     else if (!settings.words.emplace(word, Settings::Word{value, place.line}).second)
         throw InputError(place, "\"" + word + "\" is set already");
 }

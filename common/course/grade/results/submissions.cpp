@@ -2,6 +2,8 @@
 
 #include "common/stages/stages.hpp"
 
+#include "common/system/translation.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <set>
@@ -20,7 +22,7 @@ const PointsByHand* override_of(const StudentMarks& submission, int stage, const
 }
 
 std::string reason(const PointsByHand& given) {
-    return given.comment.empty() ? "" : ": " + given.comment;
+    return given.comment.empty() ? "" : tr(": ") + given.comment;
 }
 
 /// The reasons why stages have no file, such as an archive that cannot be opened, each once.
@@ -40,13 +42,17 @@ void count_stages(StudentMarks& submission, const std::map<int, int>& graded, co
         double points = mark == submission.marks.end() ? 0 : mark->second->points();
         const PointsByHand* given = override_of(submission, stage, term);
         if (given != nullptr && given->excused) {
-            add_remark(submission, stage_title(stage) + ": excused" + reason(*given));
+            add_remark(submission,
+                       tr("{stage}: excused", {{"stage", stage_title(stage)}}) + reason(*given));
             counted.erase(stage);
             continue;
         }
         if (given != nullptr) {
-            add_remark(submission, stage_title(stage) + ": " + number(given->points) +
-                                       " instead of " + number(points) + reason(*given));
+            add_remark(submission, tr("{stage}: {points} instead of {before}",
+                                      {{"stage", stage_title(stage)},
+                                       {"points", number(given->points)},
+                                       {"before", number(points)}}) +
+                                       reason(*given));
             points = given->points;
         }
         submission.stages[stage] = points * term.weight(stage);
@@ -62,19 +68,24 @@ void count(StudentMarks& submission, const std::map<int, int>& graded, const Ter
     const auto late = term.days_late.find(submission.student);
     submission.days_late = late == term.days_late.end() ? 0 : late->second;
     if (const double lost = std::min(100.0, term.late_percent * submission.days_late); lost > 0) {
-        add_remark(submission, number(submission.days_late) + " days late: " + number(lost) +
-                                   " % of " + number(submission.points) + " points");
+        add_remark(submission, tr("{days} days late: {percent} % of {points} points",
+                                  {{"days", number(submission.days_late)},
+                                   {"percent", number(lost)},
+                                   {"points", number(submission.points)}}));
         submission.points *= 1 - lost / 100;
     }
     if (const auto more = term.additions.find(submission.student); more != term.additions.end())
         for (const PointsByHand& given : more->second) {
-            add_remark(submission, "in addition: " + number(given.points) + reason(given));
+            add_remark(submission, tr("in addition: {points}", {{"points", number(given.points)}}) +
+                                       reason(given));
             submission.points += given.points;
         }
     submission.points = std::max(submission.points, 0.0);
     if (const PointsByHand* given = override_of(submission, Term::total, term)) {
-        add_remark(submission, "in all: " + number(given->points) + " instead of " +
-                                   number(submission.points) + reason(*given));
+        add_remark(submission,
+                   tr("in all: {points} instead of {before}",
+                      {{"points", number(given->points)}, {"before", number(submission.points)}}) +
+                       reason(*given));
         submission.points = given->points;
     }
 }
@@ -87,8 +98,9 @@ void add_roster(std::map<std::string, StudentMarks>& by_name, const Term& term) 
     for (const auto& [student, shared] : term.shared) {
         StudentMarks& submission = by_name[student];
         submission.marks = by_name[shared.student].marks;
-        add_remark(submission, "the submission of " + term.called(shared.student) + ", group \"" +
-                                   shared.group + "\"");
+        add_remark(submission,
+                   tr("the submission of {student}, group \"{group}\"",
+                      {{"student", term.called(shared.student)}, {"group", shared.group}}));
     }
     for (const std::string& group : term.groups) by_name.erase(group);
 }
@@ -104,11 +116,12 @@ std::vector<StudentMarks> submissions(const std::vector<Mark>& marks, const Term
     for (auto& [name, submission] : by_name) {
         submission.student = name;
         submission.called = term.called(name);
-        if (submission.marks.empty()) add_remark(submission, "submitted nothing");
-        for (const std::string& reason : why_missing(submission)) add_remark(submission, reason);
+        if (submission.marks.empty()) add_remark(submission, tr("submitted nothing"));
+        for (const std::string& reason : why_missing(submission))
+            add_remark(submission, tr_text(reason));
         for (const auto& [stage, mark] : submission.marks)
             if (mark->verdict == Verdict::postponed)
-                add_remark(submission, stage_title(stage) + ": not graded yet");
+                add_remark(submission, stage_title(stage) + tr(": ") + tr("not graded yet"));
         count(submission, graded, term);
         all.push_back(std::move(submission));
     }
@@ -134,11 +147,15 @@ double most_points(const std::map<int, int>& stages, const Term& term) {
 std::string stage_title(int stage) {
     std::string title = topic_of(stage);
     std::replace(title.begin(), title.end(), '_', ' ');
-    return std::to_string(stage) + " " + title;
+    return std::to_string(stage) + " " + tr(title);
 }
 
 std::string file_title(GradedFile file) {
     return stage_title(file.stage) + (file.is_trace ? ", " + file_name(file) : "");
+}
+
+std::string points_text(double points) {
+    return tr(points == 1 ? "{number} point" : "{number} points", {{"number", number(points)}});
 }
 
 std::string number(double value) {

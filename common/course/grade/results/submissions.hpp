@@ -40,6 +40,9 @@ struct StudentMarks {
 /// "5 triangle", "5 triangle, main.cpp"
 [[nodiscard]] std::string file_title(GradedFile file);
 
+/// "2.5 points"
+[[nodiscard]] std::string points_text(double points);
+
 /// "3", "2.5", "0.33": at most two decimals.
 [[nodiscard]] std::string number(double value);
 

@@ -5,6 +5,7 @@
 
 #include "common/system/keyed_hash.hpp"
 #include "common/system/lower_case.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -39,6 +40,10 @@ public:
         term_.out_of = settings_.number("out of", most_points_by_hand);
         const auto anonymous = settings_.words.find("anonymous");
         term_.anonymous = anonymous != settings_.words.end() && anonymous->second.value == "yes";
+        if (const auto lang = settings_.words.find("lang"); lang != settings_.words.end()) {
+            term_.language = lang->second.value;
+            term_.language_place = settings_.place("lang");
+        }
         read_roster();
         read_late();
         read_overrides();

@@ -44,6 +44,8 @@ struct Term {
     double out_of = 0;       ///< the uploaded totals are scaled to this maximum; 0 for no scaling
     bool anonymous = false;  ///< public reports have numbers instead of names
     std::uint64_t key = 0;   ///< the key of these numbers
+    std::string language;    ///< of the reports: "fr"; empty for English
+    FileLocation language_place;
     std::vector<std::string> notes;  ///< on lines of these files that fit no student or no stage
 
     [[nodiscard]] double weight(int stage) const;
