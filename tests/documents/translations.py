@@ -1,8 +1,8 @@
 """The translations in lang/ against their sources: translations.py PROJECT
 
-Each entry has the formulas, code, links and numbers of its English text, and none of the words that
-lang/LANGUAGE/words.txt refuses. In a language that has that file at most 2 % of the entries are fuzzy
-or not translated. Prints what is wrong.
+Each entry has the formulas, code, links and numbers of its English text, a word of docs/glossary.md for
+each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. In a language that has
+that file at most 2 % of the entries are fuzzy or not translated. Prints what is wrong.
 """
 
 import json
@@ -52,6 +52,21 @@ def refused_words(language):
     return [re.split(r"  +", line, 1) for line in lines if line and not line.startswith("#")]
 
 
+def glossary():
+    """By the English terms of docs/glossary.md that are phrases, and are phrases in the documents: the starts
+    of the words of the documents."""
+    rows = re.findall(r"(?m)^\| ([^|]+) \| ([^|,;:(]+)[^|]* \| ", (project / "docs/glossary.md").read_text(encoding="utf-8"))
+    terms = {english.strip(): re.sub(r"\([^)]*\)", "", own) for own, english in rows[1:] if " " in english.strip()}
+    return {english: [word[:5].lower() for word in re.findall(r"\b[^\W\d]{5,}", own)]
+            for english, own in terms.items() if any(" " in each.strip() for each in own.split(","))}
+
+
+def check_terms(where, english, own, terms):
+    for term, starts in terms.items():
+        if re.search(rf"\b{term}s?\b", english, re.I) and not any(start in own.lower() for start in [term.lower(), *starts]):
+            errors.append(f"{where}: no word of the glossary for \"{term}\", {starts}: {own[:60]!r}")
+
+
 def check_entry(where, english, own, refused):
     for what, of_english in parts(english).items():
         of_own = parts(own)[what]
@@ -70,6 +85,7 @@ def check_entry(where, english, own, refused):
 
 def check_language(language):
     refused = refused_words(language)
+    terms = glossary() if language == "fr" else {}
     total = missing = 0
     for catalogue in sorted((pages.lang / language).rglob("*.po")):
         where = catalogue.relative_to(project).as_posix()
@@ -83,6 +99,7 @@ def check_language(language):
                 missing += 1
             else:
                 check_entry(where, english, own, refused)
+                check_terms(where, english, own, terms)
     print(f"{language}: {missing} of {total} entries are not translated")
     if refused and missing > most_missing * total:
         errors.append(f"lang/{language}: {missing} of {total} entries are fuzzy or not translated: at most {most_missing:.0%}")

@@ -46,9 +46,20 @@ def said(english, own):
     return translations.errors
 
 
+def said_of_terms(english, own):
+    translations.errors.clear()
+    translations.check_terms("", english, own, translations.glossary())
+    return translations.errors
+
+
 failed = [f"refused: {own}: {said(english, own)}" for english, own in right if said(english, own)]
 failed += [f"not refused for {why}: {own}" for why, english, own in wrong
            if not any(re.search(why, error) for error in said(english, own))]
+
+if said_of_terms("An area light has soft shadows.", "Une source étendue fait des ombres douces."):
+    failed.append("the glossary's words are right")
+if len(said_of_terms("An area light has soft shadows.", "Une lampe large fait des bords flous.")) != 2:
+    failed.append("other words than the glossary's are refused")
 
 page = "docs/step05_triangle.md"
 three = [('"Stage 5: triangles"', '"Etappe 5: Dreiecke"'), ('"The idea"', '"Die Idee"'), ('"See it"', '"Das Bild"')]
