@@ -13,9 +13,6 @@ inline namespace RT_LANES {
 
 namespace {
 
-/// The largest number of boxes in a leaf whose boxes are tested one by one.
-constexpr std::uint32_t single_leaf_size = 1;
-
 /// From this depth on, ranges are split at their middle index. Each node then contains at most half
 /// of the boxes of its parent, so that no arrangement of boxes makes the tree deeper than
 /// Bvh::max_depth.
@@ -32,10 +29,6 @@ Node empty_node() {
     }
     node.children.fill(Node::leaf_bit);  // reached only through NaN
     return node;
-}
-
-void set_lane(Node::Row& row, std::size_t i, float value) {
-    std::memcpy(reinterpret_cast<std::byte*>(&row) + i * sizeof value, &value, sizeof value);
 }
 
 /// True if lane i of the node contains a child: a node can have fewer than `width`.
@@ -83,8 +76,8 @@ std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace&
         const auto [low, high] = box(i);
         const Vec3 min = frame.scale * (low - padding - frame.center);
         const Vec3 max = frame.scale * (high + padding - frame.center);
-        result.push_back({.min = floats_of({float(min.x), float(min.y), float(min.z), 0}),
-                          .max = floats_of({float(max.x), float(max.y), float(max.z), 0})});
+        result.push_back({.min = lanes_of<float>(float(min.x), float(min.y), float(min.z), 0),
+                          .max = lanes_of<float>(float(max.x), float(max.y), float(max.z), 0)});
     }
     return result;
 }
@@ -95,7 +88,7 @@ std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace&
 class BvhBuilder {
 public:
     BvhBuilder(std::size_t count, const BoxOf& box, Bvh::Leaves leaves, const BoundingBox& scene)
-        : leaf_size_(leaves == Bvh::Leaves::packed ? std::uint32_t(lane_count) : single_leaf_size),
+        : leaf_size_(leaves == Bvh::Leaves::packed ? std::uint32_t(real_count) : 1),
           bounds_(around(count, box)),
           frame_(frame_for(bounds_, scene)),
           ranges_(in_frame(count, box, frame_, padding_for(bounds_)), leaf_size_) {}
@@ -185,6 +178,7 @@ std::vector<PrimitiveRange> BvhBuilder::parts(const PrimitiveRange& range, std::
 
 std::uint32_t BvhBuilder::add_leaf(Bvh& tree, const PrimitiveRange& range) const {
     Leaf leaf;
+    leaf.indices.fill(Leaf::none);
     std::ranges::copy(ranges_.indices().subspan(range.begin, range.size()), leaf.indices.begin());
     tree.leaves_.push_back(leaf);
     return std::uint32_t(tree.leaves_.size() - 1) | Node::leaf_bit;
@@ -208,9 +202,10 @@ std::uint32_t BvhBuilder::add(Bvh& tree, const Bvh& part) {
 void BvhBuilder::set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child) {
     const auto min = values(box.min);
     const auto max = values(box.max);
+    auto* const lane = reinterpret_cast<std::byte*>(&node) + i * sizeof(float);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        set_lane(node.planes[2 * axis], i, min[axis]);
-        set_lane(node.planes[2 * axis + 1], i, max[axis]);
+        std::memcpy(lane + 2 * axis * sizeof(Node::Row), &min[axis], sizeof(float));
+        std::memcpy(lane + (2 * axis + 1) * sizeof(Node::Row), &max[axis], sizeof(float));
     }
     node.children[i] = child;
 }

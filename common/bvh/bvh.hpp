@@ -22,21 +22,21 @@ inline constexpr std::size_t bvh_pays_from = 32;
 
 inline namespace RT_LANES {
 
-/// The indices of up to four boxes that are tested together.
+/// The indices of the boxes whose contents are tested together.
 struct Leaf {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
 
-    std::array<std::uint32_t, lane_count> indices = {none, none, none, none};
+    std::array<std::uint32_t, real_count> indices;  ///< filled up with none
 };
 
 /// Returns the box of an index 0, 1, …; called on demand, so that the boxes need no memory.
 using BoxOf = std::function<BoundingBox(std::size_t)>;
 
-/// The hierarchy: nodes with eight children each, and leaves of up to four boxes.
+/// The hierarchy: nodes with eight children each, and leaves of one box or of a packet.
 class Bvh {
 public:
-    /// The cost of a leaf: one step for each box or, if its contents are packed, one step for all
-    /// four.
+    /// The cost of a leaf: one step for each box or, if its contents are packed, one step for as
+    /// many as there are lanes.
     enum class Leaves { one_by_one, packed };
 
     Bvh() = default;
@@ -63,40 +63,29 @@ public:
     /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
     /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.
     template <class Visit>
-    void nearest(RayBoxTestCache& ray, Interval& interval, Visit visit) const;
+    void nearest(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
 
     /// Returns whether visit(index) is true for any box that the ray may hit inside the interval;
     /// stops at the first such box.
     template <class Visit>
-    [[nodiscard]] bool any(RayBoxTestCache& ray, Interval interval, Visit visit) const;
+    bool any(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
+
+    /// The ray's test against the boxes of this hierarchy.
+    [[nodiscard]] RayBoxTest<true> test_of(const Ray& ray, const RaySlopes& slopes) const {
+        return {ray, frame_, slopes};
+    }
 
     /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
     /// inside the interval, roughly near to far, until a call returns true. Returns whether one
     /// did. A visit may lower interval.max. If `visit` has a function node(), it is called for each
-    /// node whose boxes are tested.
-    template <class Visit>
-    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
-        return visit_leaves(ray, interval, visit, ExpectNothing());
-    }
-
-    /// As above. Calls expect(leaf) for each leaf that will probably be visited: the processor can
-    /// fetch its content from memory while it tests others.
-    template <class Visit, class Expect>
-    bool visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit,
-                      Expect expect) const;
+    /// node whose boxes are tested. Calls expect(leaf), if it is given, for each leaf that will
+    /// probably be visited: the processor can fetch its content from memory while it tests others.
+    template <class Test, class Visit, class Expect = std::nullptr_t>
+    bool visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
+                      Expect expect = {}) const;
 
 private:
     friend class BvhBuilder;
-    struct ExpectNothing {};
-
-    /// Prefetches a node, or announces a leaf.
-    template <class Expect>
-    [[gnu::always_inline]] void fetch(std::uint32_t child, Expect expect) const {
-        if ((child & Node::leaf_bit) != 0)
-            expect(child & ~Node::leaf_bit);
-        else
-            prefetch(nodes_[child]);
-    }
 
     static constexpr std::size_t max_depth = 64;
 
@@ -107,11 +96,10 @@ private:
     std::vector<Leaf> leaves_;
 };
 
-template <class Visit, class Expect>
-bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit visit,
+template <class Test, class Visit, class Expect>
+bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
                        [[maybe_unused]] Expect expect) const {
     if (empty() || !(interval.min < interval.max)) return false;
-    const RayBoxTest& slabs = ray.in(frame_);
     if (!slabs.is_reliable()) {
         for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
             if (visit(leaf)) return true;
@@ -136,23 +124,30 @@ bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit vis
             if constexpr (requires { visit.node(); }) visit.node();
             const auto answer = slabs(node, limit);
             if (unsigned hits = answer.hits; hits != 0) {
-                const auto near = std::bit_cast<std::array<float, Node::width>>(answer.near);
+                const auto near = [&](std::size_t i) {
+                    return lane(answer.near[i / float_count], i % float_count);
+                };
                 const auto next_hit = [&] {
                     const std::size_t i = pop_lowest_bit(hits);
-                    if constexpr (!std::is_same_v<Expect, ExpectNothing>)
-                        fetch(node.children[i], expect);
+                    if constexpr (!std::is_null_pointer_v<Expect>) {
+                        const std::uint32_t hit = node.children[i];
+                        if ((hit & Node::leaf_bit) != 0)
+                            expect(hit & ~Node::leaf_bit);
+                        else
+                            prefetch(nodes_[hit]);
+                    }
                     return i;
                 };
                 std::size_t nearest = next_hit();
                 const std::size_t first = waiting;
                 while (hits != 0) {
                     std::size_t other = next_hit();
-                    if (near[other] < near[nearest]) std::swap(nearest, other);
+                    if (near(other) < near(nearest)) std::swap(nearest, other);
                     // Sorted from far to near by insertion: most often there are one or two.
                     std::size_t place = waiting++;
-                    for (; place > first && later[place - 1].near < near[other]; --place)
+                    for (; place > first && later[place - 1].near < near(other); --place)
                         later[place] = later[place - 1];
-                    later[place] = {.child = node.children[other], .near = near[other]};
+                    later[place] = {.child = node.children[other], .near = near(other)};
                 }
                 child = node.children[nearest];
                 continue;
@@ -167,19 +162,16 @@ bool Bvh::visit_leaves(RayBoxTestCache& ray, const Interval& interval, Visit vis
 }
 
 template <class Visit>
-void Bvh::nearest(RayBoxTestCache& ray, Interval& interval, Visit visit) const {
-    visit_leaves(ray, interval, [&](std::size_t leaf) {
-        for (const std::uint32_t index : leaves_[leaf].indices) {
-            if (index == Leaf::none) break;
-            visit(index);
-        }
+void Bvh::nearest(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+    any(ray, interval, [&](std::uint32_t index) {
+        visit(index);
         return false;
     });
 }
 
 template <class Visit>
-bool Bvh::any(RayBoxTestCache& ray, Interval interval, Visit visit) const {
-    return visit_leaves(ray, interval, [&](std::size_t leaf) {
+bool Bvh::any(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+    return visit_leaves(ray.in(frame_), interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;
             if (visit(index)) return true;

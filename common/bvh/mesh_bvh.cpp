@@ -34,10 +34,10 @@ bool fits_in_floats(const Mesh& mesh, Real scale) {
 }
 
 template <class Number>
-Triangle4<Number> packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
+TrianglePacket<Number> packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-    std::array<std::array<std::array<Number, lane_count>, 3>, 3> lanes;
-    for (std::size_t i = 0; i < lane_count; ++i)
+    std::array<std::array<std::array<Number, real_count>, 3>, 3> lanes;
+    for (std::size_t i = 0; i < real_count; ++i)
         for (std::size_t vertex = 0; vertex < 3; ++vertex) {
             Vec3 point(nan);
             if (leaf.indices[i] != Leaf::none)
@@ -46,13 +46,13 @@ Triangle4<Number> packed(const Mesh& mesh, const Leaf& leaf, Real scale) {
             lanes[vertex][1][i] = Number(point.y);
             lanes[vertex][2][i] = Number(point.z);
         }
-    return std::bit_cast<Triangle4<Number>>(lanes);
+    return std::bit_cast<TrianglePacket<Number>>(lanes);
 }
 
 /// Packs the triangles of each leaf, half of the leaves on a second thread if the system has one.
 template <class Number>
-std::vector<Triangle4<Number>> packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
-    std::vector<Triangle4<Number>> packets;
+auto packed(const Mesh& mesh, std::span<const Leaf> leaves, Real scale) {
+    std::vector<TrianglePacket<Number>> packets;
     reserve_huge(packets, leaves.size());
     packets.resize(leaves.size());
     const auto fill = [&](std::size_t begin, std::size_t end) {
@@ -74,18 +74,18 @@ Real finer(Real size) {
     return std::ldexp(Real(1), std::min(-std::ilogb(size), most));
 }
 
-Real size(const Triangle4<Real>& packet, std::size_t lane) {
+Real size(const TrianglePacket<Real>& packet, std::size_t lane) {
     BoundingBox box;
     for (const auto& [x, y, z] : packet.vertices)
         box = merged(box, Vec3(values(x)[lane], values(y)[lane], values(z)[lane]));
     return largest_component(box.max - box.min);
 }
 
-std::vector<std::array<Real, lane_count>> finer(const std::vector<Triangle4<Real>>& packets) {
-    std::vector<std::array<Real, lane_count>> scales(packets.size());
+std::vector<std::array<Real, real_count>> finer(const std::vector<TrianglePacket<Real>>& packets) {
+    std::vector<std::array<Real, real_count>> scales(packets.size());
     bool any = false;
     for (std::size_t leaf = 0; leaf < packets.size(); ++leaf)
-        for (std::size_t lane = 0; lane < lane_count; ++lane) {
+        for (std::size_t lane = 0; lane < real_count; ++lane) {
             scales[leaf][lane] = finer(size(packets[leaf], lane));
             any = any || scales[leaf][lane] != 1;
         }
@@ -101,9 +101,9 @@ struct CountingBoxes : Visit {
     void node() const { *count += std::int64_t(Node::width); }
 };
 
-Triangle4<Real> enlarged(Triangle4<Real> packet, Real scale) {
+TrianglePacket<Real> enlarged(TrianglePacket<Real> packet, Real scale) {
     for (auto& vertex : packet.vertices)
-        for (RealX4& coordinate : vertex) coordinate = broadcast(scale) * coordinate;
+        for (RealN& coordinate : vertex) coordinate = all_of<Real, real_count>(scale) * coordinate;
     return packet;
 }
 
@@ -137,7 +137,7 @@ Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size
     Crossings all = test(packets_[leaf], interval);
     auto t = values(all.t);
     std::array areas = {values(all.areas[0]), values(all.areas[1]), values(all.areas[2])};
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    for (std::size_t lane = 0; lane < real_count; ++lane) {
         const Real scale = finer_[leaf][lane];
         if (scale == 1) continue;
         const WatertightTest near(
@@ -148,8 +148,8 @@ Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size
         t[lane] = values(found.t)[lane];
         for (std::size_t i = 0; i < 3; ++i) areas[i][lane] = values(found.areas[i])[lane];
     }
-    all.t = std::bit_cast<RealX4>(t);
-    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<RealX4>(areas[i]);
+    all.t = std::bit_cast<RealN>(t);
+    for (std::size_t i = 0; i < 3; ++i) all.areas[i] = std::bit_cast<RealN>(areas[i]);
     return all;
 }
 
@@ -159,54 +159,61 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     Interval left = scaled(interval);
     std::int64_t count = 0;
     const auto visit = [&](std::size_t leaf) {
-        count += std::int64_t(lane_count);
+        count += std::int64_t(real_count);
         const Crossings found = crossings(test, seen, leaf, left);
         for (unsigned hits = found.hits; hits != 0;)
-            left.max = std::min(left.max, values(found.t)[pop_lowest_bit(hits)]);
+            left.max = std::min(left.max, lane(found.t, pop_lowest_bit(hits)));
         return query == QueryKind::any_hit && found.hits != 0;
     };
-    RayBoxTestCache slabs(seen);
-    hierarchy_.visit_leaves(slabs, left, CountingBoxes<decltype(visit)>{visit, &count});
+    hierarchy_.visit_leaves(hierarchy_.test_of(seen, RaySlopes(seen.direction)), left,
+                            CountingBoxes<decltype(visit)>{visit, &count});
     return count;
 }
 
 #ifndef RT_EXACT  // RT_EXACT uses steps/step13_meshes/exact/mesh_bvh.cpp
-std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const {
+// Flattened: the tests of a leaf and of a node keep the ray in registers.
+[[gnu::flatten]] std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const WatertightTest test(seen);
+    const RaySlopes slopes(seen.direction);
+    const WatertightTest test(seen, slopes);
     Interval left = scaled(interval);
-    const std::uint32_t* triangle = nullptr;
+    std::uint32_t triangle = 0;  // none is lower: no hit at the interval's own end counts
     Vec3 areas;
-    RayBoxTestCache slabs(seen);
     hierarchy_.visit_leaves(
-        slabs, left,
+        hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
             const Crossings found = crossings(test, seen, leaf, left);
             for (unsigned hits = found.hits; hits != 0;) {
-                const std::size_t lane = pop_lowest_bit(hits);
-                const Real t = values(found.t)[lane];
-                if (!(t < left.max)) continue;
+                const std::size_t i = pop_lowest_bit(hits);
+                const Real t = lane(found.t, i);
+                const std::uint32_t index = hierarchy_.leaves()[leaf].indices[i];
+                if (t > left.max || (t == left.max && index >= triangle)) continue;
                 left.max = t;
-                triangle = &hierarchy_.leaves()[leaf].indices[lane];
-                areas = {values(found.areas[0])[lane], values(found.areas[1])[lane],
-                         values(found.areas[2])[lane]};
+                triangle = index;
+                areas = {lane(found.areas[0], i), lane(found.areas[1], i), lane(found.areas[2], i)};
             }
             return false;
         },
         [this](std::size_t leaf) { expect(leaf); });
-    if (triangle == nullptr) return std::nullopt;
+    if (!(left.max < scaled(interval).max)) return std::nullopt;
     return MeshHit{.t = left.max / scale_,
-                   .triangle = *triangle,
+                   .triangle = triangle,
                    .weights = areas / (areas.x + areas.y + areas.z)};
 }
 
-bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
+[[gnu::flatten]] bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
-    const WatertightTest test(seen);
+    const RaySlopes slopes(seen.direction);
+    const WatertightTest test(seen, slopes);
     const Interval left = scaled(interval);
-    RayBoxTestCache slabs(seen);
     return hierarchy_.visit_leaves(
-        slabs, left, [&](std::size_t leaf) { return crossings(test, seen, leaf, left).hits != 0; },
+        hierarchy_.test_of(seen, slopes), left,
+        [&](std::size_t leaf) {
+            const Crossings found = crossings(test, seen, leaf, left);
+            for (unsigned hits = found.hits; hits != 0;)
+                if (lane(found.t, pop_lowest_bit(hits)) < left.max) return true;
+            return false;
+        },
         [this](std::size_t leaf) { expect(leaf); });
 }
 #endif

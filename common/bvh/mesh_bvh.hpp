@@ -1,4 +1,4 @@
-// Acceleration structure of a mesh: packets of four triangles in the leaves of a bounding volume
+// Acceleration structure of a mesh: packets of triangles in the leaves of a bounding volume
 // hierarchy, with a watertight intersection test.
 #pragma once
 
@@ -21,15 +21,16 @@ public:
     MeshBvh() = default;
     explicit MeshBvh(const Mesh& mesh);
 
-    /// The closest hit strictly inside the interval, or nothing. No ray passes between triangles
-    /// that share an edge or a vertex, however small they are compared to the mesh.
+    /// The closest hit strictly inside the interval, or nothing. Of several triangles at the same
+    /// t, it is the one with the lowest index. No ray passes between triangles that share an edge
+    /// or a vertex, however small they are compared to the mesh.
     [[nodiscard]] std::optional<MeshHit> nearest(const Ray& ray, Interval interval) const;
 
     /// Returns whether the ray hits the mesh anywhere strictly inside the interval.
     [[nodiscard]] bool occludes(const Ray& ray, Interval interval) const;
 
-    /// The number of boxes, eight in a node, and of triangles, four in a packet, against which a
-    /// query tests the ray.
+    /// The number of boxes, eight in a node, and of triangles, four or eight in a packet, against
+    /// which a query tests the ray.
     [[nodiscard]] std::int64_t test_count(const Ray& ray, Interval interval, QueryKind query) const;
 
     /// The bounding box of all triangles; empty if there are none.
@@ -44,7 +45,7 @@ private:
         return {.min = scale_ * interval.min, .max = scale_ * interval.max};
     }
 
-    /// The hits on the triangles of a leaf.
+    /// The hits on the triangles of a leaf, those at interval.max included.
     [[nodiscard]] Crossings crossings(const WatertightTest& test, const Ray& seen, std::size_t leaf,
                                       const Interval& interval) const {
         if (has_float_packets()) return test(float_packets_[leaf], interval);
@@ -53,16 +54,13 @@ private:
     }
 
     /// The packet of a leaf as Real, for one triangle after the other.
-    [[nodiscard]] Triangle4<Real> packet(std::size_t leaf) const {
+    [[nodiscard]] TrianglePacket<Real> packet(std::size_t leaf) const {
         return has_float_packets() ? real_of(float_packets_[leaf]) : packets_[leaf];
     }
 
     /// Prefetches the packet of a leaf.
     [[gnu::always_inline]] void expect(std::size_t leaf) const {
-        if (has_float_packets())
-            prefetch(float_packets_[leaf]);
-        else
-            prefetch(packets_[leaf]);
+        has_float_packets() ? prefetch(float_packets_[leaf]) : prefetch(packets_[leaf]);
     }
 
     [[nodiscard]] bool has_float_packets() const {
@@ -70,19 +68,19 @@ private:
     }
 
     /// As crossings, with each triangle that is too small for the test scaled separately.
-    [[nodiscard]] Crossings finely(const WatertightTest& test, const Ray& seen, std::size_t leaf,
-                                   const Interval& interval) const;
+    [[nodiscard, gnu::noinline]] Crossings finely(const WatertightTest& test, const Ray& seen,
+                                                  std::size_t leaf, const Interval& interval) const;
 
     BoundingBox bounds_;
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact
     Bvh hierarchy_;
-    std::vector<Triangle4<Real>> packets_;  ///< one packet for each leaf
+    std::vector<TrianglePacket<Real>> packets_;  ///< one packet for each leaf
     /// In place of them, if Real is wider than float and every coordinate is a float, as those of
     /// files are.
-    std::vector<Triangle4<float>> float_packets_;
+    std::vector<TrianglePacket<float>> float_packets_;
     /// For each leaf, the factors by which its triangles must be enlarged for the test: powers of
     /// two. Empty if all triangles are large enough.
-    std::vector<std::array<Real, lane_count>> finer_;
+    std::vector<std::array<Real, real_count>> finer_;
 };
 
 }  // namespace RT_LANES

@@ -40,6 +40,20 @@ struct alignas(64) Node {
     std::array<std::uint32_t, width> children;
 };
 
+/// The slopes of a ray: its direction, scaled to a largest component of 1. They are computed once,
+/// for the tests of boxes and of triangles.
+struct RaySlopes {
+    Real size;                    ///< the largest component's absolute value
+    std::size_t longest;          ///< its axis, the first one of equals
+    std::array<Real, 4> of_axes;  ///< direction / size, and 1 / size
+
+    [[gnu::always_inline]] explicit RaySlopes(const Vec3& d) {
+        size = largest_component(d);
+        longest = std::size_t(std::fabs(d.x) != size) * (1 + std::size_t(std::fabs(d.y) != size));
+        of_axes = values(lanes_of<Real>(d.x, d.y, d.z, 1) / broadcast(size));
+    }
+};
+
 /// A ray prepared for tests against the boxes of nodes. The test is conservative: it never misses a
 /// box that the ray hits, nor the box of a shape that the shape's own rounded test would report as
 /// hit (Ize 2013, "Robust BVH Ray Traversal"; Woop, Benthin, Wald 2013, §4).
@@ -50,13 +64,14 @@ struct alignas(64) Node {
 /// is largest. A ray that hits [-1, 1]³ does so after D - 1 at the earliest and D + 1 at the
 /// latest, because along no axis is it faster than along that of the direction's largest component.
 /// So at D - 2 at most 3 remain, and the ray is within 4 of the center; if it is not, it hits
-/// nothing.
+/// nothing. Where the processor has fma, `fused` uses it; without, the order is the same on all.
+template <bool fused>
 class RayBoxTest {
 public:
-    RayBoxTest(const Ray& ray, const UnitSpace& frame) {
+    [[gnu::always_inline]] RayBoxTest(const Ray& ray, const UnitSpace& frame,
+                                      const RaySlopes& slopes) {
         const auto& [origin, direction] = ray;
-        const Real size = largest_component(direction);
-        speed_ = frame.scale * size;
+        speed_ = frame.scale * slopes.size;
         Vec3 place = frame.scale * (origin - frame.center);
         const Real distance = largest_component(place);
         if (distance > 2) {
@@ -64,7 +79,7 @@ public:
             place += start_ * (frame.scale * direction);
             passes_by_ = largest_component(place) > 5;
         }
-        const Real real_slack = rounding * (distance + 1);
+        const Real real_slack = displacement * (distance + 1);
         slack_ = float(real_slack) + float_slack;
         // At a lower speed, the errors of components rounded to multiples of the smallest number
         // add up.
@@ -72,9 +87,9 @@ public:
         is_reliable_ = real_slack <= 1 && slowest <= speed_ && speed_ < infinity;
         if (std::isnan(origin.x + origin.y + origin.z + direction.x + direction.y + direction.z))
             is_reliable_ = passes_by_ = true;  // NaN must be a miss
-        x_ = Axis(0, place.x, size / direction.x, slack_);
-        y_ = Axis(1, place.y, size / direction.y, slack_);
-        z_ = Axis(2, place.z, size / direction.z, slack_);
+        prepare_axes(lanes_of<float>(float(place.x), float(place.y), float(place.z), 0),
+                     lanes_of<float>(float(slopes.of_axes[0]), float(slopes.of_axes[1]),
+                                     float(slopes.of_axes[2]), 1));
     }
 
     /// Returns whether the test is reliable. It is not for an origin so far away that all boxes are
@@ -94,9 +109,13 @@ public:
         const FloatN latest = all(limit);
         Answer answer;
         for (std::size_t part = 0; part < answer.near.size(); ++part) {
-            answer.near[part] = entry(node, part);
-            answer.hits |= mask_bits(answer.near[part] <= exit(node, part, latest))
-                           << (part * float_count);
+            const auto& [x, y, z] = axes_;
+            const FloatN near =
+                max(max(x.near(node, part), y.near(node, part)), max(z.near(node, part), all(0)));
+            const FloatN far =
+                min(min(x.far(node, part), y.far(node, part)), min(z.far(node, part), latest));
+            answer.near[part] = near;
+            answer.hits |= mask_bits(near <= far) << (part * float_count);
         }
         return answer;
     }
@@ -105,21 +124,24 @@ public:
     /// finite, because a ray that is parallel to a box and beside it enters the box at infinity.
     [[nodiscard]] float limit(Real max) const {
         // In this order the result is not NaN.
-        return float(std::min(Real(8), (max - start_) * speed_)) * padding + slack_;
+        return float(std::min(Real(8), (max - start_) * speed_)) + slack_;
     }
 
 private:
     /// The displacement of a ray, relative to D + 1: by the rounded test of a shape, 17 u, which is
     /// the 34 u L of docs/reference/error_bounds.md for differences of D + 1 in place of 2 L; and
     /// by the change of its start, 5 u.
-    static constexpr Real rounding = 32 * unit_roundoff;
+    static constexpr Real displacement = 32 * unit_roundoff;
     static constexpr float float_roundoff = 0x1p-24F;
-    /// The start of a ray is at most 6 from the center and is rounded twice, by 4 u each time;
-    /// boxes have an error of 2 u.
-    static constexpr float float_slack = 16 * float_roundoff;
-    /// The time at a slab has four roundings, and one more where the ray leaves: 1 + γ₄ + γ₅ (Ize
-    /// 2013, §2).
-    static constexpr float padding = 1 + 12 * float_roundoff;
+    /// In units of u: the start of a ray is at most 6 from the center and is rounded twice, by 4
+    /// each time, its product with the inverse by 6, and the sum with the slack by 6; boxes have an
+    /// error of 2, and their product one of 1. The relative error of the other roundings, 4 of the
+    /// inverse and of the result, is at most 12 until the ray is past all boxes, after 3; and as
+    /// much for the limit.
+    static constexpr float float_slack = 48 * float_roundoff;
+    /// The largest inverse, so that none is infinite: a ray that is slower along an axis does not
+    /// move by u along it.
+    static constexpr float largest_inverse = 0x1p60F;
 
     [[nodiscard, gnu::always_inline]] static FloatN all(float value) {
         return all_of<float, float_count>(value);
@@ -127,57 +149,52 @@ private:
 
     /// The ray's coordinates along one axis.
     struct Axis {
-        FloatN near_origin;
-        FloatN far_origin;
-        FloatN near_inverse;  ///< inverse of the direction's component
-        FloatN far_inverse;   ///< the same inverse, padded
+        FloatN inverse;     ///< of the direction's component
+        FloatN near_start;  ///< the distance of a plane through 0, less the slack
+        FloatN far_start;   ///< the same, and the slack
         std::size_t near_plane;
         std::size_t far_plane;
 
-        Axis() = default;
-
-        [[gnu::always_inline]] Axis(std::size_t axis, Real place, Real inverse_direction,
-                                    float slack) {
-            const auto inverse = float(inverse_direction);
-            const float forward = std::copysign(slack, inverse);
-            near_origin = all(float(place) + forward);
-            far_origin = all(float(place) - forward);
-            near_inverse = all(inverse);
-            far_inverse = all(inverse * padding);
-            const auto backward = std::size_t(std::signbit(inverse));
-            near_plane = (2 * axis + backward) * sizeof(Node::Row);
-            far_plane = (2 * axis + 1 - backward) * sizeof(Node::Row);
+        /// The time at a row of planes. The row is an offset in bytes: computing it from an index
+        /// would take as long as the test.
+        [[nodiscard, gnu::always_inline]] FloatN time(const Node& node, std::size_t row,
+                                                      FloatN start, std::size_t part) const {
+            FloatN plane;
+            const auto* const bytes = reinterpret_cast<const std::byte*>(&node);
+            std::memcpy(&plane, bytes + row + part * sizeof plane, sizeof plane);
+            if constexpr (fused) return multiply_add(plane, inverse, start);
+            return plane * inverse + start;
         }
 
         [[nodiscard, gnu::always_inline]] FloatN near(const Node& node, std::size_t part) const {
-            return (plane(node, near_plane, part) - near_origin) * near_inverse;
+            return time(node, near_plane, near_start, part);
         }
 
         [[nodiscard, gnu::always_inline]] FloatN far(const Node& node, std::size_t part) const {
-            return (plane(node, far_plane, part) - far_origin) * far_inverse;
+            return time(node, far_plane, far_start, part);
         }
     };
 
-    /// A row at its offset in bytes: computing the offset from an index would take as long as the
-    /// test.
-    [[nodiscard, gnu::always_inline]] static FloatN plane(const Node& node, std::size_t row,
-                                                          std::size_t part) {
-        FloatN lanes;
-        std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + row + part * sizeof lanes,
-                    sizeof lanes);
-        return lanes;
-    }
-
-    // If the ray runs in a face of a box, 0 · ∞ is NaN: in this order of operands NaN only drops a
-    // condition.
-
-    [[nodiscard, gnu::always_inline]] FloatN entry(const Node& node, std::size_t part) const {
-        return max(max(x_.near(node, part), y_.near(node, part)), max(z_.near(node, part), all(0)));
-    }
-
-    [[nodiscard, gnu::always_inline]] FloatN exit(const Node& node, std::size_t part,
-                                                  FloatN latest) const {
-        return min(min(x_.far(node, part), y_.far(node, part)), min(z_.far(node, part), latest));
+    /// Computes all axes at once, one in each lane.
+    [[gnu::always_inline]] void prepare_axes(Float4 place, Float4 slopes) {
+        const Float4 zero = broadcast_float(0);
+        const Float4 least = broadcast_float(-largest_inverse);
+        const Float4 most = broadcast_float(largest_inverse);
+        const Float4 inverse = max(min(broadcast_float(1) / slopes, most), least);
+        const Float4 start = zero - place * inverse;
+        const Float4 reach = max(inverse, zero - inverse) * broadcast_float(slack_);
+        const Float4 near_start = start - reach;
+        const Float4 far_start = start + reach;
+        const std::size_t backward = mask_bits(inverse < zero);
+        const auto axis = [&](std::size_t i) {
+            const std::size_t near_plane = (2 * i + (backward >> i & 1)) * sizeof(Node::Row);
+            return Axis{.inverse = all(lane(inverse, i)),
+                        .near_start = all(lane(near_start, i)),
+                        .far_start = all(lane(far_start, i)),
+                        .near_plane = near_plane,
+                        .far_plane = near_plane ^ sizeof(Node::Row)};
+        };
+        axes_ = {axis(0), axis(1), axis(2)};
     }
 
     Real start_ = 0;  ///< t of the start
@@ -185,34 +202,27 @@ private:
     float slack_;     ///< upper bound on the error of the ray's position
     bool is_reliable_;
     bool passes_by_ = false;
-    Axis x_;
-    Axis y_;
-    Axis z_;
+    std::array<Axis, 3> axes_;
 };
 
-/// A ray prepared for several hierarchies: prepared for the first one, and again only when the
-/// frame differs. The ray must outlive it.
+/// A ray prepared for several hierarchies, whose boxes are found in the same order everywhere:
+/// prepared for the first one, and again only when the frame differs. The ray must outlive it.
 class RayBoxTestCache {
 public:
     explicit RayBoxTestCache(const Ray& ray) : ray_(ray) {}
 
     [[nodiscard]] const Ray& ray() const { return ray_; }
 
-    [[nodiscard]] const RayBoxTest& in(const UnitSpace& frame) {
-        if (!made_ || made_->frame != frame) made_.emplace(ray_, frame);
-        return made_->test;
+    [[nodiscard]] const auto& in(const UnitSpace& frame) {
+        if (!test_ || frame_ != frame) test_.emplace(ray_, frame, RaySlopes(ray_.direction));
+        frame_ = frame;
+        return *test_;
     }
 
 private:
-    struct Made {
-        Made(const Ray& ray, const UnitSpace& its_frame) : frame(its_frame), test(ray, its_frame) {}
-
-        UnitSpace frame;
-        RayBoxTest test;
-    };
-
     const Ray& ray_;
-    std::optional<Made> made_;
+    UnitSpace frame_;
+    std::optional<RayBoxTest<false>> test_;
 };
 
 }  // namespace RT_LANES

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 // Selects the SIMD backend. Every type that contains lanes is in an inline namespace named after
@@ -102,7 +103,12 @@ inline constexpr std::size_t lane_count = 4;
 inline constexpr std::size_t float_count =
     std::max(lane_count, sizeof(LanePart<float, 8>) / sizeof(float));
 
+/// The number of Reals in one instruction: eight floats if it has room for them, else four.
+inline constexpr std::size_t real_count =
+    std::max(lane_count, sizeof(LanePart<Real, 8>) / sizeof(Real));
+
 using RealX4 = LanesOf<Real, lane_count>;
+using RealN = LanesOf<Real, real_count>;
 using Float4 = LanesOf<float, lane_count>;  ///< in either precision
 using FloatN = LanesOf<float, float_count>;
 
@@ -121,13 +127,28 @@ template <class Number, std::size_t count>
     return all_of<float, lane_count>(value);
 }
 
-[[nodiscard]] inline Float4 floats_of(const std::array<float, lane_count>& values) {
-    return std::bit_cast<Float4>(values);
+/// Four numbers. A vector of each part: g++ would assemble an array in two other registers.
+template <class Number>
+[[nodiscard]] inline LanesOf<Number, 4> lanes_of(Number a, Number b, Number c, Number d) {
+    using Part = LanePart<Number, 4>;
+    constexpr std::size_t parts = lane_part_count<Number, 4>;
+    if constexpr (parts == 1) return {{Part{a, b, c, d}}};
+    if constexpr (parts == 2) return {{Part{a, b}, Part{c, d}}};
+    if constexpr (parts == 4) return {{a, b, c, d}};
 }
 
 template <class Number, std::size_t count>
 [[nodiscard]] inline std::array<Number, count> values(LanesOf<Number, count> lanes) {
     return std::bit_cast<std::array<Number, count>>(lanes);
+}
+
+/// One of the numbers; g++ would store all of them again for `values`.
+template <class Number, std::size_t count>
+[[nodiscard]] inline Number lane(const LanesOf<Number, count>& lanes, std::size_t i) {
+    Number value;
+    std::memcpy(&value, reinterpret_cast<const std::byte*>(&lanes) + i * sizeof value,
+                sizeof value);
+    return value;
 }
 
 template <class Number, std::size_t count>
@@ -158,22 +179,70 @@ template <class Number, std::size_t count>
         [&](std::size_t i) { return a.parts[i] / b.parts[i]; });
 }
 
+/// a · b + c, rounded once where the processor has an instruction for it, else twice.
+template <std::size_t count>
+[[nodiscard]] inline LanesOf<float, count> multiply_add(LanesOf<float, count> a,
+                                                        LanesOf<float, count> b,
+                                                        LanesOf<float, count> c) {
+    return each_part<float, count, LanesOf>([&](std::size_t i) {
+#ifdef __FMA__
+        using Part = LanePart<float, count>;
+        if constexpr (sizeof(Part) == 32)
+            return Part(__builtin_ia32_vfmaddps256(a.parts[i], b.parts[i], c.parts[i]));
+        else if constexpr (sizeof(Part) == 16)
+            return Part(__builtin_ia32_vfmaddps(a.parts[i], b.parts[i], c.parts[i]));
+        else
+#endif
+            return a.parts[i] * b.parts[i] + c.parts[i];
+    });
+}
+
 /// The same numbers as Real.
 template <class Number>
-[[nodiscard]] inline RealX4 real_of(LanesOf<Number, lane_count> lanes) {
-    constexpr std::size_t count = lane_part_count<Real, lane_count>;
-    using Part = LanePart<Number, lane_count / count>;
+[[nodiscard]] inline RealN real_of(LanesOf<Number, real_count> lanes) {
+    constexpr std::size_t count = lane_part_count<Real, real_count>;
+    using Part = LanePart<Number, real_count / count>;
     const auto parts = std::bit_cast<std::array<Part, count>>(lanes);
-    return each_part<Real, lane_count, LanesOf>(
-        [&](std::size_t i) { return converted<LanePart<Real, lane_count>>(parts[i]); });
+    return each_part<Real, real_count, LanesOf>(
+        [&](std::size_t i) { return converted<LanePart<Real, real_count>>(parts[i]); });
 }
+
+template <class Part>
+[[nodiscard]] inline Part lesser(Part a, Part b) {
+    return a < b ? a : b;
+}
+
+template <class Part>
+[[nodiscard]] inline Part greater(Part a, Part b) {
+    return a > b ? a : b;
+}
+
+// The same in one instruction, which g++ does not find for a constant.
+#ifdef __SSE2__
+[[nodiscard]] inline auto lesser(lane_parts::vector_lanes<float, 4>::Part a,
+                                 lane_parts::vector_lanes<float, 4>::Part b) {
+    return __builtin_ia32_minps(a, b);
+}
+
+[[nodiscard]] inline auto greater(lane_parts::vector_lanes<float, 4>::Part a,
+                                  lane_parts::vector_lanes<float, 4>::Part b) {
+    return __builtin_ia32_maxps(a, b);
+}
+#endif
+
+#ifdef __AVX__
+[[nodiscard]] inline auto greater(lane_parts::long_vector_lanes<float, 8>::Part a,
+                                  lane_parts::long_vector_lanes<float, 8>::Part b) {
+    return __builtin_ia32_maxps256(a, b);
+}
+#endif
 
 /// The smaller of each pair; b's, where either is NaN.
 template <class Number, std::size_t count>
 [[nodiscard]] inline LanesOf<Number, count> min(LanesOf<Number, count> a,
                                                 LanesOf<Number, count> b) {
     return each_part<Number, count, LanesOf>(
-        [&](std::size_t i) { return a.parts[i] < b.parts[i] ? a.parts[i] : b.parts[i]; });
+        [&](std::size_t i) { return lesser(a.parts[i], b.parts[i]); });
 }
 
 /// The larger of each pair; b's, where either is NaN.
@@ -181,7 +250,7 @@ template <class Number, std::size_t count>
 [[nodiscard]] inline LanesOf<Number, count> max(LanesOf<Number, count> a,
                                                 LanesOf<Number, count> b) {
     return each_part<Number, count, LanesOf>(
-        [&](std::size_t i) { return a.parts[i] > b.parts[i] ? a.parts[i] : b.parts[i]; });
+        [&](std::size_t i) { return greater(a.parts[i], b.parts[i]); });
 }
 
 template <class Number, std::size_t count>

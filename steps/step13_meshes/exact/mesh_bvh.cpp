@@ -26,8 +26,8 @@ struct HitTriangle {
 /// a call returns true. Returns whether one did.
 template <class Visit>
 bool visit_hits(const Ray& ray, const Interval& interval, const Leaf& leaf,
-                const Triangle4<Real>& packet, Visit visit) {
-    for (std::size_t lane = 0; lane < lane_count && leaf.indices[lane] != Leaf::none; ++lane) {
+                const TrianglePacket<Real>& packet, Visit visit) {
+    for (std::size_t lane = 0; lane < real_count && leaf.indices[lane] != Leaf::none; ++lane) {
         const auto corner = [&](std::size_t vertex) {
             const auto& [x, y, z] = packet.vertices[vertex];
             return Vec3(values(x)[lane], values(y)[lane], values(z)[lane]);
@@ -49,14 +49,14 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
         return exact_root(seen, hit.triangle, asked);
     };
     ClosestSoFar<HitTriangle> leader;
-    RayBoxTestCache slabs(seen);
-    hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
-                          [&](const HitTriangle& hit, Real t) {
-                              leader.accepts(t, hit, root_of, left);
-                              return false;
-                          });
-    });
+    hierarchy_.visit_leaves(
+        hierarchy_.test_of(seen, RaySlopes(seen.direction)), left, [&](std::size_t leaf) {
+            return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
+                              [&](const HitTriangle& hit, Real t) {
+                                  leader.accepts(t, hit, root_of, left);
+                                  return false;
+                              });
+        });
     if (!(leader.t() < infinity)) return std::nullopt;
     const auto& [index, triangle] = leader.object();
     return MeshHit{.t = leader.t() / scale_,
@@ -67,11 +67,11 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
 bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const Interval left = scaled(interval);
-    RayBoxTestCache slabs(seen);
-    return hierarchy_.visit_leaves(slabs, left, [&](std::size_t leaf) {
-        return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
-                          [](const HitTriangle& /*hit*/, Real /*t*/) { return true; });
-    });
+    return hierarchy_.visit_leaves(
+        hierarchy_.test_of(seen, RaySlopes(seen.direction)), left, [&](std::size_t leaf) {
+            return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
+                              [](const HitTriangle& /*hit*/, Real /*t*/) { return true; });
+        });
 }
 
 }  // namespace RT_LANES

@@ -1,4 +1,6 @@
+#ifndef RT_LANES
 #define RT_LANES scalar_lanes
+#endif
 
 #include "tests/common/bvh/scalar_lanes.hpp"
 
@@ -8,7 +10,7 @@
 
 namespace rt {
 
-std::vector<std::optional<MeshHit>> hits_without_vectors(const Mesh& mesh,
+std::vector<std::optional<MeshHit>> hits_of_scalar_lanes(const Mesh& mesh,
                                                          const std::vector<Ray>& rays) {
     const MeshBvh packed(mesh);
     std::vector<std::optional<MeshHit>> hits;

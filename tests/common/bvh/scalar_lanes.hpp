@@ -1,4 +1,4 @@
-// MeshBvh once more, with lanes that are taken one after the other.
+// MeshBvh once more, with other lanes than this processor's.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -10,7 +10,11 @@
 namespace rt {
 
 /// The hits of MeshBvh for each ray if the compiler has no vectors.
-[[nodiscard]] std::vector<std::optional<MeshHit>> hits_without_vectors(
+[[nodiscard]] std::vector<std::optional<MeshHit>> hits_of_scalar_lanes(
+    const Mesh& mesh, const std::vector<Ray>& rays);
+
+/// The same with vectors of 16 bytes.
+[[nodiscard]] std::vector<std::optional<MeshHit>> hits_of_vector_lanes(
     const Mesh& mesh, const std::vector<Ray>& rays);
 
 }  // namespace rt
