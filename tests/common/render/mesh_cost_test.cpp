@@ -1,5 +1,6 @@
 // The cost of a mesh that --shade cost shows.
 
+#include "common/math/simd.hpp"
 #include "common/render/pixel_values.hpp"
 
 #include "tests/kit/catch.hpp"
@@ -17,12 +18,14 @@ Primitive<MeshInstance> placed(Mesh mesh) {
     return {.shape = {.model = mesh_geometry(std::move(mesh))}, .material = {}};
 }
 
-/// Four triangles, one behind the other, at each of so many places, the first in the middle.
-Mesh fours(int count) {
+constexpr int packet = int(real_count);  ///< the number of triangles that are tested at once
+
+/// As many triangles, one behind the other, at each of so many places, the first in the middle.
+Mesh packets(int count) {
     Mesh mesh;
-    for (int i = 0; i < 4 * count; ++i) {
-        const auto x = Real(3 * (i / 4));
-        const auto z = Real(-5 - i % 4);
+    for (int i = 0; i < packet * count; ++i) {
+        const auto x = Real(3 * (i / packet));
+        const auto z = Real(-5 - i % packet);
         const auto first = std::uint32_t(mesh.vertices.size());
         mesh.vertices.insert(mesh.vertices.end(), {{x - 1, -1, z}, {x + 1, -1, z}, {x, 1, z}});
         mesh.triangles.push_back({first, first + 1, first + 2});
@@ -42,12 +45,12 @@ float cost(const Scene& scene, bool in_corner) {
 TEST_CASE("cost counts the boxes and triangles inside a mesh") {
     Scene scene{.resolution = {.width = 3, .height = 3}, .cameras = {Camera{}}};
     scene.cameras.front().fov = 2 * std::atan(Real(1));
-    scene.meshes = {placed(fours(8))};
-    // One node, with a box for each of the eight leaves, and the leaf of the four in the middle.
-    CHECK(cost(scene, false) == 8 + 4);
+    scene.meshes = {placed(packets(8))};
+    // One node, with a box for each of the eight leaves, and the leaf of those in the middle.
+    CHECK(cost(scene, false) == 8 + packet);
     CHECK(cost(scene, true) == 8);
     // A mesh of few triangles has one box.
-    scene.meshes = {placed(fours(2))};
-    CHECK(cost(scene, false) == 1 + 8);
+    scene.meshes = {placed(packets(1))};
+    CHECK(cost(scene, false) == 1 + packet);
     CHECK(cost(scene, true) == 1);
 }
