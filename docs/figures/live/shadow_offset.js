@@ -27,7 +27,7 @@ define("shadow_offset", class extends Figure {
   async draw_scene(sketch, side, { title, epsilon, size }) {
     const light = times(size, [this.light.place[0], this.light.place[1], 0.3]);
     const ball = { center: times(size, [0.1, 1, 0]), radius: size }, ground = { point: [0, 0, 0], normal: [0.02, 1, 0.01] };
-    let [acne, lost] = [0, 0];
+    const points = { lit: [], dark: [], own: [], lost: [] };
     sketch.circle([0.1 + side, 1, 0], 1, { width: 1 });
     sketch.line([side - 2.6, 0, 0], [side + 2.8, 0, 0], { width: 1 });
     sketch.circle(add(this.light.place, [side, 0, 0]), 0.16, { fill: color.pale_amber, stroke: color.amber });
@@ -42,17 +42,17 @@ define("shadow_offset", class extends Figure {
       const facing = surface.geometric_normal.reduce((sum, value, k) => sum + value * (light[k] - surface.point[k]), 0) > 0;
       const right = facing ? await this.fate(await this.ask(10, "shadow_ray", surface, light), ball, ground, own) : "dark";
       const fate = facing && epsilon ? await this.fate(await this.ask(0, "printed_shadow_ray", surface, light, epsilon), ball, ground, own) : right;
-      const is_lost = fate === "lit" && right === "dark";
-      acne += fate === "own";
-      lost += is_lost;
-      const [cx, cy] = sketch.screen(own === "ball" ? [0.1 + Math.cos(angle) + side, 1 + Math.sin(angle), 0] : [x + side, 0, 0]);
-      if (fate === "own" || is_lost) sketch.cells([[cx - 3, cy - 3, 6, 6]], { fill: fate === "own" ? color.red : color.amber });
-      else sketch.pixels("circle", { cx, cy, r: 2.5 }, { fill: fate === "lit" ? color.pale_amber : color.gray, stroke: color.gray, width: 0.5 });
+      const [x_page, y_page] = sketch.screen(own === "ball" ? [0.1 + Math.cos(angle) + side, 1 + Math.sin(angle), 0] : [x + side, 0, 0]);
+      points[fate === "lit" && right === "dark" ? "lost" : fate].push([x_page, y_page]);
     }
+    // Disks with a gray rim, as one shape.
+    for (const [fate, stroke, width] of [["dark", color.gray, 5.5], ["lit", color.gray, 5.5], ["lit", color.pale_amber, 4.5]])
+      sketch.pixels("path", { d: points[fate].map((place) => `M${place.join(" ")}h0`).join(""), stroke_linecap: "round" }, { stroke, width });
+    for (const [fate, fill] of [["own", color.red], ["lost", color.amber]]) sketch.cells(points[fate].map(([left, top]) => [left - 3, top - 3, 6, 6]), { fill });
     // Within this distance of a point, hits do not count.
     if (epsilon && !this.together) sketch.circle([side + 1.6, 0, 0], Math.min(99, epsilon / size), { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
     [title, epsilon ? `ε = ${epsilon.toExponential()}` : "off by its error", `size ${short(size, 1)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
-    return `${acne} points with acne, ${lost} with lost shadow, of ${2 * shown}`;
+    return `${points.own.length} points with acne, ${points.lost.length} with lost shadow, of ${2 * shown}`;
   }
 
   async draw(sketch) {

@@ -30,12 +30,12 @@ draw = """(async () => {
     for (const [, name, value] of (element.getAttribute("style") ?? "").matchAll(/([a-z-]+): ([^;]+)/g)) element.setAttribute(name, value);
     for (const name of ["style", "class"]) element.removeAttribute(name);
     for (const { name, value } of Array.from(element.attributes)) {
-      if (/^(none|inherit|0)$/.test(value) && /^(stroke|stroke-dasharray|font-size|dy)$/.test(name)) element.removeAttribute(name);
+      if (/^(none|inherit|0|round)$/.test(value) && /^(stroke|stroke-dasharray|stroke-linecap|font-size|dy)$/.test(name)) element.removeAttribute(name);
       else if (/^(d|points|c?[xy][12]?|r|width|height|stroke-width)$/.test(name))
         element.setAttribute(name, value.replace(/-?\\d+(\\.\\d+)?(e-\\d+)?/g, (number) => Math.round(100 * number + 1e-4) / 100));
     }
   }
-  return [figure.constructor.height, ...[shapes, labels].map((group) => group.innerHTML.replaceAll("/><", "/>\\n<").replaceAll("</text>", "</text>\\n"))];
+  return [figure.constructor.height, ...[shapes, labels].map((group) => group.innerHTML.replace(/><\\/(?!text|tspan|svg)[a-z]+>/g, "/>").replace(/<tspan>(.*?)<\\/tspan>/g, "$1").replaceAll("/><", "/>\\n<").replaceAll("</text>", "</text>\\n"))];
 })()"""
 
 
