@@ -107,11 +107,13 @@ TEST_CASE("stage 5's answers: weights, and a triangle without an area") {
 
 TEST_CASE("stage 6's answers: what the camera sees from behind") {
     const Scene scene = scene_of("step06_square");
+    const Camera& camera = scene.cameras.front();
     std::vector<Vec3> vanish;
     for (const auto& each : scene.squares) {
         const Square& square = each.shape;
-        if (!square.one_sided &&
-            dot(square.basis.z, scene.cameras.front().position - square.center) < 0)
+        const Vec3 to_camera = camera.position - square.center;
+        const bool is_ahead = dot(camera.direction, to_camera) < 0;
+        if (!square.one_sided && is_ahead && dot(square.basis.z, to_camera) < 0)
             vanish.push_back(square.basis.z);
     }
     REQUIRE(vanish.size() == 2);
