@@ -209,4 +209,6 @@ def update(language):
 
 if __name__ == "__main__":
     for each in sys.argv[1:]:
+        if not re.fullmatch(r"[a-z]{2,3}(_[A-Z]{2})?", each):
+            sys.exit(f"error: {each!r} is no language, as fr is: lang/pages.py LANGUAGE…")
         update(each)
