@@ -24,8 +24,9 @@ namespace {
 
 }  // namespace
 
-Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface,
-                 Context& context) {
+// Inlined into `trace`, it would cost a scene without mirrors 1 % of its instructions.
+[[gnu::noinline]] Color reflection(const Scene& scene, const Ray& ray, const ShadingPoint& surface,
+                                   Context& context) {
     Context there = context;
     there.weight *= double(surface.material.mirror);
     if (!worth_reflecting(context.bounces, context.settings.depth, Real(there.weight))) {

@@ -69,7 +69,7 @@ says "▸  3  step03_sphere"
 # from it, under its own first comment. A student who writes the functions only removes the file.
 cp $stage/reference/sphere.cpp $mine
 course 1 check 3
-says "✗ a ray that misses all spheres gives the color of the sky in its direction"
+says "✗ a sphere that is alone is seen in its color (M1)"
 says "Write next: trace, in $trace:"
 says_not "✗ the normal points away"
 course 0 hint 3
