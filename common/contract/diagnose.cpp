@@ -27,7 +27,23 @@ void explain(const Difference& difference) {
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
 
+/// The sentences of the known mistakes with exactly these answers of a function.
+std::set<std::string> alike(const Probes& probes, const std::vector<Answer>& answers,
+                            const Callee& callee) {
+    std::set<std::string> sentences;
+    for (std::size_t mistake = 0; mistake < probes.mistakes.size(); ++mistake) {
+        bool all = !probes.mistakes[mistake].is_earlier_part();
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            all = all && (probes.probes[i].call.callee != &callee ||
+                          code(probes.probes[i].mistaken[mistake]) == code(answers[i]));
+        if (all) sentences.insert(probes.mistakes[mistake].sentence);
+    }
+    return sentences;
+}
+
 /// A function with constant answers is not written yet, or one early return hides everything else.
+/// So they identify no mistake, but one alone that answers so, as a formula does that a document
+/// misprints, is told.
 void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
     for (const Callee& callee : callees()) {
         if (!is_constant(probes, answers, callee)) continue;
@@ -36,6 +52,9 @@ void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
         std::cout << "always: " << callee.name << " answers "
                   << code(answers[std::size_t(first - probes.probes.begin())])
                   << " to every call that was tried\n";
+        const std::set<std::string> known = alike(probes, answers, callee);
+        if (known.size() == 1)
+            std::cout << "A known mistake answers so: " << *known.begin() << '\n';
     }
 }
 

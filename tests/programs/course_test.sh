@@ -245,6 +245,10 @@ says "The picture cannot show it. The first failing case of the last check: a ra
 says "mine          → missed according to intersect"
 says "reference     → hit at t = 1"
 mistaken step03_sphere subtracts_r_squared $mine
+in_french 1 check 3
+says "Votre discriminant soustrait r²."
+course 1 check 3
+says "A known mistake answers so: Your discriminant subtracts r²."
 course 1 compare 3
 says "pixels differ"
 [ -s renders/step03_sphere_compare.png ] || fail "both pictures and their difference"
