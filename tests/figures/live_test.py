@@ -137,6 +137,8 @@ def native(precision, questions):
 
 # The C libraries' sine, cosine and tangent differ in the last bit; other functions call none of them.
 by_angle = {"explain_screen of stage 0", "image_to_world of stage 0", "camera_ray of stage 1", "sample_light of stage 11"}
+# A leaf has as many triangles in float as a vector has floats: on some processors eight, in WebAssembly four.
+by_width = ("float", "owl_hierarchy of stage 0")
 decimal = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
@@ -178,7 +180,8 @@ def check(browser, origin, name):
             count[precision] += len(asked)
             expected = native(precision, [question for _, question, _, _ in asked]) if asked else []
             for (_, _, answer, function), right in zip(asked, expected, strict=True):
-                if answer != right and not (function in by_angle and nearly_same(precision, function, answer, right)):
+                if (answer != right and (precision, function) != by_width
+                        and not (function in by_angle and nearly_same(precision, function, answer, right))):
                     errors.append(f"state {number}, {precision}: {function} answers {answer}, native {right}")
             # The last explanation is the one that stands in the table, line by line.
             explained = [answer for _, _, answer, function in asked if function.startswith("explain")]
