@@ -284,6 +284,8 @@ course 1 check 3
 course 0 debug 3 --prepare
 says "The debugger stops in your function"
 grep -q '^RAYSTEPS_STOP_AT=[1-9]' build/debug_case.env || fail "the call that fails is known"
+course 0 debug 3 --prepare "MRT §3, the smallest positive root"  # Catch2 takes a comma for an end
+grep -q '^RAYSTEPS_STOP_AT=[1-9]' build/debug_case.env || fail "the call that fails in a case with a comma"
 course 2 debug 3 "no such case"
 says 'no case of the last check is called "no such case"'
 

@@ -59,6 +59,17 @@ SuiteCase case_to_debug(int stage, const std::string& words) {
     return *found;
 }
 
+/// The name as Catch2 reads it, in quotes: with a backslash before what it takes for more than
+/// text.
+std::string quoted(const std::string& case_name) {
+    std::string text;
+    for (const char c : case_name) {
+        if (c == '"' || c == '\\' || c == ',') text += '\\';
+        text += c;
+    }
+    return '"' + text + '"';
+}
+
 /// The program of the case that is debugged, by a name that an editor's settings can have.
 Command program_of_case() {
     return {(build_folder / "debug_case").string(), "--input-file",
@@ -71,7 +82,7 @@ long prepare(const std::string& target, const std::string& case_name) {
     const StatusLine status(tr("looking for the call that fails …"));
     std::filesystem::remove(build_folder / "debug_case");
     std::filesystem::create_symlink(target, build_folder / "debug_case");
-    write_text(build_folder / "debug_case.txt", case_name + "\n");
+    write_text(build_folder / "debug_case.txt", quoted(case_name) + "\n");
     const TemporaryFolder folder(build_folder);
     const std::string file = (folder.path() / "calls").string();
     Command command = {"env", "RAYSTEPS_CALLS=" + file};
