@@ -4,9 +4,13 @@
 
 #include "tests/common/bvh/scalar_lanes.hpp"
 
+#ifdef RT_LANES_OF_LIBRARY
+#include "common/bvh/mesh_bvh.hpp"
+#else
 #include "common/bvh/binned_sah.cpp"
 #include "common/bvh/bvh.cpp"
 #include "common/bvh/mesh_bvh.cpp"
+#endif
 
 namespace rt {
 
