@@ -41,9 +41,9 @@ std::set<std::string> alike(const Probes& probes, const std::vector<Answer>& ans
     return sentences;
 }
 
-/// A function with constant answers is not written yet, or one early return hides everything else.
-/// So they identify no mistake, but one alone that answers so, as a formula does that a document
-/// misprints, is told.
+/// A function with constant answers is not written yet, or one early return hides everything else:
+/// the answers identify no mistake. If exactly one known mistake gives the same answers, as the
+/// misprinted discriminant of MRT §3 does, its sentence is printed as a possibility.
 void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
     for (const Callee& callee : callees()) {
         if (!is_constant(probes, answers, callee)) continue;

@@ -18,19 +18,15 @@ bool has_many(const Scene& scene) {
     return many;
 }
 
-/// The depth at which reflections are too weak to see: none is lost off a lone mirror that cannot
-/// see itself.
+/// The depth from which on reflections are too weak to be seen. A lone mirror that cannot reflect
+/// itself needs one.
 int depth_of_mirrors(const Scene& scene) {
     double strongest = 0;
     int mirrors = 0;
-    const auto add = [&](const Material& material) {
+    for_each_material(scene, [&](const Material& material) {
         strongest = std::max(strongest, double(material.mirror));
         mirrors += material.mirror > 0 ? 1 : 0;
-    };
-    for_each_kind(scene, [&add](const auto& primitives) {
-        for (const auto& primitive : primitives) add(primitive.material);
     });
-    for (const MeshRequest& mesh : scene.mesh_requests) add(mesh.material);
     const bool hollow = !scene.cylinders.empty() || !scene.cones.empty();
     if (mirrors < 2 && !hollow && scene.mesh_requests.empty()) return 1;
     constexpr double visible = 8;  // of whose tolerance the omitted reflections use one level

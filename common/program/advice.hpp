@@ -1,4 +1,4 @@
-// What `--requirements` prints of a scene.
+// The text that `--requirements` prints about a scene.
 #pragma once
 
 #include "common/scene/scene.hpp"
@@ -8,12 +8,12 @@
 
 namespace rt {
 
-/// What is wrong first in a picture with the default settings, because of something in the scene.
+/// A visible error of a picture with the default settings, and the option that reduces it.
 struct Advice {
-    std::string seen;   ///< in the scene: "a lamp with a size"
-    std::string wrong;  ///< in the picture: "grain"
-    std::string mends;  ///< an option
-    std::string costs;
+    std::string seen;   ///< its cause in the scene: "a lamp with a size"
+    std::string wrong;  ///< the error in the picture: "grain"
+    std::string mends;  ///< the option
+    std::string costs;  ///< the price of the option, in time or rays
 };
 
 /// Returns the rows of the table in docs/reference/accuracy.md that apply to the scene, as far as

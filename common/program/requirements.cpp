@@ -14,10 +14,7 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 template <class Predicate>
 std::size_t materials(const Scene& scene, Predicate is) {
     std::size_t count = 0;
-    for_each_kind(scene, [&](const auto& primitives) {
-        for (const auto& primitive : primitives) count += is(primitive.material) ? 1 : 0;
-    });
-    for (const MeshRequest& mesh : scene.mesh_requests) count += is(mesh.material) ? 1 : 0;
+    for_each_material(scene, [&](const Material& material) { count += is(material) ? 1 : 0; });
     return count;
 }
 

@@ -124,8 +124,8 @@ private:
         double pixels = 0;          ///< number of them in the picture
         std::vector<Pixel> places;  ///< those that may be traced, in this order
         std::vector<TrialPixel> traced;
-        /// Of pixel_error, pixel_samples and the tolerance, until more are traced: most take part
-        /// in many comparisons.
+        /// By pixel_error, pixel_samples and tolerance: most settings are compared several times.
+        /// Empty again when more pixels are traced.
         mutable std::map<std::array<double, 3>, Sums> known;
     };
 

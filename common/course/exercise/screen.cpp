@@ -91,7 +91,7 @@ void show_failure(const CaseResult& failed, const SuiteResult& suite, const std:
     }
     show_lines(failed.failure, complete);
     if (complete && !failed.place.empty())
-        std::printf("    %s\n", tr_line("  asked:    " + failed.place).c_str() + 2);
+        std::printf("    %s\n", tr_text("asked:    " + failed.place).c_str());
 }
 
 /// Prints the smallest call with a wrong answer, if that is shorter than the failing one.

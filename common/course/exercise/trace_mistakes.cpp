@@ -78,7 +78,7 @@ std::optional<TraceMistake> the_one(const std::vector<KnownTrace>& known,
 }
 
 /// Returns whether both mistakes together explain all failures: each some that the other one does
-/// not, and nearly all that it alone causes. Where both fail, the answer may be another one.
+/// not, and nearly all that it alone causes. To a question that both fail, any answer is accepted.
 bool explain_together(const KnownTrace& a, const KnownTrace& b, const Failures& failures) {
     constexpr int least_alone = 3;
     constexpr double most_missing = 0.25;

@@ -91,7 +91,8 @@ TEST_CASE("two mistakes are recognized together where each explains its part") {
     const std::string two = "mistake one: One.\n" + one + "\nmistake other: Other.\n" + other;
     const std::string names = "one probably: One.; other probably: Other.";
     CHECK(recognized({fails(closest, one + " " + other)}, two) == names);
-    // Where both fail, the answer is that of both, and may be right.
+    // A question that both fail gets the answer of both mistakes at once, which can be the right
+    // one.
     const std::string alone = one.substr(0, 38) + " " + other.substr(0, 38);
     CHECK(recognized({fails(closest, alone + " 000000030077")}, two) == names);
     CHECK(recognized({fails(closest, alone)}, two) == names);

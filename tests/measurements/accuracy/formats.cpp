@@ -1,7 +1,8 @@
 // Arithmetic below float and above double: the error and the time of a sphere's textbook formula
-// and of a reciprocal square root, and what a hierarchy costs whose boxes have few bits. Prints
+// and of a reciprocal square root, and the cost of a hierarchy whose boxes have few bits. Prints
 // CSV.
 #include "tests/measurements/accuracy/certified.hpp"
+#include "tests/measurements/accuracy/coarse_boxes.hpp"
 
 #include "common/math/compensated.hpp"
 #include "tests/kit/random.hpp"
@@ -16,7 +17,6 @@
 #include <ctime>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #ifdef __SSE__
@@ -201,133 +201,11 @@ void measure_root() {
     ask("double", [](float x) { return 1 / std::sqrt(double(x)); });
 }
 
-struct Box {
-    std::array<double, 3> min;
-    std::array<double, 3> max;
-};
-
-/// Rounded down to so many bits.
-double down(double x, int bits) {
-    int exponent = 0;
-    const double part = std::frexp(x, &exponent);
-    return std::ldexp(std::floor(std::ldexp(part, bits)), exponent - bits);
-}
-
-/// Leaves of one small box each, on a sphere of radius 1, below boxes rounded outward.
-class Hierarchy {
-public:
-    Hierarchy(int bits, double moved) : bits_(bits) {
-        Random random(3);
-        for (int i = 0; i < 16384; ++i) {
-            const Vec3 p = random.direction();
-            Box box{};
-            for (int k = 0; k < 3; ++k) {
-                box.min[std::size_t(k)] = moved + double(p[k]) - 0.01;
-                box.max[std::size_t(k)] = moved + double(p[k]) + 0.01;
-            }
-            leaves_.push_back(box);
-        }
-        build(0, leaves_.size());
-    }
-
-    /// The boxes that are tested, and the leaves that are reached.
-    [[nodiscard]] std::array<int, 2> visits(const Question& ray) const {
-        std::array<int, 2> count{};
-        std::vector<std::size_t> open = {0};
-        while (!open.empty()) {
-            const Node& node = nodes_[open.back()];
-            open.pop_back();
-            ++count[0];
-            if (!hit(node.box, ray)) continue;
-            if (node.right == 0) {
-                ++count[1];
-                continue;
-            }
-            open.push_back(node.right);
-            open.push_back(std::size_t(&node - nodes_.data()) + 1);
-        }
-        return count;
-    }
-
-private:
-    struct Node {
-        Box box;
-        std::size_t right = 0;  ///< the left one is the next; 0 for a leaf
-    };
-
-    std::size_t build(std::size_t begin, std::size_t end) {
-        Box around = leaves_[begin];
-        for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t k = 0; k < 3; ++k) {
-                around.min[k] = std::min(around.min[k], leaves_[i].min[k]);
-                around.max[k] = std::max(around.max[k], leaves_[i].max[k]);
-            }
-        const std::size_t place = nodes_.size();
-        nodes_.push_back({.box = around});
-        for (std::size_t k = 0; k < 3; ++k) {
-            nodes_[place].box.min[k] = down(around.min[k], bits_);
-            nodes_[place].box.max[k] = -down(-around.max[k], bits_);
-        }
-        if (end - begin == 1) return place;
-        std::size_t axis = 0;
-        for (std::size_t k = 1; k < 3; ++k)
-            if (around.max[k] - around.min[k] > around.max[axis] - around.min[axis]) axis = k;
-        const std::size_t middle = std::midpoint(begin, end);
-        const auto at = [&](std::size_t i) { return leaves_.begin() + std::ptrdiff_t(i); };
-        std::nth_element(at(begin), at(middle), at(end),
-                         [axis](const Box& a, const Box& b) { return a.min[axis] < b.min[axis]; });
-        build(begin, middle);
-        const std::size_t right = build(middle, end);
-        nodes_[place].right = right;
-        return place;
-    }
-
-    static bool hit(const Box& box, const Question& ray) {
-        double near = 0;
-        double far = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double a = (box.min[k] - ray.f[k]) / ray.d[k];
-            const double b = (box.max[k] - ray.f[k]) / ray.d[k];
-            near = std::max(near, std::min(a, b));
-            far = std::min(far, std::max(a, b));
-        }
-        return near <= far;
-    }
-
-    int bits_;
-    std::vector<Box> leaves_;
-    std::vector<Node> nodes_;
-};
-
-void measure_boxes() {
-    struct Format {
-        const char* name;
-        int bits;
-    };
-    for (const double moved : {0.0, 10.0, 100.0})
-        for (const auto& [name, bits] : {Format{"double", 53}, Format{"float", 24},
-                                         Format{"half", 11}, Format{"bfloat16", 8}}) {
-            const Hierarchy hierarchy(bits, moved);
-            Random random(4);
-            std::array<double, 2> sums{};
-            for (int i = 0; i < rays; ++i) {
-                const Vec3 way = random.direction();
-                const Vec3 from = random.point(1) - Real(3) * way;
-                const auto [boxes, leaves] = hierarchy.visits(
-                    {{moved + from.x, moved + from.y, moved + from.z}, {way.x, way.y, way.z}});
-                sums[0] += boxes;
-                sums[1] += leaves;
-            }
-            std::printf("boxes at %g,%s,,,,%.1f,%.2f\n", moved, name, sums[0] / rays,
-                        sums[1] / rays);
-        }
-}
-
 }  // namespace
 
 int main() {
     std::puts("what,form,nanoseconds,median,most,boxes,leaves");
     measure_sphere();
     measure_root();
-    measure_boxes();
+    rt::measure_coarse_boxes();
 }
