@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""The pages and sentences in other languages: lang/pages.py LANGUAGE…
+"""The pages and sentences in other languages: lang/pages.py LANGUAGE… or --in-place LANGUAGE
 
 A page P.md is translated by lang/LANGUAGE/P.po, by po4a; what ./course prints by course.po, and a
 stage's cases and known mistakes by steps/STAGE/sentences.po. The command brings these files up to date
 with the English texts, prints what is to be translated, and writes README.LANGUAGE.md, the only
-translated page that is kept. The book (common/course/book) and its tests use the functions.
+translated page that is kept. The book (common/course/book) and its tests use the functions. With --in-place
+it replaces the English pages, as in a hand-out in that language.
 docs/reference/translating.md is for translators.
 """
 
 import gettext
+import html
 import io
 import json
 import re
@@ -56,13 +58,61 @@ def catalogue_of(page, language):
     return lang / language / Path(page).with_suffix(".po")
 
 
-def words(language, name):
-    """The translation of a word in lang/LANGUAGE/NAME.po, as a function."""
+def entries(language, name):
+    """The translations in lang/LANGUAGE/NAME.po by their English texts; what is fuzzy is left out."""
     catalogue = lang / language / f"{name}.po"
     if not catalogue.exists():
-        return str
+        return {}
     made = subprocess.run(["msgfmt", "-o", "-", catalogue], stdout=subprocess.PIPE, check=True).stdout
-    return gettext.GNUTranslations(io.BytesIO(made)).gettext
+    return {english: own for english, own in gettext.GNUTranslations(io.BytesIO(made))._catalog.items() if english}
+
+
+def words(language, name):
+    """The translation of a word in lang/LANGUAGE/NAME.po, as a function."""
+    known = entries(language, name)
+    return lambda english: known.get(english, english)
+
+
+def sentences_of_figures(language):
+    """What stands in figures that run: also what they get from the stages' programs."""
+    return {**entries(language, "course"), **entries(language, "program"), **entries(language, "figures")}
+
+
+def typeset(label):
+    """The text of an SVG file: between two $, "_" lowers the next letter, and a letter is italic."""
+    made, low = "", 0
+    for number, part in enumerate(label.split("$")):
+        for piece in re.findall(r"_.|[^\W\d_]|(?:[^\w_]|\d)+" if number % 2 else r".+", part, re.S):
+            lowered = number % 2 and piece.startswith("_")
+            dy, piece = (4 if lowered else 0) - low, piece[1:] if lowered else piece
+            low += dy
+            italic = ' font-style="italic"' if number % 2 and piece.isalpha() else ""
+            style = italic + (' font-size="75%"' if lowered else "") + (f' dy="{dy}"' if dy else "")
+            made += f"<tspan{style}>{html.escape(piece, quote=False)}</tspan>" if style else html.escape(piece, quote=False)
+    return made
+
+
+def translated_figures(language, texts):
+    """The drawn figures of docs/figures by their names, with translated labels, and the title that the page has."""
+    patterns = []
+    for english, own in sorted(entries(language, "figures").items(), key=lambda each: -len(each[0])):
+        plain = re.escape(re.sub(r"[$_]", "", english)).replace(r"\{", "{").replace(r"\}", "}")
+        patterns.append((re.compile(re.sub(r"{(\w+)}", r"(?P<\1>.+?)", plain)), own))
+
+    def label(found):
+        text = html.unescape(re.sub(r"<[^>]*>", "", found[2]))
+        for english, own in patterns:
+            if values := english.fullmatch(text):
+                return f"{found[1]}{typeset(own.format(**values.groupdict()))}</text>"
+        return found[0]
+
+    titles = {name: title for text in texts.values() for title, name in re.findall(r"!\[([^\]]*)\]\(figures/(\w+)\.svg\)", text)}
+    figures = {}
+    for file in sorted(project.glob("docs/figures/*.svg")):
+        drawn = re.sub(r"(<text[^>]*>)(.*?)</text>", label, file.read_text(encoding="utf-8"), flags=re.S)
+        title = html.escape(titles.get(file.stem, ""), quote=False)
+        figures[file.name] = re.sub(r"<title>.*?</title>", lambda _: f"<title>{title}</title>", drawn) if title else drawn
+    return figures
 
 
 def tight(markdown):
@@ -92,15 +142,46 @@ def headings(markdown):
     return re.findall(r"(?m)^#+ (.*)$", text)
 
 
+def anchor_of(heading):
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
+
+
+def with_english_anchors(english, own, linked):
+    """A page with the anchors of the English one, so far as they are linked, beside its own."""
+    titles = dict(zip(headings(own), headings(english)))
+
+    def anchored(heading):
+        anchor = anchor_of(titles.get(heading[1], heading[1]))
+        needs_it = anchor in linked and anchor != anchor_of(heading[1])
+        return f'<a id="{anchor}"></a>\n\n{heading[0]}' if needs_it else heading[0]
+
+    return re.sub(r"(?m)^#+ (.*)$", anchored, own)
+
+
+def anchors_in(markdown):
+    return set(re.findall(r"\]\([^)#\s]*#([^)\s]+)\)", markdown))
+
+
 def readme(language):
     """The README as GitHub shows it: the English anchors, to which its links lead, lead there too."""
-    english = (project / "README.md").read_text(encoding="utf-8")
     markdown = translated(language)["README.md"]
-    for title, own in zip(headings(english), headings(markdown)):
-        anchor = re.sub(r"[^\w -]", "", title.lower()).replace(" ", "-")
-        if f"(#{anchor})" in markdown:
-            markdown = re.sub(rf"(?m)^(#+ {re.escape(own)})$", rf'<a id="{anchor}"></a>\n\n\1', markdown)
-    return markdown
+    return with_english_anchors((project / "README.md").read_text(encoding="utf-8"), markdown, anchors_in(markdown))
+
+
+def replace_pages(language):
+    """The pages take the place of the English ones, and ./course speaks their language too."""
+    texts = translated(language)
+    texts["README.md"] = re.sub(r"(?m)^\[English\]\(README\.md\).*\n\n", "", texts["README.md"])
+    linked = set().union(*(anchors_in(page.read_text(encoding="utf-8")) for page in project.rglob("*.md")))
+    for page, text in texts.items():
+        english = (project / page).read_text(encoding="utf-8")
+        (project / page).write_text(with_english_anchors(english, text, linked), encoding="utf-8")
+        catalogue_of(page, language).unlink()
+    for name, drawn in translated_figures(language, texts).items():
+        (project / "docs/figures" / name).write_text(drawn, encoding="utf-8")
+    for kept in project.glob("README.*.md"):
+        kept.unlink()
+    (lang / "default.txt").write_text(f"{language}\n", encoding="utf-8")
 
 
 header = '''msgid ""
@@ -136,39 +217,52 @@ def report(catalogue):
             print(f"{catalogue.relative_to(project)}: {count} {kind.rpartition('-')[2]}")
 
 
+rooms = {"course": "common/course", "grading": "common/course/grade", "program": "common/program", "view": "common/course/view",
+         "figures": "docs/figures"}
+
+
 def write_messages(template, name):
-    """What ./course prints (course), or writes about grades (grading): the arguments of tr and to_translate,
-    the descriptions of commands and options, the sentences of its script, and of printed.txt. False if
-    there is no such source."""
-    room = project / ("common/course/grade" if name == "grading" else "common/course")
+    """What ./course prints (course), or writes about grades (grading), with the arguments of tr and to_translate
+    and the descriptions of commands and options; what a stage's program prints, what the page of ./course
+    view has, and what stands in figures. False if there is no such source."""
+    room = project / rooms[name]
     of_student = re.compile(r"\b(tr|to_translate|add_student_commands|add_author_commands)\(")
-    sources = [source for source in sorted(room.glob("**/*.?pp"))
-               if (name == "grading" or "grade" not in source.relative_to(room).parts)
+    sources = [source for source in sorted(room.glob("**/*.?pp")) if name in ["course", "grading"]
+               and (name == "grading" or "grade" not in source.relative_to(room).parts)
                and of_student.search(source.read_text(encoding="utf-8"))]
-    if not sources:  # the book without the program
+    sentences = sentences_elsewhere(room, name)
+    if not sources + sentences:  # the book without the program
         return False
-    keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3"]
-    subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
-                    "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
+    template.write_text(header.format(language=""), encoding="utf-8")
+    if sources:
+        keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3"]
+        subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
+                        "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
     text = template.read_text(encoding="utf-8").replace("charset=CHARSET", "charset=UTF-8")
     text = text.replace("#, c-format\n", "")  # a guess, by a percent sign
-    for sentence in (sentences_of_script() if name == "course" else []) + sentences_elsewhere(room):
+    for sentence in sentences:
         entry = f"\nmsgid {json.dumps(sentence, ensure_ascii=False)}\nmsgstr \"\"\n"
         text += "" if entry in text else entry
     template.write_text(text, encoding="utf-8")
     return True
 
 
-def sentences_of_script():
-    """The arguments of its functions text and fail."""
-    script = project / "course"
-    return re.findall(r'\b(?:text|fail) "([^"$]+)"', script.read_text(encoding="utf-8")) if script.exists() else []
-
-
-def sentences_elsewhere(room):
-    """Those of printed.txt: what others put together, as suites and stages' programs."""
-    lines = (room / "printed.txt").read_text(encoding="utf-8").splitlines()
-    return [line for line in lines if line and not line.startswith("#")]
+def sentences_elsewhere(room, name):
+    """Those of printed.txt, which others put together, as suites and stages' programs; for the script course, the
+    arguments of its functions text and fail; for a page, its words and the arguments of tr."""
+    script, printed = project / "course", room / "printed.txt"
+    found = []
+    if name == "course" and script.exists():
+        found += re.findall(r'\b(?:text|fail) "([^"$]+)"', script.read_text(encoding="utf-8"))
+    if name == "view":
+        for page in [*room.glob("*.html"), *sorted(room.glob("*.js"))]:
+            text = page.read_text(encoding="utf-8")
+            words = r'\btr\("([^"]+)"' if page.suffix == ".js" else r'>([^<>]*[a-z]{2}[^<>]*)(?=<)|(?:aria-label|title)="([^"]+)"'
+            found += [" ".join(word.split()) for groups in re.findall(words, text)
+                      for word in ([groups] if isinstance(groups, str) else groups) if word]
+    if printed.exists():
+        found += [line for line in printed.read_text(encoding="utf-8").splitlines() if line and not line.startswith("#")]
+    return found
 
 
 def sentences_of(stage):
@@ -195,7 +289,7 @@ def update(language):
         for page in pages():
             run_po4a(project / page, "", template)
             merge(catalogue_of(page, language), template, language)
-        for name in ["course", "grading"]:
+        for name in rooms:
             if write_messages(template, name):
                 merge(lang / language / f"{name}.po", template, language)
         for sentences in (lang / language).glob("steps/*/sentences.po"):  # an empty file begins one
@@ -208,7 +302,8 @@ def update(language):
 
 
 if __name__ == "__main__":
-    for each in sys.argv[1:]:
+    in_place = sys.argv[1:2] == ["--in-place"]
+    for each in sys.argv[1 + in_place:]:
         if not re.fullmatch(r"[a-z]{2,3}(_[A-Z]{2})?", each):
             sys.exit(f"error: {each!r} is no language, as fr is: lang/pages.py LANGUAGE…")
-        update(each)
+        replace_pages(each) if in_place else update(each)

@@ -50,6 +50,12 @@ void Commands::add_author_commands() {
     handout_command->add_flag_callback(
         "--without-answers", [this] { words_.selection.answers = false; },
         "without the answers to the pages' questions");
+    handout_command
+        ->add_option_function<std::string>(
+            "--lang",
+            [this](const std::string& language) { select_language(words_.selection, language); },
+            "the language of the pages and of ./course: fr")
+        ->type_name("LANGUAGE");
 }
 
 }  // namespace rt

@@ -252,6 +252,8 @@ try {
     }
     await becomes_true(`document.documentElement.lang === "fr" && location.href.endsWith("fr/${part}")`,
       "the links between the languages lead to another place");
+    await becomes_true(`(document.querySelector("rt-triangle_areas")?.shadowRoot?.querySelector("summary")?.textContent ??
+      "Tous les chiffres") === "Tous les chiffres"`, "a figure in a French page is English");
   }
 } finally {
   chromium.kill();

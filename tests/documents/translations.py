@@ -5,6 +5,7 @@ each of its terms, and none of the words that lang/LANGUAGE/words.txt refuses. I
 that file at most 2 % of the entries are fuzzy or not translated. Prints what is wrong.
 """
 
+import html
 import json
 import re
 import subprocess
@@ -42,7 +43,8 @@ def parts(text):
     formulas = [re.sub(r"\\text\{[^}]*\}", "", " ".join(each.split())) for each in re.findall(formula, text, re.S)]
     plain = re.sub(f"{formula}|{code}|{link}", "", text, flags=re.S)
     return {"formulas": sorted(formulas), "code": sorted(" ".join(each.split()) for each in re.findall(code, text)),
-            "links": sorted(re.findall(link, text)), "numbers": numbers(plain)}
+            "links": sorted(re.findall(link, text)), "numbers": numbers(plain),
+            "places": sorted(set(re.findall(r"\{\w+\}", plain)))}
 
 
 def refused_words(language):
@@ -113,10 +115,24 @@ def check_headings(language):
             errors.append(f"lang/{language}: {page}: other headings than in English")
 
 
+def check_figures(language):
+    """Each label of a drawn figure with a word, which is not a name of the code, is translated."""
+    name = r"cos\S*|tan|pix\w+|\w+_\w+"
+    of_english = [re.sub(r"[$_]", "", english) for english in pages.entries(language, "figures")]
+    known = [re.compile(re.sub(r"\\{\w+\\}", ".+?", re.escape(text))) for text in of_english]
+    for figure in sorted(project.glob("docs/figures/*.svg")):
+        for label in re.findall(r"<text[^>]*>(.*?)</text>", figure.read_text(encoding="utf-8"), re.S):
+            text = html.unescape(re.sub(r"<[^>]*>", "", label))
+            if re.search(rf"\b(?!(?:{name})\b)[a-z]{{3,}}", text) and not any(each.fullmatch(text) for each in known):
+                errors.append(f"lang/{language}/figures.po: nothing for {text!r} of {figure.name}: see docs/figures/printed.txt")
+
+
 def check_all():
     for language in pages.languages():
         check_language(language)
         check_headings(language)
+        if refused_words(language):
+            check_figures(language)
         kept = project / f"README.{language}.md"
         if kept.exists() and kept.read_text(encoding="utf-8") != pages.readme(language):
             errors.append(f"{kept.name} is not what lang/pages.py {language} writes")

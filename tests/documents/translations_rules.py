@@ -25,6 +25,7 @@ wrong = [
     ("links", "[stage 5](step05.md#see-it)", "[étape 5](step05.md#voir)"),
     ("numbers", "0.5 of all", "0,6 de tous"),
     ("numbers", "It has 2 sides.", "Il a des côtés."),
+    ("places", "{file}: {number} files", "{fichier} : {number} fichiers"),
     ("intersecte", "The ray hits the sphere.", "Le rayon coupe la sphère."),
     ("intersecte", "Rays hit it.", "Les rayons ne la touchent pas."),
     ("intersecte", "To hit a plane", "Rencontrer le plan"),

@@ -102,13 +102,22 @@ course 2 handout ../another
 course 2 audit
 cd ..
 
-# Three stages in French, from the status to passed checks.
-cp -r old french
+# A hand-out in French: its pages, and in any terminal three stages, from the status to passed checks.
+"$project/course" handout french --lang fr > out 2>&1 || fail "in French"
+for page in README.md docs/step03_sphere.md docs/debugging.md steps/step01_ray_generation/hints.md; do
+    ! has_english french/$page > out || fail "$page is French"
+done
+grep -q '<text.*pénombre' french/docs/figures/soft_shadow_regions.svg || fail "figures are French"
+! "$project/course" handout german --lang de > out 2>&1 || fail "a language that has no pages"
+says "expected a language of the pages (fr), not \"de\""
 cd french || exit 1
+terminal_language=C.UTF-8
 french_session 1 "$project/steps/step01_ray_generation/reference/ray_generation.cpp" \
     "$project/tests/alternatives/step01_ray_generation/main/one_counter.cpp"
 french_session 2 "$project/steps/step02_camera_basis/reference/camera_basis.cpp"
 french_session 3 "$project/$stage/reference/sphere.cpp" "$project/tests/alternatives/step03_sphere/main/sorted.cpp"
+course 0 --lang en
+says "Commands:"
 cd ..
 
 # An update: a reference, a page of another stage, a new file, a removed file. The manifest is a

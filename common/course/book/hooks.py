@@ -79,6 +79,9 @@ def set_language(config):
         if path.startswith("docs/"):
             (Path(generated_pages.name) / path).parent.mkdir(exist_ok=True)
             (Path(generated_pages.name) / path).write_text(text, encoding="utf-8")
+    for name, drawn in translations.translated_figures(language, texts).items():
+        (Path(generated_pages.name) / "docs/figures").mkdir(exist_ok=True)
+        (Path(generated_pages.name) / "docs/figures" / name).write_text(drawn, encoding="utf-8")
     config["theme"]["language"] = language
     config["plugins"]["search"].config["lang"] = [language]
     config["copyright"] = tr(config["copyright"])
@@ -521,6 +524,9 @@ def on_post_build(config):
     for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
         (site / "figures").mkdir(exist_ok=True)
         shutil.copy(part, site / "figures")
+    for each in languages:
+        (site / f"figures/{each}.json").write_text(
+            json.dumps(translations.sentences_of_figures(each), ensure_ascii=False), encoding="utf-8")
     meshes = [f"meshes/{name}" for name in meshes_in_pages if (project / "scenes/meshes" / name).exists()]
     for scene in [*scenes_in_pages, *(meshes if scenes_in_pages else [])]:
         (site / "figures/scenes" / scene).parent.mkdir(parents=True, exist_ok=True)

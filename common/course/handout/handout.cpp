@@ -260,6 +260,13 @@ void select_translations(const fs::path& folder) {
     }
 }
 
+/// Replaces the English pages.
+void translate_pages(const fs::path& folder, const std::string& language) {
+    const ProcessResult ending = run_captured(
+        {"python3", (folder / "lang/pages.py").string(), "--in-place", language}, time_limit);
+    if (ending.status != 0) throw ProgramError(ending.output);
+}
+
 /// Returns how many files it consists of.
 std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
                  const Selection& selection) {
@@ -281,6 +288,7 @@ std::size_t fill(const fs::path& folder, const std::vector<Machine>& machines,
     add_authors_cases(folder);
     write_text(folder / "steps/fits.cpp", fits(machines));
     add_book(folder);  // of whole pages, which their translations are of
+    if (!selection.language.empty()) translate_pages(folder, selection.language);
     for (const std::string& path : all_files(folder))
         if (path.ends_with(".md"))
             write_text(folder / path,

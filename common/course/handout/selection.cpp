@@ -1,7 +1,10 @@
 #include "common/course/handout/selection.hpp"
 
+#include "common/course/build/project.hpp"
 #include "common/course/exercise/hints.hpp"
+#include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/process.hpp"
 #include "common/system/translation.hpp"
 
 #include <regex>
@@ -52,6 +55,22 @@ void select_stages(Selection& selection, const std::string& stages) {
     }
     throw InputError(
         {}, "handout: --stages: expected two stages in order, such as 1-8, not \"" + stages + "\"");
+}
+
+void select_language(Selection& selection, const std::string& language) {
+    std::string known;
+    for (const auto& folder : std::filesystem::directory_iterator(project_folder / "lang")) {
+        const std::string name = folder.path().filename().string();
+        if (!std::filesystem::exists(folder.path() / "book.po")) continue;
+        known += (known.empty() ? "" : ", ") + name;
+        if (name == language) selection.language = language;
+    }
+    if (selection.language.empty())
+        throw InputError({}, "handout: --lang: expected a language of the pages (" + known +
+                                 "), not \"" + language + "\"");
+    const Command question{"sh", "-c", "command -v po4a && command -v python3"};
+    if (run_captured(question, std::chrono::seconds(10)).status != 0)
+        throw InputError({}, "handout: --lang " + language + " needs po4a: apt-get install po4a");
 }
 
 bool is_selected(const Selection& selection, const std::string& path) {

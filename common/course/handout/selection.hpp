@@ -11,12 +11,16 @@ namespace rt {
 struct Selection {
     int first_stage = 1;
     int last_stage = int(stage_names.size());
-    int hints = 3;        ///< levels of hints: 0 to 3
-    bool answers = true;  ///< to the questions of the pages
+    int hints = 3;         ///< levels of hints: 0 to 3
+    bool answers = true;   ///< to the questions of the pages
+    std::string language;  ///< of the pages and of ./course: "fr"; empty for English pages
 };
 
 /// Reads "1-8" or "3" into the selection. Throws InputError if these are not stages, in order.
 void select_stages(Selection& selection, const std::string& stages);
+
+/// Sets the language. Throws InputError if the project has no pages in it, or without po4a.
+void select_language(Selection& selection, const std::string& language);
 
 /// False for the page, the hints and the starter of a stage that is left out. Its program, scene
 /// and suite stay: they are made of references.

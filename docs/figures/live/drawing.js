@@ -1,6 +1,7 @@
 // The base of all live figures: a sketch to draw on, handles to drag, sliders, and the rows of
 // numbers below. A figure computes nothing that a stage teaches: it calls the stages' functions.
 import { has_mine, open } from "./engine.js";
+import { tr } from "./words.js";
 
 // As docs/figures/source/svg.hpp, each with its twin on a dark page; draw_live.py writes both into an SVG file.
 const pair = (light, dark) => `light-dark(${light}, ${dark})`;
@@ -10,8 +11,6 @@ export const color = {
   amber: pair("#a86500", "#d99a2b"), pale_blue: pair("#d5e5f3", "#1d3a54"), pale_red: pair("#f6dcd6", "#54271e"),
   pale_green: pair("#d9ebdf", "#1f4229"), pale_amber: pair("#f8e3b8", "#54400f"),
 };
-
-const words = { digits: "All digits" };
 
 const style = `
   :host { display: block; margin: 1em 0; }
@@ -97,7 +96,8 @@ export class Sketch {
     if (all.length) this.pixels("path", { d: all.map(([x, y, width, height]) => `M${x} ${y}h${width}v${height}h${-width}z`).join("") }, pen);
   }
   /// A text at a place in pixels.
-  write([x, y], text, fill = color.ink, anchor = "start", style = "") {
+  write([x, y], english, fill = color.ink, anchor = "start", style = "") {
+    const text = tr(english);
     this.shape("text", { x, y, text_anchor: anchor, style: `fill: ${fill}${style}`, class: unset(text).length > 18 ? "long" : "" }, text);
   }
   pixels(name, attributes, { stroke = "none", fill = "none", width = 1.5, dashes = "none" } = {}) {
@@ -163,7 +163,7 @@ export class Figure extends HTMLElement {
   async connectedCallback() {
     this.engine = await open("double");  // without it, the drawn figure stays
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<style>${style}</style><slot></slot><form></form><details><summary>${words.digits}</summary><table></table></details>`;
+    root.innerHTML = `<style>${style}</style><slot></slot><form></form><details><summary>${tr("All digits")}</summary><table></table></details>`;
     [this.form, this.table] = [root.querySelector("form"), root.querySelector("table")];
     this.svg = element("svg", { viewBox: `0 0 640 ${this.constructor.height}`, role: "group", "aria-label": this.querySelector("img")?.alt ?? this.localName });
     [this.back, this.front] = [element("g", {}), element("g", {})];
@@ -183,7 +183,7 @@ export class Figure extends HTMLElement {
   /// A point that is dragged, or moved with the arrow keys by `step` pixels, and with Shift by one.
   /// `keep` returns the nearest allowed point.
   handle(name, place = [0, 0, 0], { fill = color.ink, keep = (point) => point, step: pixels = 6 } = {}) {
-    const knob = element("circle", { class: "handle", r: 8, fill, tabindex: 0, role: "slider", "aria-label": name });
+    const knob = element("circle", { class: "handle", r: 8, fill, tabindex: 0, role: "slider", "aria-label": tr(name) });
     const handle = { name, place, knob, get value() { return this.place; }, set value(point) { this.place = point; } };
     const within = (x, most) => Math.min(Math.max(x, 10), most - 10);
     const move = (x, y) => {
@@ -230,7 +230,7 @@ export class Figure extends HTMLElement {
   cases(all, start = Object.keys(all)[0], together = false) {
     this.all = all;
     const buttons = Object.entries({ ...(together && { all: all[start] }), ...all }).map(([name, values]) => {
-      const button = Object.assign(document.createElement("button"), { type: "button", title: unset(name), textContent: unset(name.split(": ")[0]) });
+      const button = Object.assign(document.createElement("button"), { type: "button", title: unset(tr(name)), textContent: unset(tr(name.split(": ")[0])) });
       button.choose = () => {
         for (const [part, value] of Object.entries(values)) this[part].value = value;
         this.#moved(button, name);
@@ -252,18 +252,18 @@ export class Figure extends HTMLElement {
     const input = Object.assign(document.createElement("input"), { type: "checkbox", checked });
     input.addEventListener("input", () => this.redraw());
     const label = document.createElement("label");
-    label.append(input, name);
+    label.append(input, tr(name));
     this.form.append(label);
     return { get value() { return input.checked; } };
   }
 
   choice(name, values) {
     const set = document.createElement("fieldset");
-    set.setAttribute("aria-label", name);
+    set.setAttribute("aria-label", tr(name));
     for (const value of values) {
       const input = Object.assign(document.createElement("input"), { type: "radio", name, value, checked: value === values[0] });
       const label = document.createElement("label");
-      label.append(input, value);
+      label.append(input, tr(value));
       set.append(label);
     }
     set.addEventListener("input", () => this.redraw());
@@ -273,7 +273,7 @@ export class Figure extends HTMLElement {
 
   #labeled(name, ...parts) {
     const label = document.createElement("label");
-    label.append(name, ...parts);
+    label.append(tr(name), ...parts);
     this.form.append(label);
   }
 
@@ -332,7 +332,7 @@ export class Figure extends HTMLElement {
   #tell(rows) {
     const line = (cells, kind = "") => {
       const tr = Object.assign(document.createElement("tr"), { className: kind });
-      tr.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: text, ...(cells.length === 1 && { colSpan: 2 }) })));
+      tr.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: tr(text), ...(cells.length === 1 && { colSpan: 2 }) })));
       return tr;
     };
     if (this.differences.size) this.table.parentElement.open = true;

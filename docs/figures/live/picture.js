@@ -1,6 +1,7 @@
 // The picture of a page, drawn from its scene, which can be edited; the camera turns with the mouse.
 // <rt-picture stage="3" scene="step03_sphere.rt"> has the picture of the page inside until then.
 import { color } from "./drawing.js";
+import { tr } from "./words.js";
 
 const degrees_a_pixel = 0.2;
 const turns = [["turn right", 180], ["tilt up", 90], ["around the middle", 180]];
@@ -22,12 +23,12 @@ const style = `
   @media print { slot[hidden] { display: contents !important; } .drawn, button { display: none; } }`;
 
 const page = `
-  <slot></slot><button type="button">Draw it here: edit the scene, turn the camera</button>
+  <slot></slot><button type="button">${tr("Draw it here: edit the scene, turn the camera")}</button>
   <div class="drawn" hidden>
     <canvas tabindex="0" role="img"></canvas>
     <output></output>
-    <form><button type="button" hidden>Show the line</button><button type="reset">The first scene again</button></form>
-    <textarea aria-label="the scene, in the format .rt" spellcheck="false" autocapitalize="off"></textarea>
+    <form><button type="button" hidden>${tr("Show the line")}</button><button type="reset">${tr("The first scene again")}</button></form>
+    <textarea aria-label="${tr("the scene, in the format .rt")}" spellcheck="false" autocapitalize="off"></textarea>
   </div>`;
 
 let module = null;  // compiled once for all pictures
@@ -76,7 +77,7 @@ class Picture extends HTMLElement {
   #slider(name, most) {
     const input = Object.assign(document.createElement("input"), { type: "range", min: -most, max: most, step: 0.2, value: 0, defaultValue: 0 });
     const label = document.createElement("label");
-    label.append(name, input);
+    label.append(tr(name), input);
     this.form.prepend(...this.form.querySelectorAll("label:has([type=range])"), label);
     return input;
   }
@@ -132,12 +133,12 @@ class Picture extends HTMLElement {
     this.status.className = error ? "wrong" : "";
     this.wrong = Number(/^scene\.rt:(\d+):/.exec(error)?.[1] ?? 0);
     this.line.hidden = this.wrong === 0;
-    if (error) this.status.textContent = error;
+    if (error) this.status.textContent = tr(error);
     else {
       const { width } = this, image = new ImageData(pixels, width);
       Object.assign(this.canvas, { width, height: image.height });
       this.canvas.getContext("2d").putImageData(image, 0, 0);
-      this.status.textContent = `${width} × ${image.height} pixels, ${(milliseconds / 1000).toFixed(2)} s\n${warnings}`;
+      this.status.textContent = [`${width} × ${image.height} pixels, ${(milliseconds / 1000).toFixed(2)} s`, ...warnings.split("\n")].map((line) => tr(line)).join("\n");
       if (this.asked.scene === this.scene && this.editor.value !== scene) this.editor.value = scene;
     }
     const next = Picture.widths[Picture.widths.indexOf(this.width) + 1];
