@@ -50,10 +50,11 @@ until_true() {
     done
 }
 
-# in_french STATUS WORDS…: runs ./course in a French terminal. No line has a word of an English sentence.
+# in_french STATUS WORDS…: runs ./course in a French terminal, or in a French hand-out in any. No line has a word
+# of an English sentence.
 in_french() {
     for variable in RAYSTEPS_LANG LC_ALL LC_MESSAGES; do unset $variable; done
-    LANG=fr_FR.UTF-8
+    LANG=${terminal_language-fr_FR.UTF-8}
     export LANG
     course "$@"
     RAYSTEPS_LANG=en
@@ -80,4 +81,10 @@ french_session() {
     [ $# = 2 ] || cp "$3" "$files/main.cpp"
     in_french 0 check "$1"
     says "en float et en double"
+    in_french 0 run "$1"
+    says " rayons"
+    printf 'C 0,0,0 0,0,0 400\nsp 0,0 2\n' > "$folder/wrong.rt"
+    in_french 2 run "$1" "$folder/wrong.rt"
+    says "direction d'une caméra"
+    says "position d'une sphère : il faut trois nombres"
 }

@@ -8,6 +8,7 @@
 #include "common/system/lower_case.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/wording.hpp"
 
@@ -134,8 +135,9 @@ void explain_risks(const rt::Options& options) {
 
 void warn_of_risks(const rt::Options& options) {
     for (const std::string& risk : read_risks(options))
-        std::cerr << to_string(rt::FileLocation{options.scene}) << "warning: " << risk
-                  << "; try --precision double\n";
+        std::cerr << rt::tr_text(to_string(rt::FileLocation{options.scene}) + "warning: " + risk +
+                                 "; try --precision double")
+                  << '\n';
 }
 
 int run_program(int argc, char** argv) {
@@ -154,20 +156,27 @@ int run_program(int argc, char** argv) {
     return done ? 0 : signalled + stopped_by;
 }
 
+/// ./course names the catalogue of the reader's language.
+void read_sentences() {
+    if (const char* catalogue = std::getenv(rt::sentences_variable))
+        rt::read_translations(catalogue);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     catch_signals();
     try {
+        read_sentences();
         const int status = run_program(argc, argv);
         rt::finish_output();
         return status;
     } catch (const rt::InputError& error) {
-        std::cerr << error.what() << '\n';
+        std::cerr << rt::tr_text(error.what()) << '\n';
     } catch (const std::bad_alloc&) {
-        std::cerr << "error: not enough memory for this\n";
+        std::cerr << rt::tr_text("error: not enough memory for this") << '\n';
     } catch (const std::exception& error) {  // system resources are exhausted
-        std::cerr << "error: " << error.what() << '\n';
+        std::cerr << rt::tr_text(std::string("error: ") + error.what()) << '\n';
     }
     return bad_input;
 }

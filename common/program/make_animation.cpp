@@ -7,7 +7,9 @@
 #include "common/render/render.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 
@@ -39,10 +41,13 @@ bool make_animation(const Program& program, const Options& options, const Scene&
     animation.write(options.output, milliseconds / frames,
                     picture_texts(program, options, scene.resolution), options.settings.gamma);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    if (!options.quiet)
-        std::printf("%s: %d frames of %s pixels, %s, %.2f s\n", one_line(options.output).c_str(),
-                    frames, size_text(scene.resolution).c_str(), name(options.precision),
-                    seconds.count());
+    if (options.quiet) return true;
+    std::array<char, 32> time{};
+    std::snprintf(time.data(), time.size(), "%.2f s", seconds.count());
+    std::puts(tr_text(one_line(options.output) + ": " + std::to_string(frames) + " frames of " +
+                      size_text(scene.resolution) + " pixels, " + name(options.precision) + ", " +
+                      time.data())
+                  .c_str());
     return true;
 }
 

@@ -9,8 +9,10 @@
 #include "common/stages/stages.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 #include "common/tuning/wording.hpp"
 
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -22,22 +24,25 @@ namespace {
 
 void report(const Rendering& rendering, const Options& options, const TimeBudget* pace,
             double seconds) {
-    std::printf("%s: %s pixels, %s, %.2f s, %lld rays", one_line(options.output).c_str(),
-                size_text(rendering.image.resolution).c_str(), name(options.precision), seconds,
-                static_cast<long long>(rendering.rays));
+    std::array<char, 32> time{};
+    std::snprintf(time.data(), time.size(), "%.2f s", seconds);
+    std::string line = one_line(options.output) + ": " + size_text(rendering.image.resolution) +
+                       " pixels, " + name(options.precision) + ", " + time.data() + ", " +
+                       std::to_string(rendering.rays) + " rays";
     if (rendering.sized_light_rays > 0)
-        std::printf(", %lld of them to lights with a size",
-                    static_cast<long long>(rendering.sized_light_rays));
+        line +=
+            ", " + std::to_string(rendering.sized_light_rays) + " of them to lights with a size";
     if (pace != nullptr && pace->error() < 255)
-        std::printf("; 99 of 100 pixels within %s of 255, according to the trials",
-                    number(pace->error()).c_str());
-    std::printf("\n");
+        line += "; 99 of 100 pixels within " + number(pace->error()) +
+                " of 255, according to the trials";
+    std::puts(tr_text(line).c_str());
     if (rendering.not_a_number == 0) return;
     const Pixel first = rendering.first_not_a_number;
-    const bool one = rendering.not_a_number == 1;
-    std::printf("%lld %s not a number, and shown in magenta: see --pixel %d,%d\n",
-                static_cast<long long>(rendering.not_a_number), one ? "pixel is" : "pixels are",
-                first.row, first.column);
+    line = std::to_string(rendering.not_a_number) +
+           (rendering.not_a_number == 1 ? " pixel is" : " pixels are") +
+           " not a number, and shown in magenta: see --pixel " + std::to_string(first.row) + "," +
+           std::to_string(first.column);
+    std::puts(tr_text(line).c_str());
 }
 
 /// Renders the picture, or that of the numbers of --shade, whose legend is added.
@@ -59,7 +64,7 @@ void warn_if_blank(const Scene& scene, const Program& program, const Options& op
     if (program.stage < shapes_stage) return;
     const std::string reason = why_blank(scene, options.settings, program.stage, image);
     if (!reason.empty())
-        std::cerr << to_string(FileLocation{options.scene}) << "warning: " << reason << '\n';
+        std::cerr << tr_text(to_string(FileLocation{options.scene}) + "warning: " + reason) << '\n';
 }
 
 }  // namespace
@@ -90,7 +95,7 @@ bool make_picture(const Program& program, const Options& options, const Scene& s
     if (!options.quiet && legend.empty()) warn_if_blank(scene, program, options, rendering->image);
     if (options.quiet) return true;
     report(*rendering, options, pace, seconds);
-    for (const std::string& line : legend) std::printf("  %s\n", line.c_str());
+    for (const std::string& line : legend) std::printf("  %s\n", tr_text(line).c_str());
     return true;
 }
 

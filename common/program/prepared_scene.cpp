@@ -3,6 +3,7 @@
 #include "common/program/load_meshes.hpp"
 #include "common/program/requirements.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/translation.hpp"
 #include "common/tuning/input_rounding.hpp"
 
 #include "steps/step02_camera_basis/camera_basis.hpp"
@@ -58,7 +59,7 @@ void warn_of_rounding([[maybe_unused]] const Scene& scene, [[maybe_unused]] cons
 Scene RT_PRECISION::prepared_scene(const Program& program, const Options& options) {
     SceneReading reading = options.reading;
     if (!options.quiet)
-        reading.warn = [](const std::string& warning) { std::cerr << warning << '\n'; };
+        reading.warn = [](const std::string& warning) { std::cerr << tr_text(warning) << '\n'; };
     Scene scene = load_scene(options.scene, orthonormal_basis, reading);
     choose_camera(scene, options);
     if (options.size) scene.resolution = *options.size;

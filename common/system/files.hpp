@@ -1,6 +1,8 @@
 // Files that are written whole or not at all.
 #pragma once
 
+#include "common/system/lines.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,9 +22,6 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 /// The files of a folder with this extension, sorted by name; empty if there is no such folder.
 [[nodiscard]] std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
                                                           const std::string& ending);
-
-/// The lines of a text, without their line ends.
-[[nodiscard]] std::vector<std::string> lines_of(const std::string& text);
 
 /// The system's folder for temporary files. Throws InputError if TMPDIR names no folder.
 [[nodiscard]] std::filesystem::path temporary_place();

@@ -1,10 +1,12 @@
 #include "common/system/translation.hpp"
 
-#include "common/system/files.hpp"
+#include "common/system/lines.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -157,16 +159,23 @@ std::string catalogue_text(const std::string& entry, const std::string& keyword)
     return text;
 }
 
-void read_translations(const std::filesystem::path& catalogue) {
-    std::error_code none;
-    if (!std::filesystem::is_regular_file(catalogue, none)) return;
-    for (const std::string& entry : catalogue_entries(read_text(catalogue))) {
+std::vector<std::pair<std::string, std::string>> translations_in(
+    const std::filesystem::path& catalogue) {
+    std::vector<std::pair<std::string, std::string>> found;
+    std::ifstream in(catalogue, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    for (const std::string& entry : catalogue_entries(text)) {
         const std::string flags = entry.substr(0, entry.find("msgid"));
         const std::string english = catalogue_text(entry, "msgid");
         const std::string own = catalogue_text(entry, "msgstr");
         if (flags.find(", fuzzy") == std::string::npos && !english.empty() && !own.empty())
-            add_translation(english, own);
+            found.emplace_back(english, own);
     }
+    return found;
+}
+
+void read_translations(const std::filesystem::path& catalogue) {
+    for (const auto& [english, own] : translations_in(catalogue)) add_translation(english, own);
 }
 
 std::string tr(const std::string& english) {
@@ -195,7 +204,7 @@ std::string tr(const std::string& english, const Values& values) {
 }
 
 std::string tr_text(const std::string& text) {
-    constexpr int most_inside = 3;  // values in values: the text may be a stranger's
+    constexpr int most_inside = 4;  // values in values: the text may be a stranger's
     return translated(text, most_inside);
 }
 

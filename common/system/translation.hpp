@@ -14,7 +14,15 @@ namespace rt {
 /// empty: "fr" of "fr_FR.UTF-8". Empty if none is.
 [[nodiscard]] std::string language_of_environment();
 
-/// Reads a catalogue of gettext's form, if there is one. What is fuzzy or empty is left out.
+/// The English texts and their translations in a catalogue of gettext's form, if there is one. What
+/// is fuzzy or empty is left out.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> translations_in(
+    const std::filesystem::path& catalogue);
+
+/// The variable with which ./course names a catalogue to a stage's program.
+inline constexpr const char* sentences_variable = "RAYSTEPS_SENTENCES";
+
+/// Reads them for tr and tr_text.
 void read_translations(const std::filesystem::path& catalogue);
 
 /// The entries of a catalogue: the paragraphs of the file.

@@ -4,11 +4,13 @@
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
+#include "common/stages/not_written.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <thread>
 
 namespace rt {
@@ -41,6 +43,14 @@ bool wants_exact(const Command& words) {
            (words.end() - name >= 2 && name[1] == "exact");
 }
 
+/// A stage's program prints errors, warnings and what it has drawn in the reader's language.
+void name_sentences() {
+    const auto catalogue = project_folder / "lang" / project_language() / "program.po";
+    if (project_language().empty()) return;
+    setenv(sentences_variable, catalogue.c_str(), 1);
+    setenv("RAYSTEPS_NOT_WRITTEN", tr(not_written).c_str(), 1);
+}
+
 /// Runs a program of the build.
 int run_built(const std::string& program, const Command& words) {
     Command command = {(build_folder / program).string()};
@@ -62,6 +72,7 @@ int run_stage(int stage, const Command& words, const std::string& references) {
         build_all_mine(stage);
         warn_of_earlier(stage, references);
     }
+    name_sentences();
     return run_built(name, words);
 }
 
