@@ -46,9 +46,11 @@ bool is_pixel(const std::string& word) {
 /// Both pictures of a stage in a browser.
 int view_stage(int stage) {
     choose_reference("");
+    read_project_translations("program");
     return view({.project = project_folder,
                  .build = build_folder,
                  .stage = stage,
+                 .language = project_language(),
                  .rebuild = [](int shown) {
                      const Build built = try_build(
                          {stage_target(shown), stage_target(shown, "_reference_program")});

@@ -296,11 +296,11 @@ shows "what is not written" "$explanation.includes('plane.cpp:7: intersect is no
 
 # Whose files draw the picture.
 parts="document.getElementById('parts').textContent"
-shows "the stages of mine" "$parts.includes('your stage 5 and the references of stages 1, 2, 3, 4')"
+shows "the stages of mine" "$parts.includes('stages of yours: 5, and with the references of: 1, 2, 3, 4')"
 mkdir -p project/steps/step03_sphere/student
 touch project/steps/step03_sphere/student/sphere.cpp
 program step05_triangle "--shade normal"
-shows "two of mine" "$parts.includes('your stages 3, 5 and') && $parts.includes('all but stage 5')"
+shows "two of mine" "$parts.includes('stages of yours: 3, 5, and') && $parts.includes('all but stage 5')"
 rm -r project/steps/step03_sphere
 shows "a program that is replaced is drawn anew" "/pixels differ/.test($caption)"
 

@@ -8,6 +8,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/paint.hpp"
 #include "common/system/process.hpp"
+#include "common/system/translation.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -34,17 +35,21 @@ void run(const Command& program, const fs::path& picture, std::chrono::seconds l
     command.insert(command.end(), program.begin(), program.end());
     const ProcessResult ending = run_captured(command, limit);
     if (ending.out_of_time)
-        throw InputError({}, "the program did not end within " + std::to_string(limit.count()) +
-                                 " s; --seconds sets another limit");
-    if (!ending.crash.empty()) throw InputError({}, "the program crashed: " + ending.crash);
+        throw InputError({}, tr("the program did not end within {seconds} s; --seconds sets "
+                                "another limit",
+                                {{"seconds", std::to_string(limit.count())}}));
+    if (!ending.crash.empty())
+        throw InputError({},
+                         tr("the program crashed: {signal}", {{"signal", tr_text(ending.crash)}}));
     const std::vector<std::string> printed = lines_of(ending.output);
     if (ending.status != 0)
-        throw InputError({}, "the program ended with status " + std::to_string(ending.status) +
+        throw InputError({}, tr("the program ended with status {status}",
+                                {{"status", std::to_string(ending.status)}}) +
                                  (printed.empty() ? "" : ": " + printed.front()));
     if (!fs::is_regular_file(picture))
         throw InputError({},
-                         "the program ended without a picture: it must write to the file that "
-                         "its second argument names");
+                         tr("the program ended without a picture: it must write to the file that "
+                            "its second argument names"));
 }
 
 bool is_png(const fs::path& file) {
@@ -56,7 +61,7 @@ Image read_picture(const fs::path& file, Resolution expected) {
     if (!is_png(file)) return read_ppm(file.string(), expected);
     Image image = read_png(file.string());
     if (image.resolution.width != expected.width || image.resolution.height != expected.height)
-        throw InputError({file.filename().string()}, "has the size of another scene");
+        throw InputError({file.filename().string()}, tr("has the size of another scene"));
     return image;
 }
 
@@ -75,17 +80,19 @@ Judgment judge(const OwnCheck& check, const std::string& scene, const Image& ref
         run({check.program.string(), input, picture.string()}, picture, check.limit);
         mine = read_picture(picture, reference.resolution);
     } catch (const InputError& error) {
-        return {.agrees = false, .sentence = error.what()};
+        return {.agrees = false, .sentence = tr_text(error.what())};
     }
     const Comparison comparison = compare(mine, reference, tolerated);
     const std::string shown = "renders/own_" + scene + ".png";
     write_png((check.project / shown).string(), comparison.side_by_side, {});
-    const std::string pixels = std::to_string(reference.pixels.size());
     return {.agrees = comparison.different <= int(reference.pixels.size()) / pixels_for_one,
-            .sentence = std::to_string(comparison.different) + " of " + pixels +
-                        " pixels differ by more than " + std::to_string(tolerated) +
-                        " levels; the largest difference is " + std::to_string(comparison.most) +
-                        ": " + shown};
+            .sentence = tr("{number} of {all} pixels differ by more than {tolerated} levels; the "
+                           "largest difference is {most}: {file}",
+                           {{"number", std::to_string(comparison.different)},
+                            {"all", std::to_string(reference.pixels.size())},
+                            {"tolerated", std::to_string(tolerated)},
+                            {"most", std::to_string(comparison.most)},
+                            {"file", shown}})};
 }
 
 Image reference_picture(const OwnCheck& check, const std::string& scene) {
@@ -102,11 +109,11 @@ Image reference_picture(const OwnCheck& check, const std::string& scene) {
 }  // namespace
 
 fs::path own_program(const fs::path& folder) {
-    if (folder.empty()) throw InputError({}, "own: expected a name, not \"\"");
+    if (folder.empty()) throw InputError({}, tr("own: expected a name, not \"\""));
     const fs::path program = folder / "build/tracer";
     if (fs::is_regular_file(program)) return fs::absolute(program);
-    throw InputError({program.string()},
-                     "no such program: build it with " + own_build_command(folder));
+    throw InputError({program.string()}, tr("no such program: build it with {command}",
+                                            {{"command", own_build_command(folder)}}));
 }
 
 int check_own(const OwnCheck& check) {
@@ -117,7 +124,7 @@ int check_own(const OwnCheck& check) {
         std::puts(styled(line, judgment.agrees ? Style::good : Style::bad).c_str());
         all_agree = all_agree && judgment.agrees;
     }
-    if (all_agree) std::puts("Your ray tracer draws what the reference draws.");
+    if (all_agree) std::puts(tr("Your ray tracer draws what the reference draws.").c_str());
     return all_agree ? 0 : 1;
 }
 

@@ -5,6 +5,7 @@
 #include "common/system/escaping.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -76,6 +77,10 @@ std::optional<fs::path> included_file(const fs::path& project, const fs::path& f
     return std::nullopt;
 }
 
+void warn(const std::string& place, const std::string& what) {
+    std::fputs((place + tr("warning: {what}", {{"what", what}}) + "\n").c_str(), stderr);
+}
+
 /// The contents of the new folder, without those that are the same for everybody.
 class Layout {
 public:
@@ -117,16 +122,14 @@ private:
             if (!path || path->parent_path() == file.parent_path()) continue;
             const std::string place = to_string({.file = file.string(), .line = include.line});
             if (allowed.count(*path) == 0)
-                std::fprintf(stderr,
-                             "%swarning: %s is not a header of this stage: it is copied, with all "
-                             "that it includes, but without the code behind it\n",
-                             place.c_str(), path->c_str());
+                warn(place, tr("{file} is not a header of this stage: it is copied, with all that "
+                               "it includes, but without the code behind it",
+                               {{"file", path->string()}}));
             for (const int other : left_out_)
                 if (*path == stage_header(other))
-                    std::fprintf(stderr,
-                                 "%swarning: %s is not started: if its functions are called here, "
-                                 "the linker will not find them\n",
-                                 place.c_str(), name_of(other).c_str());
+                    warn(place, tr("{stage} is not started: if its functions are called here, the "
+                                   "linker will not find them",
+                                   {{"stage", name_of(other)}}));
         }
     }
 
@@ -139,7 +142,7 @@ private:
 void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
     if (!is_free_for_folder(target))
         throw InputError({destination.string()},
-                         "exists already: expected a new name, or an empty folder");
+                         tr("exists already: expected a new name, or an empty folder"));
 }
 
 void write(const Layout& layout, const fs::path& project, const fs::path& folder) {
@@ -152,13 +155,13 @@ void write(const Layout& layout, const fs::path& project, const fs::path& folder
 }  // namespace
 
 int lay_out_own(const fs::path& project, const fs::path& destination) {
-    if (destination.empty()) throw InputError({}, "own: expected a name, not \"\"");
+    if (destination.empty()) throw InputError({}, tr("own: expected a name, not \"\""));
     const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
     refuse_what_is_there(destination, target);
     const Layout layout(project);
     if (layout.stages().empty())
-        throw InputError({},
-                         "no stage is started, so there is nothing to build on: ./course start 1");
+        throw InputError({}, tr("no stage is started, so there is nothing to build on: ./course "
+                                "start 1"));
 
     // Beside it until it is whole.
     fs::create_directories(target.parent_path());
@@ -168,14 +171,19 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(folder, target);
 
-    const std::size_t stages = layout.stages().size();
-    std::printf("%s: your files of %zu %s, and the headers that they include\n",
-                destination.c_str(), stages, stages == 1 ? "stage" : "stages");
+    const Values values = {{"folder", destination.string()},
+                           {"number", std::to_string(layout.stages().size())}};
+    std::puts(
+        tr("{folder}: your files of {number} stages, and the headers that they include", values)
+            .c_str());
     std::string left_out;
     for (const int stage : layout.left_out())
         left_out += (left_out.empty() ? "" : ", ") + name_of(stage);
-    if (!left_out.empty()) std::printf("left out, as not started: %s\n", left_out.c_str());
-    std::printf("build: %s\nread:  docs/your_own.md\n", own_build_command(destination).c_str());
+    if (!left_out.empty())
+        std::puts(tr("left out, as not started: {stages}", {{"stages", left_out}}).c_str());
+    std::printf("%s\n%s\n",
+                tr("build: {command}", {{"command", own_build_command(destination)}}).c_str(),
+                tr("read:  docs/your_own.md").c_str());
     return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <cctype>
 #include <filesystem>
@@ -23,16 +24,18 @@ public:
 
     [[nodiscard]] Image read() {
         const std::string kind = text_.substr(0, 2);
-        if (kind != "P6" && kind != "P3") fail("is not a PPM: it does not start with P6 or P3");
+        if (kind != "P6" && kind != "P3") fail(tr("is not a PPM: it does not start with P6 or P3"));
         at_ = 2;
-        const int width = header("width");
-        const int height = header("height");
+        const int width = header(to_translate("has no width after {kind}"));
+        const int height = header(to_translate("has no height after {kind}"));
         if (width != expected_.width || height != expected_.height)
-            fail("has the size " + std::to_string(width) + " x " + std::to_string(height) +
-                 ", not the scene's, " + std::to_string(expected_.width) + " x " +
-                 std::to_string(expected_.height));
-        if (const int most = header("largest level"); most != brightest)
-            fail("has the largest level " + std::to_string(most) + ", not 255");
+            fail(tr("has the size {size}, not the scene's, {expected}",
+                    {{"size", std::to_string(width) + " x " + std::to_string(height)},
+                     {"expected", std::to_string(expected_.width) + " x " +
+                                      std::to_string(expected_.height)}}));
+        const int most = header(to_translate("has no largest level after {kind}"));
+        if (most != brightest)
+            fail(tr("has the largest level {level}, not 255", {{"level", std::to_string(most)}}));
         ++at_;  // exactly one blank before the colors
         Image image(expected_);
         kind == "P6" ? read_bytes(image) : read_numbers(image);
@@ -53,9 +56,9 @@ private:
         return std::stoi(text_.substr(start, at_ - start));
     }
 
-    int header(const std::string& what) {
+    int header(const std::string& missing) {
         const std::optional<int> value = number();
-        if (!value) fail("has no " + what + " after " + text_.substr(0, 2));
+        if (!value) fail(tr(missing, {{"kind", text_.substr(0, 2)}}));
         return *value;
     }
 
@@ -63,8 +66,8 @@ private:
         const std::size_t wanted = channels * image.pixels.size();
         const std::size_t there = text_.size() - std::min(at_, text_.size());
         if (there != wanted)
-            fail("has " + std::to_string(there) + " bytes of colors, not " +
-                 std::to_string(wanted) + ", three for each pixel");
+            fail(tr("has {number} bytes of colors, not {all}, three for each pixel",
+                    {{"number", std::to_string(there)}, {"all", std::to_string(wanted)}}));
         for (Rgb& pixel : image.pixels)
             for (std::uint8_t& level : pixel) level = byte(at_++);
     }
@@ -74,8 +77,8 @@ private:
             for (std::uint8_t& level : pixel) {
                 const std::optional<int> value = number();
                 if (!value || *value > brightest)
-                    fail("has no " + std::to_string(channels * image.pixels.size()) +
-                         " numbers from 0 to 255, three for each pixel");
+                    fail(tr("has no {number} numbers from 0 to 255, three for each pixel",
+                            {{"number", std::to_string(channels * image.pixels.size())}}));
                 level = static_cast<std::uint8_t>(*value);
             }
     }

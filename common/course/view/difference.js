@@ -32,8 +32,8 @@ function compare() {
   const scale = size.width / mine.width;
   $("worst").onclick = () => choose(Math.floor(Math.floor(where / mine.width) * scale),
                                     Math.floor(where % mine.width * scale));
-  caption.textContent = count === 0 ? "The same picture as the reference’s."
-    : `${count} of ${mine.width * mine.height} pixels differ, by ${most} of 255 at most.`;
+  caption.textContent = count === 0 ? tr("The same picture as the reference’s.")
+    : tr("{count} of {all} pixels differ, by {most} of 255 at most.", {count, all: mine.width * mine.height, most});
   swipe();
 }
 
@@ -47,8 +47,8 @@ function swipe() {
   const context = canvas.getContext("2d");
   context.putImageData(reference, 0, 0);
   if (column > 0) context.putImageData(mine, 0, 0, 0, 0, column, mine.height);
-  $("whose").textContent = column === 0 ? "Reference" : column === mine.width ? "Mine"
-    : "Mine | Reference";
+  $("whose").textContent = column === 0 ? tr("Reference") : column === mine.width ? tr("Mine")
+    : tr("Mine | Reference");
 }
 
 function flip() {

@@ -2,6 +2,7 @@
 
 #include "common/system/descriptors.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -68,8 +69,8 @@ void Host::serve(const std::string& first_page, const Server::Answer& answer,
         rest.path.erase(0, start.size());
         return answer(rest);
     });
-    std::printf("http://127.0.0.1:%d%s%s\nOnly this machine can open the page. Ctrl-C ends it.\n",
-                server_.port(), start.c_str(), first_page.c_str());
+    std::printf("http://127.0.0.1:%d%s%s\n%s\n", server_.port(), start.c_str(), first_page.c_str(),
+                tr("Only this machine can open the page. Ctrl-C ends it.").c_str());
     std::fflush(stdout);
     wait_for_signal(heard_);
     stop();

@@ -4,7 +4,7 @@ const both = ["mine", "reference"];
 const page = Math.floor(Math.random() * 1e9);
 const sliders = {  // name, range on either side of 0 or of the scene's value, step
   x: ["x", 10, 0.05], y: ["y", 10, 0.05], z: ["z", 10, 0.05],
-  yaw: ["turn right", 180, 1], pitch: ["tilt up", 90, 1], fov: ["field of view", 0, 1]};
+  yaw: [tr("turn right"), 180, 1], pitch: [tr("tilt up"), 90, 1], fov: [tr("field of view"), 0, 1]};
 
 let stage = 0;
 let size = {width: 640, height: 480};
@@ -93,14 +93,14 @@ function showError(whose, text) {
 
 async function draw(shrink = 1) {
   const mine = ++order;
-  if (shrink === 1) { say("drawing…"); if (pixel) tell(); }
+  if (shrink === 1) { say(tr("drawing…")); if (pixel) tell(); }
   $("legend").hidden = true;
   const reference = fetchPicture("reference", shrink, mine);
   // Both pictures have one scale of colors, that of the reference's.
   const range = +$("shade").value > 1 ? await reference : null;
   await Promise.all([reference, broken ? showError("mine", broken)
                                        : fetchPicture("mine", shrink, mine, range ?? {})]);
-  if (mine === order && shrink === 1) say(broken ? "it does not build" : "");
+  if (mine === order && shrink === 1) say(broken ? tr("it does not build") : "");
 }
 
 /// Small pictures, one after the other, while a slider is dragged.
@@ -116,7 +116,7 @@ async function draft() {
 
 function makeSliders() {
   $("camera").replaceChildren();
-  if (!camera) { $("camera").textContent = "The scene has no camera."; return; }
+  if (!camera) { $("camera").textContent = tr("The scene has no camera."); return; }
   for (const [name, [label, reach, step]] of Object.entries(sliders)) {
     if (stage === 1 && name !== "fov") continue;  // its camera cannot turn yet
     const row = document.createElement("label");
@@ -178,9 +178,10 @@ async function tell() {
     return line;
   }));
   $("explanation").className = first ? "differ" : "";
-  $("explanation").textContent = first ? `The first difference: ${first}.` : "Nothing differs.";
+  $("explanation").textContent = first ? tr("The first difference: {first}.", {first})
+    : tr("Nothing differs.");
   for (const message of unwritten) $("explanation").textContent += `\n${message}`;
-  if (broken) $("explanation").textContent += "\nYours is from the last program that was built.";
+  if (broken) $("explanation").textContent += "\n" + tr("Yours is from the last program that was built.");
   let heading = Math.max(firstRow, 0);  // of the first section that differs
   while (heading > 0 && (rows[heading][0] ?? rows[heading][1]).startsWith(" ")) --heading;
   const line = $("story").children[heading];
@@ -194,13 +195,12 @@ function parts(started) {
   const used = started.filter((other) => other <= Math.max(stage, 2));  // scenes need stage 2
   const all = Array.from({length: stage}, (_, index) => index + 1);
   const others = all.filter((other) => !used.includes(other));
-  const name = (list) => (list.length > 1 ? "stages " : "stage ") + list.join(", ");
-  if (used.length === 0) return "Mine is drawn with the references of all stages.";
-  return `Mine is drawn with your ${name(used)}` +
-    (others.length ? ` and the reference${others.length > 1 ? "s" : ""} of ${name(others)}` : "") +
+  if (used.length === 0) return tr("Mine is drawn with the references of all stages.");
+  const lists = {used: used.join(", "), others: others.join(", "), stage};
+  return (others.length ? tr("Mine is drawn with these stages of yours: {used}, and with the references of: {others}.", lists)
+                        : tr("Mine is drawn with your own files of all its stages.")) +
     (used.some((other) => other !== stage)
-      ? `. ./course check, compare and explain take the references of all but stage ${stage}.`
-      : ".");
+      ? " " + tr("./course check, compare and explain take the references of all but stage {stage}.", lists) : "");
 }
 
 function showNews(news) {
@@ -218,9 +218,9 @@ function showNews(news) {
     chip.lastChild.className = news.started.includes(index + 1) ? "started" : "";
   });
   $("parts").textContent = parts(news.started);
-  $("whose-mine").textContent = news.started.includes(stage) ? "Mine"
-    : `Mine (${stage} is not started)`;
-  if (news.building) return say("building…");
+  $("whose-mine").textContent = news.started.includes(stage) ? tr("Mine")
+    : tr("Mine ({stage} is not started)", {stage});
+  if (news.building) return say(tr("building…"));
   if (programs === news.programs && broken === news.error) return say("");
   [programs, broken] = [news.programs, news.error];
   draw();
@@ -248,7 +248,7 @@ async function follow(chosen) {
       .then((answer) => answer.json()).catch(() => null);
     if (stage !== chosen) return;
     if (news) { seen = news.seen; showNews(news); continue; }
-    say("./course view was stopped");
+    say(tr("./course view was stopped"));
     programs = "";
     await new Promise((done) => setTimeout(done, 2000));
   }
@@ -275,7 +275,8 @@ async function start() {
 
 const moves = {ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1]};
 for (const canvas of document.querySelectorAll(".picture canvas")) {
-  canvas.setAttribute("aria-label", canvas.id + ": arrow keys choose a pixel");
+  canvas.setAttribute("aria-label", tr("{picture}: arrow keys choose a pixel",
+    {picture: canvas.closest("figure").querySelector("h2").textContent.trim().split("\n")[0]}));
   canvas.onclick = (event) => {
     const box = canvas.getBoundingClientRect();
     choose(Math.floor((event.clientY - box.top) / box.height * size.height),

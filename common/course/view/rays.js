@@ -8,11 +8,12 @@ const space = (() => {
   const of = document.getElementById("rays-of");
   // Each kind differs in its dashes and its end too, not by its color alone.
   const kinds = {
-    eye: {color: "--eye", dash: [], end: "disc", text: "from the eye, to what it hits"},
-    mirrored: {color: "--mirrored", dash: [14, 4], end: "diamond", text: "mirrored"},
-    missed: {color: "--mirrored", dash: [14, 4, 2, 4], end: "arrow", text: "eye or mirrored: hits nothing"},
-    lit: {color: "--lit", dash: [2, 4], end: "ring", text: "shadow ray, reaches the light"},
-    blocked: {color: "--blocked", dash: [7, 4], end: "cross", text: "shadow ray, blocked"}};
+    eye: {color: "--eye", dash: [], end: "disc", text: tr("from the eye, to what it hits")},
+    mirrored: {color: "--mirrored", dash: [14, 4], end: "diamond", text: tr("mirrored")},
+    missed: {color: "--mirrored", dash: [14, 4, 2, 4], end: "arrow", text: tr("eye or mirrored: hits nothing")},
+    lit: {color: "--lit", dash: [2, 4], end: "ring", text: tr("shadow ray, reaches the light")},
+    blocked: {color: "--blocked", dash: [7, 4], end: "cross", text: tr("shadow ray, blocked")}};
+  const names = {eye: tr("eye"), mirrored: tr("mirrored"), shadow: tr("shadow")};
   let printed = [null, null];             // what mine and the reference's program print
   let drawing = null;
   let middle = [0, 0, 0], reach = 1;   // of the drawing
@@ -152,7 +153,7 @@ const space = (() => {
       });
     context.fillStyle = color("--ink");
     const [x, y] = turned(...eye);
-    context.fillText("eye", x - 24, y + 4);
+    context.fillText(names.eye, x - 24, y + 4);
   }
 
   /// Zooms so that the whole box is on the canvas.
@@ -192,7 +193,7 @@ const space = (() => {
     const all = [];
     rays.forEach((ray, index) => {
       const order = ray.kind === "mirrored" ? ` ${ray.bounces}` : "";
-      const text = `${ray.kind}${order}: ${ray.words}`;
+      const text = `${names[ray.kind]}${order}: ${ray.words}`;
       if (all.at(-1)?.text === text) all.at(-1).last = index;
       else all.push({ray, text, first: index, last: index});
     });
@@ -209,7 +210,7 @@ const space = (() => {
     }
     const message = document.getElementById("rays-message");
     message.textContent = drawing
-      ? (drawing.left_out ? `${drawing.left_out} more shapes are not drawn.` : "") : text.trim();
+      ? (drawing.left_out ? tr("{number} more shapes are not drawn.", {number: drawing.left_out}) : "") : text.trim();
     document.getElementById("space-parts").hidden = !drawing;
     if (!drawing) return;
     const box = drawing.box;

@@ -2,6 +2,7 @@
 
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,7 +109,9 @@ ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose
                                const std::atomic<bool>& cancelled) const {
     const SceneView view = scene_view(settings_, picture_request.stage);
     const fs::path asked = program(settings_, picture_request.stage, whose);
-    if (!fs::exists(asked)) throw InputError({}, asked.filename().string() + " is not built yet");
+    if (!fs::exists(asked))
+        throw InputError(
+            {}, tr("{program} is not built yet", {{"program", asked.filename().string()}}));
     Command command = {asked.string(), scene, "--size",
                        std::to_string(std::max(1, view.width / picture_request.shrink)) + "x" +
                            std::to_string(std::max(1, view.height / picture_request.shrink))};
@@ -116,10 +119,11 @@ ProcessResult StageRunner::run(const RenderRequest& picture_request, Whose whose
     command.insert(command.end(), rest.begin(), rest.end());
     ProcessResult ending = run_captured(command, settings_.render_limit, &cancelled, most_output);
     if (ending.out_of_time)
-        ending.output += "ended after " + std::to_string(settings_.render_limit.count()) +
-                         " s: does a loop never end?\n";
+        ending.output += tr("ended after {seconds} s: does a loop never end?",
+                            {{"seconds", std::to_string(settings_.render_limit.count())}}) +
+                         "\n";
     else if (!ending.crash.empty())
-        ending.output += "it crashed: " + ending.crash + "\n";
+        ending.output += tr("it crashed: {signal}", {{"signal", tr_text(ending.crash)}}) + "\n";
     replace_all(ending.output, scene, "scenes/" + name_of(picture_request.stage) + ".rt");
     return ending;
 }

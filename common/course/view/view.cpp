@@ -9,6 +9,7 @@
 #include "common/image/pixel.hpp"
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 
 #include <array>
 #include <cstdio>
@@ -79,7 +80,7 @@ RenderRequest parse_request(const Request& request) {
 }
 
 std::string json_line(const std::optional<std::string>& line) {
-    return line ? json(*line) : "null";
+    return line ? json(tr_line(*line)) : "null";
 }
 
 /// A row is [mine, the reference's, whether they differ].
@@ -90,7 +91,7 @@ std::string json_rows(const LogDiff& diff) {
                 "," + (row.differs ? "true]" : "false]");
     std::string unwritten;
     for (const std::string& message : diff.unwritten)
-        unwritten += (unwritten.empty() ? "" : ",") + json(message);
+        unwritten += (unwritten.empty() ? "" : ",") + json(tr_text(message));
     return "{\"rows\":[" + rows + "],\"first\":" + json(diff.first) + ",\"unwritten\":[" +
            unwritten + "]}";
 }
@@ -104,7 +105,9 @@ public:
         const std::string& route = request.path;
         if (route.empty()) return part("page.html", "text/html; charset=utf-8");
         if (route == "page.css") return part(route, "text/css; charset=utf-8");
-        if (route == "page.js" || route == "difference.js" || route == "rays.js")
+        if (route == "words") return words();
+        if (route == "words.js" || route == "page.js" || route == "difference.js" ||
+            route == "rays.js")
             return part(route, "text/javascript; charset=utf-8");
         if (route == "stages") return stages();
         if (route == "news") return news(request);
@@ -125,6 +128,17 @@ private:
     /// One of the files of the page.
     [[nodiscard]] Response part(const std::string& name, const std::string& type) const {
         return {.body = read_text(settings_.project / "common/course/view" / name), .type = type};
+    }
+
+    /// The catalogue of the page's language, as a script.
+    [[nodiscard]] Response words() const {
+        const std::string language = settings_.language.empty() ? "en" : settings_.language;
+        std::string all;
+        for (const auto& [english, own] :
+             translations_in(settings_.project / "lang" / language / "view.po"))
+            all += (all.empty() ? "" : ",") + json(english) + ":" + json(own);
+        return {.body = "const language = " + json(language) + ", words = {" + all + "};\n",
+                .type = "text/javascript; charset=utf-8"};
     }
 
     Response stages() const {
@@ -178,9 +192,10 @@ private:
                 made = runner_.draw(picture_request, Whose(whose), cancelled);
             });
         if (!finished) throw Refusal{409, "another picture was requested"};
-        if (made.png.empty()) throw Refusal{422, made.report};
-        return {
-            .body = made.png, .type = "image/png", .report = made.report.substr(0, longest_report)};
+        if (made.png.empty()) throw Refusal{422, tr_lines(made.report)};
+        return {.body = made.png,
+                .type = "image/png",
+                .report = tr_lines(made.report).substr(0, longest_report)};
     }
 
     /// The output of both programs about the requested pixel.

@@ -13,6 +13,7 @@ struct ViewSettings {
                                     ///< watched
     std::filesystem::path build;    ///< contains stepNN_name and stepNN_name_reference_program
     int stage = 1;                  ///< the first stage to show
+    std::string language = "";      ///< of the page, as in lang/; empty for English
     int port = 0;                   ///< 0: any free port
     std::chrono::seconds render_limit{60};
 
