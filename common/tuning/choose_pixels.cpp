@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace rt {
 
@@ -36,16 +37,19 @@ public:
     explicit PixelSearch(PixelStudy& study)
         : allowed_(study.allowed()), settings_(study.settings()), study_(study) {}
 
-    /// The least accurate right colors are compared first, since most of the cost is theirs. With
-    /// more accurate ones, rays beside edges may keep the tolerance where before only rays through
-    /// every pixel seemed to.
+    /// The least accurate right colors are compared first, since most of the cost is theirs. More
+    /// accurate ones follow as long as rays beside edges may then keep the tolerance.
     [[nodiscard]] Trial best() {
-        Candidate best{.settings = study_.with_pixel_samples(right_pixel_samples)};
-        for (double right_error = allowed_; right_error > allowed_ / 16; right_error /= 2) {
-            best = best_with(right_error).value_or(best);
-            if (best.settings.pixel_error > 0 || best.settings.pixel_samples == 1) break;
+        constexpr double fewer = 0.75;
+        double beyond = 1;
+        for (double right_error = allowed_ / 2;; right_error /= 2) {
+            study_.begin(right_error);
+            const double before = std::exchange(beyond, finest(right_error).outcome.beyond);
+            if (beyond <= share_ || beyond > fewer * before || right_error < allowed_ / 8) {
+                const Candidate most{.settings = study_.with_pixel_samples(right_pixel_samples)};
+                return study_.trial(cheaper(best_with(right_error).value_or(most)).settings);
+            }
         }
-        return study_.trial(cheaper(best).settings);
     }
 
 private:
@@ -73,9 +77,16 @@ private:
         return best;
     }
 
+    /// The most accurate settings beside edges that can be compared with right colors of that
+    /// error.
+    [[nodiscard]] Candidate finest(double right_error) const {
+        const RenderSettings settings =
+            with_pixel_error(settings_, right_error * std::numbers::sqrt2);
+        return {.settings = settings, .outcome = study_.outcome(settings)};
+    }
+
     /// Traces trial pixels until more of them would take more rays than they could save.
     [[nodiscard]] std::optional<Candidate> best_with(double right_error) {
-        study_.begin(right_error);
         while (true) {
             const std::vector<Candidate> all = candidates(right_error);
             const auto best = std::ranges::find_if(

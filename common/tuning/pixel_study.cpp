@@ -17,11 +17,15 @@ namespace rt {
 
 namespace {
 
-/// The error of the mean after a step. The other mean, to which it is compared, has an error too:
-/// with N rays, the mean square of an error is N^-1.5 on an edge, and N^-1 where it is noise.
-double error_of_mean(const PixelHistory& history, const PixelStep& step) {
-    const double fewer = double(step.count) / history.steps.back().count;
-    return distance(step.mean, history.other_mean) / std::sqrt(1 + fewer * std::sqrt(fewer));
+/// Sets the errors of the means of both runs, of which each is compared with the last of the other.
+/// That has an error too: with N rays, its mean square is N^-1.5 on an edge, and N^-1 for noise.
+void set_errors(PixelHistory& history) {
+    for (std::size_t run = 0; run < 2; ++run)
+        for (PixelStep& step : history.runs[run]) {
+            const PixelStep& right = history.runs[1 - run].back();
+            const double fewer = double(step.count) / right.count;
+            step.off = distance(step.mean, right.mean) / std::sqrt(1 + fewer * std::sqrt(fewer));
+        }
 }
 
 /// The rays to a light of each ray through a trial pixel (pixel_samples.hpp, adaptive_settings).
@@ -50,8 +54,8 @@ PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings
                {.at_least = 32, .first = 128}}} {
     constexpr std::size_t enough = 4096;
     constexpr double fewest_pixels = 48;
-    reference_.pixel_samples = int(std::bit_floor(unsigned(
-        std::clamp<double>(rays_in(seconds_left()) / fewest_pixels, 8, right_pixel_samples))));
+    reference_.pixel_samples = int(std::bit_floor(unsigned(std::clamp<double>(
+        rays_in(seconds_left()) / (2 * fewest_pixels), 8, right_pixel_samples))));
     expect_details(trials.traits());
     while (sorted_ < enough && sort_more()) {
     }
@@ -171,8 +175,9 @@ void PixelStudy::trace_up_to(std::size_t wanted, Stratum& stratum, double part) 
     const std::size_t count = std::min(wanted, stratum.places.size());
     const std::size_t before = stratum.traced.size();
     std::size_t known = before;
-    // A pixel may take as many rays as the right one; after the first few, what they took is known.
-    double pixels = rays_in(end - start) / reference_.pixel_samples;
+    // Both runs may take as many rays as the right color; after the first few pixels, what they
+    // took is known.
+    double pixels = rays_in(end - start) / (2 * reference_.pixel_samples);
     while (known < count && (known == before || seconds_ < end)) {
         const auto next = std::size_t(std::clamp(pixels, 1., double(count - known)));
         std::vector<TrialPixel> more =
@@ -229,22 +234,23 @@ std::vector<PixelStudy::TrialPixel> PixelStudy::traced(std::span<const Pixel> pl
     for (std::size_t i = 0; i < places.size(); ++i) {
         PixelHistory& history = histories.pixels[i];
         const DisplayColor center = display_color((*centers_.image)[places[i]]);
-        const double off = history.steps.empty() ? 0 : distance(center, history.other_mean);
-        for (PixelStep& step : history.steps) step.off = error_of_mean(history, step);
+        const double off = history.is_traced() ? distance(center, history.mean()) : 0;
+        set_errors(history);
         pixels.push_back({.place = places[i],
-                          .contrast = contrast_around(*centers_.image, places[i], 1),
+                          .contrast = std::max(contrast_around(*centers_.image, places[i], 1),
+                                               int(history.followed)),
                           .center_off = off,
                           .history = std::move(history)});
     }
     return pixels;
 }
 
-PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSettings& settings) {
-    const std::vector<PixelStep>& steps = pixel.history.steps;
-    const double stands_for = pixel.history.stands_for;
+PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, std::size_t run,
+                                      const RenderSettings& settings) {
+    const std::vector<PixelStep>& steps = pixel.history.runs[run];
     const bool adaptive = settings.pixel_error > 0;
     if (adaptive ? pixel.contrast <= int(2 * settings.pixel_error) : settings.pixel_samples == 1)
-        return {.error = pixel.center_off, .pixels = stands_for};
+        return {.error = pixel.center_off};
     int count = adaptive
                     ? std::min(first_pixel_samples(settings.pixel_error), settings.pixel_samples)
                     : settings.pixel_samples;
@@ -258,8 +264,7 @@ PixelStudy::Result PixelStudy::result(const TrialPixel& pixel, const RenderSetti
     }
     const PixelStep& last = steps[std::min(step, steps.size() - 1)];
     return {.error = last.off * std::sqrt(double(last.count) / std::max(count, last.count)),
-            .rays = step < steps.size() ? steps[step].rays : ray_rays * count,
-            .pixels = stands_for};
+            .rays = step < steps.size() ? steps[step].rays : ray_rays * count};
 }
 
 Trial PixelStudy::trial(const RenderSettings& settings) const {
@@ -283,11 +288,14 @@ PixelStudy::Sums PixelStudy::sums(const Stratum& stratum, const RenderSettings& 
                                   double allowed) {
     Sums sums{.squares = stratum.unseen};  // as if one more were
     for (const TrialPixel& pixel : stratum.traced) {
-        const Result with = result(pixel, settings);
-        const double chance = chance_beyond(with.error, allowed);
-        sums.rays += with.rays;
-        sums.beyond += with.pixels * chance;
-        sums.squares += with.pixels * with.pixels * chance;
+        double beyond = 0;
+        for (std::size_t run = 0; run < 2; ++run) {
+            const Result with = result(pixel, run, settings);
+            sums.rays += with.rays / 2;
+            beyond += pixel.history.stands_for * chance_beyond(with.error, allowed) / 2;
+        }
+        sums.beyond += beyond;
+        sums.squares += beyond * beyond;
     }
     return sums;
 }
@@ -319,9 +327,9 @@ bool PixelStudy::tiles_keep(const RenderSettings& settings, double allowed) {
     std::map<int, double> errors;  // sums over the pixels of a tile, estimated
     for (const Stratum& stratum : strata_)
         for (const TrialPixel& pixel : stratum.traced) {
-            const Result with = result(pixel, settings);
             errors[tile_of(pixel.place, runner_.size())] +=
-                with.error * with.pixels * stratum.pixels / double(stratum.traced.size());
+                result(pixel, 0, settings).error * pixel.history.stands_for * stratum.pixels /
+                double(stratum.traced.size());
         }
     return std::ranges::all_of(errors, [&](const auto& tile) {
         return tile.second <= allowed * pixels || tile_keeps(tile.first, settings, allowed);
@@ -340,7 +348,7 @@ bool PixelStudy::tile_keeps(int tile, const RenderSettings& settings, double all
         tried = traced(places, strata_[0].at_least, 0);
     }
     double errors = 0;
-    for (const TrialPixel& pixel : tried) errors += result(pixel, settings).error;
+    for (const TrialPixel& pixel : tried) errors += result(pixel, 0, settings).error;
     return errors <= allowed * double(tried.size());
 }
 

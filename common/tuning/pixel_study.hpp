@@ -111,7 +111,7 @@ private:
     struct Sums {
         double rays = 0;
         double beyond = 0;   ///< the pixels that do not keep the tolerance
-        double squares = 0;  ///< of the numbers of pixels for which each of these stands
+        double squares = 0;  ///< of each trial pixel's part of that
     };
 
     /// Pixels of one kind.
@@ -129,11 +129,10 @@ private:
         mutable std::map<std::array<double, 3>, Sums> known;
     };
 
-    /// A trial pixel with some settings.
+    /// A trial pixel with some settings, and the random numbers of one run.
     struct Result {
         double error = 0;
         double rays = 0;
-        double pixels = 1;  ///< number of pixels that this one stands for
     };
 
     /// Sorts more pixels of the picture by kind. Returns false if all are.
@@ -150,7 +149,8 @@ private:
     [[nodiscard]] double rays_in(double seconds) const;
     [[nodiscard]] std::vector<TrialPixel> traced(std::span<const Pixel> places, int at_least,
                                                  int scouts);
-    [[nodiscard]] static Result result(const TrialPixel& pixel, const RenderSettings& settings);
+    [[nodiscard]] static Result result(const TrialPixel& pixel, std::size_t run,
+                                       const RenderSettings& settings);
     [[nodiscard]] static Sums sums(const Stratum& stratum, const RenderSettings& settings,
                                    double allowed);
     /// Expects small details where the scene has some.

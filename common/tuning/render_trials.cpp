@@ -3,11 +3,15 @@
 #include "common/render/pixel_samples.hpp"
 #include "common/system/cpu_seconds.hpp"
 #include "common/system/parallel_for.hpp"
+#include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <queue>
+#include <set>
+#include <utility>
 
 namespace rt {
 
@@ -43,7 +47,6 @@ public:
     }
 
     [[nodiscard]] PixelHistory history(Pixel pixel) {
-        const Gamma gamma = settings_.gamma;
         PixelHistory history;
         double seen = 0;
         if (request_.scouts > 0) {
@@ -53,29 +56,15 @@ public:
             scouts.trace_to(request_.scouts);
             history.ray_rays = double(context_.rays - before) / request_.scouts;
             if (!is_found(pixel, scouts.mean())) return history;
-            seen = scouts.range(gamma);
+            seen = scouts.range(settings_.gamma);
         }
-        begin(pixel, adaptive_settings(settings_), request_.round);
-        PixelSamples samples(scene_, finer_rays_, pixel, context_);
         ScoutGroups groups;
-        const auto before = context_.rays;
-        for (int count = PixelHistory::fewest; count <= settings_.pixel_samples;
-             count = PixelHistory::next(count)) {
-            trace_to(count, pixel, samples, groups);
-            history.steps.push_back({.count = count,
-                                     .mean = shade(samples.mean(), gamma),
-                                     .error = samples.error(gamma),
-                                     .rays = double(context_.rays - before)});
-            seen = std::max(seen, samples.range(gamma));
-            const double error = std::max(history.steps.back().error, seen / count);
-            if (count >= request_.at_least && error <= settings_.pixel_error) break;
-        }
-        history.ray_rays = history.steps.back().rays / history.steps.back().count;
-        begin(pixel, adaptive_settings(settings_), request_.round + 2);
-        PixelSamples others(scene_, finer_rays_, pixel, context_);
-        others.trace_to(history.steps.back().count);
-        history.other_mean = shade(others.mean(), gamma);
+        history.runs[0] = run(pixel, request_.round, settings_.pixel_samples, seen, groups);
+        const PixelStep& last = history.runs[0].back();
+        history.ray_rays = last.rays / last.count;
+        history.runs[1] = run(pixel, request_.round + 2, last.count, 255, groups);
         history.stands_for = (groups.all + 1.0) / (groups.found + 1.0);
+        if (request_.centers != nullptr) history.followed = followed(pixel, history.mean());
         return history;
     }
 
@@ -88,7 +77,6 @@ private:
     struct ScoutGroups {
         int all = 0;
         int found = 0;  ///< the groups that would have found something
-        Color sum{0};   ///< of the colors of their rays
     };
 
     void begin(Pixel pixel, const RenderSettings& settings, int round) {
@@ -102,16 +90,91 @@ private:
                request_.visible;
     }
 
-    void trace_to(int count, Pixel pixel, PixelSamples& samples, ScoutGroups& groups) {
+    /// The steps of the rays with the random numbers of this round. Something that was seen with
+    /// this range counts as a part of every step's error.
+    [[nodiscard]] std::vector<PixelStep> run(Pixel pixel, int round, int most, double seen,
+                                             ScoutGroups& groups) {
+        begin(pixel, adaptive_settings(settings_), round);
+        PixelSamples samples(scene_, finer_rays_, pixel, context_);
+        const auto before = context_.rays;
         const int scouts = request_.scouts;
-        for (int end = (groups.all + 1) * scouts; scouts > 0 && end <= count; end += scouts) {
-            samples.trace_to(end);
-            const Color sum = Real(end) * samples.mean();
-            groups.found += is_found(pixel, (sum - groups.sum) / Real(scouts));
-            groups.sum = sum;
-            ++groups.all;
+        int grouped = scouts;
+        Color sum{0};  // of the colors of the rays in groups
+        std::vector<PixelStep> steps;
+        for (int count = PixelHistory::fewest; count <= most; count = PixelHistory::next(count)) {
+            for (; scouts > 0 && grouped <= count; grouped += scouts) {
+                samples.trace_to(grouped);
+                const Color all = Real(grouped) * samples.mean();
+                groups.found += is_found(pixel, (all - std::exchange(sum, all)) / Real(scouts));
+                ++groups.all;
+            }
+            samples.trace_to(count);
+            steps.push_back({.count = count,
+                             .mean = shade(samples.mean(), settings_.gamma),
+                             .error = samples.error(settings_.gamma),
+                             .rays = double(context_.rays - before)});
+            seen = std::max(seen, samples.range(settings_.gamma));
+            const double error = std::max(steps.back().error, seen / count);
+            if (count >= request_.at_least && error <= settings_.pixel_error) break;
         }
-        samples.trace_to(count);
+        return steps;
+    }
+
+    /// The largest difference (refinement.hpp) with which an edge is followed to the pixel. Of all
+    /// ways to it from pixel to pixel, that is the one on which the smallest step is largest: the
+    /// step from a pixel is the range of its rays, and the first is its contrast.
+    [[nodiscard]] double followed(Pixel pixel, const DisplayColor& mean) {
+        const DisplayColor center = display_color((*request_.centers)[pixel]);
+        double most = contrast_around(*request_.centers, pixel, 1);
+        const double enough = 64 * request_.visible;
+        if (most >= enough || distance(center, mean) <= 4 * request_.visible) return most;
+        constexpr std::size_t farthest = 80;  // pixels
+        std::set<std::pair<int, int>> known{{pixel.row, pixel.column}};
+        std::priority_queue<Step> steps;
+        Step step{.least = enough, .pixel = pixel};
+        do {
+            for (const Pixel next : neighbors(step.pixel))
+                if (known.size() < farthest && known.emplace(next.row, next.column).second)
+                    steps.push({std::min(step.least, range(next)), next});
+            if (steps.empty()) break;
+            step = steps.top();
+            steps.pop();
+            const double contrast = contrast_around(*request_.centers, step.pixel, 0);
+            most = std::max(most, std::min(step.least, contrast));
+        } while (step.least > most);
+        return most;
+    }
+
+    struct Step {
+        double least = 0;
+        Pixel pixel;
+        friend bool operator<(const Step& a, const Step& b) { return a.least < b.least; }
+    };
+
+    [[nodiscard]] std::vector<Pixel> neighbors(Pixel pixel) const {
+        std::vector<Pixel> all;
+        for (int row = std::max(pixel.row - 1, 0);
+             row <= std::min(pixel.row + 1, scene_.resolution.height - 1); ++row)
+            for (int column = std::max(pixel.column - 1, 0);
+                 column <= std::min(pixel.column + 1, scene_.resolution.width - 1); ++column)
+                all.push_back({.row = row, .column = column});
+        return all;
+    }
+
+    /// The largest difference with which the picture goes on to the neighbors of a pixel: that of
+    /// its first rays, of which a smaller difference takes more.
+    [[nodiscard]] double range(Pixel pixel) {
+        begin(pixel, adaptive_settings(settings_), request_.round);
+        PixelSamples samples(scene_, finer_rays_, pixel, context_);
+        double error = 4;
+        do {
+            samples.trace_to(first_pixel_samples(error));
+            if (samples.range(settings_.gamma) > 2 * error)
+                return error < 4 ? std::min(samples.range(settings_.gamma), 4 * error)
+                                 : samples.range(settings_.gamma);
+            error /= 2;
+        } while (error > settings_.pixel_error);
+        return 0;
     }
 
     const Scene& scene_;

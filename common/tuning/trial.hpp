@@ -64,7 +64,7 @@ struct PixelStep {
 };
 
 /// A pixel after each number of rays at which --pixel-error may stop, and after fewer. The rays are
-/// those of the picture. Without a step if scouts found nothing.
+/// those of the picture. Empty if scouts found nothing.
 struct PixelHistory {
     static constexpr int fewest = 4;
 
@@ -84,11 +84,20 @@ struct PixelHistory {
         return 1 + 4 * doublings + (unsigned(count) - power) / (power / 4);
     }
 
-    std::vector<PixelStep> steps;
-    DisplayColor
-        other_mean{};       ///< of as many rays as after the last step, with other random numbers
+    /// The second run has other random numbers, and ends with as many rays.
+    std::array<std::vector<PixelStep>, 2> runs;
     double ray_rays = 1;    ///< rays of all kinds for each through the pixel
     double stands_for = 1;  ///< the number of pixels like this one among those that scouts pass
+    double followed = 0;    ///< the picture follows an edge to here if it differs by more than this
+
+    [[nodiscard]] bool is_traced() const { return !runs[0].empty(); }
+    /// The mean of both runs.
+    [[nodiscard]] DisplayColor mean() const {
+        DisplayColor both{};
+        for (std::size_t i = 0; i < both.size(); ++i)
+            both[i] = (runs[0].back().mean[i] + runs[1].back().mean[i]) / 2;
+        return both;
+    }
 };
 
 /// The shapes narrower than a pixel.

@@ -141,7 +141,7 @@ public:
             histories.pixels.emplace_back();
             if (request.scouts > 0 && !is_on_edge(pixel)) continue;
             histories.pixels.back() = history(pixel, settings, request.at_least);
-            histories.rays += histories.pixels.back().steps.back().rays;
+            histories.rays += 2 * histories.pixels.back().runs[0].back().rays;
         }
         histories.seconds = histories.rays * path_cost(model_, settings);
         model_.asked += request.pixels.size();
@@ -171,16 +171,29 @@ private:
     [[nodiscard]] PixelHistory history(Pixel pixel, const RenderSettings& settings,
                                        int at_least) const {
         PixelHistory history;
-        const bool on_edge = is_on_edge(pixel);
         const double right =
-            100 + (on_edge && is_lost(pixel) ? deviation(pixel, 0) * one_center_error : 0);
-        // The mean of the first rays is wrong by the error of all, and by one of its own.
+            100 +
+            (is_on_edge(pixel) && is_lost(pixel) ? deviation(pixel, 0) * one_center_error : 0);
+        history.runs = {steps(pixel, right, settings.pixel_samples, 0),
+                        steps(pixel, right, settings.pixel_samples, most_pixel_samples)};
+        std::size_t traced = 0;
+        for (const PixelStep& step : history.runs[0]) {
+            ++traced;
+            if (step.count >= at_least && step.error <= settings.pixel_error) break;
+        }
+        for (std::vector<PixelStep>& run : history.runs) run.resize(traced);
+        return history;
+    }
+    /// The mean of the first rays is wrong by the error of all, and by one of its own. The errors
+    /// of a run are those of deviations from `first` on.
+    [[nodiscard]] std::vector<PixelStep> steps(Pixel pixel, double right, int most,
+                                               int first) const {
         std::vector<PixelStep> all;
         double off = 0;
         double variance = 0;
-        for (int count = settings.pixel_samples; count > 0; count = before(count)) {
-            const double error = on_edge ? one_center_error * std::pow(count, -0.75) : 0;
-            if (on_edge) off += std::sqrt(error * error - variance) * deviation(pixel, count);
+        for (int count = most; count > 0; count = before(count)) {
+            const double error = is_on_edge(pixel) ? one_center_error * std::pow(count, -0.75) : 0;
+            off += std::sqrt(error * error - variance) * deviation(pixel, first + count);
             variance = error * error;
             const double shade = right + off;
             all.push_back({.count = count,
@@ -188,14 +201,8 @@ private:
                            .error = model_.estimated * error,
                            .rays = double(count)});
         }
-        for (auto step = all.rbegin(); step != all.rend(); ++step) {
-            history.steps.push_back(*step);
-            if (step->count >= at_least && step->error <= settings.pixel_error) break;
-        }
-        const double others =
-            on_edge ? one_center_error * std::pow(history.steps.back().count, -0.75) : 0;
-        history.other_mean.fill(right + others * deviation(pixel, -1));
-        return history;
+        std::ranges::reverse(all);
+        return all;
     }
     /// The number of rays of the step before, or 0.
     [[nodiscard]] static int before(int count) {
