@@ -1,10 +1,11 @@
-// check_probes PROBES PROJECT STAGE REFERENCE ANSWERS < CASES
+// check_probes PROBES PROJECT STAGE REFERENCE ANSWERS SUITE < CASES
 //
 // Tests a stage's probes.txt against its known mistakes: each is recognized as itself, or as others
 // with the same answers and failing cases; without its own sentence, none is certainly another one
-// with the same answers; and the reference and the other right answers are not recognized as a
-// mistake. The cases of the suite, one a line, are those of probes.txt. Prints the recognized
-// mistakes.
+// with the same answers; of the cases that catch the mistakes of the stage, each fails those of its
+// record and no others; and the reference and the other right answers are not recognized as a
+// mistake. SUITE is the suite, linked to the known mistakes. Its cases, one a line, are those of
+// probes.txt. Prints the recognized mistakes.
 #include "common/contract/files.hpp"
 #include "common/contract/paste.hpp"
 #include "common/contract/recognition.hpp"
@@ -14,6 +15,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
+#include <string_view>
 
 namespace rt::contract {
 
@@ -79,6 +82,24 @@ public:
             complain("probes.txt contains more cases than the suite");
     }
 
+    /// Each mistake fails the cases of its record, of those that catch one of the stage.
+    void records(const Answers& answers, const std::string& suite) {
+        std::set<std::string> names;
+        for (const KnownMistake& each : answers.mistakes()) names.insert(escaped(each.caught_by));
+        std::string catching;
+        for (const std::string& each : names) catching += each + ",";
+        for (const Mistake& mistake : probes_.mistakes) {
+            const CaseResults results =
+                Answers::results(suite, mistake.name, answers.worker + ".report", {catching});
+            for (std::size_t i = 0; i < mistake.fails.size(); ++i) {
+                const auto found = results.find(probes_.cases[i].name);
+                if (found != results.end() && found->second == mistake.fails[i])
+                    complain(mistake.name + (found->second ? " passes " : " fails ") +
+                             found->first + ", and its record in probes.txt does not");
+            }
+        }
+    }
+
     [[nodiscard]] int end() {
         if (count_ != probes_.mistakes.size())
             complain("it contains mistakes that no longer exist");
@@ -116,6 +137,16 @@ private:
         return others;
     }
 
+    /// The name of a case as Catch2 reads it.
+    [[nodiscard]] static std::string escaped(const std::string& name) {
+        std::string text;
+        for (const char each : name) {
+            if (std::string_view("[],*\\~").find(each) != std::string_view::npos) text += '\\';
+            text += each;
+        }
+        return text;
+    }
+
     void complain(const std::string& what) {
         std::cout << "error: " << what << '\n';
         ++failures_;
@@ -137,6 +168,7 @@ int check(const std::vector<std::string>& words) {
     for (const std::string& name : answers.alternatives()) check.right(name, answers.as(name));
     for (const KnownMistake& known : answers.mistakes())
         check.mistaken(known.name, known.sentence, answers.as(known.name));
+    check.records(answers, words.at(5));
     return check.end();
 }
 

@@ -9,13 +9,10 @@
 #include "common/contract/open_answers.hpp"
 #include "common/contract/probes.hpp"
 #include "common/stages/stages.hpp"
-#include "common/system/process.hpp"
 
 #include "tests/contract/answers.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <set>
@@ -210,18 +207,6 @@ struct Request {
     std::string suite;
 };
 
-/// The results of the suite, linked to this answer. A suite that does not end is stopped.
-CaseResults results_of(const Request& request, const std::string& name) {
-    constexpr std::chrono::minutes limit{5};
-    const std::string report = request.reports + "/" + name + ".report";
-    setenv("RAYSTEPS_REPORT", report.c_str(), 1);
-    setenv("RAYSTEPS_ANSWER", name.c_str(), 1);
-    const ProcessResult ending = run_captured({request.suite}, limit);
-    unsetenv("RAYSTEPS_REPORT");
-    if (ending.out_of_time) std::cerr << name << ": the suite was stopped\n";
-    return read_case_results(content_of(report));
-}
-
 Probes choose(const Request& request) {
     const int stage = find_stage(request.answers.stage).value();
     const std::string record = content_of(request.reports + "/record");
@@ -231,7 +216,8 @@ Probes choose(const Request& request) {
     probes.cases = cases_of(record, content_of(request.reports + "/reference.report"), stage);
     probes.open = take_out_open(table, request.answers);
     for (const KnownMistake& known : request.answers.mistakes()) {
-        const CaseResults results = results_of(request, known.name);
+        const CaseResults results = Answers::results(
+            request.suite, known.name, request.reports + "/" + known.name + ".report");
         Mistake mistake{.name = known.name, .sentence = known.sentence};
         for (const SuiteCase& each : probes.cases) {
             const auto result = results.find(each.name);  // none after a crash

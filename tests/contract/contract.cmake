@@ -29,7 +29,8 @@ function(raysteps_recognition stage)
     endif()
     raysteps_add_test(recognition_${stage} mistakes ""
         sh -c "suite=$1 && shift && \"$suite\" ${names} | \"$@\"" sh
-        $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words})
+        $<TARGET_FILE:${stage}_test_double> $<TARGET_FILE:check_probes> ${probes} ${words}
+        $<TARGET_FILE:${stage}_answers_test_double>)
 
     set(reports ${CMAKE_CURRENT_BINARY_DIR}/${stage}_reports)
     add_custom_target(${stage}_probes
