@@ -79,6 +79,9 @@ course 1 check 3
 says "✗ the closest of several spheres is seen"
 says "sp 0,0,-20 2 0,0,255"
 says_not "✗ a sphere that is alone"
+mistaken step03_sphere_trace dithered $trace
+course 1 check 3
+says "Your color depends on the rays before: state keeps its value from one to the next."
 cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
 course 0
 says "changed since "

@@ -3,6 +3,7 @@
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
 #include "common/course/build/project.hpp"
+#include "common/course/build/static_data.hpp"
 #include "common/course/exercise/diagnosis.hpp"
 #include "common/course/exercise/earlier_stages.hpp"
 #include "common/course/exercise/hints.hpp"
@@ -89,10 +90,27 @@ std::string now() {
     return text;
 }
 
-/// Adds the known mistakes of `trace` that have the same failures, if there are any.
+/// The variables of the student's `trace` that keep a value from one ray to the next.
+std::string kept_by_trace(int stage) {
+    std::string names;
+    for (const StaticVariable& each : static_variables(stage))
+        if (each.file.filename() == trace_file) names += (names.empty() ? "" : ", ") + each.name;
+    return names;
+}
+
+/// Adds the known mistakes of `trace` that have the same failures, if there are any. With a static
+/// variable, the answers depend on the order of the rays, and tell nothing but that.
 void add_trace_mistakes(int stage, const Judged& judged, Diagnosis& diagnosis) {
     for (const std::string& name : judged.unwritten)
         if (name == "trace" || name == "render") return;
+    const bool fails = !std::ranges::all_of(judged.of_trace, &CaseResult::passed);
+    if (const std::string kept = fails ? kept_by_trace(stage) : ""; !kept.empty()) {
+        diagnosis.sentences.push_back(
+            tr("Your color depends on the rays before: {names} keeps its value from one to the "
+               "next.",
+               {{"names", kept}}));
+        return;
+    }
     for (const TraceMistake& each : recognized_trace_mistakes(
              project_folder / "tests/mistakes" / stage_name(stage) / "trace.txt",
              judged.of_trace)) {

@@ -13,14 +13,14 @@ void show_references_used(int stage) {
     std::string list;
     for (const int other : others) list += (list.empty() ? "" : ", ") + std::to_string(other);
     const Values values = {{"others", list}, {"stage", std::to_string(stage)}};
-    std::puts((others.size() > 1
-                   ? tr("Judged with the references in place of your stages {others}; "
-                        "./course run {stage} uses yours.",
-                        values)
-                   : tr("Judged with the references in place of your stage {others}; "
-                        "./course run {stage} uses yours.",
-                        values))
-                  .c_str());
+    const std::string sentence =
+        others.size() > 1 ? tr("Judged with the references in place of your stages {others}; "
+                               "./course run {stage} uses yours.",
+                               values)
+                          : tr("Judged with the references in place of your stage {others}; "
+                               "./course run {stage} uses yours.",
+                               values);
+    std::puts(wrapped_prose(sentence).c_str());
 }
 
 void warn_of_earlier(int stage, const std::string& references) {

@@ -111,7 +111,8 @@ void show_others(const Findings& findings, const std::vector<CaseResult>& cases,
     const int others = judgment.cases() - judgment.passed() - 1;
     if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return;
     std::vector<std::string> users = parts_that_use(findings.part, cases, findings.known);
-    for (std::string& part : users) part = tr(part);
+    for (std::string& part : users)
+        part = part == "together" ? tr("all functions together") : tr(part);
     const Values values = {{"number", std::to_string(others)}, {"stage", std::to_string(stage)}};
     std::string line = others == 1
                            ? tr("{number} more case fails: ./course check {stage} --all.", values)

@@ -26,6 +26,11 @@ constexpr std::chrono::seconds picture_limit{20};
 /// More than many machines have cores, so that threads take turns at any place of a pixel.
 constexpr int several_threads = 4;
 
+/// Stage 1's loop over all pixels is called if the program has one thread.
+int threads_of(int stage) {
+    return stage == 1 ? 1 : several_threads;
+}
+
 /// Draws the picture with that many threads.
 ProcessResult drawn(const std::string& program, const std::filesystem::path& file, Resolution size,
                     int threads) {
@@ -75,13 +80,13 @@ bool show_picture(int stage, bool is_wrong) {
     const TemporaryFolder folder(build_folder);
     const std::filesystem::path file = folder.path() / "mine.png";
     const ProcessResult ending =
-        drawn(name + "_checked", file, reference.resolution, several_threads);
+        drawn(name + "_checked", file, reference.resolution, threads_of(stage));
     if (ending.out_of_time || ending.status != 0) {
         const std::string why = ending.out_of_time ? tr("the program does not end")
                                 : ending.crash.empty()
                                     ? ending.output
                                     : tr("the program crashed: {crash}", {{"crash", ending.crash}});
-        std::printf("\n%s\n", tr("no picture: {why}", {{"why", why}}).c_str());
+        std::printf("\n%s\n", wrapped(tr("no picture: {why}", {{"why", why}})).c_str());
         return ending.out_of_time;
     }
     const Image mine = read_png(file.string());
@@ -92,7 +97,7 @@ bool show_picture(int stage, bool is_wrong) {
     const std::string shown = "renders/" + name + "_compare.png";
     write_png((project_folder / shown).string(), magnified(comparison.side_by_side, magnification),
               {});
-    const bool has_noise = stage >= soft_shadow_stage && is_noise(mine, reference);
+    const bool has_noise = !is_wrong && stage >= soft_shadow_stage && is_noise(mine, reference);
     const std::string result = comparison.different == 0 && is_wrong
                                    ? tr("the same picture: this scene does not show what is wrong")
                                : has_noise

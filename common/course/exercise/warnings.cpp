@@ -19,8 +19,8 @@ constexpr const char* advice =
 
 /// Prints "steps/…/student/sphere.cpp:2: warning: …".
 void warn(const std::string& place, const std::string& words) {
-    std::printf("%s\n",
-                tr("{place}: warning: {words}", {{"place", place}, {"words", words}}).c_str());
+    const std::string line = tr("{place}: warning: {words}", {{"place", place}, {"words", words}});
+    std::printf("%s\n", wrapped(line).c_str());
 }
 
 /// Warns of includes that work here, and are refused when the file is graded.
@@ -56,7 +56,8 @@ void show_ungraded_files(const Workbook& workbook) {
 void show_warning(int stage) {
     const std::string warning = first_warning(kept_warnings(stage));
     std::fputs(wrapped_diagnostic(warning).c_str(), stdout);
-    if (warning.find("no previous ") != std::string::npos) std::puts(tr(advice).c_str());
+    if (warning.find("no previous ") != std::string::npos)
+        std::puts(wrapped_prose(tr(advice)).c_str());
 }
 
 /// Warns of symbols for which no program can be linked with another stage of the student's.
@@ -65,7 +66,7 @@ void show_shared_symbols(int stage) {
         warn(each.file.string(),
              tr("{symbol} is defined twice, also in {file}: ./course run cannot link both.",
                 {{"symbol", each.name}, {"file", each.other_file.string()}}));
-        std::puts(tr(advice).c_str());
+        std::puts(wrapped_prose(tr(advice)).c_str());
     }
 }
 
