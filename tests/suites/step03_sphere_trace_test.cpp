@@ -101,6 +101,7 @@ TEST_CASE("the torch lights the closest sphere, at the point that is seen (M1)")
     // The ray hits it at 0,0,-6, where its normal is 0,-0.6,0.8.
     const std::string slanted = "sp 0,3,-10 10 255,255,255\n";
     CHECK(shows_exactly(slanted, Color(Real(0.8))));
+    CHECK(shows_exactly("sp 0,3,-10 10 99,99,99\n", Color(Real(0.8) * 99 / 255)));  // 79.2 of 255
     CHECK(shows("sp 0,3,-10 10 255,100,0\n", {204, 80, 0}));
     CHECK(shows("C 1,2,3 0,0,-1 60\nsp 1,5,-7 10 255,255,255\n", {204, 204, 204}));
     CHECK(show_in_any_order({slanted, "sp 0,0,-20 2 255,0,0\n", "sp 0,0,-30 2 255,0,0\n"},
