@@ -49,12 +49,15 @@ void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
         if (!is_constant(probes, answers, callee)) continue;
         const auto first = std::ranges::find(probes.probes, &callee,
                                              [](const Probe& probe) { return probe.call.callee; });
-        std::cout << "always: " << callee.name << " answers "
-                  << code(answers[std::size_t(first - probes.probes.begin())])
+        const std::string answer = code(answers[std::size_t(first - probes.probes.begin())]);
+        std::cout << "always: " << callee.name << " answers " << answer
                   << " to every call that was tried\n";
         const std::set<std::string> known = alike(probes, answers, callee);
         if (known.size() == 1)
             std::cout << "A known mistake answers so: " << *known.begin() << '\n';
+        else if (answer == "std::nullopt")
+            std::cout << "One of the conditions under which it returns std::nullopt is always "
+                         "true: look at each, and at what it compares\n";
     }
 }
 

@@ -105,21 +105,17 @@ void show_smallest(const Diagnosis& diagnosis, const CaseResult& failed, bool co
         std::printf("    %s\n", tr_line("  drawn:    " + diagnosis.drawing).c_str());
 }
 
-/// Prints how many other cases fail, and which of them may fail because of the same part.
+/// Prints how many other cases fail, and whether they call the part that is wrong, too.
 void show_others(const Findings& findings, const std::vector<CaseResult>& cases, int stage) {
     const Judgment& judgment = findings.judgment;
     const int others = judgment.cases() - judgment.passed() - 1;
     if (others <= 0 || !judgment.in_double.written() || !judgment.ended()) return;
-    std::vector<std::string> users = parts_that_use(findings.part, cases, findings.known);
-    for (std::string& part : users)
-        part = part == "together" ? tr("all functions together") : tr(part);
     const Values values = {{"number", std::to_string(others)}, {"stage", std::to_string(stage)}};
     std::string line = others == 1
                            ? tr("{number} more case fails: ./course check {stage} --all.", values)
                            : tr("{number} more cases fail: ./course check {stage} --all.", values);
-    if (!users.empty())
-        line += " " +
-                tr("Those of {parts} may fail because of this alone.", {{"parts", listed(users)}});
+    if (!parts_that_use(findings.part, cases, findings.known).empty())
+        line += " " + tr("The other failures may have the same cause.");
     print_prose(line, Style::dim);
 }
 

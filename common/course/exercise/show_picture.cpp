@@ -47,6 +47,18 @@ ProcessResult drawn(const std::string& program, const std::filesystem::path& fil
     return run_captured(command, picture_limit);
 }
 
+/// The share of the pixels that differ: their number is that of the small picture, and the place
+/// that of the whole one.
+std::string difference(const Comparison& comparison, Resolution size) {
+    if (!comparison.center) return summary(comparison);
+    const double percent = 100.0 * comparison.different / (double(size.width) * size.height);
+    char share[16];
+    std::snprintf(share, sizeof share, percent < 1 ? "%.1g" : "%.0f", percent);
+    const auto [row, column] = *comparison.center;
+    return tr("{share} % of the pixels differ, most around row,column {pixel}",
+              {{"share", share}, {"pixel", std::to_string(row) + "," + std::to_string(column)}});
+}
+
 /// Returns whether the program draws other pixels with one thread, and prints the usual causes.
 bool differs_with_one_thread(const Image& mine, int stage, const std::filesystem::path& file) {
     const ProcessResult ending = drawn(stage_target(stage, "_checked"), file, mine.resolution, 1);
@@ -103,8 +115,8 @@ bool show_picture(int stage, bool is_wrong) {
                                : has_noise
                                    ? tr("{difference}, as with another order of the samples: the "
                                         "means agree",
-                                        {{"difference", summary(comparison)}})
-                                   : summary(comparison);
+                                        {{"difference", difference(comparison, mine.resolution)}})
+                                   : difference(comparison, mine.resolution);
     std::printf("\n%s\n%s\n",
                 tr("Picture: {file}, beside the reference's", {{"file", shown}}).c_str(),
                 wrapped("  " + result).c_str());
