@@ -82,8 +82,12 @@ void start(int stage) {
         std::puts(tr("yours to write: {file}",
                      {{"file", file.lexically_relative(project_folder).string()}})
                       .c_str());
-    std::puts(tr("read:           docs/{stage}.md\nthen:           ./course check {number}",
-                 {{"stage", name_of(stage)}, {"number", std::to_string(stage)}})
+    // A hand-out in a language has its pages in that language.
+    const bool is_english = !std::filesystem::exists(project_folder / "lang/default.txt");
+    const std::string page = "docs/" + name_of(stage) + ".md";
+    std::puts(tr("read:           {page}\nthen:           ./course check {number}",
+                 {{"page", is_english ? tr("{page}", {{"page", page}}) : page},
+                  {"number", std::to_string(stage)}})
                   .c_str());
 }
 
