@@ -106,7 +106,6 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
     if (shown) std::cerr << "\033[K" << std::flush;
     if (!chosen) return false;
     options.settings = chosen->expected.settings;
-    options.hierarchy_from = chosen->hierarchy_from;
     if (chosen->in_float) {
         options.precision = rt::Precision::f32;
         session = std::move(in_float);

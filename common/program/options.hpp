@@ -23,6 +23,8 @@ enum class Precision { f32, f64, exact };
 
 /// The parsed options, with their defaults.
 struct Options : Aim {
+    std::optional<std::size_t>
+        hierarchy_from;  ///< smallest number of shapes of a kind for a hierarchy, if given
     std::string scene;   ///< path of the scene file
     std::string output;  ///< path of the picture
     SceneReading reading;

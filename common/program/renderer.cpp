@@ -75,7 +75,6 @@ public:
     SceneRenderer(const Program& program, const Options& options)
         : program_(program),
           settings_(options.settings),
-          acceleration_(acceleration_of(program, options)),
           scene_(prepared_scene(program, options)) {}
 
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution; }
@@ -87,12 +86,6 @@ public:
     [[nodiscard]] FineShapes fine_shapes() const override { return rt::fine_shapes(scene_); }
 
     [[nodiscard]] double smallest_gap() const override { return scene_lengths(scene_).gap; }
-
-    void build_acceleration(std::size_t hierarchy_from) override {
-        Acceleration how = acceleration_;
-        how.hierarchy_from = hierarchy_from;
-        rt::build_acceleration(scene_, how);
-    }
 
     [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
                                             const TrialRequest& request) const override {
@@ -145,7 +138,6 @@ public:
 private:
     Program program_;
     RenderSettings settings_;
-    Acceleration acceleration_;
     Scene scene_;
     std::optional<TracedCenters> centers_;  ///< of trials
     RenderSettings centers_settings_;

@@ -1,11 +1,10 @@
 #include "common/tuning/auto_settings.hpp"
 
 #include "common/tuning/choose_depth.hpp"
-#include "common/tuning/choose_hierarchy.hpp"
 #include "common/tuning/choose_pixels.hpp"
 #include "common/tuning/choose_precision.hpp"
 #include "common/tuning/choose_samples.hpp"
-#include "common/tuning/promise.hpp"
+#include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/trial_runner.hpp"
 #include "common/tuning/wording.hpp"
 
@@ -19,7 +18,7 @@ namespace {
 class Tuner {
 public:
     Tuner(Trials& trials, const Aim& aim, Clock::time_point start, const std::atomic<bool>& stop)
-        : trials_(trials),
+        : trials_(&trials),
           aim_(aim),
           start_(start),
           runner_(trials.resolution(), aim, stop),
@@ -27,26 +26,17 @@ public:
           settings_(aim.settings) {}
 
     AutoSettings choose(const OpenFloat& open_float) {
-        hierarchy();
         depth();
+        precision(open_float);
         if (aim_.given.pixel_samples)
             samples();
         else
             pixels();
-        precision(open_float);
         report();
         return std::move(choice_);
     }
 
 private:
-    void hierarchy() {
-        const RenderSettings settings =
-            with_few_rays(with_one_shadow_ray(settings_, aim_)).settings;
-        const HierarchyChoice hierarchy = choose_hierarchy(runner_, trials_, traits_, settings);
-        choice_.hierarchy_from = hierarchy.from;
-        say("hierarchy", hierarchy.why);
-    }
-
     void depth() {
         if (aim_.given.depth) return say("depth", std::to_string(settings_.depth) + ", as given");
         const double mirror = traits_.strongest_mirror;
@@ -57,7 +47,7 @@ private:
         constexpr int few = 4;  // hardly cost more than what is seen
         if (!aim_.time && settings_.depth > few) {
             const auto [seen, pixels] =
-                seen_depth(runner_, trials_, with_one_shadow_ray(settings_, aim_));
+                seen_depth(runner_, *trials_, with_one_shadow_ray(settings_, aim_));
             const std::string deepest = std::to_string(std::exchange(settings_.depth, seen));
             return say("depth", std::to_string(seen) + why + ", but " + deepest +
                                     " reflections change none of " + std::to_string(pixels) +
@@ -65,27 +55,30 @@ private:
         }
         say("depth", std::to_string(settings_.depth) + why);
         if (!aim_.time) return;
-        const int fits = depth_within_time(runner_, trials_, with_one_shadow_ray(settings_, aim_));
+        const int fits = depth_within_time(runner_, *trials_, with_one_shadow_ray(settings_, aim_));
         if (fits < settings_.depth) say("", "but " + std::to_string(fits) + " to keep the time");
         settings_.depth = fits;
     }
 
     void samples() {
-        if (aim_.given.shadow_samples || !traits_.sized_lights) return no_samples();
-        if (aim_.time)
+        const bool sampled = traits_.sized_lights && !aim_.given.shadow_samples;
+        choice_.expected.settings = settings_;
+        if (sampled && aim_.time)
             samples_for_time();
-        else
-            choice_.expected = keep_tolerance(runner_, trials_, settings_);
-        say("shadow samples", samples_in_words(choice_.expected.settings));
+        else if (sampled)
+            choice_.expected = keep_tolerance(runner_, *trials_, settings_);
+        say("shadow samples",
+            sampled ? samples_in_words(choice_.expected.settings) : why_no_samples());
+        if (!choice_.pace) measure_cost(choice_.expected);
     }
 
     /// Chooses the rays through pixels, and those to lights with them.
     void pixels() {
         constexpr int many = 128;  // rays to a light, so many that few pixels need more
         const bool soft = traits_.sized_lights && !aim_.given.shadow_samples;
-        RenderSettings lit = with_few_shadow_rays(runner_, trials_, traits_, settings_);
+        RenderSettings lit = with_few_shadow_rays(runner_, *trials_, traits_, settings_);
         for (bool again = true; again; lit.shadow_samples *= 4) {
-            PixelStudy study(runner_, trials_, lit, allowed(), soft);
+            PixelStudy study(runner_, *trials_, lit, allowed(), soft);
             if (aim_.time)
                 pixels_for_time(study);
             else
@@ -104,28 +97,19 @@ private:
 
     void pixels_for_time(PixelStudy& study) {
         QualityLadder ladder = measure_pixel_ladder(runner_, study);
+        if (aim_.tolerance) ladder.end_at(*aim_.tolerance);
         choice_.expected = ladder.within_time(*aim_.time);
-        if (aim_.tolerance && !runner_.no_time_left()) {
-            const auto enough =
-                runner_.within_time([&] { return keep_tolerance_of_pixels(study); });
-            if (enough && enough->seconds <= *aim_.time) {
-                choice_.expected = *enough;
-                return;
-            }
-        }
         ladder.shorten(study.center_seconds());
         set_pace(ladder);
     }
 
-    void no_samples() {
+    void measure_cost(Trial& trial) {
         const std::vector<Pixel> all = runner_.spread().pixels();
         const std::vector<Pixel> some = some_of(all, std::max<std::size_t>(all.size() / 32, 128));
-        const auto [few_rays, times] = with_few_rays(settings_);
-        const TrialSample sample = runner_.render_pixels(trials_, few_rays, some, 1);
-        choice_.expected = {.settings = settings_,
-                            .seconds = runner_.picture_seconds(times * sample.seconds),
-                            .rays = times * sample.rays};
-        say("shadow samples", why_no_samples());
+        const auto [few_rays, times] = with_few_rays(trial.settings);
+        const TrialSample sample = runner_.render_pixels(*trials_, few_rays, some, 1);
+        trial.seconds = runner_.picture_seconds(times * sample.seconds);
+        trial.rays = times * sample.rays;
     }
 
     [[nodiscard]] std::string why_no_samples() const {
@@ -133,18 +117,9 @@ private:
     }
 
     void samples_for_time() {
-        QualityLadder ladder = measure_ladder(runner_, trials_, settings_);
-        choice_.expected = ladder.top();
-        if (aim_.tolerance && !runner_.no_time_left()) {
-            const auto enough =
-                runner_.within_time([&] { return keep_tolerance(runner_, trials_, settings_); });
-            if (enough) {
-                choice_.expected = *enough;
-                ladder.end_with(*enough);
-            }
-        }
-        if (choice_.expected.seconds > *aim_.time)
-            choice_.expected = ladder.within_time(*aim_.time);
+        QualityLadder ladder = measure_ladder(runner_, *trials_, settings_);
+        if (aim_.tolerance) ladder.end_at(*aim_.tolerance);
+        choice_.expected = ladder.within_time(*aim_.time);
         set_pace(ladder);
     }
 
@@ -161,8 +136,9 @@ private:
 
     void precision(const OpenFloat& open_float) {
         const PrecisionChoice precision =
-            choose_precision(runner_, trials_, traits_, open_float, choice_);
-        choice_.in_float = precision.in_float;
+            choose_precision(runner_, *trials_, traits_, open_float, settings_);
+        if (precision.in_float != nullptr) trials_ = precision.in_float;
+        choice_.in_float = precision.in_float != nullptr;
         say("precision", precision.why);
     }
 
@@ -172,7 +148,7 @@ private:
         say("expected", number(seconds) + " s" + expected_error() +
                             (too_long ? ": no setting is cheaper" : ""));
         // The picture keeps the rays through the centers, and their time is counted as its own.
-        const bool kept = !choice_.in_float && begins_with_centers(choice_.expected.settings);
+        const bool kept = begins_with_centers(choice_.expected.settings);
         const double traced =
             runner_.rays_traced() + (kept ? 0 : runner_.center_rays() * runner_.pixels());
         const double spent = runner_.seconds_since_start() - (kept ? runner_.center_seconds() : 0);
@@ -209,7 +185,7 @@ private:
         if (traits_.sized_lights && !sampled) return missed + ", nor is the error of shadows";
         std::string text = ", and 99 of 100 pixels within " + levels(error);
         if (!sampled) return text + " of double precision" + missed;
-        if (aim_.tolerance && !aim_.time) text += ", 9 of 10 in penumbrae and in any tile,";
+        if (aim_.tolerance && !aim_.time) text += ", 9 of 10 in penumbrae,";
         return text + " of endlessly many rays to each light, with 95 % confidence" + missed;
     }
 
@@ -217,7 +193,7 @@ private:
         choice_.reasons.push_back(line(what, why));
     }
 
-    Trials& trials_;
+    Trials* trials_;  ///< in the precision chosen
     const Aim& aim_;
     Clock::time_point start_;
     TrialRunner runner_;

@@ -26,15 +26,12 @@ struct Aim {
     std::optional<double> tolerance;  ///< largest error of a pixel, in 8-bit levels
     std::optional<double> time;       ///< time for the picture, in seconds
     Given given;
-    std::optional<std::size_t>
-        hierarchy_from;  ///< fixed smallest number of shapes of a kind for a hierarchy
     int threads = 1;
 };
 
 /// The automatic settings.
 struct AutoSettings {
     bool in_float = false;  ///< render in float: accurate enough, and faster than double
-    std::optional<std::size_t> hierarchy_from;  ///< as in Aim; nothing for the default
     Trial expected;
     std::unique_ptr<TimeBudget> pace;  ///< set only if the picture has a time budget
     std::vector<std::string> reasons;  ///< report lines: each setting chosen, and the reason
@@ -43,11 +40,10 @@ struct AutoSettings {
 /// Opens the same scene in float precision. Throws InputError if float cannot represent it.
 using OpenFloat = std::function<Trials&()>;
 
-/// Renders a few pixels of the scene with different settings, and chooses hierarchy, reflection
-/// depth, shadow samples, pixel samples and precision, as far as the aim does not fix them and the
-/// scene has a use for them. The hierarchies of the chosen trials are built on return. Without
-/// `open_float` the precision does not change. A time budget counts from `start`. Returns nothing
-/// if `stop` was set.
+/// Renders a few pixels of the scene with different settings, and chooses reflection depth,
+/// precision, shadow samples and pixel samples, as far as the aim does not fix them and the scene
+/// has a use for them. Without `open_float` the precision does not change. A time budget counts
+/// from `start`. Returns nothing if `stop` was set.
 [[nodiscard]] std::optional<AutoSettings> choose(Trials& trials, const OpenFloat& open_float,
                                                  const Aim& aim, Clock::time_point start,
                                                  const std::atomic<bool>& stop);

@@ -1,8 +1,7 @@
 #include "common/tuning/choose_pixels.hpp"
 
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/penumbrae.hpp"
-#include "common/tuning/promise.hpp"
+#include "common/tuning/pixel_errors.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
@@ -162,6 +161,26 @@ private:
     RenderSettings settings_;
     PixelStudy& study_;
 };
+
+/// Estimates which share of the pixels that send rays to a light with a size is in a penumbra: the
+/// same settings with other rays give another color. The share is rather too large than too small,
+/// and infinite if no pixel sends any.
+double share_in_penumbrae(TrialRunner& runner, const Trials& trials,
+                          const RenderSettings& settings) {
+    constexpr std::size_t enough = 512;
+    const std::vector<Pixel> pixels = some_of(runner.spread().pixels(), enough);
+    const TrialSample one = runner.render_pixels(trials, settings, pixels, 1);
+    const std::vector<double> apart =
+        distances(one, runner.render_pixels(trials, settings, pixels, 2));
+    int sending = 0;
+    int different = 1;  // one more, which chance may have spared
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (one.light_rays[i] == 0) continue;
+        ++sending;
+        if (apart[i] > runner.limit() / 8) ++different;
+    }
+    return double(different) / double(sending);
+}
 
 }  // namespace
 

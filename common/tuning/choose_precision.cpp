@@ -11,12 +11,16 @@ namespace rt {
 
 namespace {
 
-/// The part of the time of rays that float saves; more of rays to lights, decided many at once.
-constexpr double saved_part = 0.05;
+/// The part of the time of paths that float saves, and of rays to lights, decided many at once.
+constexpr double saved_part = 0.02;
 constexpr double saved_part_of_soft = 0.15;
 
-/// The rays that float must save for each ray of the trials, and for each shape that is read again.
-constexpr double worth_trials = 50;
+/// The paths of a typical picture through each pixel, and the rays to a light with a size.
+constexpr double typical_paths = 16;
+constexpr double typical_light_rays = 64;
+
+/// The rays that float must save for each trial pixel, and for each shape that is read again.
+constexpr double worth_trials = 8;
 constexpr double worth_reading = 20;
 
 /// A few pixels on edges differ in float. More than one in a thousand have another cause.
@@ -55,7 +59,7 @@ bool are_on_edges(const std::vector<Pixel>& others, std::size_t tried, Resolutio
 
 PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
                                  const SceneTraits& traits, const OpenFloat& open_float,
-                                 const AutoSettings& chosen) {
+                                 const RenderSettings& settings) {
     const auto in_double = [](const std::string& why) {
         return PrecisionChoice{.why = "double" + why};
     };
@@ -69,9 +73,9 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
         return in_double(": rounding errors of float may be visible" + extremes);
 
     const std::vector<Pixel> pixels = runner.spread().pixels();
-    const bool soft = traits.sized_lights;
-    const double saved = (soft ? saved_part_of_soft : saved_part) * chosen.expected.rays -
-                         runner.center_rays();  // float would trace these again
+    const double paths = runner.aim().given.pixel_samples ? settings.pixel_samples : typical_paths;
+    const double saved =
+        saved_part * paths + (traits.sized_lights ? saved_part_of_soft * typical_light_rays : 0);
     const double rays = saved * runner.pixels();
     if (rays < worth_trials * double(pixels.size()) || rays < worth_reading * double(traits.shapes))
         return in_double(": trying float costs more than it could save");
@@ -89,19 +93,15 @@ PrecisionChoice choose_precision(TrialRunner& runner, const Trials& trials,
         return in_double(": float cannot represent a number of the scene");
     }
     Trials& in_float = *opened;
-    if (chosen.hierarchy_from) in_float.build_acceleration(*chosen.hierarchy_from);
-    RenderSettings settings = with_one_shadow_ray(chosen.expected.settings, runner.aim());
-    if (!runner.aim().given.pixel_samples) {
-        settings.pixel_samples = 1;
-        settings.pixel_error = 0;
-    }
-    const std::vector<Pixel> others = other_pixels(runner, trials, in_float, settings, pixels);
+    const std::vector<Pixel> others =
+        other_pixels(runner, trials, in_float,
+                     with_few_rays(with_one_shadow_ray(settings, runner.aim())).settings, pixels);
     const std::string found =
         std::to_string(others.size()) + " of " + std::to_string(pixels.size()) +
         " pixels differ from double's by more than " + levels(runner.limit() / 2);
     if (!are_on_edges(others, pixels.size(), runner.size()))
         return in_double(": in float " + found);
-    return {.in_float = true, .why = "float: " + found};
+    return {.in_float = &in_float, .why = "float: " + found};
 }
 
 }  // namespace rt

@@ -1,9 +1,7 @@
 #include "common/tuning/choose_samples.hpp"
 
 #include "common/tuning/candidates.hpp"
-#include "common/tuning/penumbra_study.hpp"
 #include "common/tuning/pixel_errors.hpp"
-#include "common/tuning/promise.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
@@ -15,145 +13,79 @@ namespace rt {
 
 namespace {
 
-class Sampling {
-public:
-    using Judged = PenumbraStudy::Judged;
+constexpr double least_part = 0.35;   ///< of the tolerance
+constexpr std::size_t enough = 1000;  ///< pixels
 
-    Sampling(TrialRunner& runner, const Trials& trials, const RenderSettings& settings)
-        : allowed_(*runner.aim().tolerance),
-          pixels_(runner.pixels()),
-          settings_(settings),
-          study_(runner, trials, settings, allowed_) {}
+/// The number of agreeing rays with which the search starts.
+int usual_agree(double allowed) {
+    return int(std::bit_floor(unsigned(std::clamp(32 / std::sqrt(allowed), 4., 1024.))));
+}
 
-    [[nodiscard]] Trial best() {
-        if (study_.pixels() > 0 && study_.pixels() < fewest_pixels) return untried();
-        for (const int rays : {1, 2, 4}) {
-            const Judged few = study_.judged(with_rays(settings_, rays));
-            if (keeps(few)) return confirmed(few);
-            if (few.trial.error > 4 * allowed_) break;  // more than four times the rays can reduce
-        }
-        return confirmed(found());
+/// The settings that are tried, the cheapest first. A smaller error than the last changes nothing
+/// that counts; from there on only more rays that agree do.
+std::vector<RenderSettings> candidates(const RenderSettings& settings, double allowed,
+                                       int most_agree) {
+    int agree = usual_agree(allowed);
+    std::vector<RenderSettings> all;
+    for (const int rays : {1, 2, 4}) all.push_back(with_rays(settings, rays));
+    for (const double part : {0.7, 0.6, 0.5, 0.42}) {
+        all.push_back(to_error(settings, two_digits(part * allowed), agree));
+        if (part < 0.7) all.push_back(to_error(settings, two_digits(part * allowed), 2 * agree));
     }
+    for (; agree <= most_agree; agree *= 2)
+        all.push_back(to_error(settings, two_digits(least_part * allowed), agree));
+    return all;
+}
 
-private:
-    /// Returns whether better settings would save less than more trials cost.
-    [[nodiscard]] bool has_tried_enough(const Trial& best) const {
-        return study_.rays_spent() > 0.06 * best.rays * pixels_;
-    }
-
-    [[nodiscard]] bool keeps(const Judged& judged) const { return judged.trial.error <= allowed_; }
-
-    [[nodiscard]] bool is_better(const Judged& a, const Judged& b) const {
-        if (keeps(a) != keeps(b)) return keeps(a);
-        return keeps(a) ? a.trial.rays < b.trial.rays : a.trial.error < b.trial.error;
-    }
-
-    /// The smallest error that is tried: a smaller one changes nothing that counts.
-    [[nodiscard]] double least_error() const { return two_digits(0.35 * allowed_); }
-
-    /// The error at which sampling can stop, if visibility_error (stage 11) estimates it correctly.
-    /// It is smaller if more of the picture is in a penumbra, because then a smaller fraction of
-    /// those pixels may exceed the tolerance.
-    [[nodiscard]] double likely_error() const {
-        return allowed_ * std::clamp(0.85 - study_.share() / 2, 0.45, 0.7);
-    }
-
-    /// Settings with about the largest error that still meets the tolerance.
-    Judged tuned(double error, int agree) {
-        Judged first = study_.judged(to_error(settings_, error, agree));
-        const double room = first.trial.error > 0 ? allowed_ / first.trial.error : 10;
-        if (1 <= room && (room < 1.25 || has_tried_enough(first.trial))) return first;
-        const double before = error;
-        error = std::clamp(error * std::clamp(0.95 * room, 0.5, 1.6), least_error(),
-                           std::max(1.2 * allowed_, least_error()));
-        if (error == before) return first;
-        Judged second = study_.judged(to_error(settings_, error, agree));
-        return is_better(second, first) ? second : first;
-    }
-
-    /// The number of agreeing rays with which the search starts.
-    [[nodiscard]] int usual_agree() const {
-        return int(std::bit_floor(unsigned(std::clamp(32 / std::sqrt(allowed_), 4., 1024.))));
-    }
-
-    /// Settings for penumbras whose rays cost less than trials would, because they have few pixels.
-    /// In so few pixels, two that exceed the tolerance may break the promise.
-    [[nodiscard]] Trial untried() {
-        constexpr int fewest_agree = 48;
-        const int agree = std::max(2 * usual_agree(), fewest_agree);
-        return study_.judged(to_error(settings_, least_error(), agree), 1).trial;
-    }
-
-    /// Searches for settings that meet the tolerance.
-    Judged found() {
-        constexpr int tries = 12;
-        Judged best = tuned(likely_error(), usual_agree());
-        for (int i = 0; i < tries && !keeps(best) && !is_finest(best.trial.settings); ++i)
-            best = finer(best);
-        return best;
-    }
-
-    [[nodiscard]] bool is_finest(const RenderSettings& settings) const {
-        return settings.shadow_error > 0 && settings.shadow_error <= least_error() &&
-               settings.shadow_agree >= study_.reference().shadow_agree;
-    }
-
-    /// A smaller error or a larger number of agreeing rays, whichever reduces the error more for
-    /// its cost.
-    Judged finer(const Judged& before) {
-        const RenderSettings settings = before.trial.settings;
-        if (settings.shadow_error == 0)
-            return settings.shadow_samples < 4
-                       ? study_.judged(with_rays(settings, 2 * settings.shadow_samples))
-                       : study_.judged(to_error(settings, likely_error(), 16));
-        const double part = std::clamp(0.95 * allowed_ / before.trial.error, 0.5, 0.8);
-        const RenderSettings to_less = to_error(
-            settings, std::max(part * settings.shadow_error, least_error()), settings.shadow_agree);
-        const RenderSettings of_more =
-            to_error(settings, settings.shadow_error, settings.shadow_agree * 2);
-        if (settings.shadow_agree >= study_.reference().shadow_agree) return study_.judged(to_less);
-        if (settings.shadow_error <= least_error()) return study_.judged(of_more);
-        Judged less = study_.judged(to_less);
-        Judged more = study_.judged(of_more);
-        const auto worth = [&](const Judged& judged) {
-            const double price = std::max(judged.trial.rays / before.trial.rays, 1.01);
-            return std::log(before.trial.error / judged.trial.error) / std::log(price);
-        };
-        return worth(less) > worth(more) ? less : more;
-    }
-
-    /// The settings, or finer ones, that meet the tolerance with other random rays too, and in the
-    /// worst tile.
-    Trial confirmed(Judged judged) {
-        constexpr int tries = 6;
-        for (int i = 0;; ++i) {
-            study_.judge_again(judged);
-            if (i == tries || is_finest(judged.trial.settings) ||
-                (keeps(judged) && study_.worst_tile_keeps(judged)))
-                return judged.trial;
-            judged = finer(judged);
-        }
-    }
-
-    static constexpr double fewest_pixels = 70;  ///< in penumbrae, for trials to pay
-
-    double allowed_;
-    double pixels_;  ///< of the picture
-    RenderSettings settings_;
-    PenumbraStudy study_;
-};
+/// The pixels whose color depends on the choice of shadow rays.
+std::vector<Pixel> in_penumbrae(TrialRunner& runner, const Trials& trials,
+                                const RenderSettings& settings, const std::vector<Pixel>& pixels) {
+    const std::vector<double> apart =
+        distances(runner.render_pixels(trials, with_rays(settings, 1), pixels, 1),
+                  runner.render_pixels(trials, with_rays(settings, 4), pixels, 2));
+    std::vector<Pixel> found;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        if (apart[i] > runner.limit() / 8) found.push_back(pixels[i]);
+    return found;
+}
 
 }  // namespace
 
 Trial keep_tolerance(TrialRunner& runner, const Trials& trials, const RenderSettings& settings) {
-    return Sampling(runner, trials, settings).best();
+    const double allowed = *runner.aim().tolerance;
+    const std::vector<Pixel> all = runner.spread().pixels();
+    const std::vector<Pixel> penumbrae = in_penumbrae(runner, trials, settings, all);
+    const RenderSettings reference = reference_settings(settings, allowed);
+    const std::vector<RenderSettings> tries = candidates(settings, allowed, reference.shadow_agree);
+    constexpr std::size_t too_few = 30;
+    if (!penumbrae.empty() && penumbrae.size() < too_few)
+        return {.settings = tries.back(), .error = allowed};
+    const double share = double(penumbrae.size()) / double(all.size());
+    const double few = std::min(few_in_penumbrae, few_pixels / std::max(share, few_pixels));
+    const std::vector<Pixel> pixels = some_of(penumbrae, enough);
+    int round = 3;
+    const TrialSample right = runner.render_pixels(trials, reference, pixels, round);
+    Trial trial;
+    for (const RenderSettings& tried : tries) {
+        if (trial.error > 4 * allowed && tried.shadow_error == 0) continue;  // four times the rays
+        trial = {.settings = tried};
+        std::vector<double> off;
+        // Those that keep the tolerance must do so with other random numbers too.
+        for (int turn = 0; turn < 2 && trial.error <= allowed; ++turn) {
+            for (const double apart :
+                 distances(runner.render_pixels(trials, tried, pixels, ++round), right))
+                off.push_back(apart / reference_bias(tried, reference));
+            trial.error = error_but_for_share(few, off);
+        }
+        if (trial.error <= allowed) break;
+    }
+    return trial;
 }
 
 QualityLadder measure_ladder(TrialRunner& runner, const Trials& trials,
                              const RenderSettings& settings) {
     const std::vector<Pixel> scattered = runner.spread().pixels();
-    const std::vector<Pixel> pixels =
-        some_of(scattered, std::max<std::size_t>(1000, scattered.size() / 8));
+    const std::vector<Pixel> pixels = some_of(scattered, std::max(enough, scattered.size() / 8));
     const std::vector<RenderSettings> candidates = sampling_candidates(settings);
     const double time = *runner.aim().time;
     QualityLadder ladder;

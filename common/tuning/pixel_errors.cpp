@@ -28,10 +28,10 @@ std::vector<double> distances(const TrialSample& a, const TrialSample& b) {
     return all;
 }
 
-std::size_t allowed_outliers(std::size_t tried, double share, double certain) {
+std::size_t allowed_outliers(std::size_t tried, double share) {
     if (share >= 1) return tried;
     const double expected = share * double(tried);
-    return std::size_t(std::max(expected - certain * std::sqrt(expected * (1 - share)), 0.));
+    return std::size_t(std::max(expected - certain_95 * std::sqrt(expected * (1 - share)), 0.));
 }
 
 double quantile(std::size_t allowed_outliers, std::vector<double> distances) {

@@ -5,6 +5,11 @@
 
 namespace rt {
 
+/// The promise of --tolerance: the largest fraction of the pixels whose error may exceed it.
+inline constexpr double few_pixels = 0.01;
+/// The same for the pixels in penumbrae, if the number of rays through a pixel is given.
+inline constexpr double few_in_penumbrae = 0.1;
+
 /// The color of a pixel of a picture; NaN where it is not a number.
 [[nodiscard]] DisplayColor display_color(const Rgb& rgb);
 
@@ -14,14 +19,12 @@ namespace rt {
 /// The differences between the pixels of two samples, in 8-bit levels.
 [[nodiscard]] std::vector<double> distances(const TrialSample& a, const TrialSample& b);
 
-/// Numbers of standard errors for 95 % and 99 % confidence.
+/// The number of standard errors for 95 % confidence.
 inline constexpr double certain_95 = 1.64;
-inline constexpr double certain_99 = 2.33;
 
-/// The number of trial pixels that may exceed the tolerance, such that with this confidence at most
+/// The number of trial pixels that may exceed the tolerance, such that with 95 % confidence at most
 /// the fraction `share` of all pixels does.
-[[nodiscard]] std::size_t allowed_outliers(std::size_t tried, double share,
-                                           double certain = certain_95);
+[[nodiscard]] std::size_t allowed_outliers(std::size_t tried, double share);
 
 /// The largest distance after the `allowed_outliers` largest ones are removed; 0 if none remains.
 [[nodiscard]] double quantile(std::size_t allowed_outliers, std::vector<double> distances);

@@ -4,7 +4,6 @@
 #include "common/tuning/candidates.hpp"
 #include "common/tuning/contrast.hpp"
 #include "common/tuning/pixel_errors.hpp"
-#include "common/tuning/promise.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
@@ -53,7 +52,7 @@ PixelStudy::PixelStudy(TrialRunner& runner, Trials& trials, const RenderSettings
                {.at_least = 8, .scouts = PixelHistory::fewest, .first = 512},
                {.at_least = 32, .first = 128}}} {
     constexpr std::size_t enough = 4096;
-    constexpr double fewest_pixels = 48;
+    constexpr double fewest_pixels = 64;
     reference_.pixel_samples = int(std::bit_floor(unsigned(std::clamp<double>(
         rays_in(seconds_left()) / (2 * fewest_pixels), 8, right_pixel_samples))));
     expect_details(trials.traits());

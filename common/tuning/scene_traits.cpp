@@ -25,10 +25,6 @@ void take_in(SceneTraits& traits, const PrimitiveList<Shape>& primitives) {
         traits.strongest_mirror = std::max(traits.strongest_mirror, double(material.mirror));
         traits.shapes += count(shape);
     }
-    if (Bounded<Shape> && primitives.size() > traits.most_alike) {
-        traits.most_alike = primitives.size();
-        traits.hierarchy_from = bvh_pays_from<Shape>;
-    }
 }
 
 }  // namespace

@@ -72,9 +72,10 @@ void QualityLadder::shorten(double seconds) {
     for (Trial& trial : trials_) trial.seconds = std::max(trial.seconds - seconds, least);
 }
 
-void QualityLadder::end_with(const Trial& trial) {
-    std::erase_if(trials_, [&](const Trial& other) { return other.seconds >= trial.seconds; });
-    add(trial);
+void QualityLadder::end_at(double error) {
+    const auto enough =
+        std::ranges::find_if(trials_, [=](const Trial& trial) { return trial.error <= error; });
+    if (enough != trials_.end()) trials_.erase(std::next(enough), trials_.end());
 }
 
 Trial QualityLadder::within_time(double seconds) const {

@@ -30,8 +30,8 @@ public:
     /// an upper bound.
     void extend(const std::vector<RenderSettings>& candidates, double seconds);
 
-    /// Makes the trial the most accurate entry, in place of all that cost as much.
-    void end_with(const Trial& trial);
+    /// Removes all settings that are finer than the first with at most this error.
+    void end_at(double error);
 
     /// Subtracts these seconds from all, as they are spent before.
     void shorten(double seconds);

@@ -22,11 +22,9 @@ struct SceneTraits {
     bool sized_lights = false;
     double shininess = 1;  ///< largest exponent of a highlight
     bool shadows = false;
-    double strongest_mirror = 0;     ///< largest mirror strength of a shape
-    std::size_t shapes = 0;          ///< number of shapes, with the triangles of meshes
-    std::size_t most_alike = 0;      ///< length of the longest list that a hierarchy could replace
-    std::size_t hierarchy_from = 0;  ///< default threshold of build_acceleration for a hierarchy
-    double unit_roundoff = 0;        ///< unit roundoff of the precision
+    double strongest_mirror = 0;  ///< largest mirror strength of a shape
+    std::size_t shapes = 0;       ///< number of shapes, with the triangles of meshes
+    double unit_roundoff = 0;     ///< unit roundoff of the precision
 };
 
 /// A color as displayed but not rounded: 0 to 255 for each component.
@@ -138,9 +136,6 @@ public:
 
     /// The gap of scene_lengths, which takes up to a second to find.
     [[nodiscard]] virtual double smallest_gap() const = 0;
-
-    /// Builds a hierarchy for each kind of shape with at least this many shapes.
-    virtual void build_acceleration(std::size_t hierarchy_from) = 0;
 
     /// Renders the pixels, with settings that have no pixel_error. The result does not depend on
     /// the number of threads. If stopped early, it is meaningless.

@@ -2,8 +2,6 @@
 
 #include "common/tuning/candidates.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
 
 namespace rt {
@@ -15,31 +13,12 @@ double TrialRunner::limit() const {
 
 TrialSample TrialRunner::render_pixels(const Trials& trials, const RenderSettings& settings,
                                        std::span<const Pixel> pixels, int round) {
-    TrialSample all;
-    double rays = 0;
-    double seconds = 0;
-    std::size_t done = 0;
-    // With a deadline in parts of 1, 1, 2, 4, … pixels: the last takes no longer than all before.
-    std::size_t next = deadline_ ? 1 : pixels.size();
-    do {
-        const auto part = pixels.subspan(done, std::min(next, pixels.size() - done));
-        TrialSample sample = trials.render_pixels(
-            settings, {.pixels = part, .round = round, .threads = aim_.threads, .stop = &stop_});
-        check_time();
-        const auto count = double(part.size());
-        drawn_ += part.size();
-        rays_ += sample.rays * count;
-        if (part.size() == pixels.size()) return sample;
-        rays += sample.rays * count;
-        seconds += sample.seconds * count;
-        std::ranges::move(sample.shades, std::back_inserter(all.shades));
-        std::ranges::move(sample.light_rays, std::back_inserter(all.light_rays));
-        done += part.size();
-        next = done;
-    } while (done < pixels.size());
-    all.rays = rays / double(pixels.size());
-    all.seconds = seconds / double(pixels.size());
-    return all;
+    TrialSample sample = trials.render_pixels(
+        settings, {.pixels = pixels, .round = round, .threads = aim_.threads, .stop = &stop_});
+    check_stop();
+    drawn_ += pixels.size();
+    rays_ += sample.rays * double(pixels.size());
+    return sample;
 }
 
 TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSettings& settings,
@@ -47,7 +26,7 @@ TrialHistories TrialRunner::trace_histories(const Trials& trials, const RenderSe
     request.threads = aim_.threads;
     request.stop = &stop_;
     TrialHistories histories = trials.trace_histories(settings, request);
-    check_time();
+    check_stop();
     drawn_ += request.pixels.size();
     rays_ += histories.rays;
     return histories;
@@ -57,7 +36,7 @@ TrialCenters TrialRunner::render_centers(Trials& trials, const RenderSettings& s
     const double start = seconds_since_start();
     const TrialCenters centers =
         trials.render_centers(settings, {.threads = aim_.threads, .stop = &stop_});
-    check_time();
+    check_stop();
     center_seconds_ = seconds_since_start() - start;
     center_rays_ = centers.rays;
     return centers;
@@ -71,9 +50,8 @@ double TrialRunner::seconds_since_start() const {
     return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void TrialRunner::check_time() const {
+void TrialRunner::check_stop() const {
     if (stop_) throw Stopped();
-    if (deadline_ && seconds_since_start() > *deadline_) throw OutOfTime();
 }
 
 double TrialRunner::seconds_for_trials() const {

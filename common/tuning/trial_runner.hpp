@@ -4,17 +4,10 @@
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/trial_pixels.hpp"
 
-#include <algorithm>
-#include <optional>
-#include <utility>
-
 namespace rt {
 
 /// Thrown between trials when the program is to stop.
 struct Stopped {};
-
-/// Thrown between trials when those of a search have used up its time.
-struct OutOfTime {};
 
 /// Measures settings on sample pixels, and counts the pixels rendered.
 class TrialRunner {
@@ -48,13 +41,6 @@ public:
     /// `of_a_pixel` seconds of CPU time.
     [[nodiscard]] double picture_seconds(double of_a_pixel) const;
 
-    /// The seconds that two configurations take for a pixel: the minimum over a few alternating
-    /// runs.
-    template <class First, class Second>
-    [[nodiscard]] std::pair<double, double> in_turn(const RenderSettings& settings,
-                                                    std::span<const Pixel> pixels, First first,
-                                                    Second second);
-
     [[nodiscard]] double seconds_since_start() const;
 
     /// The part of the time budget that trials may take: a tenth of it, or infinity without one.
@@ -62,11 +48,6 @@ public:
 
     /// Returns whether the trials have used up their part of the time budget.
     [[nodiscard]] bool no_time_left() const { return seconds_since_start() > seconds_for_trials(); }
-
-    /// The result of a search for the settings of a tolerance, if it ends within a quarter of the
-    /// time budget; else nothing.
-    template <class Search>
-    [[nodiscard]] auto within_time(Search search) -> std::optional<decltype(search())>;
 
     [[nodiscard]] std::size_t pixels_drawn() const { return drawn_; }
 
@@ -81,8 +62,7 @@ public:
     [[nodiscard]] double center_seconds() const { return center_seconds_; }
 
 private:
-    /// Throws Stopped, or OutOfTime.
-    void check_time() const;
+    void check_stop() const;
 
     Aim aim_;
     const std::atomic<bool>& stop_;
@@ -93,34 +73,7 @@ private:
     double rays_ = 0;
     double center_rays_ = 0;
     double center_seconds_ = 0;
-    std::optional<double> deadline_;  ///< seconds since the start
 };
-
-template <class Search>
-auto TrialRunner::within_time(Search search) -> std::optional<decltype(search())> {
-    deadline_ = *aim_.time / 4;
-    std::optional<decltype(search())> found;
-    try {
-        found = search();
-    } catch (const OutOfTime&) {
-    }
-    deadline_.reset();
-    return found;
-}
-
-template <class First, class Second>
-std::pair<double, double> TrialRunner::in_turn(const RenderSettings& settings,
-                                               std::span<const Pixel> pixels, First first,
-                                               Second second) {
-    constexpr int turns = 3;
-    std::pair least{render_pixels(first(), settings, pixels, 0).seconds,
-                    render_pixels(second(), settings, pixels, 0).seconds};
-    for (int i = 1; i < turns; ++i) {
-        least.first = std::min(least.first, render_pixels(first(), settings, pixels, 0).seconds);
-        least.second = std::min(least.second, render_pixels(second(), settings, pixels, 0).seconds);
-    }
-    return least;
-}
 
 /// Returns whether a picture of these settings begins with one ray through the center of each
 /// pixel, which trials may have traced.

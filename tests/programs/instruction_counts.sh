@@ -2,9 +2,9 @@
 # Features that a scene does not use cost nothing: instruction_counts.sh BUILD_FOLDER PROJECT_FOLDER
 #
 # The same scene is rendered by the first stage with all its features and by later stages, with more
-# features: area lights, mirrors, meshes. The number of executed instructions for the picture may
-# differ by 1 %. The instructions before the first pixel, such as for reading the options, are
-# subtracted: they are those for a picture of one pixel of the stage's first scene here.
+# features: shadows, area lights, mirrors, meshes. The number of executed instructions for the
+# picture may differ by 1 %. The instructions before the first pixel, such as for reading the
+# options, are subtracted: they are those for a picture of one pixel of the stage's first scene here.
 # Needs valgrind; status 77 if it is not installed.
 build=$1
 scenes=$2/scenes
@@ -17,7 +17,7 @@ cd "$folder" || exit 1
 
 # instructions STAGE SCENE PRECISION SIZE: the number for a picture; nothing if there is no picture.
 instructions() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/$1" "$scenes/$2.rt" \
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$build/$1" "$2.rt" \
         --precision "$3" --size "$4" --threads 1 --quiet -o picture.png > out 2>&1 &&
         sed -n 's/^==[0-9]*== Collected : *\([0-9]*\)$/\1/p' out
 }
@@ -34,6 +34,9 @@ cost() {
     cat "$kept" 2> /dev/null
 }
 
+cp "$scenes"/step*.rt .
+grep -v '^L' step09_phong.rt > ambient.rt
+
 # same_cost SCENE STAGE…: every built stage against the first, in both precisions.
 same_cost() {
     scene=$1
@@ -44,7 +47,7 @@ same_cost() {
             [ -x "$build/$stage" ] || continue
             count=$(cost "$stage" "$scene" $precision)
             if [ -z "$count" ]; then
-                fail "$stage does not draw scenes/$scene.rt under valgrind"
+                fail "$stage does not draw $scene.rt under valgrind"
                 continue
             fi
             [ -n "$base" ] || base=$count
@@ -60,6 +63,7 @@ same_cost() {
 }
 
 printf '%-20s %-7s %-20s %s\n' scene numbers stage instructions
+same_cost ambient step09_phong step10_shadows step11_soft_shadows step12_mirror step13_meshes
 same_cost step09_phong step10_shadows step11_soft_shadows step12_mirror  # no area light, no mirror
 same_cost step09_phong step12_mirror step13_meshes                       # no mesh
 same_cost step10_shadows step10_shadows step11_soft_shadows step12_mirror

@@ -228,7 +228,7 @@ few=$(rays)
 
 # The choices of --tolerance and --time are printed, and the printed options can be used.
 "$build/step11_soft_shadows" "$soft" -o 1.png --size 80x60 --precision double --tolerance 4 > out
-for words in hierarchy depth "pixel samples" precision expected trials; do
+for words in depth "pixel samples" precision expected trials; do
     grep -q "^  $words  " out || fail "--tolerance tells of the $words"
 done
 # The same choice gives the same bytes: again, and by the equivalent options that it printed.

@@ -93,7 +93,6 @@ public:
     [[nodiscard]] double smallest_gap() const override {
         return std::numeric_limits<double>::infinity();
     }
-    void build_acceleration(std::size_t) override {}
     [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
                                             const TrialRequest& request) const override {
         return rt::render_pixels(scene_, settings, request);

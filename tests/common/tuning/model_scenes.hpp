@@ -6,7 +6,6 @@
 #include "common/system/hash.hpp"
 #include "common/tuning/auto_settings.hpp"
 #include "common/tuning/choose_depth.hpp"
-#include "common/tuning/penumbrae.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -25,21 +24,16 @@ struct ModelScene {
     double shadow = 0;  ///< the share in full shadow, whose rays to lights are in vain: beside them
     double edges = 0;   ///< the share of the pixels on an edge: those farthest to the right
     double lost = 0;  ///< the share of these that no ray through a center leads to: the upper ones
-    double estimated = 1;  ///< the part of the error of rays that --pixel-error estimates
-    bool thin_shadow =
-        false;               ///< in one tile fewer than 64 rays that agree are wrong half the time
-    double reflections = 0;  ///< of a ray, if the depth allows them
+    double estimated = 1;        ///< the part of the error of rays that --pixel-error estimates
+    double reflections = 0;      ///< of a ray, if the depth allows them
     double reflection_cost = 1;  ///< in units of ray_cost
     double ray_cost = 1e-7;
     double shadow_ray_cost = 1e-7;
-    double list_cost = 1;       ///< in units of ray_cost
-    double hierarchy_cost = 1;  ///< as well
-    double other = 0;           ///< the share of the pixels that this precision gets wrong
+    double other = 0;  ///< the share of the pixels that this precision gets wrong
     std::chrono::milliseconds center_time{0};  ///< by the clock, for the rays through all centers
     double clock_noise = 1;  ///< seconds are too many, or too few, by up to this factor
     std::size_t asked = 0;   ///< pixels
     double spent = 0;        ///< seconds
-    std::size_t pays_from = 0;
 
     [[nodiscard]] double pixels() const { return double(size.width) * double(size.height); }
 };
@@ -82,9 +76,7 @@ inline double path_cost(const ModelScene& model, const RenderSettings& settings)
 
 /// Seconds of a pixel.
 inline double cost_of(const ModelScene& model, const RenderSettings& settings, bool shaded) {
-    const bool listed = model.traits.most_alike < model.pays_from;
-    return path_cost(model, settings) * (listed ? model.list_cost : model.hierarchy_cost) +
-           model.shadow_ray_cost * light_rays(settings, shaded);
+    return path_cost(model, settings) + model.shadow_ray_cost * light_rays(settings, shaded);
 }
 
 /// The cost of the whole picture.
@@ -97,14 +89,11 @@ inline double cost_of(const ModelScene& model, const RenderSettings& settings) {
 /// Trials on a model scene, with a clock that is wrong by the model's noise.
 class ModelTrials : public Trials {
 public:
-    explicit ModelTrials(ModelScene& model) : model_(model) {
-        model_.pays_from = model.traits.hierarchy_from;
-    }
+    explicit ModelTrials(ModelScene& model) : model_(model) {}
 
     [[nodiscard]] Resolution resolution() const override { return model_.size; }
     [[nodiscard]] SceneTraits traits() const override { return model_.traits; }
     [[nodiscard]] double smallest_gap() const override { return model_.traits.lengths.gap; }
-    void build_acceleration(std::size_t pays_from) override { model_.pays_from = pays_from; }
 
     [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
                                             const TrialRequest& request) const override {
@@ -235,15 +224,10 @@ private:
                                   bool in_penumbra) const {
         const auto place = unsigned(pixel.row * model_.size.width + pixel.column);
         std::mt19937 random(place * 7919 + unsigned(round) * 104'729 + 1);
-        std::uniform_real_distribution<double> share;
         // The same pixels at any round.
         if (std::fmod(0.618033988749895 * place, 1) < model_.other) return 200;
         if (!in_penumbra) return 100;
-        double shade = 100 + error_of(settings) * std::normal_distribution<double>()(random);
-        const bool in_thin_shadow = model_.thin_shadow && pixel.row < 32 && pixel.column < 32;
-        const bool believed = 0 < settings.shadow_agree && settings.shadow_agree < 64;
-        if (in_thin_shadow && believed && share(random) < 0.5) shade += 30;
-        return shade;
+        return 100 + error_of(settings) * std::normal_distribution<double>()(random);
     }
 
     /// Of each reflection the mirror's part of the one before.
@@ -299,9 +283,7 @@ inline bool keeps(const ModelScene& model, double error, double allowed) {
 }
 
 inline ModelScene plain() {
-    return {.traits = {.lengths = {.largest = 10, .smallest = 1},
-                       .hierarchy_from = 32,
-                       .unit_roundoff = 1e-16}};
+    return {.traits = {.lengths = {.largest = 10, .smallest = 1}, .unit_roundoff = 1e-16}};
 }
 
 inline ModelScene soft(double penumbra) {

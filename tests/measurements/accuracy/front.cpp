@@ -114,11 +114,11 @@ public:
             cell.in_float = true;
             (void)result(cell);
             cell.in_float = false;
-            if (traits.most_alike < 2) continue;
-            constexpr std::size_t none = 1'000'000;
-            cell.hierarchy_from = traits.most_alike < traits.hierarchy_from ? 2 : none;
-            // Longer lists are known to be slow.
-            if (cell.hierarchy_from == 2 || traits.most_alike <= 100) (void)result(cell);
+            if (traits.shapes < 2 || traits.shapes > 100) continue;  // long lists are slow
+            for (const std::size_t hierarchy_from : {std::size_t(2), std::size_t(1'000'000)}) {
+                cell.hierarchy_from = hierarchy_from;
+                (void)result(cell);
+            }
         }
         choices();
     }

@@ -43,9 +43,6 @@ public:
     [[nodiscard]] Resolution resolution() const override { return scene_.resolution(); }
     [[nodiscard]] SceneTraits traits() const override { return scene_.traits(); }
     [[nodiscard]] double smallest_gap() const override { return scene_.smallest_gap(); }
-    void build_acceleration(std::size_t hierarchy_from) override {
-        scene_.build_acceleration(hierarchy_from);
-    }
     [[nodiscard]] TrialSample render_pixels(const RenderSettings& settings,
                                             const TrialRequest& request) const override {
         TrialSample sample = scene_.render_pixels(settings, request);
@@ -195,7 +192,6 @@ Drawing whole_time(Options options) {
         };
         const auto choice = choose(*session, open_float, options, Clock::now(), going_on);
         options.settings = choice->expected.settings;
-        options.hierarchy_from = choice->hierarchy_from;
         if (choice->in_float) {
             options.precision = Precision::f32;
             session = std::move(in_float);
