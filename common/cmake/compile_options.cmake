@@ -109,6 +109,7 @@ endfunction()
 # raysteps_compile_by_folder(<target>...): compiles each folder's sources as one (CMake's unity
 # build), so that the headers that they share are read once: a first build takes half the time. Two
 # sources of a folder cannot give a helper the same name. -DCMAKE_UNITY_BUILD=OFF compiles each alone.
+# raysteps_compile_together(<target> <folder>...): compiles the sources of these folders as one.
 function(raysteps_compile_by_folder)
     if(NOT DEFINED CMAKE_UNITY_BUILD)
         set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
@@ -124,6 +125,13 @@ function(raysteps_compile_by_folder)
             set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder})
         endforeach()
     endforeach()
+endfunction()
+
+function(raysteps_compile_together target)
+    get_target_property(sources ${target} SOURCES)
+    list(JOIN ARGN "|" folders)
+    list(FILTER sources INCLUDE REGEX "(^|/)(${folders})/[^/]*$")
+    set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${target})
 endfunction()
 
 # raysteps_start_from_common(<name>): compiles <name>_f32 and _f64 in half the time with the
@@ -177,7 +185,7 @@ endfunction()
 
 # raysteps_target(<name> [STATIC | ON_DEMAND] SOURCES <source>... [LIBRARIES <library>...]
 #     [OPTIONS <option>...] [DEFINITIONS <definition>...]): a program, which ON_DEMAND is built by
-# name only, or a STATIC library.
+# name only, or a STATIC library, compiled by folder.
 function(raysteps_target name)
     cmake_parse_arguments(PARSE_ARGV 1 the "STATIC;ON_DEMAND" "" "SOURCES;LIBRARIES;OPTIONS;DEFINITIONS")
     if(the_STATIC)
@@ -189,6 +197,7 @@ function(raysteps_target name)
     endif()
     target_compile_options(${name} PRIVATE ${the_OPTIONS})
     target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
+    raysteps_compile_by_folder(${name})
     if(the_ON_DEMAND)
         set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     endif()

@@ -1,6 +1,7 @@
 #include "common/system/files.hpp"
 
 #include "common/system/input_error.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/whole_file.hpp"
 
 #include <unistd.h>  // mkdtemp on macOS
@@ -61,6 +62,12 @@ bool is_free_for_folder(const fs::path& path) {
     const fs::file_type type = fs::symlink_status(path).type();
     return type == fs::file_type::not_found ||
            (type == fs::file_type::directory && fs::is_empty(path));
+}
+
+void refuse_what_is_there(const fs::path& typed, const fs::path& path) {
+    if (!is_free_for_folder(path))
+        throw InputError({typed.string()},
+                         tr("exists already: expected a new name, or an empty folder"));
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent)

@@ -34,6 +34,9 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 /// True if the path is free for a new folder: there is nothing, or an empty folder and no link.
 [[nodiscard]] bool is_free_for_folder(const std::filesystem::path& path);
 
+/// Throws InputError, with the name that the user typed, if the path is not free for a new folder.
+void refuse_what_is_there(const std::filesystem::path& typed, const std::filesystem::path& path);
+
 /// A new folder with a unique name, removed at the end of its scope.
 class TemporaryFolder {
 public:

@@ -26,7 +26,7 @@ struct File {
     bool meshes = false;  ///< true if it needs OpenMesh
 };
 
-const std::vector<File> files = {
+const std::vector<File> tables = {
     {"shapes", "shape_costs", {"costs_float", "costs_double"}, 11, 2},
     {"shapes", "shape_errors", {"errors_float", "errors_double"}, 1, 100},
     {"contact", "contact", {"contact_float", "contact_double"}, 1, 2},
@@ -110,12 +110,12 @@ std::string measured(const File& file, Meter& meter) {
 
 std::vector<File> chosen(const std::vector<std::string>& names) {
     std::vector<File> found;
-    for (const File& file : files)
+    for (const File& file : tables)
         if (names.empty() || std::ranges::count(names, file.study) > 0) found.push_back(file);
     for (const std::string& name : names)
-        if (std::ranges::none_of(files, [&](const File& file) { return file.study == name; })) {
+        if (std::ranges::none_of(tables, [&](const File& file) { return file.study == name; })) {
             std::string all;
-            for (const File& file : files)
+            for (const File& file : tables)
                 if (all.find(file.study) == std::string::npos)
                     all += std::string(all.empty() ? "" : ", ") + file.study;
             throw InputError({}, "no study \"" + name + "\": there are " + all);

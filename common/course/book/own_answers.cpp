@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::seconds time_limit{30};  // call_once has a shorter one, of computing time
-constexpr std::size_t longest_question = 4096;  // in digits
+constexpr std::chrono::seconds answer_limit{30};  // call_once has a shorter one, of computing time
+constexpr std::size_t longest_question = 4096;    // in digits
 
 /// The names and the times of the student's files of a stage; empty if there are none.
 std::string state_of_files(int stage) {
@@ -101,7 +101,7 @@ Response own_answer(const Request& request, const std::atomic<bool>& cancelled) 
     bring_up_to_date(stage, worker);
     const ProcessResult called = run_captured(
         {(build_folder / "call_once").string(), (build_folder / worker).string(), question},
-        time_limit, &cancelled);
+        answer_limit, &cancelled);
     if (called.out_of_time) throw Refusal{422, "your code gave no answer within 30 s"};
     const std::string printed = called.output.substr(0, called.output.find('\n'));
     if (called.status != 0) throw Refusal{422, printed};

@@ -61,8 +61,7 @@ void print_page(const std::string& browser, const fs::path& page, const fs::path
 
 void check_printing(const fs::path& destination) {
     if (destination.empty()) throw InputError({}, "book: expected a name, not \"\"");
-    if (!is_free_for_folder(folder_of(destination)))
-        throw InputError({destination.string()}, "exists already: expected a new name");
+    refuse_what_is_there(destination, folder_of(destination));
     (void)browser();
     if (!is_installed("pdfunite"))
         throw InputError({}, "book: --pdf needs pdfunite, of poppler-utils");

@@ -38,7 +38,7 @@ bool is_unchanged_site(const fs::path& folder) {
            read_text(folder / list_of_files) == fingerprints(folder);
 }
 
-void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
+void refuse_what_is_no_site(const fs::path& destination, const fs::path& target) {
     const bool is_site =
         fs::symlink_status(target).type() == fs::file_type::directory && is_unchanged_site(target);
     if (!is_free_for_folder(target) && !is_site)
@@ -77,7 +77,7 @@ void run_mkdocs(const fs::path& project, const fs::path& site, const std::string
 void write_site(const fs::path& project, const fs::path& destination, const std::string& source) {
     if (destination.empty()) throw InputError({}, "book: expected a name, not \"\"");
     const fs::path target = fs::absolute(destination / "").lexically_normal().parent_path();
-    refuse_what_is_there(destination, target);
+    refuse_what_is_no_site(destination, target);
     build_engine();
 
     // Beside it until it is whole.
@@ -86,7 +86,7 @@ void write_site(const fs::path& project, const fs::path& destination, const std:
     const fs::path site = workshop.path() / "new";
     run_mkdocs(project, site, source);
     write_text(site / list_of_files, fingerprints(site));
-    refuse_what_is_there(destination, target);  // it may have been changed meanwhile
+    refuse_what_is_no_site(destination, target);  // it may have been changed meanwhile
     if (fs::exists(target)) fs::rename(target, workshop.path() / "old");
     fs::rename(site, target);
 }

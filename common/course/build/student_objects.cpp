@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::seconds time_limit{5};
+constexpr std::chrono::seconds listing_limit{5};
 
 std::vector<fs::path> student_files(int stage) {
     return files_in(project_folder / step_path(stage, "student"), ".cpp");
@@ -48,7 +48,7 @@ void read_symbols(std::vector<LinkedFile>& files) {
     constexpr std::size_t most_output = 4'000'000;
     Command command = {"sh", "-c", "nm -gCA \"$@\" | grep ' [TDBR] '", "nm"};
     for (const LinkedFile& each : files) command.push_back(each.object.string());
-    const ProcessResult listed = run_captured(command, time_limit, nullptr, most_output);
+    const ProcessResult listed = run_captured(command, listing_limit, nullptr, most_output);
     for (const std::string& line : lines_of(listed.output))
         for (LinkedFile& each : files) {
             const std::string object = each.object.string() + ":";

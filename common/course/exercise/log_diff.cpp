@@ -15,8 +15,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-constexpr double rounding = 1e-5;   // between two right formulas, in float and in double
-constexpr std::size_t most = 2000;  // lines; a scene with more shapes logs no more of its misses
+constexpr double rounding = 1e-5;         // between two right formulas, in float and in double
+constexpr std::size_t most_lines = 2000;  // a scene with more shapes logs no more of its misses
 
 /// True if two texts are equal up to the last digits of their numbers.
 bool same(const std::string& a, const std::string& b) {
@@ -220,8 +220,8 @@ LogDiff compare_logs(const std::string& mine, const std::string& reference, Writ
         b = without_sections(b, is_closest_hit);
         diff.hits_of_loop = hits_in(a);
     }
-    a.resize(std::min(a.size(), most));
-    b.resize(std::min(b.size(), most));
+    a.resize(std::min(a.size(), most_lines));
+    b.resize(std::min(b.size(), most_lines));
     const Lines a_names = names(a);
     const Lines b_names = names(b);
     const auto longest = common_tails(a_names, b_names);

@@ -315,10 +315,6 @@ void pack(const fs::path& folder, const fs::path& archive) {
     throw ProgramError("error: tar failed\n" + ending.output);
 }
 
-void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
-    if (!is_free_for_folder(target)) throw InputError({destination.string()}, "exists already");
-}
-
 }  // namespace
 
 int hand_out(const fs::path& destination, const std::vector<std::string>& also,

@@ -139,12 +139,6 @@ private:
     std::vector<int> left_out_;
 };
 
-void refuse_what_is_there(const fs::path& destination, const fs::path& target) {
-    if (!is_free_for_folder(target))
-        throw InputError({destination.string()},
-                         tr("exists already: expected a new name, or an empty folder"));
-}
-
 void write(const Layout& layout, const fs::path& project, const fs::path& folder) {
     for (const fs::path& file : layout.files()) copy_whole(project / file, folder / file);
     write_text(folder / "main.cpp", main_cpp);
