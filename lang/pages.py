@@ -227,8 +227,9 @@ def write_messages(template, name):
     view has, and what stands in figures. False if there is no such source."""
     room = project / rooms[name]
     of_student = re.compile(r"\b(tr|to_translate|add_student_commands|add_author_commands)\(")
-    sources = [source for source in sorted(room.glob("**/*.?pp")) if name in ["course", "grading"]
-               and (name == "grading" or "grade" not in source.relative_to(room).parts)
+    shared = (project / "common/system").glob("*.cpp") if name == "course" else []
+    sources = [source for source in sorted([*room.glob("**/*.?pp"), *shared]) if name in ["course", "grading"]
+               and (name == "grading" or "grade" not in source.relative_to(project).parts)
                and of_student.search(source.read_text(encoding="utf-8"))]
     sentences = sentences_elsewhere(room, name)
     if not sources + sentences:  # the book without the program
