@@ -52,10 +52,13 @@ refused "a site and PDFs" "--pdf" --out new --pdf other
 )
 grep -q 'error: ' err || fail "without mkdocs it says so"
 
-# A project without tests, as a hand-out is: links to them are text. A page whose formula cannot be
-# set is named.
-mkdir -p small/common/course small/build
-cp -r "$project/docs" "$project/scenes" "$project/README.md" small
+# A project of few pages and without tests, as a hand-out is: links to them are text. A page whose
+# formula cannot be set is named.
+mkdir -p small/common/course small/build small/docs
+cp -r "$project/scenes" "$project/README.md" small
+for page in README.md debugging.md cpp.md step03_sphere.md scenes.md glossary.md errata.md figures pictures gallery; do
+    cp -r "$project/docs/$page" small/docs
+done
 cp -r "$project/common/course/book" small/common/course/book
 ln -s "$project/steps" small/steps
 set_pages() {

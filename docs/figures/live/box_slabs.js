@@ -17,10 +17,10 @@ define("box_slabs", class extends RayFigure {
 
   /// The intervals of the slabs over t, one above the other, and their common part.
   bars(sketch, top, name, parts, inside) {
-    const place = (t) => 500 + 44 * Math.max(-2, Math.min(3, t)), [letter, ...meaning] = name.split(": ");
+    const place = (t) => 510 + 34 * Math.max(-3, Math.min(3.4, t)), [letter, ...meaning] = name.split(": ");
     if (inside !== null) sketch.cells([[place(inside.min), top - 19, place(inside.max) - place(inside.min), 38]], { fill: color.faint });
-    sketch.pixels("line", { x1: 500, x2: 500, y1: top - 22, y2: top + 22 }, { stroke: color.gray, width: 1 });
-    sketch.write([500, top - 28], "$t$ = 0", color.gray, "middle");
+    sketch.pixels("line", { x1: place(0), x2: place(0), y1: top - 22, y2: top + 22 }, { stroke: color.gray, width: 1 });
+    sketch.write([place(0), top - 28], "$t$ = 0", color.gray, "middle");
     parts.forEach((part, i) => {
       const y = top - 10 + 20 * i;
       if (part !== null) sketch.pixels("line", { x1: place(part.min), x2: place(part.max), y1: y, y2: y }, { stroke: color.gray, width: 5 });

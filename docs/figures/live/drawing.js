@@ -331,9 +331,9 @@ export class Figure extends HTMLElement {
   /// A row is a name and a value, or a text of `--pixel`.
   #tell(rows) {
     const line = (cells, kind = "") => {
-      const tr = Object.assign(document.createElement("tr"), { className: kind });
-      tr.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: tr(text), ...(cells.length === 1 && { colSpan: 2 }) })));
-      return tr;
+      const row = Object.assign(document.createElement("tr"), { className: kind });
+      row.append(...cells.map((text) => Object.assign(document.createElement("td"), { textContent: tr(text), ...(cells.length === 1 && { colSpan: 2 }) })));
+      return row;
     };
     if (this.differences.size) this.table.parentElement.open = true;
     this.table.replaceChildren(...rows.flatMap((row) => {

@@ -16,7 +16,7 @@ define("mirror_facing", class extends RayFigure {
   }
 
   async draw(sketch) {
-    sketch.label([1.4, 0, 0], [12, 5], "weight, shows 1 − $m$", color.gray, "start");
+    sketch.label([1.4, 0, 0], [12, 5], "reflected weight", color.gray, "start");
     [`$m$ = ${this.mirror.value}`, `depth ${this.depth.value}`].forEach((text, i) => sketch.write([20, 290 + 22 * i], text));
     sketch.label(this.origin.place, [0, 24], "eye");
     for (const { point: [x] } of walls) sketch.line([x, -0.2, 0], [x, 3, 0], { width: 4 });

@@ -87,11 +87,12 @@ define("phong_vectors", class extends Figure {
     sketch.label(this.eye.place, [20, 5], "eye", color.ink, "start");
     const shown = { ...material, color: times(Math.max(ratio, brightness), material.color), specular: highlight * material.specular };
     await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
-    const told = { ambient: ["", color.gray], diffuse: [", cos $θ$ = ⟨$L$, $N$⟩", color.amber], specular: [", cos $α$ = ⟨$R$, $V$⟩", color.red] };
-    Object.entries(told).forEach(([term, [cosine, fill]], i) => {
+    const cosine = (a, b) => short(a.reduce((sum, x, i) => sum + x * b[i], 0));
+    const told = { ambient: ["", color.gray], diffuse: [`, cos $θ$ = ${cosine(L, N)}`, color.amber], specular: [`, cos $α$ = ${cosine(R, to_eye)}`, color.red] };
+    Object.entries(told).forEach(([term, [angle, fill]], i) => {
       const y = 242 + 36 * i;
       sketch.cells([[400, y + 6, 200 * Math.min(1, terms[term][2]), 12]], { fill });
-      sketch.write([400, y], `${term}: ${short(terms[term][2])}${cosine}`);
+      sketch.write([400, y], `${term}: ${short(terms[term][2])}${angle}`);
     });
     return [await this.ask(0, "explain_light", surface, light), ...Object.entries(terms)];
   }

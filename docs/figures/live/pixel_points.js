@@ -52,7 +52,7 @@ define("pixel_points", class extends Figure {
     }
     let hits = 0;
     for (let i = 0; i < many; ++i) hits += await this.hits(triangle, await this.point("spread", i));
-    sketch.write([320, 294], `${many} spread: ${((100 * hits) / many).toFixed(1)} %`, color.ink, "middle");
+    sketch.write([320, 294], `true share, by ${many} rays: ${((100 * hits) / many).toFixed(1)} %`, color.red, "middle");
     return [...rows, [`${many} spread rays`, `${((100 * hits) / many).toFixed(1)} %`]];
   }
 });

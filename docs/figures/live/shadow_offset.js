@@ -51,7 +51,7 @@ define("shadow_offset", class extends Figure {
     for (const [fate, fill] of [["own", color.red], ["lost", color.amber]]) sketch.cells(points[fate].map(([left, top]) => [left - 3, top - 3, 6, 6]), { fill });
     // Within this distance of a point, hits do not count.
     if (epsilon && !this.together) sketch.circle([side + 1.6, 0, 0], Math.min(99, epsilon / size), { fill: "none", stroke: color.gray, width: 1, dashes: "5 4" });
-    [title, epsilon ? `ε = ${epsilon.toExponential()}` : "off by its error", `size ${short(size, 1)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
+    [title, epsilon ? `ε = ${epsilon.toExponential()}` : "ε by the point's error", `size ${short(size, 1)}`].forEach((text, i) => sketch.label([side + 0.1, 0, 0], [0, 24 + 19 * i], text, i ? color.gray : color.ink));
     return `${points.own.length} points with acne, ${points.lost.length} with lost shadow, of ${2 * shown}`;
   }
 

@@ -16,12 +16,13 @@ define("soft_shadow_samples", class extends Figure {
 
   async draw(sketch) {
     const light = { position: [0, 4, 0], brightness: 1, color: [1, 1, 1], radius: this.radius.value };
+    const [, height] = light.position, seen_radius = light.radius / Math.sqrt(1 - (light.radius / height) ** 2);
     const [x, y] = this.ball.place, ball = { center: [x / 2, 2, y / 2], radius: 0.3 };
     const count = 2 ** this.count.value, rows = [["samples", `${count}`]];
     const errors = await this.ask(0, "sampling_errors", light, ball, count);
     for (const [i, [kind, shift, square]] of [["well spread", 0, 202], ["independent", 4.1, 528]].entries()) {
-      sketch.circle([shift, 0, 0], light.radius, { fill: color.pale_amber, stroke: color.amber });
-      sketch.circle([shift + x, y, 0], 0.6, { fill: "none", stroke: color.gray, dashes: "4 4" });
+      sketch.circle([shift, 0, 0], seen_radius, { fill: color.pale_amber, stroke: color.amber });
+      sketch.circle([shift + x, y, 0], 0.6 / Math.sqrt(1 - 0.15 ** 2), { fill: "none", stroke: color.gray, dashes: "4 4" });
       sketch.label([shift + x, y + 0.6, 0], [0, -6], "ball", color.gray);
       // Boxes of equal size, as many as samples.
       const across = 2 ** Math.ceil(this.count.value / 2), down = count / across, size = 108, top = 106;
@@ -34,8 +35,9 @@ define("soft_shadow_samples", class extends Figure {
         const way = await this.ask(10, "shadow_ray", from, point);
         const blocked = (await this.ask(3, "intersect", way.ray, ball, way.interval)) !== null;
         if (!blocked) ++reached;
-        // A blocked sample is a cross, one that arrives is a dot.
-        const [cx, cy] = sketch.screen([shift + point[0], point[2], 0]), places = [[cx, cy], [square + size * sample[0], top + size * (1 - sample[1])]];
+        // A blocked sample is a cross, one that arrives is a dot; in the plane of the light's center, as they are seen.
+        const nearer = height / point[1];
+        const [cx, cy] = sketch.screen([shift + nearer * point[0], nearer * point[2], 0]), places = [[cx, cy], [square + size * sample[0], top + size * (1 - sample[1])]];
         for (const [u, v] of places)
           if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.red, width: 1 });
           else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });

@@ -2,7 +2,7 @@
 import { Figure, Sketch, add, ahead, color, define, short, times } from "./drawing.js";
 
 define("square_frame", class extends Figure {
-  view = { place: [430, 170], scale: 108 };
+  view = { place: [460, 170], scale: 108 };
 
   setup() {
     this.center = this.handle("center", [0, 0, 0]);
@@ -49,16 +49,18 @@ define("square_frame", class extends Figure {
       sketch.label(end, name === "U" ? [14, 8] : [-14, 0], `$${name}$`);
     }
     sketch.line(corner(0, 1), corner(1, 1), { width: 5 });
-    sketch.label(corner(0.5, 1), [0, -10], "$h$ / 2");
-    // The two coordinates of p: along X from C, then along Y.
-    const along = add(corner(-1, -1), times(uv[0] * h, basis.x));
-    sketch.line(corner(-1, -1), along, { stroke: color.amber, width: 2 });
-    sketch.line(along, p, { stroke: color.amber, width: 2, dashes: "5 4" });
-    sketch.label(times(0.5, add(corner(-1, -1), along)), [0, 20], `$u$ = ${short(uv[0])}`, color.amber);
+    sketch.label(corner(0.5, 1), [0, -10], `$h$ / 2 = ${short(h / 2)}`);
+    // The two coordinates of p from C: along U and along V.
+    const c = corner(-1, -1), [along, up] = [times(uv[0] * h, basis.x), times(uv[1] * h, basis.y)];
+    for (const end of [add(c, along), add(c, up)]) {
+      sketch.line(c, end, { stroke: color.amber, width: 3.5 });
+      sketch.line(end, p, { stroke: color.amber, width: 1, dashes: "5 4" });
+    }
+    sketch.label(add(c, times(0.5, along)), [0, 20], `$u$ = ${short(uv[0])}`, color.amber);
+    sketch.label(add(c, times(0.5, up)), [-8, 5], `$v$ = ${short(uv[1])}`, color.amber, "end");
     const [x, y] = uv.map((share) => (share - 0.5) * h), beside = add(o, times(x, basis.x));
     sketch.line(o, beside, { stroke: color.blue, width: 2 });
     sketch.line(beside, p, { stroke: color.blue, width: 2 });
-    sketch.label(times(0.5, add(along, beside)), [-8, 12], `$v$ = ${short(uv[1])}`, color.amber, "end");
     sketch.label(times(0.5, add(o, beside)), [4, 18], `$x$ = ${short(x)}`, color.blue, "start");
     sketch.label(times(0.5, add(beside, p)), [8, 5], `$y$ = ${short(y)}`, color.blue, "start");
     sketch.mark(p, t === null ? "refused" : "hit");

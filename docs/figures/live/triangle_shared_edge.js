@@ -47,7 +47,7 @@ define("triangle_shared_edge", class extends Figure {
     const all = (2 * reach + 1) ** 2;
     ["the reference", "three half-planes"].forEach((name, form) => {
       sketch.write([left[form] + 68, 38], name, color.ink, "middle");
-      sketch.write([left[form] + 68, 60], `${lost[form]} of ${all}`, lost[form] ? color.red : color.ink, "middle");
+      sketch.write([left[form] + 68, 60], `lost: ${lost[form]} of ${all}`, lost[form] ? color.red : color.ink, "middle");
     });
     ["blue, green: one triangle", "amber: both", "red with a cross: neither, a crack"].forEach((text, i) => sketch.write([480, 232 + 22 * i], text, i === 2 ? color.red : color.ink, "middle"));
     return [["cracks with intersect", `${lost[0]} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${lost[1]} of ${all} rays`]];
