@@ -146,7 +146,7 @@ void Commands::print_summary() const {
     std::printf("\n%s%s\n", wrapped_page(tr("Commands:") + names, 0).c_str(),
                 tr("./course --help describes them.").c_str());
     if (is_handout(project_folder))
-        std::printf("\n%s\n", wrapped(read_manifest(project_folder).title).c_str());
+        std::printf("\n%s\n", wrapped(tr_text(read_manifest(project_folder).title)).c_str());
     std::puts("");
     show_next();
 }

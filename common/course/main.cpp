@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file above the size limit is an error to report
     try {
         rt::read_project_translations("course");
+        rt::read_project_translations("program");
         const int status = rt::Commands().run(argc, argv);
         rt::finish_output();
         return status;

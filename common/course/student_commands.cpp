@@ -46,7 +46,6 @@ bool is_pixel(const std::string& word) {
 /// Both pictures of a stage in a browser.
 int view_stage(int stage) {
     choose_reference("");
-    read_project_translations("program");
     return view({.project = project_folder,
                  .build = build_folder,
                  .stage = stage,

@@ -6,12 +6,30 @@
 #include "common/render/pixel_samples.hpp"
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/translation.hpp"
 
 #include <iostream>
+#include <streambuf>
 
 namespace rt {
 
 namespace {
+
+/// Prints each line in the reader's language once it is whole.
+class TranslatedLines : public std::streambuf {
+protected:
+    int_type overflow(int_type c) override {
+        line_ += char(c);
+        if (c != '\n') return c;
+        line_.pop_back();
+        std::cout << tr_line(line_) << '\n';
+        line_.clear();
+        return c;
+    }
+
+private:
+    std::string line_;
+};
 
 std::string bytes_text(Rgb rgb) {
     return std::to_string(rgb[0]) + ", " + std::to_string(rgb[1]) + ", " + std::to_string(rgb[2]);
@@ -35,7 +53,9 @@ void explain_pixel(const Program& program, const Options& options, const Scene& 
                    Pixel pixel) {
     const Resolution size = scene.resolution;
     const Camera& camera = scene.cameras.front();
-    PixelLog log(std::cout);
+    TranslatedLines lines;
+    std::ostream out(&lines);
+    PixelLog log(out);
     log.heading(name_of(program.stage) + ", " + options.scene + ", " + size_text(size) +
                 " pixels, " + name(options.precision));
     explain_screen(log, pixel, size, vertical_fov(camera, size));

@@ -30,10 +30,7 @@ std::string answer(const std::string& program, const ComparisonRequest& contest,
                     ? tr("your code does not end: it was stopped after {seconds} s", values)
                     : tr("{program} was stopped after {seconds} s", values));
     if (!ending.crash.empty()) throw InputError({}, tr("{program} crashed: {signal}", values));
-    if (ending.status != 0) {
-        read_project_translations("program");
-        throw ProgramError(tr_lines(ending.output));
-    }
+    if (ending.status != 0) throw ProgramError(tr_lines(ending.output));
     return ending.output;
 }
 

@@ -168,7 +168,7 @@ fs::path language_folder(const Term& term, const fs::path& project) {
 void read_language(const Term& term, const fs::path& project) {
     const fs::path folder = language_folder(term, project);
     if (folder.empty()) return;
-    for (const char* const catalogue : {"grading.po", "course.po"})
+    for (const char* const catalogue : {"grading.po", "course.po", "program.po"})
         read_translations(folder / catalogue);
     for (const std::string_view stage : stage_names)
         read_translations(folder / "steps" / stage / "sentences.po");
