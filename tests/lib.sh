@@ -85,6 +85,6 @@ french_session() {
     says " rayons"
     printf 'C 0,0,0 0,0,0 400\nsp 0,0 2\n' > "$folder/wrong.rt"
     in_french 2 run "$1" "$folder/wrong.rt"
-    says "direction d'une caméra"
-    says "position d'une sphère : il faut trois nombres"
+    says "le champ de vision d'une caméra"
+    says "la position d'une sphère"
 }
