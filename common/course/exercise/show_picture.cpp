@@ -118,7 +118,7 @@ bool show_picture(int stage, bool is_wrong) {
                                         {{"difference", difference(comparison, mine.resolution)}})
                                    : difference(comparison, mine.resolution);
     std::printf("\n%s\n%s\n",
-                tr("Picture: {file}, beside the reference's", {{"file", shown}}).c_str(),
+                wrapped(tr("Picture: {file}, beside the reference's", {{"file", shown}})).c_str(),
                 wrapped("  " + result).c_str());
     return !differs_with_one_thread(mine, stage, file);
 }
