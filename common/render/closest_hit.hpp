@@ -88,6 +88,7 @@ public:
     }
 
 private:
+    /// Defined in queries.hpp.
     template <class Shape>
     void test_list(const PrimitiveList<Shape>& primitives);
 
@@ -172,6 +173,7 @@ public:
     [[nodiscard]] bool found() const { return found_; }
 
 private:
+    /// Defined in queries.hpp.
     template <class Shape>
     void test_list(const PrimitiveList<Shape>& primitives);
 
@@ -189,47 +191,6 @@ private:
     const Context* watched_;  ///< if a watcher looks at the query
     bool found_ = false;
 };
-
-// Not inlined in `test`, so that an empty list costs one branch. In the unity build of a kind of
-// shape (common/cmake/stage.cmake) everything is inlined here, `intersect` included.
-
-template <class Shape>
-[[gnu::noinline, gnu::flatten]] void ClosestHit::test_list(const PrimitiveList<Shape>& primitives) {
-    if (watch_ != nullptr) [[unlikely]]
-        return test_watched(primitives);
-    primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
-        keep(primitive, intersect(ray_, primitive.shape, interval_));
-    });
-}
-
-template <class Shape>
-[[gnu::noinline, gnu::flatten]] void AnyHit::test_list(const PrimitiveList<Shape>& primitives) {
-    if (watched_ != nullptr) [[unlikely]]
-        return test_watched(primitives);
-    if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
-            return occludes(ray_, primitive.shape, interval_);
-        }))
-        found_ = true;
-}
-
-// Both are compiled once for each kind of shape, in the file queries.cpp of its stage, and not in
-// each file with a query.
-extern template void ClosestHit::test_list(const PrimitiveList<Sphere>&);
-extern template void ClosestHit::test_list(const PrimitiveList<Plane>&);
-extern template void ClosestHit::test_list(const PrimitiveList<Triangle>&);
-extern template void ClosestHit::test_list(const PrimitiveList<Square>&);
-extern template void ClosestHit::test_list(const PrimitiveList<Cylinder>&);
-extern template void ClosestHit::test_list(const PrimitiveList<Cone>&);
-extern template void ClosestHit::test_list(const PrimitiveList<OrientedBox>&);
-extern template void ClosestHit::test_list(const PrimitiveList<MeshInstance>&);
-extern template void AnyHit::test_list(const PrimitiveList<Sphere>&);
-extern template void AnyHit::test_list(const PrimitiveList<Plane>&);
-extern template void AnyHit::test_list(const PrimitiveList<Triangle>&);
-extern template void AnyHit::test_list(const PrimitiveList<Square>&);
-extern template void AnyHit::test_list(const PrimitiveList<Cylinder>&);
-extern template void AnyHit::test_list(const PrimitiveList<Cone>&);
-extern template void AnyHit::test_list(const PrimitiveList<OrientedBox>&);
-extern template void AnyHit::test_list(const PrimitiveList<MeshInstance>&);
 
 }  // namespace RT_PRECISION
 }  // namespace rt

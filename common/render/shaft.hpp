@@ -84,6 +84,7 @@ private:
         any_hit.test(*static_cast<const PrimitiveList<Shape>*>(kind.primitives), kind.chosen);
     }
 
+    /// Defined in queries.hpp.
     template <class Shape>
     void collect(const PrimitiveList<Shape>& primitives);
 
@@ -91,34 +92,6 @@ private:
     std::array<Kind, list_count> kinds_;  ///< each list is looked through once
     std::size_t count_ = 0;
 };
-
-template <class Shape>
-void PotentialOccluders::collect(const PrimitiveList<Shape>& primitives) {
-    std::uint64_t chosen = 0;
-    if (primitives.is_short_list()) {
-        // The test of the bounding sphere is faster, and usually decides.
-        const BoundingSphereSet& balls = primitives.balls();
-        for (std::size_t i = 0; i < primitives.size(); ++i) {
-            const bool held = (balls.empty() || shaft_.may_intersect(balls[i])) &&
-                              shaft_.may_intersect(primitives[i].shape);
-            chosen |= std::uint64_t(held) << i;
-        }
-    } else {
-        chosen = !primitives.has_bvh() || shaft_.may_intersect(primitives.box()) ? 1 : 0;
-    }
-    if (chosen != 0)
-        kinds_[count_++] = {.primitives = &primitives, .chosen = chosen, .ask = &ask<Shape>};
-}
-
-// Compiled in queries.cpp of the stage of each kind (closest_hit.hpp).
-extern template void PotentialOccluders::collect(const PrimitiveList<Sphere>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<Plane>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<Triangle>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<Square>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<Cylinder>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<Cone>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<OrientedBox>&);
-extern template void PotentialOccluders::collect(const PrimitiveList<MeshInstance>&);
 
 }  // namespace RT_PRECISION
 }  // namespace rt

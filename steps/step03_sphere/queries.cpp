@@ -1,7 +1,5 @@
 // The queries of rays among spheres, compiled once for the programs of all stages.
-#include "common/render/closest_hit.hpp"
-#include "common/render/shaft.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 
 #include "steps/step03_sphere/sphere.hpp"
 
@@ -14,6 +12,7 @@ template void PotentialOccluders::collect(const PrimitiveList<Sphere>&);
 
 }  // namespace RT_PRECISION
 
+std::optional<Real> logged_intersect(const Ray& ray, const Sphere& sphere, Interval interval);
 std::optional<Real> logged_intersect(const Ray& ray, const Sphere& sphere, Interval interval) {
     return logged(ray, sphere, interval);
 }

@@ -1,7 +1,5 @@
 // The queries of rays among planes, compiled once for the programs of all stages.
-#include "common/render/closest_hit.hpp"
-#include "common/render/shaft.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 
 #include "steps/step04_plane/plane.hpp"
 
@@ -14,6 +12,7 @@ template void PotentialOccluders::collect(const PrimitiveList<Plane>&);
 
 }  // namespace RT_PRECISION
 
+std::optional<Real> logged_intersect(const Ray& ray, const Plane& plane, Interval interval);
 std::optional<Real> logged_intersect(const Ray& ray, const Plane& plane, Interval interval) {
     return logged(ray, plane, interval);
 }

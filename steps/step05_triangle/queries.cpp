@@ -1,7 +1,5 @@
 // The queries of rays among triangles, compiled once for the programs of all stages.
-#include "common/render/closest_hit.hpp"
-#include "common/render/shaft.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 
 #include "steps/step05_triangle/triangle.hpp"
 
@@ -14,6 +12,7 @@ template void PotentialOccluders::collect(const PrimitiveList<Triangle>&);
 
 }  // namespace RT_PRECISION
 
+std::optional<Real> logged_intersect(const Ray& ray, const Triangle& triangle, Interval interval);
 std::optional<Real> logged_intersect(const Ray& ray, const Triangle& triangle, Interval interval) {
     return logged(ray, triangle, interval);
 }

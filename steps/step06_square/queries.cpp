@@ -1,7 +1,5 @@
 // The queries of rays among squares, compiled once for the programs of all stages.
-#include "common/render/closest_hit.hpp"
-#include "common/render/shaft.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 
 #include "steps/step06_square/square.hpp"
 
@@ -14,6 +12,7 @@ template void PotentialOccluders::collect(const PrimitiveList<Square>&);
 
 }  // namespace RT_PRECISION
 
+std::optional<Real> logged_intersect(const Ray& ray, const Square& square, Interval interval);
 std::optional<Real> logged_intersect(const Ray& ray, const Square& square, Interval interval) {
     return logged(ray, square, interval);
 }

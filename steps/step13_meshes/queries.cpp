@@ -1,7 +1,5 @@
 // The queries of rays among boxes and mesh instances, compiled once for all files that query.
-#include "common/render/closest_hit.hpp"
-#include "common/render/shaft.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 
 #include "steps/step13_meshes/mesh_instance.hpp"
 #include "steps/step13_meshes/meshes.hpp"

@@ -5,7 +5,7 @@
 #include "common/program/requirements.hpp"
 #include "common/program/turntable.hpp"
 #include "common/render/closest_hit.hpp"
-#include "common/render/watch_lists.hpp"
+#include "common/render/queries.hpp"
 #include "common/stages/stages.hpp"
 
 #include "steps/step08_cone/all_shapes.hpp"

@@ -1,10 +1,12 @@
-// The observation of a query's lists (watch.hpp), defined for the files queries.cpp of the stages.
+// The tests of a query on a list of shapes, and their observation (watch.hpp). The file queries.cpp
+// of each kind of shape compiles them, once for all programs.
 #pragma once
 
 #include "common/bvh/mesh_bvh.hpp"
 #include "common/explain/pixel_log.hpp"
 #include "common/explain/ray_records.hpp"
 #include "common/render/closest_hit.hpp"
+#include "common/render/shaft.hpp"
 #include "common/render/watch.hpp"
 #include "common/scene/scene.hpp"
 
@@ -45,21 +47,13 @@ void log_candidate(PixelLog& log, const Ray& ray, const Shape& shape, Interval i
 }
 
 /// The answer of `intersect`, logged, for a student's own loop. The file queries.cpp of each kind
-/// of shape defines a function of this, in place of which the loop calls `intersect` otherwise.
+/// of shape defines logged_intersect by it, as which stage.cmake compiles the loop's `intersect`.
 template <class Shape>
 [[nodiscard]] std::optional<Real> logged(const Ray& ray, const Shape& shape, Interval interval) {
     const std::optional<Real> t = intersect(ray, shape, interval);
     if (log_of_own_loop != nullptr) log_candidate(*log_of_own_loop, ray, shape, interval, t);
     return t;
 }
-
-// These, with the name that stage.cmake gives to `intersect` for it.
-std::optional<Real> logged_intersect(const Ray& ray, const Sphere& sphere, Interval interval);
-std::optional<Real> logged_intersect(const Ray& ray, const Plane& plane, Interval interval);
-std::optional<Real> logged_intersect(const Ray& ray, const Triangle& triangle, Interval interval);
-std::optional<Real> logged_intersect(const Ray& ray, const Square& square, Interval interval);
-std::optional<Real> logged_intersect(const Ray& ray, const Cylinder& cylinder, Interval interval);
-std::optional<Real> logged_intersect(const Ray& ray, const Cone& cone, Interval interval);
 
 /// The log contains the misses too, which a hierarchy would skip.
 template <class Shape>
@@ -124,4 +118,47 @@ template <class Shape>
         if (watched_test(context, ray, interval, primitives[pop_lowest_bit(chosen)])) return;
 }
 
+inline namespace RT_PRECISION {
+
+// Not inlined in `test`, so that an empty list costs one branch. In the unity build of a kind of
+// shape (common/cmake/stage.cmake) everything is inlined here, `intersect` included.
+
+template <class Shape>
+[[gnu::noinline, gnu::flatten]] void ClosestHit::test_list(const PrimitiveList<Shape>& primitives) {
+    if (watch_ != nullptr) [[unlikely]]
+        return test_watched(primitives);
+    primitives.traverse(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
+        keep(primitive, intersect(ray_, primitive.shape, interval_));
+    });
+}
+
+template <class Shape>
+[[gnu::noinline, gnu::flatten]] void AnyHit::test_list(const PrimitiveList<Shape>& primitives) {
+    if (watched_ != nullptr) [[unlikely]]
+        return test_watched(primitives);
+    if (primitives.traverse_any(slabs_, interval_, [this](const Primitive<Shape>& primitive) {
+            return occludes(ray_, primitive.shape, interval_);
+        }))
+        found_ = true;
+}
+
+template <class Shape>
+void PotentialOccluders::collect(const PrimitiveList<Shape>& primitives) {
+    std::uint64_t chosen = 0;
+    if (primitives.is_short_list()) {
+        // The test of the bounding sphere is faster, and usually decides.
+        const BoundingSphereSet& balls = primitives.balls();
+        for (std::size_t i = 0; i < primitives.size(); ++i) {
+            const bool held = (balls.empty() || shaft_.may_intersect(balls[i])) &&
+                              shaft_.may_intersect(primitives[i].shape);
+            chosen |= std::uint64_t(held) << i;
+        }
+    } else {
+        chosen = !primitives.has_bvh() || shaft_.may_intersect(primitives.box()) ? 1 : 0;
+    }
+    if (chosen != 0)
+        kinds_[count_++] = {.primitives = &primitives, .chosen = chosen, .ask = &ask<Shape>};
+}
+
+}  // namespace RT_PRECISION
 }  // namespace rt
