@@ -6,9 +6,9 @@
 # seats/graded/<file>.o       all of these but the graded file; it can call only the functions of
 #                             the headers in steps/may_include.txt
 # seats/graded/<file>.txt     the functions of all contracts, and their status for that file
-# seats/<stage>.txt           the options for compiling a file of the stage, those for a file of its
-#                             functions only, and for linking all of it, and with g++ the precompiled headers of its functions and of any
-#                             main.cpp: one per line
+# seats/<stage>.txt           one per line: the options for compiling a file of the stage, those for a
+#                             file of functions only, and for linking, and with g++ the precompiled
+#                             headers of its functions and of any main.cpp
 #
 # <stage>_seat is the target that makes them.
 function(raysteps_seat stage)
@@ -48,55 +48,44 @@ function(raysteps_seat stage)
             "main_header ${common}/CMakeFiles/raysteps_common_f64.dir/cmake_pch.hxx.gch")
         add_dependencies(${stage}_seat ${headers_of_functions}_f64 raysteps_common_f64)
     endif()
-    set(fast_linker $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>)
-    # Warnings are for the author of the file, not for the grader. With -w, none is an error.
+    # Warnings are for the author of the file, not for the grader.
     set(options
         "$<FILTER:$<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_OPTIONS>,EXCLUDE,^-W>")
     set(definitions $<TARGET_PROPERTY:raysteps_options,INTERFACE_COMPILE_DEFINITIONS>)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
-    set(lines
-        "compiler ${CMAKE_CXX_COMPILER}"
-        "compile -std=c++20" "compile -O2"
-        "compile $<JOIN:${options},\ncompile >" "compile ${students_errors}"
-        "compile ${few_errors}"
+    set(lines "compiler ${CMAKE_CXX_COMPILER}" "compile -std=c++20" "compile -O2"
+        "compile $<JOIN:${options},\ncompile >" "compile ${students_errors}" "compile ${few_errors}"
         "compile -D$<JOIN:${definitions},\ncompile -D>"
-        "function -D$<JOIN:${students_assertions},\nfunction -D>"
-        ${headers} ${precompiled}
-        "link -static"
-        "link ${fast_linker}"
-        "library -lpng" "library -lz")
+        "function -D$<JOIN:${students_assertions},\nfunction -D>" ${headers} ${precompiled}
+        "link -static" "link $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>" "library -lpng" "library -lz")
     list(JOIN lines "\n" text)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
 endfunction()
 
 # raysteps_graded_seat(<file> <stage> <own> <objects>): seats/graded/<file>.o and .txt, from the seat's
-# objects and all other files' references; <own> are the objects of the file's own reference. The
-# object with a header's functions, if there is one, has its name: todo.cpp.o for
-# common/stages/todo.hpp. A main.cpp may call the functions of all stages and of those folders of
-# common/ whose headers it may include, each compiled as one, but not the loop over the pixels in
-# common/render/render.cpp, and not the parts of its own stage that are not listed, such as
-# lighting.hpp. A file of functions is not linked to what computes the same for another purpose, and
-# what nothing calls in its worker: the stages' stories, which explain a hit, and before the stage of
-# meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
+# objects and all other files' references; <own> are the objects of the file's own reference. The file
+# may call the functions of the headers in steps/may_include.txt: those of todo.hpp are in todo.cpp. A
+# main.cpp may call the functions of all stages and of the worker's part of common/ too, but not the
+# loop over the pixels in common/render/render.cpp, and not the parts of its own stage that are not
+# listed, such as lighting.hpp. A file of functions is not linked to what computes the same for another
+# purpose, and what nothing calls in its worker: the stages' stories, which explain a hit, and before
+# the stage of meshes the hierarchy that draws them. tests/grading/seats_test.sh looks for them.
 function(raysteps_graded_seat file stage own objects)
     set(may_include ${PROJECT_SOURCE_DIR}/steps/may_include.txt)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${may_include})
-    set(whose "all|${stage}")
-    if(NOT file STREQUAL stage)
-        set(whose "all|trace:${stage}")
-    endif()
-    file(STRINGS ${may_include} callable REGEX "^(${whose}) ")
-    list(TRANSFORM callable REPLACE "^.*/(.*)\\.hpp$" "\\1.cpp${CMAKE_CXX_OUTPUT_EXTENSION}")
     get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
     get_property(own_loop GLOBAL PROPERTY RAYSTEPS_OWN_LOOP)
+    get_property(with_meshes GLOBAL PROPERTY RAYSTEPS_MESHES)
     set(parts "${objects}")
     set(absent)
     set(others)
+    set(callable)
+    set(whose "all|trace:${stage}")
     if(file STREQUAL stage)
+        set(whose "all|${stage}")
         set(unused "unity_stories|story\\.cpp|/pixel_log_parts\\.cpp")
-        get_property(with_meshes GLOBAL PROPERTY RAYSTEPS_MESHES)
         if(NOT stage IN_LIST with_meshes)
             string(APPEND unused "|/mesh_bvh\\.cpp")
         endif()
@@ -115,32 +104,33 @@ function(raysteps_graded_seat file stage own objects)
         endif()
         list(APPEND parts ${reference})
         if(NOT file STREQUAL stage)
-            list(APPEND callable "${other}_reference_f64.dir/.*")
-            if(NOT other STREQUAL stage)
-                list(APPEND callable "${other}_shared_f64.dir/.*")
-            elseif(NOT stage IN_LIST own_loop)
-                list(APPEND callable "${stage}_shared_f64.dir/.*queries\\.cpp.*"
-                    "${stage}_shared_f64.dir/.*story\\.cpp.*")
+            list(APPEND callable ${reference})
+            if(NOT other STREQUAL stage AND TARGET ${other}_shared_f64)
+                list(APPEND callable $<TARGET_OBJECTS:${other}_shared_f64>)
             endif()
         endif()
     endforeach()
     if(NOT file STREQUAL stage)
-        foreach(room IN ITEMS bvh explain geometry image render scene stories system)
-            list(APPEND callable "Unity/unity_${room}_cxx.cxx${CMAKE_CXX_OUTPUT_EXTENSION}"
-                "raysteps_base.dir/${room}/.*" "raysteps_common_f64.dir/${room}/.*")
-        endforeach()
-        list(APPEND callable "raysteps_common_f64.dir/__/steps/.*")  # the stories
+        list(APPEND callable $<TARGET_OBJECTS:raysteps_base> $<TARGET_OBJECTS:raysteps_common_f64>)
+        if(NOT stage IN_LIST own_loop AND TARGET ${stage}_shared_f64)
+            list(APPEND callable "$<FILTER:$<TARGET_OBJECTS:${stage}_shared_f64>,INCLUDE,/queries\\.cpp>")
+        endif()
     endif()
-    foreach(list IN ITEMS parts absent)  # a precompiled header is for CMake a single object
+    file(STRINGS ${may_include} names REGEX "^(${whose}) ")
+    list(TRANSFORM names REPLACE "^.*/(.*)\\.hpp$" "\\1")
+    list(JOIN names "|" names)
+    list(APPEND callable "$<FILTER:${parts},INCLUDE,/(${names})\\.cpp>")
+    foreach(list IN ITEMS parts absent callable)  # a precompiled header is for CMake a single object
         set(${list} "$<FILTER:${${list}},EXCLUDE,cmake_pch>")
     endforeach()
+    set(exported $<TARGET_OBJECTS:raysteps_exported_queries_f64>)
     set(out ${PROJECT_BINARY_DIR}/seats/graded/${file})
     set(script ${PROJECT_SOURCE_DIR}/common/course/grade/graded_seat.sh)
     add_custom_command(OUTPUT ${out}.o BYPRODUCTS ${out}.txt
         COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/seats/graded
         COMMAND sh ${script} ${out}.o ${out}.txt ${CMAKE_CXX_COMPILER} ${CMAKE_NM} ${CMAKE_OBJCOPY}
-            "${parts}" -- ${own} -- ${callable} -- "${absent}" -- ${others}
-        DEPENDS ${script} "${parts}" ${own} "${absent}"
+            ${exported} "${parts}" -- ${own} -- "${callable}" -- "${absent}" -- ${others}
+        DEPENDS ${script} ${exported} "${parts}" ${own} "${absent}"
         COMMAND_EXPAND_LISTS VERBATIM)
 endfunction()
 
