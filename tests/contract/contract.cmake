@@ -41,4 +41,9 @@ function(raysteps_recognition stage)
             $<TARGET_FILE:${stage}_asked_test_double>
         COMMAND choose_probes ${reports} ${words} $<TARGET_FILE:${stage}_answers_test_double> > ${probes}
         VERBATIM)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/trace.txt)
+        raysteps_add_test(recognition_${stage}_trace mistakes "" sh
+            ${PROJECT_SOURCE_DIR}/tests/trace_mistakes.sh check ${PROJECT_BINARY_DIR}
+            ${PROJECT_SOURCE_DIR} ${stage})
+    endif()
 endfunction()
