@@ -17,7 +17,13 @@ void Commands::add_author_commands() {
         ->add_option("NEW", words_.place, "the hand-out")
         ->required()
         ->type_name("");
-    add("audit", "test that each stage is complete", [](Rest) { return audit(); })->group(authors);
+    add("audit [N]", "test that each stage, or stage N, is complete",
+        [this](Rest) {
+            return audit(words_.stage.empty() ? std::nullopt : std::optional(stage()));
+        })
+        ->group(authors)
+        ->add_option("N", words_.stage, "a number or a name; the default is all stages")
+        ->type_name("");
     add("measure [STUDY…]",
         "measure speed against accuracy on this machine: docs/reference/accuracy.md", measure)
         ->allow_extras()

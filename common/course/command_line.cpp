@@ -59,7 +59,7 @@ int parse_stage(const std::string& text) {
                                  suggested(text, stage_words()));
     const Values values = {{"stage", name_of(*stage)}};
     if (!is_here(*stage)) throw InputError({}, tr("{stage} is not part of this hand-out", values));
-    if (*stage == mesh_stage && !has_meshes)
+    if (*stage >= mesh_stage && !has_meshes)
         throw InputError({},
                          tr("{stage} needs OpenMesh: libopenmesh-dev, or what your system calls "
                             "it",

@@ -1,4 +1,4 @@
-// Numbers and names of the thirteen stages.
+// Numbers and names of the stages.
 #pragma once
 
 #include <array>
@@ -8,12 +8,21 @@
 
 namespace rt {
 
-inline constexpr std::array<std::string_view, 13> stage_names = {
-    "step01_ray_generation", "step02_camera_basis", "step03_sphere",       "step04_plane",
-    "step05_triangle",       "step06_square",       "step07_cylinder",     "step08_cone",
-    "step09_phong",          "step10_shadows",      "step11_soft_shadows", "step12_mirror",
+inline constexpr auto stage_names = std::to_array<std::string_view>({
+    "step01_ray_generation",
+    "step02_camera_basis",
+    "step03_sphere",
+    "step04_plane",
+    "step05_triangle",
+    "step06_square",
+    "step07_cylinder",
+    "step08_cone",
+    "step09_phong",
+    "step10_shadows",
+    "step11_soft_shadows",
+    "step12_mirror",
     "step13_meshes",
-};
+});
 
 // The stages that introduce shapes, light, and so on.
 inline constexpr int shapes_stage = 3;
@@ -22,7 +31,7 @@ inline constexpr int soft_shadow_stage = 11;
 inline constexpr int mirror_stage = 12;
 inline constexpr int mesh_stage = 13;
 
-/// The name of a stage from 1 to 13.
+/// The name of a stage from 1 on.
 [[nodiscard]] constexpr std::string_view stage_name(int stage) {
     return stage_names.at(static_cast<std::size_t>(stage - 1));
 }

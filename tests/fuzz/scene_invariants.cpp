@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace rt {
@@ -43,22 +45,6 @@ void add(Numbers& numbers, Vec3 v) {
     numbers.insert(numbers.end(), {v.x, v.y, v.z});
 }
 
-void add(Numbers& numbers, const Sphere& sphere) {
-    add(numbers, sphere.center);
-    require(sphere.radius > 0, "a sphere's radius is positive");
-    numbers.push_back(sphere.radius);
-}
-
-void add(Numbers& numbers, const Plane& plane) {
-    add(numbers, plane.point);
-    require(is_unit(plane.normal), "a plane's normal has unit length");
-    add(numbers, plane.normal);
-}
-
-void add(Numbers& numbers, const Triangle& triangle) {
-    for (const Vec3& corner : {triangle.a, triangle.b, triangle.c}) add(numbers, corner);
-}
-
 /// Right-handed or left-handed.
 void add_axes(Numbers& numbers, const Basis& basis) {
     const auto& [x, y, z] = basis;
@@ -73,37 +59,28 @@ void add(Numbers& numbers, const Basis& basis) {
     add_axes(numbers, basis);
 }
 
-void add(Numbers& numbers, const Square& square) {
-    require(square.side > 0, "a square's side is positive");
-    add(numbers, square.center);
-    add(numbers, square.basis);
-    numbers.insert(numbers.end(), {square.side, Real(square.one_sided)});
+// The fields of a shape, whose name says whether a vector is a direction, a size or a place.
+void add_field(Numbers& numbers, std::string_view name, Vec3 v) {
+    if (name == "axis" || name == "normal") require(is_unit(v), "an axis has unit length");
+    if (name == "half_size") require(v.x > 0 && v.y > 0 && v.z > 0, "a box has a size");
+    add(numbers, v);
+}
+void add_field(Numbers& numbers, std::string_view /*name*/, const Basis& basis) {
+    add(numbers, basis);
+}
+void add_field(Numbers& numbers, std::string_view /*name*/, Real size) {
+    require(size > 0, "a size is positive");
+    numbers.push_back(size);
+}
+void add_field(Numbers& numbers, std::string_view /*name*/, bool flag) {
+    numbers.push_back(Real(flag));
 }
 
-/// A cylinder's or a cone's numbers but its position.
-void add_round(Numbers& numbers, Vec3 axis, Real radius, Real height) {
-    require(is_unit(axis), "an axis has unit length");
-    require(radius > 0 && height > 0, "radius and height are positive");
-    add(numbers, axis);
-    numbers.insert(numbers.end(), {radius, height});
-}
-
-void add(Numbers& numbers, const Cylinder& cylinder) {
-    add(numbers, cylinder.center);
-    add_round(numbers, cylinder.axis, cylinder.radius, cylinder.height);
-}
-
-void add(Numbers& numbers, const Cone& cone) {
-    add(numbers, cone.apex);
-    add_round(numbers, cone.axis, cone.radius, cone.height);
-}
-
-void add(Numbers& numbers, const OrientedBox& box) {
-    const Vec3& size = box.half_size;
-    require(size.x > 0 && size.y > 0 && size.z > 0, "a box has a size");
-    add(numbers, box.center);
-    add(numbers, box.basis);
-    add(numbers, size);
+template <KindOfShape Shape>
+void add(Numbers& numbers, const Shape& shape) {
+    std::apply(
+        [&](const auto&... field) { (add_field(numbers, field.name, shape.*field.member), ...); },
+        shape_record<Shape>.fields);
 }
 
 void add(Numbers& numbers, const Material& material) {
