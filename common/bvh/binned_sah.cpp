@@ -115,25 +115,15 @@ template <std::size_t slices>
 BinnedSah::Bins<slices> BinnedSah::binned(const PrimitiveRange& range, std::size_t step) const {
     Bins<slices> bins;
     const Slicer<slices> slice_of(range.centroids);
-    const Axes axes = axes_to_try(range);
-    const std::size_t first = axes.first;
-    const std::size_t last = axes.last;
-    const auto add = [&](const Box4& box) {
-        const auto slice = slice_of(middle(box));
+    const auto [first, last] = axes_to_try(range);
+    for (std::size_t i = range.begin; i < range.end; i += step) {
+        const auto slice = slice_of(middle(boxes_[i]));
         for (std::size_t axis = first; axis < last; ++axis) {
             Bin& bin = bins[axis][std::size_t(slice[axis])];
-            grow(bin.bounds, box);
+            grow(bin.bounds, boxes_[i]);
             ++bin.count;
         }
-    };
-    // Neighbors are often in one slice, and each waits until the one before is stored: so one of
-    // the first half and one of the second take turns.
-    const std::size_t half = range.size() / 2;
-    for (std::size_t i = range.begin; i < range.begin + half; i += step) {
-        add(boxes_[i]);
-        add(boxes_[i + half]);
     }
-    if (range.size() % 2 != 0) add(boxes_[range.end - 1]);
     return bins;
 }
 

@@ -55,6 +55,9 @@ public:
     /// Splits the range at its middle index; the order does not change.
     [[nodiscard]] std::array<PrimitiveRange, 2> split_middle(const PrimitiveRange& range) const;
 
+    /// Frees the memory of the boxes, after the last split.
+    void free_boxes() { boxes_ = {}; }
+
 private:
     struct Bin;
     struct Split;

@@ -3,7 +3,6 @@
 #include "common/bvh/binned_sah.hpp"
 #include "common/system/huge_pages.hpp"
 
-#include <cstring>
 #include <future>
 
 namespace rt {
@@ -13,23 +12,29 @@ inline namespace RT_LANES {
 
 namespace {
 
-/// From this depth on, ranges are split at their middle index. Each node then contains at most half
-/// of the boxes of its parent, so that no arrangement of boxes makes the tree deeper than
-/// Bvh::max_depth.
-constexpr std::size_t halving_depth = 32;
+/// From this depth on, ranges are split at their middle index. Each then contains half of the boxes
+/// of the one around it, so that no arrangement of boxes makes the tree deeper than Bvh::max_depth.
+constexpr std::size_t halving_depth = 64;
 
-/// From this size on, a part of the tree may be built by a separate thread.
+/// Up to this depth, and from this size on, a range may be split by a separate thread.
+constexpr std::size_t thread_depth = 3;
 constexpr std::size_t thread_size = 65536;
 
-Node empty_node() {
-    Node node;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        node.planes[2 * axis].fill(all_of<float, float_count>(Box4::end));
-        node.planes[2 * axis + 1].fill(all_of<float, float_count>(-Box4::end));
-    }
-    node.children.fill(Node::leaf_bit);  // reached only through NaN
-    return node;
-}
+/// A range of boxes, split in two until it is a leaf: a node of the binary tree. It is stored
+/// before the lower part, and that before the upper one.
+struct BinaryNode {
+    std::array<float, 6> planes;  ///< as in Node
+    std::uint32_t begin;
+    std::uint32_t size;
+    std::uint32_t to_upper = 0;  ///< number of nodes from this one to its upper part; 0 if a leaf
+    /// If the range is to be covered by at most i nodes, the number of them for the lower part; 0
+    /// if it is covered by one node of its own, or is a leaf.
+    std::array<std::uint8_t, Node::width + 1> lower_share{};
+};
+
+/// The sum of the surface areas of all nodes in a range, which is the expected number of visits, if
+/// the range is covered by at most i nodes: the least sum of all choices.
+using NodeAreas = std::array<float, Node::width + 1>;
 
 /// True if lane i of the node contains a child: a node can have fewer than `width`.
 bool has_child(const Node& node, std::size_t i) {
@@ -82,9 +87,37 @@ std::vector<Box4> in_frame(std::size_t count, const BoxOf& box, const UnitSpace&
     return result;
 }
 
+/// Chooses the shares of a node by the areas of the nodes in its parts.
+NodeAreas choose(BinaryNode& node, float area, const NodeAreas& lower, const NodeAreas& upper) {
+    NodeAreas areas{};
+    for (std::size_t count = Node::width; count > 1; --count) {
+        // The first share in any case: the areas of unbounded boxes are NaN.
+        for (std::size_t share = 1; share < count; ++share) {
+            const float sum = lower[share] + upper[count - share];
+            if (share > 1 && !(sum < areas[count])) continue;
+            areas[count] = sum;
+            node.lower_share[count] = std::uint8_t(share);
+        }
+        if (count == Node::width) areas[1] = area + areas[count];
+        if (count == Node::width || !(areas[1] <= areas[count])) continue;
+        areas[count] = areas[1];
+        node.lower_share[count] = 0;
+    }
+    return areas;
+}
+
+/// Appends the at most `places` nodes and leaves that cover the range of `node`.
+void collect(std::vector<const BinaryNode*>& children, const BinaryNode& node, std::size_t places) {
+    const std::size_t share = node.lower_share[places];
+    if (share == 0) return children.push_back(&node);
+    collect(children, *(&node + 1), share);
+    collect(children, *(&node + node.to_upper), places - share);
+}
+
 }  // namespace
 
-/// Builds the tree from the root down.
+/// Splits the boxes into a binary tree, and collapses it into the nodes of least area (Ylitie,
+/// Karras, Laine 2017, "Efficient Incoherent Ray Traversal … Through Compressed Wide BVHs", §3.1).
 class BvhBuilder {
 public:
     BvhBuilder(std::size_t count, const BoxOf& box, Bvh::Leaves leaves, const BoundingBox& scene)
@@ -96,12 +129,10 @@ public:
     [[nodiscard]] Bvh tree();
 
 private:
-    [[nodiscard]] Bvh with_room_for(const PrimitiveRange& range) const;
-    [[nodiscard]] std::uint32_t grow(Bvh& tree, const PrimitiveRange& range, std::size_t depth);
-    [[nodiscard]] std::vector<PrimitiveRange> parts(const PrimitiveRange& range, std::size_t depth);
-    [[nodiscard]] std::uint32_t add_leaf(Bvh& tree, const PrimitiveRange& range) const;
-    [[nodiscard]] static std::uint32_t add(Bvh& tree, const Bvh& part);
-    static void set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child);
+    using Nodes = std::vector<BinaryNode>;
+
+    NodeAreas split(Nodes& nodes, const PrimitiveRange& range, std::size_t depth);
+    [[nodiscard]] std::uint32_t add(Bvh& tree, const BinaryNode& node) const;
 
     std::uint32_t leaf_size_;
     BoundingBox bounds_;
@@ -112,102 +143,72 @@ private:
 Bvh BvhBuilder::tree() {
     const PrimitiveRange& all = ranges_.all();
     if (all.size() == 0) return {};
-    Bvh tree = with_room_for(all);
+    Nodes nodes;
+    reserve_huge(nodes, 3 * (all.size() / leaf_size_) + 1);  // most leaves are full
+    split(nodes, all, 0);
+    ranges_.free_boxes();
+    Bvh tree;
     tree.bounds_ = bounds_;
     tree.frame_ = frame_;
-    tree.root_ = grow(tree, all, 0);
+    const std::size_t leaves = (nodes.size() + 1) / 2;
+    reserve_huge(tree.leaves_, leaves);
+    reserve_huge(tree.nodes_, leaves / 4);  // most nodes have more than five children
+    tree.root_ = add(tree, nodes.front());
     return tree;
 }
 
-/// An empty tree with reserved memory. Most leaves are full, and most nodes have more than four
-/// children.
-Bvh BvhBuilder::with_room_for(const PrimitiveRange& range) const {
-    Bvh tree;
-    const std::size_t leaves = range.size() / leaf_size_ + 1;
-    reserve_huge(tree.leaves_, leaves + leaves / 4);
-    reserve_huge(tree.nodes_, leaves / 4);
-    return tree;
+/// Appends the binary tree of the range, and returns the areas of the nodes that may cover it.
+/// Large parts are split by threads, if the system has any left, into separate trees that are
+/// appended in order: the result does not depend on the number of threads.
+NodeAreas BvhBuilder::split(Nodes& nodes, const PrimitiveRange& range, std::size_t depth) {
+    const std::size_t place = nodes.size();
+    const auto min = values(range.bounds.min);
+    const auto max = values(range.bounds.max);
+    nodes.push_back({.planes = {min[0], max[0], min[1], max[1], min[2], max[2]},
+                     .begin = std::uint32_t(range.begin),
+                     .size = std::uint32_t(range.size())});
+    if (range.size() <= leaf_size_) return {};
+    const auto [lower, upper] =
+        depth < halving_depth ? ranges_.split(range) : ranges_.split_middle(range);
+    Nodes separate;
+    std::future<NodeAreas> separate_areas;
+    if (depth < thread_depth && upper.size() >= thread_size)
+        separate_areas = std::async(
+            [this, &separate, &part = upper, depth] { return split(separate, part, depth + 1); });
+    const NodeAreas lower_areas = split(nodes, lower, depth + 1);
+    nodes[place].to_upper = std::uint32_t(nodes.size() - place);
+    const NodeAreas upper_areas =
+        separate_areas.valid() ? separate_areas.get() : split(nodes, upper, depth + 1);
+    nodes.insert(nodes.end(), separate.begin(), separate.end());
+    return choose(nodes[place], half_area(range.bounds), lower_areas, upper_areas);
 }
 
-/// Appends the subtree of the range, and returns the reference to its root.
-std::uint32_t BvhBuilder::grow(Bvh& tree, const PrimitiveRange& range, std::size_t depth) {
-    if (range.size() <= leaf_size_) return add_leaf(tree, range);
-    const std::vector<PrimitiveRange> children = parts(range, depth);
+/// Appends the tree of a range, and returns the reference to its root.
+std::uint32_t BvhBuilder::add(Bvh& tree, const BinaryNode& node) const {
+    if (node.to_upper == 0) {
+        tree.leaves_.emplace_back().indices.fill(Leaf::none);
+        std::ranges::copy(ranges_.indices().subspan(node.begin, node.size),
+                          tree.leaves_.back().indices.begin());
+        return std::uint32_t(tree.leaves_.size() - 1) | Node::leaf_bit;
+    }
+    std::vector<const BinaryNode*> children;
+    children.reserve(Node::width);
+    collect(children, node, Node::width);
+    std::array<std::array<float, Node::width>, 6> planes;
+    for (std::size_t row = 0; row < planes.size(); ++row)
+        planes[row].fill(row % 2 == 0 ? Box4::end : -Box4::end);
+    std::array<std::uint32_t, Node::width> references;
+    references.fill(Node::leaf_bit);  // reached only through NaN
     const std::size_t place = tree.nodes_.size();
-    tree.nodes_.push_back(empty_node());
-
-    // Large parts of the root are built as separate trees and appended in order, so that the result
-    // does not depend on the number of threads. If the system has no thread left, they are built
-    // here when their result is needed.
-    std::array<std::future<Bvh>, Node::width> large;
-    for (std::size_t i = 0; i < children.size(); ++i)
-        if (depth == 0 && children[i].size() >= thread_size)
-            large[i] = std::async([this, &child = children[i], depth] {
-                Bvh part = with_room_for(child);
-                part.root_ = grow(part, child, depth + 1);
-                return part;
-            });
+    tree.nodes_.emplace_back();
     for (std::size_t i = 0; i < children.size(); ++i) {
-        const std::uint32_t child =
-            large[i].valid() ? add(tree, large[i].get()) : grow(tree, children[i], depth + 1);
-        set_child(tree.nodes_[place], i, children[i].bounds, child);
+        for (std::size_t row = 0; row < planes.size(); ++row)
+            planes[row][i] = children[i]->planes[row];
+        references[i] = add(tree, *children[i]);
     }
+    tree.nodes_[place] = {.planes = std::bit_cast<std::array<Node::Row, 6>>(planes),
+                          .children = references};
     return std::uint32_t(place);
-}
-
-/// Splits a range into up to eight parts: the part with the largest surface is split next.
-std::vector<PrimitiveRange> BvhBuilder::parts(const PrimitiveRange& range, std::size_t depth) {
-    std::vector<PrimitiveRange> parts = {range};
-    parts.reserve(Node::width);
-    while (parts.size() < Node::width) {
-        PrimitiveRange* widest = nullptr;
-        for (PrimitiveRange& part : parts) {
-            if (part.size() <= leaf_size_) continue;
-            // The area of an unbounded box is NaN, and counts as the largest.
-            if (widest == nullptr || !(half_area(part.bounds) <= half_area(widest->bounds)))
-                widest = &part;
-        }
-        if (widest == nullptr) break;
-        const auto [lower, upper] =
-            depth < halving_depth ? ranges_.split(*widest) : ranges_.split_middle(*widest);
-        *widest = lower;
-        parts.push_back(upper);
-    }
-    return parts;
-}
-
-std::uint32_t BvhBuilder::add_leaf(Bvh& tree, const PrimitiveRange& range) const {
-    Leaf leaf;
-    leaf.indices.fill(Leaf::none);
-    std::ranges::copy(ranges_.indices().subspan(range.begin, range.size()), leaf.indices.begin());
-    tree.leaves_.push_back(leaf);
-    return std::uint32_t(tree.leaves_.size() - 1) | Node::leaf_bit;
-}
-
-/// Appends a separate tree, and returns the new reference to its root.
-std::uint32_t BvhBuilder::add(Bvh& tree, const Bvh& part) {
-    const auto nodes = std::uint32_t(tree.nodes_.size());
-    const auto leaves = std::uint32_t(tree.leaves_.size());
-    const auto renamed = [&](std::uint32_t child) {
-        return child + ((child & Node::leaf_bit) != 0 ? leaves : nodes);
-    };
-    for (Node node : part.nodes_) {
-        for (std::uint32_t& child : node.children) child = renamed(child);
-        tree.nodes_.push_back(node);
-    }
-    tree.leaves_.insert(tree.leaves_.end(), part.leaves_.begin(), part.leaves_.end());
-    return renamed(part.root_);
-}
-
-void BvhBuilder::set_child(Node& node, std::size_t i, const Box4& box, std::uint32_t child) {
-    const auto min = values(box.min);
-    const auto max = values(box.max);
-    auto* const lane = reinterpret_cast<std::byte*>(&node) + i * sizeof(float);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::memcpy(lane + 2 * axis * sizeof(Node::Row), &min[axis], sizeof(float));
-        std::memcpy(lane + (2 * axis + 1) * sizeof(Node::Row), &max[axis], sizeof(float));
-    }
-    node.children[i] = child;
 }
 
 Bvh::Bvh(std::size_t count, const BoxOf& box, Leaves leaves, const BoundingBox& scene)

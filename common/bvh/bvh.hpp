@@ -22,6 +22,9 @@ inline constexpr std::size_t bvh_pays_from = 32;
 
 inline namespace RT_LANES {
 
+/// Whether the closest hit of a ray is needed, or only whether there is any.
+enum class QueryKind { closest_hit, any_hit };
+
 /// The indices of the boxes whose contents are tested together.
 struct Leaf {
     static constexpr std::uint32_t none = ~std::uint32_t(0);
@@ -63,12 +66,16 @@ public:
     /// Calls visit(index) for the boxes that the ray may hit inside the interval, roughly near to
     /// far. A visit that finds a hit lowers interval.max to it, and boxes beyond are skipped.
     template <class Visit>
-    void nearest(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
+    void nearest(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+        visit_boxes<QueryKind::closest_hit>(ray, interval, visit);
+    }
 
     /// Returns whether visit(index) is true for any box that the ray may hit inside the interval;
     /// stops at the first such box.
     template <class Visit>
-    bool any(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
+    bool any(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+        return visit_boxes<QueryKind::any_hit>(ray, interval, visit);
+    }
 
     /// The ray's test against the boxes of this hierarchy.
     [[nodiscard]] RayBoxTest<true> test_of(const Ray& ray, const RaySlopes& slopes) const {
@@ -76,18 +83,22 @@ public:
     }
 
     /// Calls visit(leaf), with leaf an index in leaves(), for the leaves that the ray may hit
-    /// inside the interval, roughly near to far, until a call returns true. Returns whether one
-    /// did. A visit may lower interval.max. If `visit` has a function node(), it is called for each
-    /// node whose boxes are tested. Calls expect(leaf), if it is given, for each leaf that will
-    /// probably be visited: the processor can fetch its content from memory while it tests others.
-    template <class Test, class Visit, class Expect = std::nullptr_t>
+    /// inside the interval, until a call returns true. Returns whether one did. For the closest
+    /// hit, the order is roughly near to far, and a visit may lower interval.max; for any hit, it
+    /// is that of memory, since sorting takes longer than the visits that it saves. If `visit` has
+    /// a function node(), it is called for each node whose boxes are tested. Calls expect(leaf), if
+    /// it is given, for each leaf that will probably be visited, so that it can be prefetched.
+    template <QueryKind query, class Test, class Visit, class Expect = std::nullptr_t>
     bool visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
                       Expect expect = {}) const;
 
 private:
     friend class BvhBuilder;
 
-    static constexpr std::size_t max_depth = 64;
+    static constexpr std::size_t max_depth = 96;
+
+    template <QueryKind query, class Visit>
+    bool visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visit) const;
 
     BoundingBox bounds_;
     UnitSpace frame_;
@@ -96,7 +107,7 @@ private:
     std::vector<Leaf> leaves_;
 };
 
-template <class Test, class Visit, class Expect>
+template <QueryKind query, class Test, class Visit, class Expect>
 bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
                        [[maybe_unused]] Expect expect) const {
     if (empty() || !(interval.min < interval.max)) return false;
@@ -106,75 +117,70 @@ bool Bvh::visit_leaves(const Test& slabs, const Interval& interval, Visit visit,
         return false;
     }
     if (slabs.misses_all()) return false;
-    struct Later {
-        std::uint32_t child;
-        float near;
-    };
-    std::array<Later, (Node::width - 1) * max_depth> later;  // left uninitialized: it is large
-    std::size_t waiting = 0;
+    constexpr bool sorts = query == QueryKind::closest_hit;
+    // The entries are children, and above the bits of each, if they are sorted, the distance at
+    // which the ray enters its box: it is not negative, so that its bits have the same order.
+    std::array<std::uint64_t, (Node::width - 1) * max_depth + 1> later;  // large: uninitialized
+    std::uint64_t* end = later.data();
     float limit = slabs.limit(interval.max);
     std::uint32_t child = root_;
     for (;;) {
         if ((child & Node::leaf_bit) != 0) {
             const Real before = interval.max;
             if (visit(child & ~Node::leaf_bit)) return true;
-            if (interval.max != before) limit = slabs.limit(interval.max);
+            if (sorts && interval.max != before) limit = slabs.limit(interval.max);
         } else {
             const Node& node = nodes_[child];
             if constexpr (requires { visit.node(); }) visit.node();
             const auto answer = slabs(node, limit);
-            if (unsigned hits = answer.hits; hits != 0) {
-                const auto near = [&](std::size_t i) {
-                    return lane(answer.near[i / float_count], i % float_count);
-                };
-                const auto next_hit = [&] {
-                    const std::size_t i = pop_lowest_bit(hits);
-                    if constexpr (!std::is_null_pointer_v<Expect>) {
-                        const std::uint32_t hit = node.children[i];
-                        if ((hit & Node::leaf_bit) != 0)
-                            expect(hit & ~Node::leaf_bit);
-                        else
-                            prefetch(nodes_[hit]);
-                    }
-                    return i;
-                };
-                std::size_t nearest = next_hit();
-                const std::size_t first = waiting;
-                while (hits != 0) {
-                    std::size_t other = next_hit();
-                    if (near(other) < near(nearest)) std::swap(nearest, other);
-                    // Sorted from far to near by insertion: most often there are one or two.
-                    std::size_t place = waiting++;
-                    for (; place > first && later[place - 1].near < near(other); --place)
-                        later[place] = later[place - 1];
-                    later[place] = {.child = node.children[other], .near = near(other)};
+            unsigned hits = answer.hits;
+            const auto next_hit = [&] {
+                const std::size_t i = pop_lowest_bit(hits);
+                const std::uint32_t hit = node.children[i];
+                if constexpr (!std::is_null_pointer_v<Expect>) {
+                    if ((hit & Node::leaf_bit) != 0)
+                        expect(hit & ~Node::leaf_bit);
+                    else
+                        prefetch(nodes_[hit]);
                 }
-                child = node.children[nearest];
+                return sorts
+                           ? std::uint64_t(std::bit_cast<std::uint32_t>(answer.near[i])) << 32 | hit
+                           : hit;
+            };
+            if constexpr (!sorts) {
+                while (hits != 0) *end++ = next_hit();
+            } else if (hits != 0) {
+                std::uint64_t nearest = next_hit();
+                const std::uint64_t* const first = end;
+                while (hits != 0) {
+                    std::uint64_t other = next_hit();
+                    if (other < nearest) std::swap(nearest, other);
+                    // Sorted from far to near by insertion: most often there are one or two.
+                    std::uint64_t* place = end++;
+                    for (; place > first && place[-1] < other; --place) *place = place[-1];
+                    *place = other;
+                }
+                child = std::uint32_t(nearest);
                 continue;
             }
         }
         do {
-            if (waiting == 0) return false;
-            --waiting;
-        } while (later[waiting].near > limit);
-        child = later[waiting].child;
+            if (end == later.data()) return false;
+            --end;
+        } while (sorts && std::bit_cast<float>(std::uint32_t(*end >> 32)) > limit);
+        child = std::uint32_t(*end);
     }
 }
 
-template <class Visit>
-void Bvh::nearest(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
-    any(ray, interval, [&](std::uint32_t index) {
-        visit(index);
-        return false;
-    });
-}
-
-template <class Visit>
-bool Bvh::any(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
-    return visit_leaves(ray.in(frame_), interval, [&](std::size_t leaf) {
+template <QueryKind query, class Visit>
+bool Bvh::visit_boxes(RayBoxTestCache& ray, const Interval& interval, Visit visit) const {
+    return visit_leaves<query>(ray.in(frame_), interval, [&](std::size_t leaf) {
         for (const std::uint32_t index : leaves_[leaf].indices) {
             if (index == Leaf::none) break;
-            if (visit(index)) return true;
+            if constexpr (query == QueryKind::closest_hit)
+                visit(index);
+            else if (visit(index))
+                return true;
         }
         return false;
     });

@@ -130,11 +130,10 @@ MeshBvh::MeshBvh(const Mesh& mesh) {
     }
 }
 
-Crossings MeshBvh::finely(const WatertightTest& test, const Ray& seen, std::size_t leaf,
-                          const Interval& interval) const {
+Crossings MeshBvh::finely(Ray seen, std::size_t leaf, Interval interval) const {
     // If triangle and ray are scaled by a power of two, t does not change and areas keep their
     // signs: neighbors with different scales leave no crack.
-    Crossings all = test(packets_[leaf], interval);
+    Crossings all = WatertightTest(seen)(packets_[leaf], interval);
     auto t = values(all.t);
     std::array areas = {values(all.areas[0]), values(all.areas[1]), values(all.areas[2])};
     for (std::size_t lane = 0; lane < real_count; ++lane) {
@@ -165,8 +164,12 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
             left.max = std::min(left.max, lane(found.t, pop_lowest_bit(hits)));
         return query == QueryKind::any_hit && found.hits != 0;
     };
-    hierarchy_.visit_leaves(hierarchy_.test_of(seen, RaySlopes(seen.direction)), left,
-                            CountingBoxes<decltype(visit)>{visit, &count});
+    const auto slabs = hierarchy_.test_of(seen, RaySlopes(seen.direction));
+    const CountingBoxes<decltype(visit)> counting{visit, &count};
+    if (query == QueryKind::any_hit)
+        hierarchy_.visit_leaves<QueryKind::any_hit>(slabs, left, counting);
+    else
+        hierarchy_.visit_leaves<QueryKind::closest_hit>(slabs, left, counting);
     return count;
 }
 
@@ -179,7 +182,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     Interval left = scaled(interval);
     std::uint32_t triangle = 0;  // none is lower: no hit at the interval's own end counts
     Vec3 areas;
-    hierarchy_.visit_leaves(
+    hierarchy_.visit_leaves<QueryKind::closest_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
             const Crossings found = crossings(test, seen, leaf, left);
@@ -206,7 +209,7 @@ std::int64_t MeshBvh::test_count(const Ray& ray, Interval interval, QueryKind qu
     const RaySlopes slopes(seen.direction);
     const WatertightTest test(seen, slopes);
     const Interval left = scaled(interval);
-    return hierarchy_.visit_leaves(
+    return hierarchy_.visit_leaves<QueryKind::any_hit>(
         hierarchy_.test_of(seen, slopes), left,
         [&](std::size_t leaf) {
             const Crossings found = crossings(test, seen, leaf, left);

@@ -13,8 +13,6 @@ inline namespace RT_PRECISION {
 
 inline namespace RT_LANES {
 
-enum class QueryKind { closest_hit, any_hit };
-
 /// The triangles of a mesh, copied: the mesh itself is not used after construction.
 class MeshBvh {
 public:
@@ -50,7 +48,7 @@ private:
                                       const Interval& interval) const {
         if (has_float_packets()) return test(float_packets_[leaf], interval);
         if (finer_.empty()) return test(packets_[leaf], interval);
-        return finely(test, seen, leaf, interval);
+        return finely(seen, leaf, interval);
     }
 
     /// The packet of a leaf as Real, for one triangle after the other.
@@ -67,9 +65,10 @@ private:
         return sizeof(Real) > sizeof(float) && !float_packets_.empty();
     }
 
-    /// As crossings, with each triangle that is too small for the test scaled separately.
-    [[nodiscard, gnu::noinline]] Crossings finely(const WatertightTest& test, const Ray& seen,
-                                                  std::size_t leaf, const Interval& interval) const;
+    /// As crossings, with each triangle that is too small for the test scaled separately. By value,
+    /// so that the caller keeps them in registers.
+    [[nodiscard, gnu::noinline]] Crossings finely(Ray seen, std::size_t leaf,
+                                                  Interval interval) const;
 
     BoundingBox bounds_;
     Real scale_ = 1;  ///< scale of packets and hierarchy: a power of two, so that it is exact

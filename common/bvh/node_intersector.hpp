@@ -100,7 +100,8 @@ public:
     [[nodiscard]] bool misses_all() const { return passes_by_; }
 
     struct Answer {
-        Node::Row near;     ///< distance at which the ray enters each box
+        /// Distance at which the ray enters each box
+        alignas(Node::Row) std::array<float, Node::width> near;
         unsigned hits = 0;  ///< one bit for each box
     };
 
@@ -108,13 +109,13 @@ public:
     [[nodiscard, gnu::always_inline]] Answer operator()(const Node& node, float limit) const {
         const FloatN latest = all(limit);
         Answer answer;
-        for (std::size_t part = 0; part < answer.near.size(); ++part) {
+        for (std::size_t part = 0; part < std::tuple_size_v<Node::Row>; ++part) {
             const auto& [x, y, z] = axes_;
             const FloatN near =
                 max(max(x.near(node, part), y.near(node, part)), max(z.near(node, part), all(0)));
             const FloatN far =
                 min(min(x.far(node, part), y.far(node, part)), min(z.far(node, part), latest));
-            answer.near[part] = near;
+            std::memcpy(&answer.near[part * float_count], &near, sizeof near);
             answer.hits |= mask_bits(near <= far) << (part * float_count);
         }
         return answer;

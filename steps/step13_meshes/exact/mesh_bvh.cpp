@@ -49,7 +49,7 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
         return exact_root(seen, hit.triangle, asked);
     };
     ClosestSoFar<HitTriangle> leader;
-    hierarchy_.visit_leaves(
+    hierarchy_.visit_leaves<QueryKind::closest_hit>(
         hierarchy_.test_of(seen, RaySlopes(seen.direction)), left, [&](std::size_t leaf) {
             return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
                               [&](const HitTriangle& hit, Real t) {
@@ -67,7 +67,7 @@ std::optional<MeshHit> MeshBvh::nearest(const Ray& ray, Interval interval) const
 bool MeshBvh::occludes(const Ray& ray, Interval interval) const {
     const Ray seen = scaled(ray);
     const Interval left = scaled(interval);
-    return hierarchy_.visit_leaves(
+    return hierarchy_.visit_leaves<QueryKind::any_hit>(
         hierarchy_.test_of(seen, RaySlopes(seen.direction)), left, [&](std::size_t leaf) {
             return visit_hits(seen, left, hierarchy_.leaves()[leaf], packet(leaf),
                               [](const HitTriangle& /*hit*/, Real /*t*/) { return true; });

@@ -273,3 +273,15 @@ TEST_CASE("the parts of a hierarchy: eight at most in each, and every leaf once 
         }
     }
 }
+
+TEST_CASE("nodes are as full as their areas permit, and not only near the root (contract)") {
+    // If the widest part were split until there are eight, most of the nodes would have two leaves.
+    std::vector<BoundingBox> boxes;
+    for (int i = 0; i < 1024; ++i) {
+        const Vec3 corner(Real(i % 32), Real(i / 32), 0);
+        boxes.push_back({.min = corner, .max = corner + Vec3(1)});
+    }
+    const std::vector<Bvh::Part> parts = hierarchy_of(boxes).parts();
+    const auto nodes = std::ranges::count_if(parts, [](const auto& part) { return !part.leaf; });
+    CHECK(4 * nodes <= 1024);
+}
