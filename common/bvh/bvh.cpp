@@ -16,7 +16,8 @@ namespace {
 /// of the one around it, so that no arrangement of boxes makes the tree deeper than Bvh::max_depth.
 constexpr std::size_t halving_depth = 64;
 
-/// Up to this depth, and from this size on, a range may be split by a separate thread.
+/// Up to this depth, and from this size on, a range may be split by a separate thread; not half of
+/// all, whose tree would be in memory twice.
 constexpr std::size_t thread_depth = 3;
 constexpr std::size_t thread_size = 65536;
 
@@ -172,7 +173,7 @@ NodeAreas BvhBuilder::split(Nodes& nodes, const PrimitiveRange& range, std::size
         depth < halving_depth ? ranges_.split(range) : ranges_.split_middle(range);
     Nodes separate;
     std::future<NodeAreas> separate_areas;
-    if (depth < thread_depth && upper.size() >= thread_size)
+    if (depth > 0 && depth <= thread_depth && upper.size() >= thread_size)
         separate_areas = std::async(
             [this, &separate, &part = upper, depth] { return split(separate, part, depth + 1); });
     const NodeAreas lower_areas = split(nodes, lower, depth + 1);
