@@ -81,7 +81,7 @@ says "sp 0,0,-20 2 0,0,255"
 says_not "✗ a sphere that is alone"
 mistaken step03_sphere_trace dithered $trace
 course 1 check 3
-says "Your color depends on the rays before: state keeps its value from one to the next."
+says "state keeps its value from one ray to the next: your color may depend"
 cp tests/alternatives/step03_sphere/main/sorted.cpp $trace
 course 0
 says "changed since "

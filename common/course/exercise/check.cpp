@@ -106,8 +106,8 @@ void add_trace_mistakes(int stage, const Judged& judged, Diagnosis& diagnosis) {
     const bool fails = !std::ranges::all_of(judged.of_trace, &CaseResult::passed);
     if (const std::string kept = fails ? kept_by_trace(stage) : ""; !kept.empty()) {
         diagnosis.sentences.push_back(
-            tr("Your color depends on the rays before: {names} keeps its value from one to the "
-               "next.",
+            tr("{names} keeps its value from one ray to the next: your color may depend on the "
+               "rays before.",
                {{"names", kept}}));
         return;
     }
