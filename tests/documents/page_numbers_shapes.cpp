@@ -7,6 +7,7 @@
 
 #include "steps/step01_ray_generation/ray_generation.hpp"
 #include "steps/step02_camera_basis/camera_basis.hpp"
+#include "steps/step03_sphere/sphere.hpp"
 #include "steps/step04_plane/plane.hpp"
 #include "steps/step05_triangle/triangle.hpp"
 #include "steps/step08_cone/cone.hpp"
@@ -147,6 +148,39 @@ Knowledge depth_legend() {
     return all;
 }
 
+/// The percentage of the pixels that change if each triangle of stage 5's scene is a parallelogram,
+/// in the size of the picture that `check` compares.
+double changed_by_parallelograms(Scene scene) {
+    scene.resolution = {.width = 128, .height = 96};
+    const auto ray_of = pixel_rays(scene.cameras.front(), scene.resolution);
+    const auto distances = [&] {
+        std::vector<Real> all;
+        for (Pixel pixel; pixel.row < scene.resolution.height; ++pixel.row)
+            for (pixel.column = 0; pixel.column < scene.resolution.width; ++pixel.column) {
+                Real nearest = infinity;
+                const auto look = [&](const auto& kind) {
+                    for (const auto& each : kind)
+                        nearest =
+                            intersect(ray_of(pixel), each.shape, {0, nearest}).value_or(nearest);
+                };
+                look(scene.spheres);
+                look(scene.planes);
+                look(scene.triangles);
+                all.push_back(nearest);
+            }
+        return all;
+    };
+    const std::vector<Real> right = distances();
+    for (std::size_t i = scene.triangles.size(); i-- > 0;) {
+        const auto [a, b, c] = scene.triangles[i].shape;
+        scene.triangles.push_back({{b, b + c - a, c}, {}});
+    }
+    const std::vector<Real> wrong = distances();
+    int different = 0;
+    for (std::size_t i = 0; i < right.size(); ++i) different += right[i] != wrong[i];
+    return 100.0 * different / double(right.size());
+}
+
 }  // namespace
 
 Knowledge debugging() {
@@ -165,6 +199,7 @@ Knowledge debugging() {
     explain(teller, ray, seen);
     for (const Printed& number : numbers_in(log.str()))
         all.push_back({"the story of pixel 231,398", number.value});
+    all.push_back({"the pixels of the picture", changed_by_parallelograms(scene), "%"});
     const Knowledge legend = depth_legend();
     all.insert(all.end(), legend.begin(), legend.end());
     return all;
