@@ -35,8 +35,8 @@ define("cylinder_both_roots", class extends RayFigure {
       sketch.line([1, y, 0], [1.3, y, 0], { stroke: color.gray, width: 1 });
       sketch.label([1.3, y, 0], [6, y < 0 ? 20 : 5], text, color.ink, "start");
     }
-    sketch.arrow([0, 2.1, 0], [0, 2.35, 0], { stroke: color.green, width: 2 });
-    sketch.label([0, 2.3, 0], [14, 5], "$Z$", color.green);
+    sketch.arrow([0, 1.9, 0], [0, 2.25, 0], { stroke: color.green, width: 2 });
+    sketch.label([0, 2, 0], [14, 5], "$Z$", color.green);
     const t = await this.ask(7, "intersect", this.ray, cylinder, ahead);
     if (!this.together) sketch.write([620, 338], t === null ? "no hit" : `hit: $t$ = ${short(t)}`, color.ink, "end");
     return [await this.ask(0, "explain", this.ray, cylinder, ahead), ["intersect", t]];

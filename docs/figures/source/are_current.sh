@@ -12,7 +12,7 @@ else
     echo "skipped: python3 is missing"
 fi
 [ "$drawn" = 0 ] || [ "$drawn" = 77 ] || exit "$drawn"
-differ=$(diff -rq --strip-trailing-cr --exclude=source --exclude=engine --exclude=live "$2" "$3")
+differ=$(diff -rq --strip-trailing-cr --exclude=source --exclude=engine --exclude=live --exclude=printed.txt "$2" "$3")
 [ "$drawn" = 0 ] || differ=$(echo "$differ" | grep -v "^Only in $3")
 [ -z "$differ" ] || {
     echo "$differ"
