@@ -52,7 +52,7 @@ texts = {} if is_english else translations.translated(language)
 used_font = re.compile(r"KaTeX_(AMS|Main|Math|Size).*\.woff2")
 
 before_the_stages = ["debugging.md", "cpp.md"]
-after_the_stages = ["README.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md"]
+after_the_stages = ["README.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md", "gallery.md"]
 
 
 def text_of(path):
@@ -102,7 +102,7 @@ def on_config(config):
         set_language(config)
     docs = project / "docs"
     stages = [*before_the_stages, *sorted(page.name for page in docs.glob("step*.md"))]
-    others = sorted({page.name for page in docs.glob("*.md")} - set(stages),
+    others = sorted(sorted({page.name for page in docs.glob("*.md")} - set(stages)),
                     key=lambda name: [*after_the_stages, name].index(name))
     reference = sorted(f"reference/{page.name}" for page in docs.glob("reference/*.md"))
     if not is_english:
