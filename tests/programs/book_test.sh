@@ -145,9 +145,10 @@ is "a page that is not there" "${root}build/book/none.html" 404
 
 python3 "$project/tests/documents/book_pages.py" "$project/build/book" "$project" > out 2>&1 ||
     fail "links, anchors, formulas, alternative texts, contracts, hints, errata"
-# Of the pages in another language, which have the same parts, two.
-pages=$(cd "$project/build/book" && find . -name '*.html' ! -path './??/*' -o -path './fr/index.html' \
-    -o -path './fr/step05_triangle.html' | sort)
+# Of the pages in another language, and of those on known mistakes, which have the same parts, two.
+pages=$(cd "$project/build/book" && find . -name '*.html' ! -path './??/*' ! -path './mistakes/*' \
+    -o -path './fr/index.html' -o -path './fr/step05_triangle.html' \
+    -o -path './mistakes/index.html' -o -path './mistakes/step03_sphere.html' | sort)
 axe=$build/axe/node_modules/axe-core/axe.min.js  # where .ci/run puts it
 [ ! -e "$axe" ] || export AXE="$axe"
 node "$project/tests/documents/book_browser.mjs" "$browser" "$address" $pages > out 2>&1 ||
