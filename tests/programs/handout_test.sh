@@ -92,7 +92,7 @@ course 0 test 3
 says "every test passed"
 course 0 hint 3
 course 0
-says "./course update NEW"
+says " update"
 for command in solution audit measure grade handout; do
     ! grep -q "^./course $command" "$folder/out" || fail "$command, which it lacks, is not listed"
 done
