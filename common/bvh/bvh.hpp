@@ -22,7 +22,7 @@ inline constexpr std::size_t bvh_pays_from = 32;
 
 inline namespace RT_LANES {
 
-/// Whether the closest hit of a ray is needed, or only whether there is any.
+/// What a query asks of a ray: its closest hit, or whether it has any hit.
 enum class QueryKind { closest_hit, any_hit };
 
 /// The indices of the boxes whose contents are tested together.

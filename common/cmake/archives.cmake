@@ -15,9 +15,7 @@ function(raysteps_archive name folder)
             RAYSTEPS_ANY_PROCESSOR ON
             ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}/${CMAKE_SYSTEM_PROCESSOR}
             PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
-        if(NOT DEFINED CMAKE_UNITY_BUILD)  # as one source: in a sixth of the time
-            set_target_properties(${archive} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-        endif()
+        raysteps_compile_whole(${archive})
         if(CMAKE_STRIP)
             add_custom_command(TARGET ${archive} POST_BUILD
                 COMMAND ${CMAKE_STRIP} $<IF:$<BOOL:${APPLE}>,-x,--strip-unneeded>

@@ -134,6 +134,13 @@ function(raysteps_compile_together target)
     set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${target})
 endfunction()
 
+# raysteps_compile_whole(<target>...): compiles all sources of each target as one.
+function(raysteps_compile_whole)
+    if(NOT DEFINED CMAKE_UNITY_BUILD)
+        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
+endfunction()
+
 # raysteps_start_from_common(<name>): compiles <name>_f32 and _f64 in half the time with the
 # precompiled headers of raysteps_common. Not for a student's file or a reference, which must include
 # the headers that they use.
@@ -183,11 +190,12 @@ function(raysteps_collect collection)
     endforeach()
 endfunction()
 
-# raysteps_target(<name> [STATIC | ON_DEMAND] SOURCES <source>... [LIBRARIES <library>...]
+# raysteps_target(<name> [STATIC | ON_DEMAND] [APART] SOURCES <source>... [LIBRARIES <library>...]
 #     [OPTIONS <option>...] [DEFINITIONS <definition>...]): a program, which ON_DEMAND is built by
-# name only, or a STATIC library, compiled by folder.
+# name only, or a STATIC library. It is compiled by folder, or each source APART, where several give a
+# helper the same name.
 function(raysteps_target name)
-    cmake_parse_arguments(PARSE_ARGV 1 the "STATIC;ON_DEMAND" "" "SOURCES;LIBRARIES;OPTIONS;DEFINITIONS")
+    cmake_parse_arguments(PARSE_ARGV 1 the "STATIC;ON_DEMAND;APART" "" "SOURCES;LIBRARIES;OPTIONS;DEFINITIONS")
     if(the_STATIC)
         add_library(${name} STATIC ${the_SOURCES})
         target_link_libraries(${name} PUBLIC ${the_LIBRARIES})
@@ -197,7 +205,9 @@ function(raysteps_target name)
     endif()
     target_compile_options(${name} PRIVATE ${the_OPTIONS})
     target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
-    raysteps_compile_by_folder(${name})
+    if(NOT the_APART)
+        raysteps_compile_by_folder(${name})
+    endif()
     if(the_ON_DEMAND)
         set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
     endif()

@@ -1,6 +1,5 @@
-// What a graded main.cpp may use of the queries that each stage's queries.cpp compiles. The
-// undefined symbols of this object are the list (common/course/grade/graded_seat.sh); nothing links
-// it.
+// The functions in the stages' queries.cpp that a graded main.cpp may call. The undefined symbols
+// of this object are the list (common/course/grade/graded_seat.sh); no program links it.
 #include "common/render/closest_hit.hpp"
 #include "common/render/shaft.hpp"
 

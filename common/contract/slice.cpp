@@ -3,9 +3,9 @@
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"
 #include "common/scene/scene.hpp"
+#include "common/system/formatted.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace rt::contract {
@@ -79,13 +79,6 @@ struct View {
         return height / 2 - pixels_per_unit * double(dot(p - center, up));
     }
 };
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 512> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, values...);
-    return buffer.data();
-}
 
 class Drawing {
 public:

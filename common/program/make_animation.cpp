@@ -5,11 +5,11 @@
 #include "common/program/turntable.hpp"
 #include "common/program/used_options.hpp"
 #include "common/render/render.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 
-#include <array>
 #include <chrono>
 #include <cstdio>
 
@@ -42,11 +42,9 @@ bool make_animation(const Program& program, const Options& options, const Scene&
                     picture_texts(program, options, scene.resolution), options.settings.gamma);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     if (options.quiet) return true;
-    std::array<char, 32> time{};
-    std::snprintf(time.data(), time.size(), "%.2f s", seconds.count());
     std::puts(tr_text(one_line(options.output) + ": " + std::to_string(frames) + " frames of " +
-                      size_text(scene.resolution) + " pixels, " + name(options.precision) + ", " +
-                      time.data())
+                      size_text(scene.resolution) + " pixels, " + name(options.precision) +
+                      formatted(", %.2f s", seconds.count()))
                   .c_str());
     return true;
 }

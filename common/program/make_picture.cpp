@@ -7,12 +7,12 @@
 #include "common/program/shade_picture.hpp"
 #include "common/program/used_options.hpp"
 #include "common/stages/stages.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/readable.hpp"
 #include "common/system/terminal.hpp"
 #include "common/system/translation.hpp"
 #include "common/tuning/wording.hpp"
 
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
@@ -24,10 +24,8 @@ namespace {
 
 void report(const Rendering& rendering, const Options& options, const TimeBudget* pace,
             double seconds) {
-    std::array<char, 32> time{};
-    std::snprintf(time.data(), time.size(), "%.2f s", seconds);
     std::string line = one_line(options.output) + ": " + size_text(rendering.image.resolution) +
-                       " pixels, " + name(options.precision) + ", " + time.data() + ", " +
+                       " pixels, " + name(options.precision) + formatted(", %.2f s, ", seconds) +
                        std::to_string(rendering.rays) + " rays";
     if (rendering.sized_light_rays > 0)
         line +=

@@ -1,12 +1,11 @@
 #include "common/program/shade_picture.hpp"
 
 #include "common/image/color_scale.hpp"
+#include "common/system/formatted.hpp"
 #include "common/tuning/wording.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <utility>
@@ -16,13 +15,6 @@ namespace rt {
 namespace {
 
 constexpr std::size_t most_shapes_named = 24;
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 128> text{};
-    std::snprintf(text.data(), text.size(), format, values...);
-    return text.data();
-}
 
 std::string title(Shading shading) {
     switch (shading) {

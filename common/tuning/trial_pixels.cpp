@@ -24,34 +24,21 @@ int tile_of(Pixel pixel, Resolution size) {
 
 SpreadPixels::SpreadPixels(Resolution size)
     : size_(size),
-      side_(std::size_t(size.width) * std::size_t(size.height) > large_picture ? 8 : 4),
-      rows_(cells(size.height, side_)),
-      columns_(cells(size.width, side_)) {}
+      side_(std::size_t(size.width) * std::size_t(size.height) > large_picture ? 8 : 4) {}
 
 std::vector<Pixel> SpreadPixels::pixels(int draw) const {
+    const int columns = cells(size_.width, side_);
     std::vector<Pixel> all;
-    for (int row = 0; row < rows_; ++row)
-        for (int column = 0; column < columns_; ++column) {
+    for (int row = 0; row < cells(size_.height, side_); ++row)
+        for (int column = 0; column < columns; ++column) {
             const int height = std::min(side_, size_.height - row * side_);
             const int width = std::min(side_, size_.width - column * side_);
-            const auto cell = std::uint32_t(row * columns_ + column);
+            const auto cell = std::uint32_t(row * columns + column);
             // An odd step visits all residues modulo a power of two before it repeats one.
             const std::uint32_t place =
                 (mixed_bits(cell) + std::uint32_t(draw) * 11) % std::uint32_t(height * width);
             all.push_back({.row = row * side_ + int(place) / width,
                            .column = column * side_ + int(place) % width});
-        }
-    return all;
-}
-
-std::vector<bool> SpreadPixels::with_neighbors(const std::vector<bool>& marked) const {
-    std::vector<bool> all(marked.size());
-    for (int row = 0; row < rows_; ++row)
-        for (int column = 0; column < columns_; ++column) {
-            if (!marked[std::size_t(row * columns_ + column)]) continue;
-            for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r)
-                for (int c = std::max(column - 1, 0); c <= std::min(column + 1, columns_ - 1); ++c)
-                    all[std::size_t(r * columns_ + c)] = true;
         }
     return all;
 }

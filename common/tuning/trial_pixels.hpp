@@ -28,32 +28,9 @@ public:
     /// The number of different draws.
     [[nodiscard]] int draws() const { return side_ * side_; }
 
-    /// Returns the marked cells and the cells that touch one.
-    [[nodiscard]] std::vector<bool> with_neighbors(const std::vector<bool>& marked) const;
-
-    /// Returns the cells that differ from a cell that touches them; differ(a, b) compares two cells
-    /// by index.
-    template <class Differ>
-    [[nodiscard]] std::vector<bool> differing_neighbors(Differ differ) const {
-        std::vector<bool> all(std::size_t(rows_) * std::size_t(columns_));
-        const auto compare = [&](int a, int b) {
-            if (differ(std::size_t(a), std::size_t(b)))
-                all[std::size_t(a)] = all[std::size_t(b)] = true;
-        };
-        for (int row = 0; row < rows_; ++row)
-            for (int column = 0; column < columns_; ++column) {
-                const int cell = row * columns_ + column;
-                if (column + 1 < columns_) compare(cell, cell + 1);
-                if (row + 1 < rows_) compare(cell, cell + columns_);
-            }
-        return all;
-    }
-
 private:
     Resolution size_;
-    int side_;
-    int rows_;
-    int columns_;
+    int side_;  ///< of a cell, in pixels
 };
 
 /// Returns about `count` of the pixels, regularly spaced: every k-th, or all.

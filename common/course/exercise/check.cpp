@@ -98,8 +98,9 @@ std::string kept_by_trace(int stage) {
     return names;
 }
 
-/// Adds the known mistakes of `trace` that have the same failures, if there are any. With a static
-/// variable, the answers depend on the order of the rays, and tell nothing but that.
+/// Adds the known mistakes of `trace` that have the same failures, if there are any. If `trace`
+/// keeps a static variable, only that is reported: the answers then depend on the order of the
+/// rays, and identify no mistake.
 void add_trace_mistakes(int stage, const Judged& judged, Diagnosis& diagnosis) {
     for (const std::string& name : judged.unwritten)
         if (name == "trace" || name == "render") return;

@@ -6,6 +6,7 @@
 #include "common/image/png.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/files.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
 #include "common/system/translation.hpp"
@@ -52,8 +53,7 @@ ProcessResult drawn(const std::string& program, const std::filesystem::path& fil
 std::string difference(const Comparison& comparison, Resolution size) {
     if (!comparison.center) return summary(comparison);
     const double percent = 100.0 * comparison.different / (double(size.width) * size.height);
-    char share[16];
-    std::snprintf(share, sizeof share, percent < 1 ? "%.1g" : "%.0f", percent);
+    const std::string share = formatted(percent < 1 ? "%.1g" : "%.0f", percent);
     const auto [row, column] = *comparison.center;
     return tr("{share} % of the pixels differ, most around row,column {pixel}",
               {{"share", share}, {"pixel", std::to_string(row) + "," + std::to_string(column)}});

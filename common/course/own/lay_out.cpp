@@ -168,7 +168,11 @@ int lay_out_own(const fs::path& project, const fs::path& destination) {
     const Values values = {{"folder", destination.string()},
                            {"number", std::to_string(layout.stages().size())}};
     std::puts(
-        tr("{folder}: your files of {number} stages, and the headers that they include", values)
+        (layout.stages().size() == 1
+             ? tr("{folder}: your files of one stage, and the headers that they include", values)
+             : tr("{folder}: your files of {number} stages, and the headers that they "
+                  "include",
+                  values))
             .c_str());
     std::string left_out;
     for (const int stage : layout.left_out())
