@@ -3,27 +3,20 @@
 # raysteps_archive(<name> <folder> <source>...): defines x86_64/f32.a and f64.a, or those of another
 # kind of processor, for this folder of a hand-out: the sources compiled again, for all processors of
 # the kind. The target `archives` builds them all, in the folder archives/ of the build.
+add_custom_target(archives)
 function(raysteps_archive name folder)
-    if(NOT TARGET archives)
-        add_custom_target(archives)
-    endif()
     foreach(precision IN ITEMS f32 f64)
         set(archive ${name}_archive_${precision})
-        add_library(${archive} STATIC EXCLUDE_FROM_ALL ${ARGN})
-        target_link_libraries(${archive} PRIVATE raysteps_options)
-        set_target_properties(${archive} PROPERTIES
-            RAYSTEPS_ANY_PROCESSOR ON
+        raysteps_target(${archive} STATIC ON_DEMAND WHOLE SOURCES ${ARGN})
+        set_target_properties(${archive} PROPERTIES RAYSTEPS_ANY_PROCESSOR ON
             ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/archives/${folder}/${CMAKE_SYSTEM_PROCESSOR}
             PREFIX "" OUTPUT_NAME ${precision} SUFFIX .a)
-        raysteps_compile_whole(${archive})
         if(CMAKE_STRIP)
-            add_custom_command(TARGET ${archive} POST_BUILD
-                COMMAND ${CMAKE_STRIP} $<IF:$<BOOL:${APPLE}>,-x,--strip-unneeded>
-                    $<TARGET_FILE:${archive}> VERBATIM)
+            add_custom_command(TARGET ${archive} POST_BUILD COMMAND ${CMAKE_STRIP}
+                $<IF:$<BOOL:${APPLE}>,-x,--strip-unneeded> $<TARGET_FILE:${archive}> VERBATIM)
         endif()
         add_dependencies(archives ${archive})
     endforeach()
-    target_compile_definitions(${name}_archive_f32 PRIVATE RT_FLOAT)
 endfunction()
 
 # raysteps_link_archive(<name> <folder> [WHOLE]): a target that links <name>_f32 or _f64 gets the
@@ -52,11 +45,10 @@ endfunction()
 # Reports an error, once, if the archives do not fit this compiler, before a linker would.
 function(raysteps_require_fit)
     get_property(fits GLOBAL PROPERTY RAYSTEPS_FITS)
+    set(needs ${PROJECT_SOURCE_DIR}/steps/fits.cpp)
     if(fits)
         return()
-    endif()
-    set(needs ${PROJECT_SOURCE_DIR}/steps/fits.cpp)
-    if(NOT EXISTS ${needs})
+    elseif(NOT EXISTS ${needs})
         message(FATAL_ERROR "Sources are missing, and this is not a hand-out")
     endif()
     unset(RAYSTEPS_FITS CACHE)  # an update may have replaced the archives
@@ -64,10 +56,9 @@ function(raysteps_require_fit)
     if(NOT RAYSTEPS_FITS)
         file(STRINGS ${needs} kind LIMIT_COUNT 1)
         string(REPLACE "// " "" kind "${kind}")
-        message(FATAL_ERROR "This hand-out is for ${kind}, and not for "
-            "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on "
-            "${CMAKE_SYSTEM_NAME} with ${CMAKE_SYSTEM_PROCESSOR}: use such a machine and compiler, "
-            "or request a hand-out for yours.")
+        message(FATAL_ERROR "This hand-out is for ${kind}, and not for ${CMAKE_CXX_COMPILER_ID} "
+            "${CMAKE_CXX_COMPILER_VERSION}, as it is called here, on ${CMAKE_SYSTEM_NAME} with "
+            "${CMAKE_SYSTEM_PROCESSOR}: use such a machine and compiler, or request a hand-out for yours.")
     endif()
     set_property(GLOBAL PROPERTY RAYSTEPS_FITS ON)
 endfunction()

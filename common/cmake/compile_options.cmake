@@ -2,11 +2,11 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_FLAGS_RELEASE -O2)  # without NDEBUG: asserts stay active
 if(RAYSTEPS_SANITIZE)
     set(CMAKE_CXX_FLAGS_RELEASE -O1)  # the suites compile in a third of the time
 endif()
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 # find_package whose error message names the Debian package to install.
 macro(raysteps_find package debian)
@@ -27,11 +27,9 @@ target_link_libraries(raysteps_options INTERFACE glm::glm Threads::Threads)
 # Default-constructed glm vectors are zero; GLM's own default leaves them uninitialized.
 target_compile_definitions(raysteps_options INTERFACE GLM_FORCE_CTOR_INIT)
 
-# Use instructions of the processor at hand: std::fma as an instruction instead of a call that takes
-# ten times as long, and vectors of 32 bytes (simd.hpp). The results have the same bits. A target
-# for other machines has the property RAYSTEPS_ANY_PROCESSOR; the option of that name sets it for
-# all targets. Objects of both kinds can be linked together, because functions that both define have
-# the same effect.
+# Use instructions of the processor at hand: std::fma as an instruction instead of a call that takes ten
+# times as long, and vectors of 32 bytes (simd.hpp). The results have the same bits, so objects of both
+# kinds can be linked together. A target for other machines has the property RAYSTEPS_ANY_PROCESSOR.
 option(RAYSTEPS_ANY_PROCESSOR "Build for all processors of this kind, not only for this one" OFF)
 if(NOT RAYSTEPS_ANY_PROCESSOR)
     include(CheckCXXSourceRuns)
@@ -83,13 +81,11 @@ if(RAYSTEPS_MOLD)
     target_link_options(raysteps_options INTERFACE -fuse-ld=mold)
 endif()
 
-# Targets that exist in both precisions end in f32 and f64, and programs that people start in
-# ${word_f32} and ${word_f64}.
+# Targets that exist in both precisions end in f32 and f64, and programs that people start in float and
+# double. raysteps_both(<command> <argument>...): calls the command once a precision, with f32 or f64 for
+# each @ in its arguments, and float or double for each @word.
 set(word_f32 float)
 set(word_f64 double)
-
-# raysteps_both(<command> <argument>...): calls the command once a precision, with f32 or f64 for
-# each @ in its arguments, and float or double for each @word.
 function(raysteps_both command)
     foreach(precision IN ITEMS f32 f64)
         string(REPLACE "@word" "${word_${precision}}" arguments "${ARGN}")
@@ -98,35 +94,74 @@ function(raysteps_both command)
     endforeach()
 endfunction()
 
-# raysteps_compile_twice(<name> <source>...): defines two object libraries of the same sources,
-# <name>_f32, with Real = float, and <name>_f64.
-function(raysteps_compile_twice name)
-    raysteps_both(add_library ${name}_@ OBJECT ${ARGN})
-    raysteps_both(target_link_libraries ${name}_@ PUBLIC raysteps_options)
-    target_compile_definitions(${name}_f32 PRIVATE RT_FLOAT)
-endfunction()
-
-# raysteps_compile_by_folder(<target>...): compiles each folder's sources as one (CMake's unity
-# build), so that the headers that they share are read once: a first build takes half the time. Two
-# sources of a folder cannot give a helper the same name. -DCMAKE_UNITY_BUILD=OFF compiles each alone.
-# raysteps_compile_together(<target> <folder>...): compiles the sources of these folders as one.
-function(raysteps_compile_by_folder)
-    if(NOT DEFINED CMAKE_UNITY_BUILD)
-        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON)
+# raysteps_target(<name> [OBJECT | STATIC] [ON_DEMAND] [APART | WHOLE] SOURCES <source>...
+#     [EXCEPT <stem>...] [LIBRARIES <library>...] [PARTS <part>...] [OPTIONS <option>...]
+#     [DEFINITIONS <definition>...] [HEADERS <target>] [NEEDS <target>...]): a program, or a library. With
+# _f32 or _float in its name, its Real is float.
+#
+# SOURCES    files, or patterns of files, without those EXCEPT
+# PARTS      are linked: <part>_f32 or <part>_f64 of each
+# HEADERS    the target from whose precompiled headers it starts
+# ON_DEMAND  it is built by name only
+# WHOLE      All sources are compiled as one; APART, each alone. By default each folder's are compiled as
+#            one (CMake's unity build), so that the headers that they share are read once: a first build
+#            takes half the time. Two sources that are compiled as one cannot give a helper the same name.
+#            -DCMAKE_UNITY_BUILD=OFF compiles each alone.
+function(raysteps_target name)
+    cmake_parse_arguments(PARSE_ARGV 1 the "OBJECT;STATIC;ON_DEMAND;APART;WHOLE" "HEADERS"
+        "SOURCES;EXCEPT;LIBRARIES;PARTS;OPTIONS;DEFINITIONS;NEEDS")
+    set(patterns ${the_SOURCES})
+    list(FILTER patterns INCLUDE REGEX "[*]")
+    list(FILTER the_SOURCES EXCLUDE REGEX "[*]")
+    if(patterns)
+        file(GLOB found CONFIGURE_DEPENDS ${patterns})
+        list(JOIN the_EXCEPT "|" except)
+        list(FILTER found EXCLUDE REGEX "/(${except})\\.cpp$")
+        list(APPEND the_SOURCES ${found})
     endif()
-    foreach(target IN LISTS ARGN)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-        get_target_property(sources ${target} SOURCES)
-        get_target_property(base ${target} SOURCE_DIR)
-        foreach(source IN LISTS sources)
-            cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${base} OUTPUT_VARIABLE folder)
-            cmake_path(GET folder PARENT_PATH folder)
-            cmake_path(GET folder FILENAME folder)
-            set_property(SOURCE ${source} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${folder})
-        endforeach()
+    set(scope PUBLIC)
+    if(the_OBJECT)
+        add_library(${name} OBJECT ${the_SOURCES})
+    elseif(the_STATIC)
+        add_library(${name} STATIC ${the_SOURCES})
+    else()
+        add_executable(${name} ${the_SOURCES})
+        set(scope PRIVATE)
+    endif()
+    set(precision f64)
+    if(name MATCHES "_(f32|float)(_|$)")
+        set(precision f32)
+        list(APPEND the_DEFINITIONS RT_FLOAT)
+    endif()
+    raysteps_link(${name} ${precision} ${the_PARTS})
+    target_link_libraries(${name} ${scope} raysteps_options ${the_LIBRARIES})
+    target_compile_options(${name} PRIVATE ${the_OPTIONS})
+    target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
+    if(the_HEADERS)
+        target_precompile_headers(${name} REUSE_FROM ${the_HEADERS})
+    endif()
+    if(the_NEEDS)
+        add_dependencies(${name} ${the_NEEDS})
+    endif()
+    if(the_ON_DEMAND)
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
+    if(NOT the_APART AND NOT DEFINED CMAKE_UNITY_BUILD)
+        set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
+    if(the_APART OR the_WHOLE)
+        return()
+    endif()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD_MODE GROUP)
+    foreach(source IN LISTS the_SOURCES)
+        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+        cmake_path(GET path PARENT_PATH folder)
+        cmake_path(GET folder FILENAME folder)
+        set_property(SOURCE ${source} TARGET_DIRECTORY ${name} PROPERTY UNITY_GROUP ${folder})
     endforeach()
 endfunction()
 
+# raysteps_compile_together(<target> <folder>...): compiles the sources of these folders as one.
 function(raysteps_compile_together target)
     get_target_property(sources ${target} SOURCES)
     list(JOIN ARGN "|" folders)
@@ -134,41 +169,20 @@ function(raysteps_compile_together target)
     set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} PROPERTY UNITY_GROUP ${target})
 endfunction()
 
-# raysteps_compile_whole(<target>...): compiles all sources of each target as one.
-function(raysteps_compile_whole)
-    if(NOT DEFINED CMAKE_UNITY_BUILD)
-        set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
-    endif()
+# raysteps_compile_twice(<name> <source>... [<option of raysteps_target>...]): two object libraries of the
+# same sources, <name>_f32, with Real = float, and <name>_f64.
+function(raysteps_compile_twice name)
+    raysteps_both(raysteps_target ${name}_@ OBJECT APART SOURCES ${ARGN})
 endfunction()
 
-# raysteps_start_from_common(<name>): compiles <name>_f32 and _f64 in half the time with the
-# precompiled headers of raysteps_common. Not for a student's file or a reference, which must include
-# the headers that they use.
-function(raysteps_start_from_common name)
-    raysteps_both(target_precompile_headers ${name}_@ REUSE_FROM raysteps_common_@)
-endfunction()
-
-# raysteps_compile_without_optimizing(<target> <precision>): compiles the target in half the time,
-# with the same headers, for what runs briefly, such as a known mistake. Its numbers have the same bits.
-function(raysteps_compile_without_optimizing target precision)
-    target_compile_options(${target} PRIVATE -O0)
-    target_precompile_headers(${target} REUSE_FROM raysteps_unoptimized_${precision})
-endfunction()
-
-# raysteps_precompile(<name> <header>...): defines <name>_f32 and _f64, for g++: the headers,
-# precompiled in a folder <name>.hpp.gch beside a file <name>.hpp that includes them.
+# raysteps_precompile(<name> <option>... HEADERS <header>...): <name>_f32 and _f64, whose precompiled
+# headers other targets start from.
 function(raysteps_precompile name)
-    list(TRANSFORM ARGN REPLACE "(.+)" "#include \"${PROJECT_SOURCE_DIR}/\\1\"\n")
-    string(CONCAT includes ${ARGN})
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.hpp.gch/all.cpp)
-    file(CONFIGURE OUTPUT ${source} CONTENT "${includes}")
-    raysteps_compile_twice(${name} ${source})
-    foreach(target IN ITEMS ${name}_f32 ${name}_f64)
-        set(header ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/${name}.hpp)
-        file(CONFIGURE OUTPUT ${header} CONTENT "${includes}")
-        target_compile_options(${target} PRIVATE "SHELL:-x c++-header")
-        set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL ON RAYSTEPS_HEADER ${header})
-    endforeach()
+    cmake_parse_arguments(PARSE_ARGV 1 the "" "" "OPTIONS;DEFINITIONS;HEADERS")
+    set(none ${PROJECT_BINARY_DIR}/none.cpp)
+    file(CONFIGURE OUTPUT ${none} CONTENT "")
+    raysteps_compile_twice(${name} ${none} ON_DEMAND OPTIONS ${the_OPTIONS} DEFINITIONS ${the_DEFINITIONS})
+    raysteps_both(target_precompile_headers ${name}_@ PRIVATE ${the_HEADERS})
 endfunction()
 
 # raysteps_link(<target> <precision> <name>...): links a target to <name>_f32 or _f64 of each name.
@@ -188,27 +202,4 @@ function(raysteps_collect collection)
             raysteps_both(target_sources ${collection}_@ INTERFACE $<TARGET_OBJECTS:${name}_@>)
         endif()
     endforeach()
-endfunction()
-
-# raysteps_target(<name> [STATIC | ON_DEMAND] [APART] SOURCES <source>... [LIBRARIES <library>...]
-#     [OPTIONS <option>...] [DEFINITIONS <definition>...]): a program, which ON_DEMAND is built by
-# name only, or a STATIC library. It is compiled by folder, or each source APART, where several give a
-# helper the same name.
-function(raysteps_target name)
-    cmake_parse_arguments(PARSE_ARGV 1 the "STATIC;ON_DEMAND;APART" "" "SOURCES;LIBRARIES;OPTIONS;DEFINITIONS")
-    if(the_STATIC)
-        add_library(${name} STATIC ${the_SOURCES})
-        target_link_libraries(${name} PUBLIC ${the_LIBRARIES})
-    else()
-        add_executable(${name} ${the_SOURCES})
-        target_link_libraries(${name} PRIVATE ${the_LIBRARIES})
-    endif()
-    target_compile_options(${name} PRIVATE ${the_OPTIONS})
-    target_compile_definitions(${name} PRIVATE ${the_DEFINITIONS})
-    if(NOT the_APART)
-        raysteps_compile_by_folder(${name})
-    endif()
-    if(the_ON_DEMAND)
-        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-    endif()
 endfunction()

@@ -2,8 +2,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/archives.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 
 # raysteps_stage([<flag>...] [LOOPS_OVER <stage>] [SUITE <part>...] [PICTURES <scene>...]): defines the
-# targets of the stage in the current folder: its reference, the student's file if there is one, and
-# the executable with the stage's name, built from every stage up to this one.
+# targets of the stage in the current folder.
 #
 # MESHES             this stage and later ones need OpenMesh
 # SHARES_ANEW        its files replace those that earlier stages share with later ones
@@ -22,19 +21,18 @@ include(${CMAKE_CURRENT_LIST_DIR}/exact.cmake)
 #                                `intersect` are logged by --pixel, for `explain`
 # stepNN_name_exact              from certified kernels: common/cmake/exact.cmake
 #
-# stepNN_name_reference_f64   object library of reference/*.cpp (and _f32), or a hand-out's archive
-# stepNN_name_student_f64     object library of student/*.cpp, if there are any
-# stepNN_name_f64             the selected one of these two, by option
-# stepNN_name_certified_f64   object library of exact/*.cpp if there are any, or else the reference
-# stepNN_name_picture_f64     the stage's picture: the loop over the pixels, main.cpp, and the files
-#                             that this stage and earlier ones share with later ones: the other
-#                             files beside a main.cpp, except story.cpp; and meshes or their refusal.
-#                             Of two stages that share a file of one name (pixel_rays.cpp of stages 1
-#                             and 2), the later one's is linked: it SHARES_ANEW
-# stepNN_name_chosen_picture_f64  the same with student/main.cpp, if there is one, by the same option
+# stepNN_name_reference_f64  objects of reference/*.cpp (and _f32), or a hand-out's archive
+# stepNN_name_student_f64    objects of student/*.cpp, if there are any
+# stepNN_name_f64            the selected one of these two, by option
+# stepNN_name_certified_f64  objects of exact/*.cpp if there are any, or else the reference
+# stepNN_name_picture_f64    the stage's picture: the loop over the pixels, main.cpp, and the files that this
+#                            stage and earlier ones share with later ones: the others beside a main.cpp,
+#                            except story.cpp; and meshes or their refusal. Of two stages that share a
+#                            file of one name, the later one's is linked: it SHARES_ANEW
+# stepNN_name_chosen_picture_f64        the same with student/main.cpp, if there is one, by the same option
 # stepNN_name_picture_without_main_f64  the same without either
-# stepNN_name_unity_f64       the picture and the references, compiled as unity builds: one for each
-#                             kind of shape, and one for the rest
+# stepNN_name_unity_f64      the picture and the references, compiled as unity builds: one for each kind of
+#                            shape, and one for the rest
 function(raysteps_stage)
     set(flags MESHES SHARES_ANEW OWN_LOOP WHOLE_KERNEL SANITIZED_IN_BOTH)
     cmake_parse_arguments(PARSE_ARGV 0 stage "${flags}" "LOOPS_OVER" "SUITE;PICTURES")
@@ -48,6 +46,7 @@ function(raysteps_stage)
     set_property(GLOBAL PROPERTY RAYSTEPS_SUITE_${name} ${stage_SUITE})
     set_property(GLOBAL PROPERTY RAYSTEPS_PICTURES_${name} ${stage_PICTURES})
     string(REGEX REPLACE "^step0?([0-9]+)_.*" "\\1" number ${name})
+    set(start_from_common HEADERS raysteps_common_@)
 
     file(GLOB reference CONFIGURE_DEPENDS reference/*.cpp)
     if(reference)
@@ -57,27 +56,24 @@ function(raysteps_stage)
         raysteps_collect(${name}_reference)
         raysteps_link_archive(${name}_reference steps/${name}/reference WHOLE)
     endif()
-    raysteps_compile_twice(${name}_main main.cpp)
-    raysteps_start_from_common(${name}_main)
+    raysteps_compile_twice(${name}_main main.cpp ${start_from_common})
 
     # The student's files, and which of them are chosen.
+    file(GLOB student_main CONFIGURE_DEPENDS student/main.cpp)
     file(GLOB student CONFIGURE_DEPENDS student/*.cpp)
-    set(student_main ${student})
-    list(FILTER student_main INCLUDE REGEX "/main\\.cpp$")
-    list(FILTER student EXCLUDE REGEX "/main\\.cpp$")
-    if(student)
-        raysteps_compile_twice(${name}_student ${student})
+    list(REMOVE_ITEM student "" ${student_main})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
         raysteps_headers_of(${name} headers)
-        raysteps_start_from(${headers} ${name}_student ${student})
-        raysteps_both(target_compile_options ${name}_student_@ PRIVATE ${students_errors})
-        raysteps_both(target_compile_definitions ${name}_student_@ PRIVATE ${students_assertions})
+        set(student_starts_from HEADERS ${headers}_@)
+        set(student_main_starts_from ${start_from_common})
+    endif()
+    if(student)
+        raysteps_compile_twice(${name}_student ${student} ${student_starts_from}
+            OPTIONS ${students_errors} DEFINITIONS ${students_assertions})
     endif()
     if(student_main)
-        raysteps_compile_twice(${name}_student_main ${student_main})
-        raysteps_both(target_compile_options ${name}_student_main_@ PRIVATE ${students_errors})
-        if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-            raysteps_start_from_common(${name}_student_main)
-        endif()
+        raysteps_compile_twice(${name}_student_main ${student_main} ${student_main_starts_from}
+            OPTIONS ${students_errors})
     endif()
     set(chosen reference)
     set(chosen_main main)
@@ -97,8 +93,7 @@ function(raysteps_stage)
         raysteps_exact(${name}_certified ${exact})
         raysteps_exact(${name}_exact_queries queries.cpp)
         if(NOT stage_WHOLE_KERNEL)  # the reference, whose `intersect` gets another name
-            raysteps_exact(${name}_exact_rest ${reference})
-            target_compile_definitions(${name}_exact_rest_f64 PRIVATE intersect=reference_intersect)
+            raysteps_exact(${name}_exact_rest ${reference} DEFINITIONS intersect=reference_intersect)
             target_sources(${name}_certified_f64 INTERFACE $<TARGET_OBJECTS:${name}_exact_rest_f64>)
         endif()
     else()
@@ -107,13 +102,12 @@ function(raysteps_stage)
 
     file(GLOB shared CONFIGURE_DEPENDS *.cpp)
     list(FILTER shared EXCLUDE REGEX "/(main|story)\\.cpp$")
+    if(stage_SHARES_ANEW)
+        set_property(GLOBAL PROPERTY RAYSTEPS_SHARED)
+    endif()
     if(shared)
-        raysteps_compile_twice(${name}_shared ${shared})
-        raysteps_start_from_common(${name}_shared)
-        if(stage_SHARES_ANEW)
-            set_property(GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
-        endif()
-        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED_LIBRARIES ${name}_shared)
+        raysteps_compile_twice(${name}_shared ${shared} ${start_from_common})
+        set_property(GLOBAL APPEND PROPERTY RAYSTEPS_SHARED ${name}_shared)
     endif()
 
     set(meshes raysteps_without_meshes)
@@ -125,8 +119,9 @@ function(raysteps_stage)
         endif()
         set(meshes raysteps_meshes)
     endif()
-    get_property(handed_on GLOBAL PROPERTY RAYSTEPS_SHARED_LIBRARIES)
-    raysteps_collect(${name}_picture_without_main raysteps_render ${handed_on} ${meshes})
+    get_property(parts GLOBAL PROPERTY RAYSTEPS_SHARED)
+    list(APPEND parts raysteps_render)
+    raysteps_collect(${name}_picture_without_main ${parts} ${meshes})
     raysteps_collect(${name}_picture ${name}_main ${name}_picture_without_main)
     raysteps_collect(${name}_chosen_picture ${name}_${chosen_main} ${name}_picture_without_main)
 
@@ -134,30 +129,26 @@ function(raysteps_stage)
     get_property(always GLOBAL PROPERTY RAYSTEPS_IN_EVERY_PROGRAM)
     list(APPEND stages ${always})
     list(REMOVE_DUPLICATES stages)
+    set_property(GLOBAL PROPERTY RAYSTEPS_STAGES_OF_${name} ${stages})
+    raysteps_target(${name}_number OBJECT APART SOURCES ${PROJECT_SOURCE_DIR}/common/program/stage_number.cpp
+        DEFINITIONS RAYSTEPS_STAGE=${number})
     if(RAYSTEPS_EXACT_MESH_BVH)
-        raysteps_exact_program(${name} ${number} ${meshes} ${stages})
+        raysteps_exact_program(${name} ${meshes} "${parts}" ${stages})
     endif()
     list(TRANSFORM stages APPEND _reference OUTPUT_VARIABLE references)
     if(reference AND NOT RAYSTEPS_SANITIZE)
-        raysteps_unity(${name} ${meshes} raysteps_render ${handed_on} ${references})
+        raysteps_unity(${name} ${meshes} ${parts} ${references})
     endif()
     set(others ${references})
     list(REMOVE_ITEM others ${name}_reference)
-    add_library(${name}_number OBJECT ${PROJECT_SOURCE_DIR}/common/program/stage_number.cpp)
-    target_link_libraries(${name}_number PRIVATE raysteps_options)
-    target_compile_definitions(${name}_number PRIVATE RAYSTEPS_STAGE=${number})
-    raysteps_link_program(${name} ${name} ${name}_chosen_picture ${stages})
-    raysteps_link_program(${name}_reference_program ${name} ${name}_picture ${references})
-    raysteps_link_program(${name}_checked ${name} ${name}_chosen_picture ${name} ${others})
-    set_target_properties(${name}_reference_program ${name}_checked PROPERTIES EXCLUDE_FROM_ALL ON)
+    raysteps_program(${name} ${name} ${name}_chosen_picture ${stages})
+    raysteps_program(${name}_reference_program ${name} ${name}_picture ${references})
+    raysteps_program(${name}_checked ${name} ${name}_chosen_picture ${name} ${others})
     if(student_main)
-        raysteps_compile_twice(${name}_logging_main ${student_main})
-        raysteps_both(target_compile_definitions ${name}_logging_main_@
-            PRIVATE intersect=logged_intersect)
+        raysteps_compile_twice(${name}_logging_main ${student_main} ON_DEMAND
+            DEFINITIONS intersect=logged_intersect)
         raysteps_collect(${name}_logging_picture ${name}_logging_main ${name}_picture_without_main)
-        raysteps_link_program(${name}_logging ${name} ${name}_logging_picture ${name} ${others})
-        set_target_properties(${name}_logging ${name}_logging_main_f32 ${name}_logging_main_f64
-            PROPERTIES EXCLUDE_FROM_ALL ON)
+        raysteps_program(${name}_logging ${name} ${name}_logging_picture ${name} ${others})
     endif()
 endfunction()
 
@@ -172,38 +163,28 @@ function(raysteps_headers_of stage variable)
     endif()
 endfunction()
 
-# raysteps_start_from(<headers> <name> <source>...): compiles <name>_f32 and <name>_f64, of these
-# sources, in a third of the time with g++, from what <headers>_f32 and _f64 have precompiled.
-function(raysteps_start_from headers name)
-    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-        foreach(precision IN ITEMS f32 f64)
-            get_target_property(header ${headers}_${precision} RAYSTEPS_HEADER)
-            set_property(SOURCE ${ARGN} APPEND PROPERTY OBJECT_DEPENDS
-                ${header}.gch/all.cpp${CMAKE_CXX_OUTPUT_EXTENSION})
-            target_compile_options(${name}_${precision} PRIVATE "SHELL:-include \"${header}\"")
-        endforeach()
-    endif()
-endfunction()
-
-# raysteps_link_program(<program> <stage> <picture> <stage or _reference>...)
-function(raysteps_link_program program stage)
-    add_executable(${program} $<TARGET_OBJECTS:raysteps_program> $<TARGET_OBJECTS:${stage}_number>)
+# raysteps_program(<program> <stage> <picture> <stage or _reference>...): a program in both precisions.
+function(raysteps_program program stage)
+    raysteps_target(${program} APART
+        SOURCES $<TARGET_OBJECTS:raysteps_program> $<TARGET_OBJECTS:${stage}_number>)
     set(parts ${ARGN})
     if(TARGET ${stage}_unity_f64 AND NOT RAYSTEPS_STUDENT_FILES)
         set(parts ${stage}_unity)
     endif()
     raysteps_both(raysteps_link ${program} @ ${parts} raysteps_common)
+    if(NOT program STREQUAL stage)
+        set_target_properties(${program} PROPERTIES EXCLUDE_FROM_ALL ON)
+    endif()
 endfunction()
 
-# raysteps_unity(<stage> <meshes> <part>...): defines <stage>_unity_f32 and _f64: the stage's picture,
-# with its main.cpp and these parts, so that calls between them are inlined: this saves up to a fifth
-# of a picture's time (docs/reference/speed.md). With a student's file, programs are linked from
-# separate parts instead, so that a change compiles only one.
+# raysteps_unity(<stage> <meshes> <part>...): defines <stage>_unity_f32 and _f64: the stage's picture, with
+# its main.cpp and these parts, so that calls between them are inlined: this saves up to a fifth of a
+# picture's time (docs/reference/speed.md), mainly since g++ assembles a returned std::optional<Real> in
+# memory, stores one byte of it and loads eight, which stalls. With a student's file, programs are linked
+# from separate parts instead, so that a change compiles only one.
 # The parts of a stage that has queries.cpp are compiled as one for the programs of all later stages:
 # <stage>_queries_unity. In it, a query inlines the `intersect` that it calls, with the parts of the
 # stage that the shape LOOPS_OVER. All other parts are compiled as one for each program.
-# Separate parts are slower mainly because g++ assembles a returned std::optional<Real> in memory,
-# stores one byte of it and loads eight, which stalls. -O3 makes nothing faster.
 function(raysteps_unity stage meshes)
     get_property(kinds GLOBAL PROPERTY RAYSTEPS_QUERIES)
     get_property(compiled GLOBAL PROPERTY RAYSTEPS_COMPILED_WITH_QUERIES)
@@ -214,10 +195,10 @@ function(raysteps_unity stage meshes)
         endforeach()
         raysteps_compile_as_one(${stage}_queries_unity ${parts})
         list(REMOVE_ITEM kinds "${stage_LOOPS_OVER}")
+        set_property(GLOBAL PROPERTY RAYSTEPS_QUERIES ${kinds} ${stage})
+        set_property(GLOBAL PROPERTY RAYSTEPS_COMPILED_WITH_QUERIES ${compiled} ${parts})
         list(APPEND kinds ${stage})
         list(APPEND compiled ${parts})
-        set_property(GLOBAL PROPERTY RAYSTEPS_QUERIES "${kinds}")
-        set_property(GLOBAL PROPERTY RAYSTEPS_COMPILED_WITH_QUERIES "${compiled}")
     endif()
     list(REMOVE_ITEM ARGN "" ${compiled})
     list(TRANSFORM kinds APPEND _queries_unity)
@@ -225,11 +206,8 @@ function(raysteps_unity stage meshes)
     raysteps_collect(${stage}_unity ${stage}_unity_objects ${kinds} ${meshes})
 endfunction()
 
-# raysteps_compile_as_one(<name> <part>...): defines <name>_f32 and <name>_f64, object libraries of the
-# sources of all parts, compiled as one.
+# raysteps_compile_as_one(<name> <part>...): <name>_f32 and _f64, the sources of all parts compiled as one.
 function(raysteps_compile_as_one name)
     list(TRANSFORM ARGN REPLACE "(.+)" "$<TARGET_PROPERTY:\\1_f64,SOURCES>" OUTPUT_VARIABLE sources)
-    raysteps_compile_twice(${name} ${sources})
-    raysteps_start_from_common(${name})
-    set_target_properties(${name}_f32 ${name}_f64 PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    raysteps_both(raysteps_target ${name}_@ OBJECT WHOLE SOURCES ${sources} HEADERS raysteps_common_@)
 endfunction()

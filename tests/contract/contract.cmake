@@ -1,26 +1,21 @@
 # The suites whose questions a worker answers, as in a graded run. A hand-out has none of them.
 
-# raysteps_asked_suite(<suite> <worker> <name>...): <suite>_asked_test_double and its test with this
-# worker, linked to the suite's stubs, if there are any, and to <name>_f64 of each name.
+# raysteps_asked_suite(<suite> <worker> <part>...): <suite>_asked_test_double and its test with this
+# worker, linked to the suite's stubs, if there are any, and to these parts.
 function(raysteps_asked_suite suite worker)
-    set(program ${suite}_asked_test_double)
-    add_executable(${program} $<TARGET_OBJECTS:${suite}_test_double_objects>)
-    file(GLOB stubs CONFIGURE_DEPENDS contract/stubs/${suite}.cpp)
-    if(stubs)
-        raysteps_suite_objects(${suite}_stubs f64 contract/stubs/${suite}.cpp)
-        target_sources(${program} PRIVATE $<TARGET_OBJECTS:${suite}_stubs>)
-    endif()
-    raysteps_link(${program} f64 raysteps_kit ${ARGN})
-    target_link_libraries(${program} PRIVATE raysteps_asking raysteps_kit_main)
+    raysteps_target(${suite}_asked_test_double APART
+        SOURCES $<TARGET_OBJECTS:${suite}_test_double_objects> contract/stubs/${suite}.c*
+        PARTS raysteps_kit ${ARGN} LIBRARIES raysteps_asking raysteps_kit_main
+        OPTIONS ${quickly} HEADERS raysteps_kit_f64)
     raysteps_add_test(${suite}_asked contract
-        "ENVIRONMENT;RAYSTEPS_WORKER=$<TARGET_FILE:${worker}>" ${program})
+        "ENVIRONMENT;RAYSTEPS_WORKER=$<TARGET_FILE:${worker}>" ${suite}_asked_test_double)
 endfunction()
 
 # raysteps_recognition(<stage>): a worker of all known mistakes and other right answers; the test that
 # the stage's probes.txt recognizes the former and not the latter, and knows the suite's cases; and
 # the target <stage>_probes, which writes it.
 function(raysteps_recognition stage)
-    raysteps_worker(${stage}_answers_worker "" f64 ${stage}_answers ${stage}_context)
+    raysteps_worker(${stage}_answers_worker "" ${stage}_answers ${stage}_context)
     set(probes ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/probes.txt)
     set(words ${PROJECT_SOURCE_DIR} ${stage}
         $<TARGET_FILE:${stage}_reference_worker> $<TARGET_FILE:${stage}_answers_worker>)
@@ -43,8 +38,7 @@ function(raysteps_recognition stage)
         COMMAND choose_probes ${reports} ${words} $<TARGET_FILE:${stage}_answers_test_double> > ${probes}
         VERBATIM)
     if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/mistakes/${stage}/trace.txt)
-        raysteps_add_test(recognition_${stage}_trace mistakes "" sh
-            ${PROJECT_SOURCE_DIR}/tests/trace_mistakes.sh check ${PROJECT_BINARY_DIR}
-            ${PROJECT_SOURCE_DIR} ${stage})
+        raysteps_add_test(recognition_${stage}_trace mistakes ""
+            sh ${CMAKE_CURRENT_SOURCE_DIR}/trace_mistakes.sh check ${folders} ${stage})
     endif()
 endfunction()
