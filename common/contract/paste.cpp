@@ -1,4 +1,4 @@
-#include "common/contract/paste.hpp"
+#include "common/contract/difference_texts.hpp"
 
 #include <sstream>
 

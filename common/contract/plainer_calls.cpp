@@ -1,4 +1,4 @@
-#include "common/contract/plainer_calls.hpp"
+#include "common/contract/smallest.hpp"
 
 #include "common/contract/call_parts.hpp"
 

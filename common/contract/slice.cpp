@@ -1,4 +1,4 @@
-#include "common/contract/slice.hpp"
+#include "common/contract/difference_texts.hpp"
 
 #include "common/geometry/ray.hpp"
 #include "common/math/vector.hpp"

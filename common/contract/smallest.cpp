@@ -1,7 +1,6 @@
 #include "common/contract/smallest.hpp"
 
 #include "common/contract/conditions.hpp"
-#include "common/contract/plainer_calls.hpp"
 
 #include <algorithm>
 #include <cmath>

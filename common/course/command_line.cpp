@@ -3,7 +3,6 @@
 #include "common/course/build/manifest.hpp"
 #include "common/course/build/project.hpp"
 #include "common/course/exercise/commands.hpp"
-#include "common/course/exercise/run.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/course/handout/update.hpp"
 #include "common/system/input_error.hpp"

@@ -1,4 +1,4 @@
-#include "common/program/explain_pixel.hpp"
+#include "common/program/make_picture.hpp"
 
 #include "common/explain/pixel_log.hpp"
 #include "common/program/picture_texts.hpp"

@@ -1,4 +1,4 @@
-#include "common/program/make_animation.hpp"
+#include "common/program/make_picture.hpp"
 
 #include "common/image/animation.hpp"
 #include "common/program/picture_texts.hpp"

@@ -1,11 +1,15 @@
-// The picture of a scene, as a file.
+// What a program makes of a scene: a picture, an animation, and the log and the drawing of a pixel.
 #pragma once
 
+#include "common/image/pixel.hpp"
 #include "common/program/options.hpp"
 #include "common/render/render.hpp"
+#include "common/render/render_settings.hpp"
+#include "common/scene/scene.hpp"
 #include "common/tuning/time_budget.hpp"
 
 #include <atomic>
+#include <string>
 
 namespace rt {
 
@@ -22,5 +26,19 @@ struct TracedCenters {
 [[nodiscard]] bool make_picture(const Program& program, const Options& options, const Scene& scene,
                                 TracedCenters* centers, TimeBudget* pace,
                                 const std::atomic<bool>& stop);
+
+/// Renders the frames of `--turn` to an animated PNG, and reports the result. Returns false, and
+/// leaves no file, if it was stopped. Throws InputError if the scene has nothing to go around.
+[[nodiscard]] bool make_animation(const Program& program, const Options& options,
+                                  const Scene& scene, const std::atomic<bool>& stop);
+
+/// Prints the log of the pixel's ray, with all quantities from the screen to the color. The pixel
+/// is inside the picture.
+void explain_pixel(const Program& program, const Options& options, const Scene& scene, Pixel pixel);
+
+/// Returns the drawing as one line of JSON, for the page of `./course view`. Numbers in texts are
+/// those of `--pixel`.
+[[nodiscard]] std::string ray_drawing(const Scene& scene, const RenderSettings& settings,
+                                      Pixel pixel);
 
 }  // namespace rt

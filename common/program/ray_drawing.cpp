@@ -1,4 +1,4 @@
-#include "common/program/ray_drawing.hpp"
+#include "common/program/make_picture.hpp"
 
 #include "common/explain/ray_records.hpp"
 #include "common/explain/text.hpp"

@@ -1,13 +1,10 @@
 #include "common/program/renderer.hpp"
 
 #include "common/program/advice.hpp"
-#include "common/program/explain_pixel.hpp"
 #include "common/program/load_meshes.hpp"
-#include "common/program/make_animation.hpp"
 #include "common/program/make_picture.hpp"
 #include "common/program/picture_texts.hpp"
 #include "common/program/prepared_scene.hpp"
-#include "common/program/ray_drawing.hpp"
 #include "common/render/render.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/cpu_seconds.hpp"

@@ -6,8 +6,8 @@
 // record and no others; and the reference and the other right answers are not recognized as a
 // mistake. SUITE is the suite, linked to the known mistakes. Its cases, one a line, are those of
 // probes.txt. Prints the recognized mistakes.
+#include "common/contract/difference_texts.hpp"
 #include "common/contract/files.hpp"
-#include "common/contract/paste.hpp"
 #include "common/contract/recognition.hpp"
 #include "common/contract/smallest.hpp"
 

@@ -1,10 +1,6 @@
 // The reports on a class's marks, with numbers computed by hand.
-#include "common/course/grade/reports/class_page.hpp"
-#include "common/course/grade/reports/feedback_page.hpp"
-#include "common/course/grade/reports/grade_book.hpp"
-#include "common/course/grade/reports/gradescope.hpp"
+#include "common/course/grade/reports/reports.hpp"
 #include "common/course/grade/reports/html.hpp"
-#include "common/course/grade/reports/junit.hpp"
 #include "common/course/grade/results/copy_of_main.hpp"
 #include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/submissions.hpp"

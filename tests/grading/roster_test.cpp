@@ -1,6 +1,5 @@
 // The lists of a class: exports of platforms in several languages, and spreadsheets.
-#include "common/course/grade/reports/class_page.hpp"
-#include "common/course/grade/reports/feedback_page.hpp"
+#include "common/course/grade/reports/reports.hpp"
 #include "common/system/files.hpp"
 
 #include "tests/grading/term_class.hpp"

@@ -1,8 +1,7 @@
 // A handmade class with a lecturer's settings.
 #pragma once
 
-#include "common/course/grade/reports/grade_book.hpp"
-#include "common/course/grade/reports/upload.hpp"
+#include "common/course/grade/reports/reports.hpp"
 #include "common/system/input_error.hpp"
 
 #include "tests/grading/reports_class.hpp"

@@ -1,7 +1,5 @@
 // A lecturer's settings: their effect on marks, computed by hand, and their errors.
-#include "common/course/grade/reports/class_page.hpp"
-#include "common/course/grade/reports/feedback_page.hpp"
-#include "common/course/grade/reports/upload.hpp"
+#include "common/course/grade/reports/reports.hpp"
 #include "common/system/files.hpp"
 
 #include "tests/grading/term_class.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/authoring/audit.hpp"
+#include "common/course/authoring/commands.hpp"
 
 #include "common/course/authoring/known_mistakes.hpp"
 #include "common/course/build/build.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/authoring/measure.hpp"
+#include "common/course/authoring/commands.hpp"
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/project.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/exercise/check.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/compiler_errors.hpp"
@@ -9,7 +9,6 @@
 #include "common/course/exercise/hints.hpp"
 #include "common/course/exercise/judgment.hpp"
 #include "common/course/exercise/screen.hpp"
-#include "common/course/exercise/show_picture.hpp"
 #include "common/course/exercise/suite.hpp"
 #include "common/course/exercise/trace_mistakes.hpp"
 #include "common/course/exercise/warnings.hpp"

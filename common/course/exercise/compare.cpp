@@ -1,4 +1,4 @@
-#include "common/course/exercise/compare.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/image/png.hpp"
 #include "common/image/preview.hpp"

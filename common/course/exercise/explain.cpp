@@ -1,4 +1,4 @@
-#include "common/course/exercise/explain.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/static_data.hpp"

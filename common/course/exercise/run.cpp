@@ -1,4 +1,4 @@
-#include "common/course/exercise/run.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/course/build/build.hpp"
 #include "common/course/build/manifest.hpp"

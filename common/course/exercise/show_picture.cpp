@@ -1,4 +1,4 @@
-#include "common/course/exercise/show_picture.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/course/build/project.hpp"
 #include "common/course/build/static_data.hpp"

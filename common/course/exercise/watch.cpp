@@ -1,8 +1,6 @@
-#include "common/course/exercise/watch.hpp"
+#include "common/course/exercise/commands.hpp"
 
 #include "common/course/build/project.hpp"
-#include "common/course/exercise/check.hpp"
-#include "common/course/exercise/commands.hpp"
 #include "common/course/exercise/workbook.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/keys.hpp"

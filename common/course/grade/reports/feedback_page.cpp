@@ -1,4 +1,4 @@
-#include "common/course/grade/reports/feedback_page.hpp"
+#include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/reports/html.hpp"
 #include "common/course/grade/results/submissions.hpp"

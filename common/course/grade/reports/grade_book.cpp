@@ -1,4 +1,4 @@
-#include "common/course/grade/reports/grade_book.hpp"
+#include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/results/csv.hpp"
 #include "common/course/grade/results/submissions.hpp"

@@ -1,4 +1,4 @@
-#include "common/course/grade/reports/gradescope.hpp"
+#include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/results/submissions.hpp"
 

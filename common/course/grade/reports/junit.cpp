@@ -1,4 +1,4 @@
-#include "common/course/grade/reports/junit.hpp"
+#include "common/course/grade/reports/reports.hpp"
 
 #include "common/course/grade/reports/html.hpp"
 #include "common/stages/stages.hpp"

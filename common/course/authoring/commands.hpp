@@ -1,7 +1,9 @@
-// `./course audit`: a completeness check of the stages.
+// The commands of `./course` for authors.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace rt {
 
@@ -10,5 +12,10 @@ namespace rt {
 /// exist. Prints one line per stage, and one per missing thing. Returns 0 if nothing is missing,
 /// else 1.
 int audit(std::optional<int> only);
+
+/// Runs the studies with these names, or all, and writes docs/accuracy/*.csv, the plots beside them
+/// and the tables of docs/reference/accuracy.md. Throws InputError for an unknown name, and without
+/// Boost or matplotlib; ProgramError if something fails.
+int measure(const std::vector<std::string>& names);
 
 }  // namespace rt
