@@ -51,10 +51,11 @@ function(raysteps_seat stage)
     get_target_property(headers glm::glm INTERFACE_INCLUDE_DIRECTORIES)
     list(REMOVE_ITEM headers ${CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES})
     list(TRANSFORM headers PREPEND "compile -isystem")
+    list(TRANSFORM students_assertions PREPEND "function -D" OUTPUT_VARIABLE assertions)
     set(lines "compiler ${CMAKE_CXX_COMPILER}" "compile -std=c++20" "compile -O2"
         "compile $<JOIN:${options},\ncompile >" "compile ${students_errors}" "compile ${few_errors}"
         "compile -D$<JOIN:${definitions},\ncompile -D>"
-        "function -D$<JOIN:${students_assertions},\nfunction -D>" ${headers} ${precompiled}
+        ${assertions} ${headers} ${precompiled}
         "link -static" "link $<$<BOOL:${RAYSTEPS_MOLD}>:-fuse-ld=mold>" "library -lpng" "library -lz")
     list(JOIN lines "\n" text)
     file(GENERATE OUTPUT ${folder}/${stage}.txt CONTENT "${text}\n")
