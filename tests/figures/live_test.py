@@ -23,7 +23,7 @@ import firefox
 
 build, project = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
 live = project / "docs/figures/live"
-shared = {"drawing", "engine", "mine", "picture", "picture_worker", "words"}
+shared = {"content", "drawing", "engine", "mine", "picture", "picture_worker", "words"}
 figures = sys.argv[3:] or sorted(file.stem for file in live.glob("*.js") if file.stem not in shared)
 engines = {precision: build / f"engine_{precision}" for precision in ["double", "float"]}
 for needed in [chromium.program, build / "engine/engine_float.wasm", build / "call_once", *engines.values()]:

@@ -32,12 +32,12 @@ engine = Path(os.environ.get("RAYSTEPS_ENGINE", live))
 katex = Path("/usr/share/javascript/katex")
 source = os.environ.get("RAYSTEPS_SOURCE", "../..")
 
-widest_picture = 1000  # pixels
 meshes_in_pages = ["owl.off"]
 scenes_in_pages = set()  # that can be drawn there
 generated_pages = tempfile.TemporaryDirectory()
 
-sys.path.insert(0, str(project / "lang"))
+sys.path[:0] = [str(project / "lang"), str(here)]
+from smaller import make_files_smaller, pack, shorten_search_index
 try:
     import pages as translations
     languages = translations.languages() if translations.is_installed() else []
@@ -49,7 +49,7 @@ is_english = language == "en"
 tr = str if is_english else translations.words(language, "book")
 texts = {} if is_english else translations.translated(language)
 
-used_font = re.compile(r"KaTeX_(AMS|Main|Math|Size).*\.woff2")
+used_font = re.compile(r"KaTeX_(Main-Regular|Math-Italic|Size\d-Regular)\.woff2")
 
 before_the_stages = ["debugging.md", "cpp.md"]
 after_the_stages = ["README.md", "scenes.md", "your_own.md", "antialiasing.md", "glossary.md", "errata.md", "gallery.md"]
@@ -347,7 +347,8 @@ class Typesetter:
         require('readline').createInterface({input: process.stdin}).on('line', line => {
             try {
                 console.log(JSON.stringify(JSON.parse(line).map(([tex, displayMode]) =>
-                    katex.renderToString(text(tex), {displayMode}).replace(/<annotation .*?<\\/annotation>/s, ''))));
+                    katex.renderToString(text(tex), {displayMode}).replace(/<annotation .*?<\\/annotation>|<\\/?semantics>| xmlns="[^"]*"/gs, '')
+                    .replace(/(<math[^>]*>)<mrow>(.*)<\\/mrow>(?=<\\/math>)/s, '$1$2'))));
             } catch (error) { console.log(JSON.stringify(error.message)); }
         });
     """ % katex
@@ -397,6 +398,12 @@ def with_breaks(html):
     return re.sub(r"<pre.*?</pre>|<code>([^<]*)</code>|\d %", code, html, flags=re.S)
 
 
+def with_joined_lines(html):
+    """The lines of a change that are removed, or added, one after the other, are one part."""
+    return re.sub(r'(?:<span class="(g[di])">[^<]*</span>\n)(?:<span class="\1">[^<]*</span>\n)+',
+                  lambda found: f'<span class="{found[1]}">{re.sub("<[^>]*>", "", found[0])}</span>', html)
+
+
 def without_empty_headers(html):
     """An empty cell is no header: a screen reader would call it one."""
     html = re.sub(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>", "", html)
@@ -429,60 +436,12 @@ def on_post_page(output, page, config):
 
     output = re.sub(r'<a href="source:([^"]*)">(.*?)</a>', link, output, flags=re.S)
     head, article, foot = re.fullmatch(r"(.*?<article)(.*)(</article>.*)", output, flags=re.S).groups()
-    head, foot = (re.sub(r"\n\s+", "\n", part) for part in (head, foot))  # a tenth of the page
-    return head + typesetter.typeset(without_empty_headers(with_breaks(article)), page) + foot
-
-
-def compress_pictures(site):
-    """Pictures of scenes as WebP, a tenth as large, where Pillow is installed; those of the gallery
-    no wider than they are seen. Who wants less motion gets the first picture of an animation."""
-    try:
-        from PIL import Image
-    except ImportError:
-        return
-    still = {}
-    for file in [*site.glob("pictures/*.png"), *site.glob("gallery/*.png"), *site.glob("accuracy/*.png")]:
-        name = file.relative_to(site).as_posix()
-        still[name] = name.replace(".png", ".webp")
-        with Image.open(file) as picture:
-            if getattr(picture, "is_animated", False):
-                still[name] = name.replace(".png", "_still.webp")
-                picture.save(file.with_suffix(".webp"), save_all=True, quality=85, loop=0,
-                             duration=round(picture.info["duration"]))
-                picture.seek(0)
-            picture.thumbnail((widest_picture, widest_picture))
-            picture.convert("RGB").save(site / still[name], quality=76)
-        file.unlink()
-
-    def image(found):
-        before, start, name, behind = found.groups()
-        if name not in still:
-            return found[0]
-        whole = name.replace(".png", ".webp")
-        image = f'<img {before}src="{start}{whole}"{behind}>'
-        if still[name] == whole:
-            return image
-        media = f'<source media="(prefers-reduced-motion: reduce)" srcset="{start}{still[name]}">'
-        return f"<picture>{media}{image}</picture>"
-
-    for page in site.rglob("*.html"):  # in all languages
-        html = page.read_text(encoding="utf-8")
-        page.write_text(re.sub(r'<img ([^>]*)src="((?:\.\./)*)(\w+/\w+\.png)"([^>]*?) ?/?>', image, html),
-                        encoding="utf-8")
-
-
-def shorten_search_index(site):
-    """A page's whole text is there again in its sections, which alone are searched. Known mistakes
-    are found in their lists: they are half of the index, and nothing for students."""
-    file = site / "search/search_index.json"
-    index = json.loads(file.read_text(encoding="utf-8"))
-    index["docs"] = [entry for entry in index["docs"] if not entry["location"].startswith("mistakes/")]
-    places = [entry["location"] for entry in index["docs"]]
-    with_sections = {place.split("#")[0] for place in places if "#" in place}
-    for entry in index["docs"]:
-        if entry["location"] in with_sections:
-            entry["text"] = ""
-    file.write_text(json.dumps(index, ensure_ascii=False, separators=(",", ":")), encoding="utf-8")
+    head, foot = (re.sub(r'(?<=>)\n| xmlns="[^"]*"', "", re.sub(r"\s*\n\s*", "\n", part)) for part in (head, foot))
+    # The headings are in the sidebar, and again among the pages, where phones show the links above the first heading.
+    contents = head[head.rfind('<nav class="md-nav md-nav--secondary"'):head.rfind("</nav>")]
+    if head.count(contents) == 2:
+        head = re.sub(r'<input[^>]* id="__toc"><label class="md-nav__link.*?</label>', "", head.replace(contents + "</nav>", "", 1), flags=re.S)
+    return head + typesetter.typeset(without_empty_headers(with_joined_lines(with_breaks(article))), page) + foot
 
 
 def build_other_languages(site):
@@ -496,7 +455,7 @@ def build_other_languages(site):
 
 
 def remove_unused(site):
-    """What is for a host whose name is known, for other languages, and for debugging."""
+    """What is for a host whose name is known, for other languages, for debugging, and for browsers of before 2021."""
     if not is_english:
         shutil.rmtree(site / "assets")
     used = {"lunr.stemmer.support.min.js", *(f"lunr.{each}.min.js" for each in languages)}
@@ -504,6 +463,8 @@ def remove_unused(site):
         for file in site.glob(unused):
             if not languages or file.name not in used:
                 file.unlink()
+    for style in site.glob("assets/stylesheets/*.css"):
+        style.write_text(re.sub(r"[^{}]*:-(?:webkit|moz)-any\([^{}]*\{[^{}]*\}", "", style.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def on_post_build(config):
@@ -514,20 +475,21 @@ def on_post_build(config):
     if not is_english:
         return
     build_other_languages(site)
-    compress_pictures(site)
-    (site / "book").mkdir()
+    make_files_smaller(site, katex / "katex.min.css")
+    (site / "book").mkdir(exist_ok=True)
     shutil.copy(here / "book.css", site / "book")
     shutil.copy(here / "language.js", site / "book")
     shutil.copytree(katex / "fonts", site / "book/katex/fonts",
                     ignore=lambda folder, names: [n for n in names if not used_font.fullmatch(n)])
-    shutil.copy(katex / "katex.min.css", site / "book/katex")
-    for part in [*live.glob("*.js"), *engine.glob("*.wasm")]:
-        (site / "figures").mkdir(exist_ok=True)
-        shutil.copy(part, site / "figures")
+    (site / "figures").mkdir(exist_ok=True)
+    for script in live.glob("*.js"):
+        shutil.copy(script, site / "figures")
+    for module in engine.glob("*.wasm"):
+        pack(module, site / "figures" / module.name)
     for each in languages:
         (site / f"figures/{each}.json").write_text(
             json.dumps(translations.sentences_of_figures(each), ensure_ascii=False), encoding="utf-8")
     meshes = [f"meshes/{name}" for name in meshes_in_pages if (project / "scenes/meshes" / name).exists()]
     for scene in [*scenes_in_pages, *(meshes if scenes_in_pages else [])]:
         (site / "figures/scenes" / scene).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(project / "scenes" / scene, site / "figures/scenes" / scene)
+        (pack if scene in meshes else shutil.copy)(project / "scenes" / scene, site / "figures/scenes" / scene)

@@ -16,9 +16,9 @@ matplotlib.use("svg")
 from matplotlib import pyplot, ticker  # noqa: E402
 
 INK, GRAY, FAINT, CARD = "#24292f", "#68707a", "#d3d9e0", "#ffffff"
-DARK = {INK: "#e6edf3", GRAY: "#9da7b3", FAINT: "#3b434d", CARD: "#0d1117"}
 BLUE, VERMILION, GREEN, PURPLE = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
-DARK_SERIES = {BLUE: "#3d9fdc"}  # the only one too dark for a dark card
+DARK = {INK: "#e6edf3", GRAY: "#9da7b3", FAINT: "#3b434d", CARD: "#0d1117",
+        BLUE: "#3d9fdc"}  # of the series, the only one too dark for a dark card
 
 # The color, dashes and marker of each series.
 SERIES = [
@@ -171,9 +171,27 @@ def content(title, figure):
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()
 
 
-def dark(colors):
-    return "".join(f'[style*="{key}: {light}"]{{{key}:{dark}!important}}'
-                   for light, dark in colors.items() for key in ("fill", "stroke"))
+def smaller(source):
+    """Names for the styles, which many parts have alike, with the colors of a dark card; and
+    hundredths of a pixel."""
+    names = {}
+
+    def part(tag):
+        named = re.sub(r'style="([^"]*)"', lambda style: f'class="{name(style[1])}"', tag[0])
+        rounded = re.sub(r"\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}".rstrip("0").rstrip("."), named)
+        return re.sub(r' d="[^"]*"', lambda path: re.sub(r" ?([A-Zz]) ?", r"\1", path[0]), rounded)
+
+    def name(style):
+        return names.setdefault(style, f"s{len(names)}")
+
+    def dark(style):
+        pens = re.findall(r"(fill|stroke): (#\w+)", style)
+        return ";".join(f"{pen}:{DARK[color]}" for pen, color in pens if color in DARK)
+
+    source = re.sub(r"<[a-z][^>]*>", part, source)
+    light = "".join(f".{name}{{{style}}}" for style, name in names.items())
+    dark_rules = "".join(f".{name}{{{dark(style)}}}" for style, name in names.items() if dark(style))
+    return source, f"<style>{light}@media (prefers-color-scheme:dark){{{dark_rules}}}</style>\n"
 
 
 def svg(title, figure):
@@ -191,7 +209,6 @@ def svg(title, figure):
     source = re.sub(r"<g>\s*(<(?:path|text)[^>]*(?:/>|>[^<]*</text>))\s*</g>|<g/>", r"\1", source)
     source = re.sub(r"\s*\n\s*(?=[A-Za-z\"])", " ", source)  # the lines of a path
     source = re.sub(r"\s*\n\s*", "\n", source)
-    style = f"@media (prefers-color-scheme:dark){{{dark({**DARK, **DARK_SERIES})}}}"
-    head = (f"<title>{title}</title>\n<!-- content {content(title, figure)} -->\n"
-            f"<style>{style}</style>\n")
+    source, style = smaller(source)
+    head = f"<title>{title}</title>\n<!-- content {content(title, figure)} -->\n{style}"
     return source.replace(">", ' role="img">\n' + head, 1).rstrip() + "\n"

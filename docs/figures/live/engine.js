@@ -1,6 +1,7 @@
 // The stages' functions, as figures call them. Arguments and answers go as the bytes of
 // common/contract to an engine: the references as WebAssembly, or the student's file, in a worker
 // behind ./course book. The engine itself lists its functions and their types (describe.hpp).
+import { content } from "./content.js";
 import { files, mine } from "./mine.js";
 
 const numbers = { f32: [4, "Float32"], f64: [8, "Float64"], u8: [1, "Uint8"], i32: [4, "Int32"], u32: [4, "Uint32"], bool: [1, "Uint8"] };
@@ -52,8 +53,7 @@ class Engine {
     const ends = () => { throw Error("the engine has ended"); };
     // What a program without files calls of its system, and does not get.
     const system = new Proxy({}, { get: (_, name) => (name === "proc_exit" ? ends : () => 52) });
-    const bytes = await (await fetch(new URL(`engine_${precision}.wasm`, import.meta.url))).arrayBuffer();
-    const { instance } = await WebAssembly.instantiate(bytes, { page: { thrown: ends }, wasi_snapshot_preview1: system, env: system });
+    const { instance } = await WebAssembly.instantiate(await content(`engine_${precision}.wasm`), { page: { thrown: ends }, wasi_snapshot_preview1: system, env: system });
     instance.exports._initialize();
     return new Engine(precision, instance.exports);
   }

@@ -1,5 +1,6 @@
 // The picture of a page, drawn from its scene, which can be edited; the camera turns with the mouse.
 // <rt-picture stage="3" scene="step03_sphere.rt"> has the picture of the page inside until then.
+import { content } from "./content.js";
 import { color } from "./drawing.js";
 import { tr } from "./words.js";
 
@@ -33,7 +34,7 @@ const page = `
 
 let module = null;  // compiled once for all pictures
 
-const compiled = async () => WebAssembly.compile(await (await fetch(new URL("picture_double.wasm", import.meta.url))).arrayBuffer());
+const compiled = async () => WebAssembly.compile(await content("picture_double.wasm"));
 
 class Picture extends HTMLElement {
   static widths = [160, 320, 640];  // each is drawn after the one before, if there is time

@@ -1,6 +1,8 @@
 // Draws pictures for picture.js in a thread of its own: a long drawing leaves the page alive, which
 // can end it. The engine is docs/figures/engine/picture.cpp. After an error, a new copy of it goes on.
 
+import { content } from "./content.js";
+
 const limit = "the scene needs more memory, or deeper recursion, than a page has";
 const meshes = new Map();  // of the course: their files' content
 
@@ -33,7 +35,7 @@ class Engine {
   /// Reads a scene, with its meshes; returns the warnings.
   async read(stage, scene) {
     for (const [, name, file] of scene.matchAll(/^\s*mesh\s+((?:\.\.\/)?(meshes\/\w+\.off))\s/gm)) {
-      if (!meshes.has(name)) meshes.set(name, await (await fetch(new URL(`scenes/${file}`, import.meta.url))).text());
+      if (!meshes.has(name)) meshes.set(name, new TextDecoder().decode(await content(`scenes/${file}`)));
       this.put(name + meshes.get(name));
       this.calls.picture_mesh(name.length);
     }
