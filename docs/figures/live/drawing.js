@@ -3,12 +3,13 @@
 import { has_mine, open } from "./engine.js";
 import { tr } from "./words.js";
 
-// As docs/figures/source/svg.hpp, each with its twin on a dark page; draw_live.py writes both into an SVG file.
+// As docs/figures/source/svg.hpp, and with the same meaning in all figures: blue is a ray, red a hit, green a normal or an axis,
+// amber light, purple what is wrong. Each has its twin on a dark page; draw_live.py writes both into an SVG file.
 const pair = (light, dark) => `light-dark(${light}, ${dark})`;
 export const color = {
   white: pair("#fff", "#0d1117"), ink: pair("#24292f", "#e6edf3"), gray: pair("#68707a", "#9da7b3"), faint: pair("#d3d9e0", "#3b434d"),
   tint: pair("#edf2f7", "#1b222b"), blue: pair("#1f6bad", "#4da3e6"), red: pair("#c23b22", "#f0694d"), green: pair("#35784a", "#5fb878"),
-  amber: pair("#a86500", "#d99a2b"), pale_blue: pair("#d5e5f3", "#1d3a54"), pale_red: pair("#f6dcd6", "#54271e"),
+  amber: pair("#a86500", "#d99a2b"), purple: pair("#7a3b99", "#c792ea"), pale_blue: pair("#d5e5f3", "#1d3a54"), pale_red: pair("#f6dcd6", "#54271e"),
   pale_green: pair("#d9ebdf", "#1f4229"), pale_amber: pair("#f8e3b8", "#54400f"),
 };
 

@@ -2,15 +2,18 @@
 // Drag the ray.
 import { Figure, Sketch, color, define, minus } from "./drawing.js";
 
+// How a box is drawn, and its place in the tree.
 const pens = {
-  opened: [{ stroke: color.blue, width: 2 }, "hit, opened"],
-  behind: [{ stroke: color.green, width: 2, dashes: "8 4" }, "hit, behind the closest hit"],
-  missed: [{ stroke: color.amber, width: 1.2, dashes: "3 3" }, "tested, missed"],
-  untested: [{ stroke: color.gray, width: 0.6 }, "not tested"],
+  opened: [{ stroke: color.blue, width: 2 }, { fill: color.blue }, "hit, opened"],
+  behind: [{ stroke: color.gray, width: 2, dashes: "8 4" }, { fill: color.gray }, "hit, behind the closest hit"],
+  missed: [{ stroke: color.gray, width: 1.2, dashes: "3 3" }, { fill: color.faint }, "tested, missed"],
+  untested: [{ stroke: color.gray, width: 0.6 }, { stroke: color.faint, width: 1 }, "not tested"],
 };
 
+const leaves = ({ parts }) => (parts.length ? parts.reduce((sum, part) => sum + leaves(part), 0) : 1);
+
 define("mesh_hierarchy", class extends Figure {
-  static height = 395;
+  static height = 504;
   static most_of_mine = 200;
   view = { place: [185, 300], scale: 104 };
   side = { place: [492, 300], scale: 104, right: [0, 0, 1] };
@@ -19,7 +22,7 @@ define("mesh_hierarchy", class extends Figure {
     this.origin = this.handle("origin", [-1.5, 1.9, 0]);
     this.target = this.handle("direction", [0.1, 1.3, 0], { fill: color.blue });
     this.depth = this.slider("z of the origin", { min: 0, max: 1.3, step: 0.05, value: 1.1 });
-    this.level = this.slider("level", { min: 0, max: 3, step: 1, value: 1 });
+    this.level = this.slider("level", { min: 0, max: 4, step: 1, value: 1 });
   }
 
   /// Tests the boxes in a box, or the triangles in it; the nearest boxes first.
@@ -79,19 +82,31 @@ define("mesh_hierarchy", class extends Figure {
     sketch.write([338, 320], `${boxes.filter(({ state }) => state !== "untested").length} of ${boxes.length} boxes tested, ${this.tested.length} of ${this.owl.triangles.length} triangles; shown: level ${this.level.value}`, color.ink, "middle");
     sketch.write([185, 24], "from the front", color.ink, "middle");
     sketch.write([492, 24], "from the side", color.ink, "middle");
-    Object.values(pens).forEach(([pen, text], i) => {
-      const x = i % 2 ? 320 : 20, y = 342 + 26 * (i >> 1);
+    this.draw_tree(sketch, boxes[0], 84, 536 / leaves(boxes[0]));
+    [0, 1, 2, 3, 4].forEach((level) => sketch.write([20, 351 + 20 * level], `level ${level}`, level === this.level.value ? color.ink : color.gray));
+    Object.values(pens).forEach(([pen, cell, text], i) => {
+      const x = i % 2 ? 320 : 20, y = 450 + 26 * (i >> 1);
       sketch.pixels("rect", { x, y, width: 26, height: 14 }, pen);
-      sketch.write([x + 36, y + 13], text);
+      sketch.pixels("rect", { x: x + 34, y, width: 8, height: 14 }, cell);
+      sketch.write([x + 52, y + 13], text);
     });
     const count = (states, all) => all.filter(({ state }) => states.includes(state)).length;
     const sums = (all) => `${all.length} ${all.length === 1 ? "box" : "boxes"}, ${count(["opened", "behind", "missed"], all)} tested, ${count(["opened"], all)} opened`;
     return [
-      ...[0, 1, 2, 3].map((k) => [`level ${k}`, sums(boxes.filter(({ level }) => level === k))]),
+      ...[0, 1, 2, 3, 4].map((k) => [`level ${k}`, sums(boxes.filter(({ level }) => level === k))]),
       ["all", sums(boxes)],
       ["triangles", `${this.tested.length} of ${this.owl.triangles.length} tested`],
       ["t", this.hit === null ? null : this.t],
     ];
+  }
+
+  /// A box over its parts, as wide as all of them.
+  draw_tree(sketch, box, left, wide) {
+    sketch.pixels("rect", { x: left, y: 338 + 20 * box.level, width: wide * leaves(box) - 1, height: 16 }, pens[box.state][1]);
+    for (const part of box.parts) {
+      this.draw_tree(sketch, part, left, wide);
+      left += wide * leaves(part);
+    }
   }
 
   /// The triangles that face the viewer, the far ones first.
@@ -104,7 +119,7 @@ define("mesh_hierarchy", class extends Figure {
       const [a, b, c] = triangle.map((p) => view.screen(p));
       const is_tested = this.tested.includes(i);
       const faces = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) < 0;  // y points down
-      if (faces || is_tested) view.polygon(triangle, { fill: i === this.hit ? color.red : is_tested ? color.pale_amber : color.tint, stroke: is_tested ? color.amber : color.faint, width: is_tested ? 1 : 0.6 });
+      if (faces || is_tested) view.polygon(triangle, { fill: i === this.hit ? color.red : is_tested ? color.pale_blue : color.tint, stroke: is_tested ? color.blue : color.faint, width: is_tested ? 1 : 0.6 });
     }
   }
 });

@@ -38,7 +38,7 @@ define("mirror_facing", class extends RayFigure {
       weight *= this.mirror.value;
       const ends = !(await this.ask(12, "worth_reflecting", bounces, this.depth.value, weight)), too_deep = bounces >= this.depth.value;
       const why = ends ? (too_deep ? ": the depth" : " < 1/512") : "", [x] = surface.point;
-      sketch.label(surface.point, [x < 0 ? -12 : 12, 5], (["$m$ = ", "$m$² = ", "$m$³ = "][bounces] ?? "") + short(weight, 2) + why, ends ? color.red : color.ink, x < 0 ? "end" : "start");
+      sketch.label(surface.point, [x < 0 ? -12 : 12, 5], (["$m$ = ", "$m$² = ", "$m$³ = "][bounces] ?? "") + short(weight, 2) + why, color.ink, x < 0 ? "end" : "start");
       if (ends) {
         reason = too_deep ? "the depth is reached" : "what is reflected is not visible: weight below 1/512";
         sketch.mark(surface.point, "refused");

@@ -67,13 +67,13 @@ define("phong_vectors", class extends Figure {
     const terms = { ambient: await this.ask(9, "ambient_term", surface, ambient), diffuse: await this.ask(9, "diffuse_term", surface, light), specular: await this.ask(9, "specular_term", surface, light) };
     sketch.line(p, this.light.place, { stroke: color.amber, width: 1, dashes: "4 4" });
     sketch.line(p, this.eye.place, { stroke: color.blue, width: 1, dashes: "4 4" });
-    for (const [name, v, stroke] of [["N", N, color.green], ["L", L, color.amber], ["R", R, color.red], ["V", to_eye, color.blue]]) {
+    for (const [name, v, stroke] of [["N", N, color.green], ["L", L, color.amber], ["R", R, color.amber], ["V", to_eye, color.blue]]) {
       sketch.arrow(p, add(p, v), { stroke, width: 2.2 });
       sketch.label(add(p, times(1.13, v)), [0, 5], `$${name}$`, stroke);
     }
     this.angle(sketch, p, N, L, 0.36, "θ", color.ink);
     this.angle(sketch, p, N, R, 0.42, "θ", color.ink);
-    this.angle(sketch, p, R, to_eye, 0.62, "α", color.red);
+    this.angle(sketch, p, R, to_eye, 0.62, "α", color.ink);
     sketch.label(p, [0, 26], "$p$", color.red);
     for (let i = 0; i < 8; ++i) {  // a small sun, and an eye
       const beam = [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4), 0];
@@ -88,7 +88,7 @@ define("phong_vectors", class extends Figure {
     const shown = { ...material, color: times(Math.max(ratio, brightness), material.color), specular: highlight * material.specular };
     await this.draw_ball(sketch, { ...light, brightness: Math.max(brightness, highlight) * light.brightness }, { ...ambient, ratio: ratio * ambient.ratio }, shown, to_eye);
     const cosine = (a, b) => short(a.reduce((sum, x, i) => sum + x * b[i], 0));
-    const told = { ambient: ["", color.gray], diffuse: [`, cos $θ$ = ${cosine(L, N)}`, color.amber], specular: [`, cos $α$ = ${cosine(R, to_eye)}`, color.red] };
+    const told = { ambient: ["", color.gray], diffuse: [`, cos $θ$ = ${cosine(L, N)}`, color.amber], specular: [`, cos $α$ = ${cosine(R, to_eye)}`, color.amber] };
     Object.entries(told).forEach(([term, [angle, fill]], i) => {
       const y = 242 + 36 * i;
       sketch.cells([[400, y + 6, 200 * Math.min(1, terms[term][2]), 12]], { fill });

@@ -37,7 +37,7 @@ define("plane_horizon", class extends RayFigure {
         const p = at(ray, root), inside = p[0] < 4.6;
         sketch.mark(p, root === t && kept !== null ? "hit" : "refused");
         sketch.label([Math.min(p[0], 4.6), 0, 0], [0, 22], `$t$ = ${short(root)}${inside ? "" : " →"}`, root === t ? color.red : color.gray, inside ? "middle" : "end");
-        if (root === t && kept === null) sketch.label([4.6, 0, 0], [0, 46], `|⟨$d_r$, $n$⟩| < ε: refused`, color.red, "end");
+        if (root === t && kept === null) sketch.label([4.6, 0, 0], [0, 46], `|⟨$d_r$, $n$⟩| < ε: refused`, color.purple, "end");
       }
     }
     const ray = scaled(this.ray.direction);
@@ -52,7 +52,7 @@ define("plane_horizon", class extends RayFigure {
       const kept = (await this.ask(0, "intersect_with_epsilon", column, ground, ahead, epsilon)) !== null;
       [[530, hits], [575, kept]].forEach(([x, ground_is_seen]) => {
         const is_lost = hits && !ground_is_seen;  // narrower too
-        (bars[ground_is_seen ? "green" : is_lost ? "red" : "pale_blue"] ??= []).push([x, 40 + 2.5 * i, is_lost ? 18 : 36, 2.6]);
+        (bars[ground_is_seen ? "gray" : is_lost ? "purple" : "faint"] ??= []).push([x, 40 + 2.5 * i, is_lost ? 18 : 36, 2.6]);
       });
     }
     for (const [fill, all] of Object.entries(bars)) sketch.cells(all, { fill: color[fill] });
@@ -60,7 +60,7 @@ define("plane_horizon", class extends RayFigure {
     sketch.write([564, 34], "exact", color.ink, "end");
     sketch.write([577, 34], "with ε");
     sketch.write([611, 258], `ε = ${epsilon.toExponential()}`, color.ink, "end");
-    [["sky", color.blue, 62], ["lost", color.red, 88], ["ground", color.green, 150]].forEach(([text, fill, y]) => sketch.write([522, y], text, fill, "end"));
+    [["sky", color.gray, 62], ["lost", color.purple, 88], ["ground", color.ink, 150]].forEach(([text, fill, y]) => sketch.write([522, y], text, fill, "end"));
     if (this.together) sketch.label([0, origin[1], 0], [135, -122], "⟨$d_r$, $n$⟩ > 0: hit behind, where $t$ < 0", color.ink, "start");
     sketch.label([4.6, origin[1], 0], [-30, -6], "⟨$d_r$, $n$⟩ = 0: parallel, the horizon", color.gray, "end");
     sketch.label([3.2, 0, 0], [0, -26], "⟨$d_r$, $n$⟩ < 0: hit ahead");

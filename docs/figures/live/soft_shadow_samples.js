@@ -39,19 +39,19 @@ define("soft_shadow_samples", class extends Figure {
         const nearer = height / point[1];
         const [cx, cy] = sketch.screen([shift + nearer * point[0], nearer * point[2], 0]), places = [[cx, cy], [square + size * sample[0], top + size * (1 - sample[1])]];
         for (const [u, v] of places)
-          if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.red, width: 1 });
+          if (blocked) sketch.pixels("path", { d: `M${u - 2} ${v - 2}l4 4m0 -4l-4 4` }, { stroke: color.gray, width: 1 });
           else sketch.pixels("circle", { cx: u, cy: v, r: 1.8 }, { fill: color.blue });
       }
       const rays = { sent: count, reached };
       const share = await this.ask(11, "visibility", rays);
       sketch.label([shift, 0, 0], [0, -110], kind);
-      sketch.label([shift, 0, 0], [22, 112], `${count} samples: ${short(share)} is seen`);
-      sketch.label([shift, 0, 0], [22, 132], `error ${errors[i].toFixed(3)}`, color.red);
+      sketch.label([shift, 0, 0], [22, 112], `share of ${count} rays: ${short(share)}`);
+      sketch.label([shift, 0, 0], [22, 132], `typical error: ${errors[i].toFixed(3)}`, color.purple);
       rows.push([`${kind}: visibility`, share], [`${kind}: error (root mean square of 64 seeds)`, errors[i]]);
       if (!shift) rows.push(["well spread: visibility_error, an estimate", await this.ask(11, "visibility_error", rays)]);
     }
     sketch.write([256, 236], "one a box", color.ink, "middle");
-    sketch.write([320, 318], "dots are seen from the point, crosses are behind the ball", color.gray, "middle");
+    sketch.write([320, 318], "dot: the ray reaches the light; cross: the ball is in the way", color.gray, "middle");
     return rows;
   }
 });

@@ -53,16 +53,16 @@ define("square_frame", class extends Figure {
     // The two coordinates of p from C: along U and along V.
     const c = corner(-1, -1), [along, up] = [times(uv[0] * h, basis.x), times(uv[1] * h, basis.y)];
     for (const end of [add(c, along), add(c, up)]) {
-      sketch.line(c, end, { stroke: color.amber, width: 3.5 });
-      sketch.line(end, p, { stroke: color.amber, width: 1, dashes: "5 4" });
+      sketch.line(c, end, { stroke: color.ink, width: 3.5 });
+      sketch.line(end, p, { stroke: color.gray, width: 1, dashes: "5 4" });
     }
-    sketch.label(add(c, times(0.5, along)), [0, 20], `$u$ = ${short(uv[0])}`, color.amber);
-    sketch.label(add(c, times(0.5, up)), [-8, 5], `$v$ = ${short(uv[1])}`, color.amber, "end");
+    sketch.label(add(c, times(0.5, along)), [0, 20], `$u$ = ${short(uv[0])}`);
+    sketch.label(add(c, times(0.5, up)), [-8, 5], `$v$ = ${short(uv[1])}`, color.ink, "end");
     const [x, y] = uv.map((share) => (share - 0.5) * h), beside = add(o, times(x, basis.x));
-    sketch.line(o, beside, { stroke: color.blue, width: 2 });
-    sketch.line(beside, p, { stroke: color.blue, width: 2 });
-    sketch.label(times(0.5, add(o, beside)), [4, 18], `$x$ = ${short(x)}`, color.blue, "start");
-    sketch.label(times(0.5, add(beside, p)), [8, 5], `$y$ = ${short(y)}`, color.blue, "start");
+    sketch.line(o, beside, { stroke: color.green, width: 4 });
+    sketch.line(beside, p, { stroke: color.green, width: 4 });
+    sketch.label(times(0.5, add(o, beside)), [4, 18], `$x$ = ${short(x)}`, color.green, "start");
+    sketch.label(times(0.5, add(beside, p)), [8, 5], `$y$ = ${short(y)}`, color.green, "start");
     sketch.mark(p, t === null ? "refused" : "hit");
     sketch.label(p, [20, -10], t === null ? "$p$: no hit" : "$p$: hit", t === null ? color.gray : color.red, "start");
     return [await this.ask(0, "explain", ray, square, ahead), ["square_uv: u, v", uv], ["intersect", t], ["intersect from t = 3 on", beyond], ["intersect of the ray away from it", away], ["normal", await this.ask(6, "normal", square, p)]];

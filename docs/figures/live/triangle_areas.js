@@ -21,12 +21,12 @@ define("triangle_areas", class extends Figure {
     // Those with a negative weight lie on the others: hatched, so that the whole of each is seen.
     parts.sort((one, other) => other[4] - one[4]);
     for (const [name, from, to, fill, weight] of parts) {
-      sketch.polygon([from, to, p], weight < 0 ? { stroke: color.red, width: 2 } : { fill, stroke: color.gray, width: 1 });
-      for (let i = 1; weight < 0 && i < 10; ++i) sketch.line(between(i / 10, p, from), between(i / 10, p, to), { stroke: color.red, width: 1 });
-      sketch.label(times(1 / 3, add(add(from, to), p)), [name === "β" ? 6 : 0, 5], `$${name}$ = ${decimal(weight)}`, weight < 0 ? color.red : color.ink, "middle", weight < 0 ? "; stroke-width: 10" : "");
+      sketch.polygon([from, to, p], weight < 0 ? { stroke: color.purple, width: 2 } : { fill, stroke: color.gray, width: 1 });
+      for (let i = 1; weight < 0 && i < 10; ++i) sketch.line(between(i / 10, p, from), between(i / 10, p, to), { stroke: color.purple, width: 1 });
+      sketch.label(times(1 / 3, add(add(from, to), p)), [name === "β" ? 6 : 0, 5], `$${name}$ = ${decimal(weight)}`, weight < 0 ? color.purple : color.ink, "middle", weight < 0 ? "; stroke-width: 10" : "");
     }
     sketch.polygon([a, b, c], { stroke: color.ink, width: 2 });
-    sketch.mark(p, "hit");
+    sketch.mark(p, Math.min(...weights) < 0 ? "refused" : "hit");
     Object.entries({ a, b, c }).forEach(([name, corner]) => sketch.label(corner, [corner === b ? 18 : -18, 8], `$${name}$`));
   }
 

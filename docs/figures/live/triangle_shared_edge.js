@@ -37,19 +37,19 @@ define("triangle_shared_edge", class extends Figure {
           textbook.push(!/is not on/.test(await this.ask(0, "explain", ray, triangle, ahead)));
         }
         [hits, textbook].forEach(([first, second], form) => {
-          const fill = first ? (second ? "amber" : "pale_blue") : second ? "pale_green" : "red";
-          if (fill === "red") ++lost[form];
+          const fill = first ? (second ? "gray" : "pale_blue") : second ? "pale_green" : "purple";
+          if (fill === "purple") ++lost[form];
           (cells[fill] ??= []).push([left[form] + 8 * (column + reach), 70 + 8 * (row + reach), 8, 8]);
         });
       }
     for (const [fill, all] of Object.entries(cells)) sketch.cells(all, { fill: color[fill], stroke: color.white, width: 0.5 });
-    for (const [x, y] of cells.red ?? []) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
+    for (const [x, y] of cells.purple ?? []) sketch.pixels("path", { d: `M${x + 1} ${y + 1}l6 6m0 -6l-6 6` }, { stroke: color.white });
     const all = (2 * reach + 1) ** 2;
     ["the reference", "three half-planes"].forEach((name, form) => {
       sketch.write([left[form] + 68, 38], name, color.ink, "middle");
-      sketch.write([left[form] + 68, 60], `lost: ${lost[form]} of ${all}`, lost[form] ? color.red : color.ink, "middle");
+      sketch.write([left[form] + 68, 60], `lost: ${lost[form]} of ${all}`, lost[form] ? color.purple : color.ink, "middle");
     });
-    ["blue, green: one triangle", "amber: both", "red with a cross: neither, a crack"].forEach((text, i) => sketch.write([480, 232 + 22 * i], text, i === 2 ? color.red : color.ink, "middle"));
+    ["blue, green: one triangle", "gray: both", "with a cross: neither, a crack"].forEach((text, i) => sketch.write([480, 232 + 22 * i], text, i === 2 ? color.purple : color.ink, "middle"));
     return [["cracks with intersect", `${lost[0]} of ${all} rays`], ["cracks with three half-planes (MRT §5)", `${lost[1]} of ${all} rays`]];
   }
 });

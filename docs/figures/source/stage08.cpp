@@ -90,13 +90,13 @@ void draw_outlines(Svg& svg, Vec2 place, Real height, int decimals, std::string_
     const Vec3 printed_rim = side_point(printed(cone), height, across);
     draw_cone(sketch, cone);
     sketch.line(cone.apex, {0, height, 0}, dashed);
-    draw_sides(sketch, printed(cone), height, {.color = amber, .width = 2.2, .dashes = "6 5"});
+    draw_sides(sketch, printed(cone), height, {.color = purple, .width = 2.2, .dashes = "6 5"});
     sketch.measure(top, rim, {0, -14}, {.width = 1});
-    sketch.measure(top, printed_rim, {0, -38}, {.color = amber, .width = 1});
+    sketch.measure(top, printed_rim, {0, -38}, {.color = purple, .width = 1});
     sketch.label(rim / Real(2) + top / Real(2), {0, -19}, decimal(distance(top, rim), 0),
                  {.size = 13});
     sketch.label(printed_rim / Real(2) + top / Real(2), {0, -43},
-                 decimal(distance(top, printed_rim), decimals), {.color = amber, .size = 13});
+                 decimal(distance(top, printed_rim), decimals), {.color = purple, .size = 13});
     svg.text(place + Vec2(0, 26), caption);
 }
 
@@ -110,9 +110,9 @@ std::string cone_coefficient() {
     draw_outlines(svg, {540, 276}, Real(0.5), 3, "$r$ = 1, $h$ = 0.5");
     svg.line({300, 66}, {334, 66}, {.width = 2});
     svg.text({344, 71}, "$x_p$² + $y_p$² = ($r$ / $h$)² $z_p$²", after);
-    svg.line({300, 94}, {334, 94}, {.color = amber, .width = 2.2, .dashes = "6 5"});
+    svg.line({300, 94}, {334, 94}, {.color = purple, .width = 2.2, .dashes = "6 5"});
     svg.text({344, 99}, "$x_p$² + $y_p$² = ($r$ / $h$) $z_p$², as printed",
-             {.color = amber, .anchor = Anchor::start});
+             {.color = purple, .anchor = Anchor::start});
     return svg.source();
 }
 

@@ -11,7 +11,6 @@ namespace rt::figures {
 namespace {
 
 const Vec3 up(0, 1, 0);
-constexpr std::string_view light_color = "#c98a00";
 
 Vec3 tilted(Real degrees) {
     const Real angle = degrees * pi / 180;
@@ -25,9 +24,9 @@ void draw_light(Sketch& sketch, Svg& svg, Vec3 place) {
         const Real angle = Real(i) * pi / 4;
         const Vec2 beam(std::cos(angle), std::sin(angle));
         svg.line(center + Real(10) * beam, center + Real(15) * beam,
-                 {.color = light_color, .width = 2});
+                 {.color = amber, .width = 2});
     }
-    svg.circle(center, 7, "#ffd45c", {.color = light_color});
+    svg.circle(center, 7, "#ffd45c", {.color = amber});
 }
 
 /// An eye that looks against the direction.
@@ -65,15 +64,15 @@ std::string phong_behind() {
     draw_ground(sketch, -Real(1.9), Real(1.9));
     sketch.line(l, Real(1.3) * l, dashed);
     sketch.line(v, Real(1.3) * v, dashed);
-    sketch.angle(Vec3(0), v, r, 50, {.color = red, .width = 1.4});
+    sketch.angle(Vec3(0), v, r, 50, {.width = 1.4});
     draw_vector(sketch, up, green, "$N$", {0, -8});
-    draw_vector(sketch, l, light_color, "$L$", {14, -4});
-    draw_vector(sketch, r, red, "$R$", {-14, 8});
+    draw_vector(sketch, l, amber, "$L$", {14, -4});
+    draw_vector(sketch, r, amber, "$R$", {-14, 8});
     draw_vector(sketch, v, blue, "$V$", {2, -10});
     draw_light(sketch, svg, Real(1.42) * l);
     draw_eye(sketch, svg, Real(1.36) * v, v);
     sketch.mark(Vec3(0), Mark::refused);
-    sketch.label(Vec3(-Real(0.6), 0, 0), {0, -7}, "$α$", {.color = red});
+    sketch.label(Vec3(-Real(0.6), 0, 0), {0, -7}, "$α$");
     const TextStyle beside{.anchor = Anchor::start};
     svg.text({400, 40}, "⟨$L$, $N$⟩ = " + decimal(dot(l, up), 2) + ": no light comes", beside);
     svg.text({400, 64}, "⟨$R$, $V$⟩ = " + decimal(dot(r, v), 2) + ": and no highlight", beside);
@@ -108,8 +107,8 @@ std::string phong_highlight() {
     const Light light{.position = Real(4) * up};  // straight above: R = L = N
     Vec2 key(520, 56);
     svg.text(key, "cos$^n$ $α$", {.size = 16});
-    for (const Curve& curve : {Curve{2, "#7a3b99"}, Curve{8, blue}, Curve{32, green},
-                               Curve{128, light_color}, Curve{512, red}}) {
+    for (const Curve& curve : {Curve{2, purple}, Curve{8, blue}, Curve{32, green},
+                               Curve{128, amber}, Curve{512, red}}) {
         std::vector<Vec2> points;
         for (int i = -2 * limit; i <= 2 * limit; ++i) {
             const Real degrees = Real(i) / 2;

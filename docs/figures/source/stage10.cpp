@@ -123,7 +123,7 @@ std::string shadow_start() {
     draw_start(far, point + Real(60) / 88 * side, crumb);
     far.label(point + Real(0.4) * side, {-8, 4}, "ε", {.color = green, .anchor = Anchor::end});
     svg.text({330, 226}, "a constant too large:", words);
-    svg.text({330, 244}, "over what stands close", words);
+    svg.text({330, 244}, "it skips what is close", words);
 
     Sketch ours = draw_ground(svg, {548, 130}, true);
     const Vec3 start = shadow_ray(surface_of(point, side, error), light_of_ground).ray.origin;

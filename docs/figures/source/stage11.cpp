@@ -154,10 +154,10 @@ std::string soft_shadow_penumbra() {
         return above.position + above.radius * Vec3(sample.x, sample.y, 0);  // z does not matter
     };
     const auto right = [](Vec3 from, Vec2 sample) { return sample_light(above, from, sample); };
-    svg.polyline(share_curve(printed, view), {.color = amber, .width = 2, .dashes = "6 4"});
+    svg.polyline(share_curve(printed, view), {.color = purple, .width = 2, .dashes = "6 4"});
     svg.polyline(share_curve(right, view), {.color = blue, .width = 2.2});
     svg.text({560, 134}, "sample_light", {.color = blue});
-    svg.text({92, 48}, "as printed", {.color = amber});
+    svg.text({92, 48}, "as printed", {.color = purple});
     return svg.source();
 }
 

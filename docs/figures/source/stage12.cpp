@@ -76,7 +76,7 @@ std::string mirror_interpolated() {
     const Vec3 out = mirrored(ray, smooth).direction;
     draw_face(sketch, {Real(-1.9), 0, 0}, {Real(1.8), 0, 0}, {0, Real(-0.09), 0});
     sketch.arrow(ray.origin, smooth.point, {.color = blue, .width = 2});
-    sketch.arrow(smooth.point, into / Real(1.1), {.color = amber, .width = 1.6, .dashes = "5 4"});
+    sketch.arrow(smooth.point, into / Real(1.1), {.color = purple, .width = 1.6, .dashes = "5 4"});
     sketch.arrow(smooth.point, out / Real(1.1), {.color = blue, .width = 2});
     sketch.normal(smooth.point, flat.geometric_normal, 105);
     sketch.normal(smooth.point, n, 105);
@@ -89,7 +89,7 @@ std::string mirror_interpolated() {
     sketch.label(out / Real(1.1), {-20, -14}, "at the face: out",
                  {.color = blue, .anchor = Anchor::end});
     sketch.label(into / Real(1.1), {-20, 26}, "at $n$: into the face",
-                 {.color = amber, .anchor = Anchor::end});
+                 {.color = purple, .anchor = Anchor::end});
     return svg.source();
 }
 
