@@ -2,7 +2,6 @@
 // and the stage's own shadow ray. Change the size and the epsilon.
 import { Figure, add, color, define, minus, times } from "./drawing.js";
 
-const shown = 90;  // points of each kind
 const power = (x) => `10${[...String(Math.round(2 * Math.log10(x)) / 2)].map((letter) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[letter] ?? { "-": "⁻", ".": "·" }[letter]).join("")}`;
 const named = (x) => (x === 1 ? "1" : power(x));
 
@@ -29,6 +28,7 @@ define("shadow_offset", class extends Figure {
 
   /// A scene of this size at a place of the page: with the fixed epsilon, or without one with `shadow_ray`.
   async draw_scene(sketch, [across, down], { epsilon, size }) {
+    const shown = this.together ? 45 : 90;  // points of each kind
     const { scale } = sketch.view, light = times(size, [this.light.place[0], this.light.place[1], 0.3]);
     const ball = { center: times(size, [0.1, 1, 0]), radius: size }, ground = { point: [0, 0, 0], normal: [0.02, 1, 0.01] };
     const points = { lit: [], dark: [], own: [], lost: [] }, moved = [across / scale, -down / scale, 0];
