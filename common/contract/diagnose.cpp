@@ -26,23 +26,8 @@ void explain(const Difference& difference) {
               << "\n  paste:    " << paste_line(call, *expected.value) << '\n';
 }
 
-/// The sentences of the known mistakes with exactly these answers of a function.
-std::set<std::string> alike(const Probes& probes, const std::vector<Answer>& answers,
-                            const Callee& callee) {
-    std::set<std::string> sentences;
-    for (std::size_t mistake = 0; mistake < probes.mistakes.size(); ++mistake) {
-        bool all = !probes.mistakes[mistake].is_earlier_part();
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            all = all && (probes.probes[i].call.callee != &callee ||
-                          code(probes.probes[i].mistaken[mistake]) == code(answers[i]));
-        if (all) sentences.insert(probes.mistakes[mistake].sentence);
-    }
-    return sentences;
-}
-
 /// A function with constant answers is not written yet, or one early return hides everything else:
-/// the answers identify no mistake. If exactly one known mistake gives the same answers, as the
-/// misprinted discriminant of MRT §3 does, its sentence is printed as a possibility.
+/// the answers identify no mistake, even if those of a known one are the same.
 void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& answers) {
     for (const Callee& callee : callees()) {
         if (!is_constant(probes, answers, callee)) continue;
@@ -51,10 +36,7 @@ void tell_what_never_changes(const Probes& probes, const std::vector<Answer>& an
         const std::string answer = code(answers[std::size_t(first - probes.probes.begin())]);
         std::cout << "always: " << callee.name << " answers " << answer
                   << " to every call that was tried\n";
-        const std::set<std::string> known = alike(probes, answers, callee);
-        if (known.size() == 1)
-            std::cout << "A known mistake answers so: " << *known.begin() << '\n';
-        else if (answer == "std::nullopt")
+        if (answer == "std::nullopt")
             std::cout << "One of the conditions under which it returns std::nullopt is always "
                          "true: look at each, and at what it compares\n";
     }
