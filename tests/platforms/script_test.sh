@@ -50,6 +50,13 @@ course 0 --version
 [ "$(cat out)" = "$(cat bare/steps/handout.txt)" ] || fail "a hand-out's title"
 rm -r bare/steps .git
 
+# The commit of a clone, also one of another user, as root sees it in a container.
+git init -q bare && git -C bare -c user.name=A -c user.email=a@b.c commit -q --allow-empty -m mine
+[ "$(id -u)" != 0 ] || chown -R 1 bare
+course 0 --version
+grep -qx "Raysteps [0-9.]* ([0-9a-f]*)" out || fail "the number and the commit"
+rm -rf bare/.git
+
 # Without network: one line with the reason, in apt's words.
 : > known
 { seq -f 'echo dlstatus:%g:1:wait' 400
