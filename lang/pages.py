@@ -227,8 +227,9 @@ def write_messages(template, name):
     view has, and what stands in figures. False if there is no such source."""
     room = project / rooms[name]
     of_student = re.compile(r"\b(tr|to_translate|add_student_commands|add_author_commands)\(")
-    shared = (project / "common/system").glob("*.cpp") if name == "course" else []
-    sources = [source for source in sorted([*room.glob("**/*.?pp"), *shared]) if name in ["course", "grading"]
+    of_code = name in ["course", "grading", "program"]
+    shared = (project / "common/system").glob("*.?pp" if name == "course" else "translated_help.hpp")
+    sources = [source for source in sorted([*room.glob("**/*.?pp"), *shared]) if of_code
                and (name == "grading" or "grade" not in source.relative_to(project).parts)
                and of_student.search(source.read_text(encoding="utf-8"))]
     sentences = sentences_elsewhere(room, name)
@@ -236,7 +237,8 @@ def write_messages(template, name):
         return False
     template.write_text(header.format(language=""), encoding="utf-8")
     if sources:
-        keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3"]
+        keywords = ["tr", "to_translate", "add:2", "add_of_stage:2", "add_of_program:2", "add_option:3", "add_flag:3",
+                    "add_number:5", "add_choice:6", "add_whole:3"]
         subprocess.run(["xgettext", "--from-code=UTF-8", "--language=C++", "--no-location", "--no-wrap",
                         "--keyword", *(f"--keyword={word}" for word in keywords), "-o", template, *sources], check=True)
     text = template.read_text(encoding="utf-8").replace("charset=CHARSET", "charset=UTF-8")

@@ -6,6 +6,7 @@
 #include "common/course/exercise/hints.hpp"
 #include "common/course/handout/handout.hpp"
 #include "common/course/handout/update.hpp"
+#include "common/system/translation.hpp"
 
 namespace rt {
 
@@ -47,19 +48,19 @@ void Commands::add_author_commands() {
         ->add_option_function<std::string>(
             "--stages",
             [this](const std::string& stages) { select_stages(words_.selection, stages); },
-            "those whose pages, hints and starters students get: 1-8")
+            to_translate("those whose pages, hints and starters students get: 1-8"))
         ->type_name("A-B");
     handout_command->add_option("--hints", words_.selection.hints, "levels of hints, 0 to 3")
         ->check(CLI::Range(0, hint_levels).description(""))
         ->type_name("LEVELS");
     handout_command->add_flag_callback(
         "--without-answers", [this] { words_.selection.answers = false; },
-        "without the answers to the pages' questions");
+        to_translate("without the answers to the pages' questions"));
     handout_command
         ->add_option_function<std::string>(
             "--lang",
             [this](const std::string& language) { select_language(words_.selection, language); },
-            "the language of the pages and of ./course: fr")
+            to_translate("the language of the pages and of ./course: fr"))
         ->type_name("LANGUAGE");
 }
 

@@ -8,6 +8,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/suggestion.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translated_help.hpp"
 #include "common/system/translation.hpp"
 #include "common/system/wrap.hpp"
 
@@ -84,17 +85,10 @@ void show_help(const CLI::App& command) {
 
 Commands::Commands() {
     app_.require_subcommand(0, 1);
-    for (const auto& [of_cli, word] :
-         {std::pair("REQUIRED", to_translate("(required)")),
-          std::pair("Needs", to_translate("with")), std::pair("Excludes", to_translate("without")),
-          std::pair("Usage", to_translate("Usage")), std::pair("Options", to_translate("Options")),
-          std::pair("Positionals", to_translate("Arguments"))})
-        app_.get_formatter()->label(of_cli, tr(word));
     add_student_commands();
     add_author_commands();
-    for (CLI::App* command : app_.get_subcommands({}))
-        for (CLI::Option* option : command->get_options())
-            option->description(tr(option->get_description()));
+    translate_help(app_);
+    for (CLI::App* command : app_.get_subcommands({})) translate_help(*command);
 }
 
 CLI::App* Commands::add(const std::string& usage, const std::string& description,

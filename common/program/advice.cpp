@@ -2,6 +2,8 @@
 
 #include "common/program/requirements.hpp"
 #include "common/render/render_settings.hpp"
+#include "common/system/translation.hpp"
+#include "common/system/wrap.hpp"
 #include "common/tuning/choose_depth.hpp"
 #include "common/tuning/fine_shapes.hpp"
 #include "common/tuning/input_rounding.hpp"
@@ -34,7 +36,8 @@ int depth_of_mirrors(const Scene& scene) {
 }
 
 std::string padded(const std::string& text, std::size_t width) {
-    return text + std::string(width - std::min(text.size(), width), ' ');
+    const std::size_t columns = columns_of(text);
+    return text + std::string(columns < width ? width - columns : 1, ' ');
 }
 
 }  // namespace
@@ -70,14 +73,14 @@ std::string explanation(const Scene& scene) {
         return std::any_of(needs.begin(), needs.end(),
                            [stage](const Requirement& need) { return need.stage == stage; });
     };
-    std::string lines = " requires\n";
+    std::string lines = tr(" requires") + "\n";
     for (const auto& [what, stage] : needs)
-        lines += "  " + padded(what, 28) + name_of(stage) + "\n";
-    if (needs.empty()) lines += "  only rays\n";
+        lines += "  " + padded(tr_text(what), 28) + name_of(stage) + "\n";
+    if (needs.empty()) lines += "  " + tr("only rays") + "\n";
 
-    lines += "and does not use\n";
+    lines += tr("and does not use") + "\n";
     const auto without = [&lines](bool left_out, const std::string& what) {
-        if (left_out) lines += "  " + what + "\n";
+        if (left_out) lines += "  " + tr(what) + "\n";
     };
     for (int stage = shapes_stage; stage < light_stage; ++stage)
         without(!brought_by(stage), topic_of(stage) + "s");
@@ -91,9 +94,9 @@ std::string explanation(const Scene& scene) {
                               const std::string& costs) {
         lines += padded(wrong, 37) + padded(mends, 22) + costs + "\n";
     };
-    row("and is wrong first in", "mended by", "at the cost of");
+    row(tr("and is wrong first in"), tr("mended by"), tr("at the cost of"));
     for (const auto& [seen, wrong, mends, costs] : advice(scene))
-        row("  " + seen + ": " + wrong, mends, costs);
+        row("  " + tr(seen) + tr(": ") + tr(wrong), tr(mends), tr(costs));
     return lines;
 }
 

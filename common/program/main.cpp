@@ -101,7 +101,7 @@ bool choose_and_run(const rt::Program& program, rt::Options options, rt::Clock::
             return *(in_float = open(program, options, rt::Precision::f32));
         };
     const bool shown = !options.quiet && rt::errors_on_terminal();
-    if (shown) std::cerr << "trying settings\r" << std::flush;
+    if (shown) std::cerr << rt::tr("trying settings") << '\r' << std::flush;
     const auto chosen = choose(*session, other, options, start, stop);
     if (shown) std::cerr << "\033[K" << std::flush;
     if (!chosen) return false;
@@ -128,8 +128,8 @@ std::vector<std::string> read_risks(const rt::Options& options) {
 
 void explain_risks(const rt::Options& options) {
     const std::vector<std::string> risks = read_risks(options);
-    if (!risks.empty()) std::cout << "and is at risk with --precision float\n";
-    for (const std::string& risk : risks) std::cout << "  " << risk << '\n';
+    if (!risks.empty()) std::cout << rt::tr("and is at risk with --precision float") << '\n';
+    for (const std::string& risk : risks) std::cout << "  " << rt::tr_text(risk) << '\n';
 }
 
 void warn_of_risks(const rt::Options& options) {

@@ -3,12 +3,12 @@
 #include "common/mesh_file/load_mesh.hpp"
 #include "common/mesh_file/welder.hpp"
 #include "common/program/load_meshes.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/readable.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <utility>
 #include <vector>
@@ -17,8 +17,16 @@ namespace rt {
 
 namespace {
 
-std::string counted(std::size_t count, const std::string& one) {
-    return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return count == 1 ? tr(one) : tr(many, {{"number", std::to_string(count)}});
+}
+
+std::string edges_of(std::size_t count) {
+    return counted(count, to_translate("1 edge"), to_translate("{number} edges"));
+}
+
+std::string triangles_of(std::size_t count) {
+    return counted(count, to_translate("1 triangle"), to_translate("{number} triangles"));
 }
 
 /// The triangles with one vertex for each place: a mesh has several where its normals differ.
@@ -41,19 +49,23 @@ std::pair<Triangles, std::size_t> welded(const Mesh& mesh) {
 }
 
 std::string form_line(const MeshForm& form) {
-    if (form.parts == 0) return "no part: none has an area";
-    std::string text = counted(form.parts, "part");
-    if (form.holes == 0) text += form.crowded_edges == 0 ? ", closed" : ", no hole";
-    if (form.holes > 0) {
-        text += ", " + counted(form.holes, "hole") +
-                (form.holes == 1 ? " of " : ", the longest of ") +
-                counted(form.longest_hole, "edge");
-    }
+    if (form.parts == 0) return tr("no part: none has an area");
+    std::string text = counted(form.parts, to_translate("1 part"), to_translate("{number} parts"));
+    if (form.holes == 0)
+        text += tr(form.crowded_edges == 0 ? to_translate(", closed") : to_translate(", no hole"));
+    if (form.holes > 0)
+        text +=
+            tr(form.holes == 1 ? to_translate(", 1 hole of {edges}")
+                               : to_translate(", {number} holes, the longest of {edges}"),
+               {{"number", std::to_string(form.holes)}, {"edges", edges_of(form.longest_hole)}});
     if (form.crowded_edges > 0)
-        text += ", " + counted(form.crowded_edges, "edge") + " of three triangles or more";
-    if (form.turned > 0) text += ", " + counted(form.turned, "triangle") + " turned over";
+        text +=
+            tr(", {edges} of three triangles or more", {{"edges", edges_of(form.crowded_edges)}});
+    if (form.turned > 0)
+        text += tr(", {triangles} turned over", {{"triangles", triangles_of(form.turned)}});
     if (form.one_sided > 0)
-        text += ", " + counted(form.one_sided, "triangle") + " of a surface with only one side";
+        text += tr(", {triangles} of a surface with only one side",
+                   {{"triangles", triangles_of(form.one_sided)}});
     return text;
 }
 
@@ -68,11 +80,14 @@ std::string box_line(const Mesh& mesh) {
     // To a millionth of the size: the digits that matter to place the mesh.
     const double step = longest > 0 ? std::pow(10, std::floor(std::log10(longest)) - 6) : 0;
     const glm::dvec3 middle = step > 0 ? glm::round((low + high) / 2.0 / step) * step : low;
-    std::array<char, 160> text;
-    std::snprintf(text.data(), text.size(), "middle m %.12g,%.12g,%.12g, longest side e %.6g",
-                  middle.x + 0.0, middle.y + 0.0, middle.z + 0.0, longest);
     const std::string loss = loss_in_float(low, high);
-    return text.data() + (loss.empty() ? "" : "\n    at risk with --precision float: " + loss);
+    return tr("middle m {point}, longest side e {side}",
+              {{"point",
+                formatted("%.12g,%.12g,%.12g", middle.x + 0.0, middle.y + 0.0, middle.z + 0.0)},
+               {"side", formatted("%.6g", longest)}}) +
+           (loss.empty() ? ""
+                         : "\n    " + tr("at risk with --precision float: {what}",
+                                         {{"what", tr_text(loss)}}));
 }
 
 Mesh loaded(const MeshRequest& named) {
@@ -92,9 +107,13 @@ std::string mesh_forms(const Scene& scene) {
         if (!seen.insert(named.file).second) continue;
         const Mesh mesh = loaded(named);
         const auto [triangles, vertices] = welded(mesh);
-        lines += (seen.size() == 1 ? "with the meshes\n  " : "  ") + one_line(named.file) + ": " +
-                 counted(mesh.triangles.size(), "triangle") + " in " +
-                 form_line(form_of(triangles, vertices)) + "; " + box_line(mesh) + "\n";
+        lines += (seen.size() == 1 ? tr("with the meshes") + "\n  " : "  ") +
+                 tr("{file}: {triangles} in {form}; {box}",
+                    {{"file", one_line(named.file)},
+                     {"triangles", triangles_of(mesh.triangles.size())},
+                     {"form", form_line(form_of(triangles, vertices))},
+                     {"box", box_line(mesh)}}) +
+                 "\n";
     }
     return lines;
 }

@@ -4,9 +4,11 @@
 #include "common/program/shade_options.hpp"
 #include "common/stages/stages.hpp"
 #include "common/system/escaping.hpp"
+#include "common/system/formatted.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/parse_floating.hpp"
 #include "common/system/suggestion.hpp"
+#include "common/system/translated_help.hpp"
 #include "common/system/two_numbers.hpp"
 #include "common/system/version.hpp"
 #include "common/system/wrap.hpp"
@@ -127,9 +129,9 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
         ->transform(whole_number(1, most_pixel_samples))
         ->type_name("N");
     add_number(app, "--pixel-error", least_error, brightest,
-               "trace more rays through a pixel only beside edges, until its estimated error is "
-               "below this, of 255; at most --samples, or " +
-                   std::to_string(right_pixel_samples) + " if not given",
+               formatted("trace more rays through a pixel only beside edges, until its estimated "
+                         "error is below this, of 255; at most --samples, or %d if not given",
+                         right_pixel_samples),
                "E", [&settings](double levels) { settings.pixel_error = levels; });
     app.add_option("--gamma", settings.gamma,
                    "write colors encoded for screens, or proportional to light; proportional, and "
@@ -140,8 +142,8 @@ void add_pixel_options(CLI::App& app, RenderSettings& settings) {
 
 /// Adds the options of the stages with light.
 void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
-    const auto add = [&app](const std::string& name, auto& value, const std::string& help,
-                            int least, int most) {
+    const auto add_whole = [&app](const std::string& name, auto& value, const std::string& help,
+                                  int least, int most) {
         return app.add_option(name, value, help)
             ->transform(whole_number(least, most))
             ->type_name("N");
@@ -153,7 +155,8 @@ void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
                                            {"specular", PhongTerm::specular}}))
             ->type_name("ambient|diffuse|specular");
     if (stage >= soft_shadow_stage) {
-        add("--shadow-samples", settings.shadow_samples,
+        add_whole(
+            "--shadow-samples", settings.shadow_samples,
             "largest number of rays to a light with a size; 16 if not given; with --samples N, "
             "divided by √N",
             1, most_shadow_samples);
@@ -162,25 +165,26 @@ void add_light_options(CLI::App& app, int stage, RenderSettings& settings) {
             "trace shadow rays until the estimated error of a light's part is below this, of "
             "255",
             "E", [&settings](double levels) { settings.shadow_error = levels; });
-        add("--shadow-agree", settings.shadow_agree,
-            "or until this many agree: all reach the light, or none; with --shadow-error", 1,
-            most_shadow_samples)
+        add_whole("--shadow-agree", settings.shadow_agree,
+                  "or until this many agree: all reach the light, or none; with --shadow-error", 1,
+                  most_shadow_samples)
             ->needs("--shadow-error");
     }
     if (stage >= mirror_stage)
-        add("--depth", settings.depth, "largest number of successive reflections; 8 if not given",
-            0, most_depth);
+        add_whole("--depth", settings.depth,
+                  "largest number of successive reflections; 8 if not given", 0, most_depth);
 }
 
 /// Adds the options of the files, and of the picture's size.
 void add_files(CLI::App& app, const std::string& stage_name, Options& options) {
-    app.add_option("scene", options.scene, "the scene; scenes/" + stage_name + ".rt if not given")
+    app.add_option("scene", options.scene,
+                   formatted("the scene; scenes/%s.rt if not given", stage_name.c_str()))
         ->type_name("FILE");
     app.add_option("-o,--output", options.output, "the picture; renders/<scene>.png if not given")
         ->type_name("PNG");
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& text) { options.size = parse_size(text); },
-           "the picture's size in pixels, in place of the scene's")
+           to_translate("the picture's size in pixels, in place of the scene's"))
         ->type_name("WIDTHxHEIGHT");
 }
 
@@ -190,8 +194,8 @@ void add_threads(CLI::App& app, int stage, int& threads) {
     const bool own_loop = stage == 1;
     threads = own_loop ? 1 : std::max(1, int(std::thread::hardware_concurrency()));
     app.add_option("--threads", threads,
-                   own_loop ? "one, the loop in main.cpp, if not given"
-                            : "as many as there are cores if not given")
+                   own_loop ? to_translate("one, the loop in main.cpp, if not given")
+                            : to_translate("as many as there are cores if not given"))
         ->transform(whole_number(1, most_threads))
         ->type_name("N");
 }
@@ -201,14 +205,14 @@ void add_pixel_log(CLI::App& app, int stage, Options& options) {
     app.add_option_function<std::string>(
            "--pixel",
            [&options](const std::string& text) { options.pixel = parse_pixel("--pixel", text); },
-           "print the log of one pixel's ray, and make no picture")
+           to_translate("print the log of one pixel's ray, and make no picture"))
         ->type_name("ROW,COLUMN");
     if (stage < shapes_stage) return;
     app.add_option_function<std::string>(
            "--rays",
            [&options](const std::string& text) { options.rays = parse_pixel("--rays", text); },
-           "print the rays of one pixel and the outlines of the shapes as JSON, for ./course "
-           "view, and make no picture")
+           to_translate("print the rays of one pixel and the outlines of the shapes as JSON, for "
+                        "./course view, and make no picture"))
         ->type_name("ROW,COLUMN")
         ->excludes("--pixel");
 }
@@ -229,7 +233,7 @@ void add_reading(CLI::App& app, Options& options, bool& is_horizontal) {
     add_choice(app, "--cyl", reading.cylinder_from_base, {"center", "base"},
                "meaning of a cylinder's position");
     add_choice(app, "--hand", reading.axes.left_handed, {"right", "left"},
-               "handedness of a scene's axes; left: left and right are exchanged");
+               "handedness of a scene's axes, where left exchanges left and right");
     add_choice(app, "--up", reading.axes.z_up, {"y", "z"}, "axis of the scene that points up");
     app.add_option("--camera", options.camera, "number of the scene's camera; 1 if not given")
         ->transform(whole_number(1, most_cameras))
@@ -322,7 +326,6 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     bool is_horizontal = false;
     CLI::App app{name + ": renders a .rt scene. docs/" + name + ".md is its page.", name};
     app.option_defaults()->take_last();
-    app.get_formatter()->label("Excludes", "not with");
     app.set_version_flag("--version", name + ", Raysteps " + version(program.root),
                          "print the version and exit");
     add_files(app, name, options);
@@ -344,6 +347,8 @@ std::optional<Options> parse_options(const Program& program, int argc, const cha
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
+        app.description(tr_text(app.get_description()));
+        translate_help(app);
         std::cout << wrapped_page(app.help(), app.get_formatter()->get_column_width());
         return std::nullopt;
     } catch (const CLI::CallForVersion& asked) {

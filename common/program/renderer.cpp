@@ -9,6 +9,7 @@
 #include "common/stages/stages.hpp"
 #include "common/system/cpu_seconds.hpp"
 #include "common/system/readable.hpp"
+#include "common/system/translation.hpp"
 #include "common/tuning/fine_shapes.hpp"
 #include "common/tuning/input_rounding.hpp"
 #include "common/tuning/render_trials.hpp"

@@ -178,6 +178,11 @@ void read_translations(const std::filesystem::path& catalogue) {
     for (const auto& [english, own] : translations_in(catalogue)) add_translation(english, own);
 }
 
+void forget_translations() {
+    translations().clear();
+    patterns().clear();
+}
+
 std::string tr(const std::string& english) {
     const auto found = translations().find(english);
     return found == translations().end() ? english : found->second;

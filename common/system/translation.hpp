@@ -25,6 +25,9 @@ inline constexpr const char* sentences_variable = "RAYSTEPS_SENTENCES";
 /// Reads them for tr and tr_text.
 void read_translations(const std::filesystem::path& catalogue);
 
+/// Removes those that were read.
+void forget_translations();
+
 /// The entries of a catalogue: the paragraphs of the file.
 [[nodiscard]] std::vector<std::string> catalogue_entries(const std::string& catalogue);
 

@@ -1,5 +1,8 @@
 #include "common/tuning/wording.hpp"
 
+#include "common/system/translation.hpp"
+#include "common/system/wrap.hpp"
+
 #include <cmath>
 #include <cstdio>
 
@@ -25,7 +28,9 @@ double two_digits(double value) {
 
 std::string line(const std::string& what, const std::string& why) {
     constexpr std::size_t width = sizeof "shadow samples" + 1;
-    return "  " + what + std::string(width - what.size(), ' ') + why;
+    const std::string own = tr(what);
+    const std::size_t taken = columns_of(own);
+    return "  " + own + std::string(taken < width ? width - taken : 1, ' ') + tr_text(why);
 }
 
 }  // namespace rt

@@ -16,7 +16,7 @@ namespace rt {
 /// `value`. The value must be positive.
 [[nodiscard]] double two_digits(double value);
 
-/// One line of the report: the setting chosen, and the reason.
+/// One line of the report, in the reader's language: the setting chosen, and the reason.
 [[nodiscard]] std::string line(const std::string& what, const std::string& why);
 
 }  // namespace rt

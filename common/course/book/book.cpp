@@ -9,6 +9,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/terminal.hpp"
+#include "common/system/translation.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -102,7 +103,7 @@ int book(const BookSettings& settings) {
     if (settings.out) {
         write_site(settings.project, *settings.out,
                    settings.source.empty() ? address_on_github(settings.project) : settings.source);
-        std::printf("%s: open index.html\n", settings.out->c_str());
+        std::puts(tr("{folder}: open index.html", {{"folder", *settings.out}}).c_str());
         return 0;
     }
     if (settings.pdf) check_printing(*settings.pdf);
@@ -116,7 +117,8 @@ int book(const BookSettings& settings) {
         throw InputError({}, "this hand-out does not contain the book: read docs/README.md");
     if (settings.pdf) {
         print_pages(settings.project / site, *settings.pdf);
-        std::printf("%s: a PDF for each stage, and course.pdf\n", settings.pdf->c_str());
+        std::puts(tr("{folder}: a PDF for each stage, and course.pdf", {{"folder", *settings.pdf}})
+                      .c_str());
         return 0;
     }
     Host host(0);

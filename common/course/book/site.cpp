@@ -6,6 +6,7 @@
 #include "common/system/files.hpp"
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
+#include "common/system/translation.hpp"
 
 #include <iostream>
 #include <regex>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::minutes build_time_limit{5};
+constexpr std::chrono::minutes build_time_limit{20};
 constexpr const char* list_of_files = "book.txt";
 
 /// A line for each file of the site: its fingerprint and its path.
@@ -51,8 +52,9 @@ void refuse_what_is_no_site(const fs::path& destination, const fs::path& target)
 void build_engine() {
     const bool is_built = try_build({"book_engine"}).succeeded;
     if (!is_built || !fs::exists(build_folder / "engine/engine_double.wasm"))
-        std::cerr << "The figures do not run: they need clang, lld, wasi-libc and what "
-                     "docs/reference/figures.md names.\n";
+        std::cerr << tr("The figures do not run: they need clang, lld, wasi-libc and what "
+                        "docs/reference/figures.md names.")
+                  << '\n';
 }
 
 void run_mkdocs(const fs::path& project, const fs::path& site, const std::string& source) {
@@ -68,6 +70,8 @@ void run_mkdocs(const fs::path& project, const fs::path& site, const std::string
         throw InputError({},
                          "the book needs mkdocs-material (with mkdocs from version 1.4 on) and "
                          "katex, or what your system calls them");
+    if (ending.out_of_time)
+        throw InputError({}, "the book took more than 20 minutes: this machine is too busy");
     if (ending.status != 0) throw ProgramError(ending.output);
     std::cerr << ending.output;  // warnings
 }

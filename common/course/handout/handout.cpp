@@ -13,6 +13,7 @@
 #include "common/system/input_error.hpp"
 #include "common/system/process.hpp"
 #include "common/system/status_line.hpp"
+#include "common/system/translation.hpp"
 #include "common/system/version.hpp"
 
 #include <sys/utsname.h>
@@ -84,7 +85,8 @@ std::vector<std::string> files_for_students() {
     const std::vector<std::string> known = ask_git("");
     if (known.empty()) return look_around();
     for (const std::string& path : ask_git("--others --exclude-standard"))
-        std::fprintf(stderr, "warning: %s is not in git, and left out\n", path.c_str());
+        std::fprintf(stderr, "%s\n",
+                     tr("warning: {file} is not in git, and left out", {{"file", path}}).c_str());
     return known;
 }
 
@@ -201,7 +203,7 @@ std::string today() {
 /// The pages of the hand-out as a site, if that of the clone was built once.
 void add_book(const fs::path& folder) {
     if (!fs::exists(project_folder / site_of_clone)) {
-        std::fputs("without the book: ./course book builds it\n", stderr);
+        std::fprintf(stderr, "%s\n", tr("without the book: ./course book builds it").c_str());
         return;
     }
     const fs::path site = folder / "book";  // mkdocs does not write it into docs/
@@ -344,10 +346,14 @@ int hand_out(const fs::path& destination, const std::vector<std::string>& also,
     if (packed) pack(workshop.path() / name, workshop.path() / target.filename());
     refuse_what_is_there(destination, target);  // the destination may have been created meanwhile
     fs::rename(workshop.path() / (packed ? target.filename() : fs::path(name)), target);
-    std::printf("%s: %zu files, without solutions\nfor %s\n", destination.c_str(), files,
-                kind_of(machines).c_str());
-    std::printf("To update an older hand-out: ./course update %s\n",
-                shell_word(target.filename().string()).c_str());
+    std::puts(tr("{folder}: {number} files, without solutions\nfor {machines}",
+                 {{"folder", destination.string()},
+                  {"number", std::to_string(files)},
+                  {"machines", tr_text(kind_of(machines))}})
+                  .c_str());
+    std::puts(tr("To update an older hand-out: ./course update {name}",
+                 {{"name", shell_word(target.filename().string())}})
+                  .c_str());
     return 0;
 }
 
